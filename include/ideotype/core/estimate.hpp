@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+
+namespace ideotype {
+
+//! A figure and its standard error, in the same unit.
+struct Estimate {
+    double mean = 0;
+    double standard_error = 0;
+};
+
+//! Mean of independent replicates and the standard error of that mean,
+//! sqrt(sum (x - mean)^2 / (n (n - 1))). A single replicate tells nothing of
+//! its error: the standard error is then NaN.
+Estimate estimate(std::span<const double> replicates);
+
+//! a * x for an exact factor a.
+inline Estimate scaled(Estimate x, double a) {
+    return {a * x.mean, (a < 0 ? -a : a) * x.standard_error};
+}
+
+}  // namespace ideotype

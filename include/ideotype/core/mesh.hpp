@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ideotype {
+
+//! A point or direction [m]; z is up.
+struct Vec3 {
+    double x = 0, y = 0, z = 0;
+};
+
+//! What a surface is made of; selects its optical properties.
+enum class Tissue : std::uint8_t { leaf, stalk };
+
+//! Faces whose light is counted together, for example all leaves of one rank.
+struct Group {
+    std::string name;
+    Tissue tissue = Tissue::leaf;
+};
+
+//! Surfaces as quadrilaterals [m]. A triangle repeats its last vertex.
+struct Mesh {
+    std::vector<Vec3> vertices;
+    std::vector<std::array<std::uint32_t, 4>> faces;
+    std::vector<std::uint32_t> face_group;  //!< index into groups, per face
+    std::vector<Group> groups;
+};
+
+//! One-sided area of each face [m2].
+std::vector<double> face_areas(const Mesh& mesh);
+
+//! One-sided area of all leaf faces [m2].
+double leaf_area(const Mesh& mesh);
+
+}  // namespace ideotype

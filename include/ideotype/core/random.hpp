@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace ideotype {
+
+//! What random numbers are drawn for; no two purposes share a draw.
+enum class Purpose : std::uint32_t {
+    initial_population = 1,
+    selection = 2,
+    crossover = 3,
+    mutation = 4,
+    jitter = 5,
+    scramble = 6,
+    scattering = 7,
+};
+
+//! Philox-4x32-10: four random words as a pure function of counter and key
+//! (Salmon et al. 2011, doi:10.1145/2063384.2063405).
+std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
+                                        std::array<std::uint32_t, 2> key);
+
+//! A sequence of random numbers that is a pure function of what it is for.
+//! Two streams with the same key give the same numbers, on any rank.
+class RandomStream {
+  public:
+    RandomStream(std::uint64_t seed, Purpose purpose,
+                 std::uint32_t generation = 0, std::uint32_t slot = 0);
+
+    //! 32 random bits.
+    std::uint32_t bits();
+
+    //! 64 random bits.
+    std::uint64_t bits64();
+
+    //! Uniform in [0, 1), with 53 random bits.
+    double uniform();
+
+    //! Uniform in [lower, upper).
+    double uniform(double lower, double upper);
+
+    //! Uniform whole number in [0, n), n > 0, without bias.
+    std::uint32_t below(std::uint32_t n);
+
+  private:
+    std::array<std::uint32_t, 2> key_;
+    std::array<std::uint32_t, 4> counter_;
+    std::array<std::uint32_t, 4> block_{};
+    unsigned used_ = 4;
+};
+
+}  // namespace ideotype

@@ -1,0 +1,54 @@
+#include "ideotype/core/stop_flag.hpp"
+
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+
+namespace ideotype {
+
+namespace {
+
+// A signal handler can only reach the process's own storage; the owner of
+// this one is the single StopFlag.
+std::atomic<int> first_signal{0};
+std::atomic<bool> interrupted{false};
+std::atomic<bool> stop_requested{false};
+static_assert(std::atomic<int>::is_always_lock_free);
+
+constexpr std::array<int, 3> handled{SIGINT, SIGTERM, SIGUSR1};
+
+void on_signal(int signal) {
+    if (signal == SIGINT && interrupted.exchange(true)) _exit(128 + SIGINT);
+    int none = 0;
+    first_signal.compare_exchange_strong(none, signal);
+    stop_requested.store(true);
+}
+
+}  // namespace
+
+StopFlag::StopFlag() {
+    first_signal = 0;
+    interrupted = false;
+    stop_requested = false;
+    struct sigaction action {};
+    action.sa_handler = on_signal;
+    sigemptyset(&action.sa_mask);
+    action.sa_flags = SA_RESTART;
+    for (std::size_t i = 0; i < handled.size(); ++i)
+        sigaction(handled[i], &action, &former_[i]);
+}
+
+StopFlag::~StopFlag() {
+    for (std::size_t i = 0; i < handled.size(); ++i)
+        sigaction(handled[i], &former_[i], nullptr);
+}
+
+bool StopFlag::requested() const { return stop_requested.load(); }
+
+void StopFlag::request() { stop_requested.store(true); }
+
+int StopFlag::signal() const { return first_signal.load(); }
+
+}  // namespace ideotype

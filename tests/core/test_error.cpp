@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include "ideotype/core/error.hpp"
+
+namespace ideotype {
+
+namespace {
+
+Problem problem_at(Location where, std::string what) {
+    return {std::move(where), std::move(what)};
+}
+
+}  // namespace
+
+TEST(Problem, ReadsAsFileLineColumn) {
+    EXPECT_EQ(to_string(problem_at({"ames.toml", 12, 5}, "unknown key")),
+              "ames.toml:12:5: unknown key");
+}
+
+TEST(Problem, OmitsAnUnknownPlace) {
+    EXPECT_EQ(to_string(problem_at({"ames.toml"}, "is empty")),
+              "ames.toml: is empty");
+}
+
+TEST(Error, IsARuntimeFailureUnlessSaidOtherwise) {
+    EXPECT_EQ(Error("x").exit_code(), ExitCode::runtime);
+    EXPECT_EQ(Error("x", ExitCode::refused).exit_code(), ExitCode::refused);
+    EXPECT_STREQ(Error("no such file").what(), "no such file");
+}
+
+TEST(Error, ExitCodesAreThoseOfTheManual) {
+    EXPECT_EQ(static_cast<int>(ExitCode::ok), 0);
+    EXPECT_EQ(static_cast<int>(ExitCode::runtime), 1);
+    EXPECT_EQ(static_cast<int>(ExitCode::usage), 2);
+    EXPECT_EQ(static_cast<int>(ExitCode::invalid_campaign), 3);
+    EXPECT_EQ(static_cast<int>(ExitCode::refused), 4);
+}
+
+TEST(InputError, NamesEveryProblemInOrder) {
+    const InputError error({problem_at({"a.toml", 2, 1}, "first"),
+                            problem_at({"a.toml", 9, 3}, "second")});
+    EXPECT_STREQ(error.what(), "a.toml:2:1: first\na.toml:9:3: second");
+    EXPECT_EQ(error.exit_code(), ExitCode::invalid_campaign);
+    ASSERT_EQ(error.problems().size(), 2u);
+    EXPECT_EQ(error.problems()[1].where.line, 9);
+}
+
+TEST(NearestName, FindsWhatWasMeant) {
+    const std::vector<std::string> names{"latitude", "longitude", "elevation"};
+    EXPECT_EQ(nearest_name("latitud", names), "latitude");
+    EXPECT_EQ(nearest_name("lattitude", names), "latitude");
+    EXPECT_EQ(nearest_name("longtitude", names), "longitude");
+    EXPECT_EQ(nearest_name("elevation", names), "elevation");
+}
+
+TEST(NearestName, PrefersTheCloserOfTwo) {
+    EXPECT_EQ(nearest_name("row_spacin", {"plant_spacing", "row_spacing"}),
+              "row_spacing");
+    EXPECT_EQ(nearest_name("plan_spacing", {"row_spacing", "plant_spacing"}),
+              "plant_spacing");
+}
+
+TEST(NearestName, StaysSilentIfNothingIsNear) {
+    EXPECT_EQ(nearest_name("colour", {"latitude", "longitude"}), "");
+    EXPECT_EQ(nearest_name("latitude", {}), "");
+    EXPECT_EQ(nearest_name("", {"latitude"}), "");
+}
+
+}  // namespace ideotype

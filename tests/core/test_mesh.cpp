@@ -1,0 +1,54 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/core/mesh.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! A leaf of 2 m x 1 m, a leaf triangle of 1 m2 and a stalk of 3 m x 1 m.
+Mesh sample_mesh() {
+    Mesh mesh;
+    mesh.vertices = {{0, 0, 1}, {2, 0, 1}, {2, 1, 1}, {0, 1, 1},
+                     {0, 0, 0}, {0, 1, 0}, {0, 1, 3}, {0, 0, 3}};
+    mesh.faces = {{0, 1, 2, 3}, {0, 1, 2, 2}, {4, 5, 6, 7}};
+    mesh.face_group = {0, 2, 1};
+    mesh.groups = {{"leaf01", Tissue::leaf},
+                   {"stalk", Tissue::stalk},
+                   {"leaf02", Tissue::leaf}};
+    return mesh;
+}
+
+}  // namespace
+
+TEST(FaceAreas, CoverQuadrilateralsAndTriangles) {
+    const std::vector<double> areas = face_areas(sample_mesh());
+    ASSERT_EQ(areas.size(), 3u);
+    EXPECT_DOUBLE_EQ(areas[0], 2);
+    EXPECT_DOUBLE_EQ(areas[1], 1);
+    EXPECT_DOUBLE_EQ(areas[2], 3);
+}
+
+TEST(FaceAreas, FollowATwistedFaceAlongOneDiagonal) {
+    Mesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}};
+    mesh.faces = {{0, 1, 2, 3}};
+    // The flat half, and half of a square seen from its folded corner.
+    EXPECT_DOUBLE_EQ(face_areas(mesh)[0], 0.5 + std::sqrt(3.0) / 2);
+}
+
+TEST(FaceAreas, OfADegenerateFaceIsZero) {
+    Mesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1, 1, 1}};
+    mesh.faces = {{0, 1, 1, 1}, {0, 0, 1, 1}};
+    for (const double area : face_areas(mesh)) EXPECT_EQ(area, 0);
+}
+
+TEST(LeafArea, CountsLeavesButNotStalks) {
+    EXPECT_DOUBLE_EQ(leaf_area(sample_mesh()), 3);
+    EXPECT_EQ(leaf_area({}), 0);
+}
+
+}  // namespace ideotype

@@ -1,0 +1,138 @@
+#include <csignal>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include "ideotype/core/stop_flag.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! The status of a child process that runs this.
+template <class Function>
+int status_of_child(Function run) {
+    const pid_t child = fork();
+    if (child == 0) {
+        run();
+        _exit(0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return status;
+}
+
+void (*handler_of(int signal))(int) {
+    struct sigaction action {};
+    sigaction(signal, nullptr, &action);
+    return action.sa_handler;
+}
+
+void some_handler(int) {}
+
+class StopSignal : public testing::TestWithParam<int> {};
+
+}  // namespace
+
+TEST(StopFlag, IsDownAtFirst) {
+    const StopFlag stop;
+    EXPECT_FALSE(stop.requested());
+    EXPECT_EQ(stop.signal(), 0);
+}
+
+TEST(StopFlag, RisesOnRequestWithoutASignal) {
+    StopFlag stop;
+    stop.request();
+    EXPECT_TRUE(stop.requested());
+    EXPECT_EQ(stop.signal(), 0);
+}
+
+TEST_P(StopSignal, RaisesTheFlagAndIsRemembered) {
+    const StopFlag stop;
+    raise(GetParam());
+    EXPECT_TRUE(stop.requested());
+    EXPECT_EQ(stop.signal(), GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(StopFlag, StopSignal,
+                         testing::Values(SIGINT, SIGTERM, SIGUSR1));
+
+TEST(StopFlag, RemembersTheFirstOfSeveralSignals) {
+    const StopFlag stop;
+    raise(SIGUSR1);
+    raise(SIGTERM);
+    raise(SIGTERM);
+    raise(SIGINT);
+    EXPECT_EQ(stop.signal(), SIGUSR1);
+}
+
+TEST(StopFlag, IsDownAgainAfterAnotherOneWasUp) {
+    {
+        const StopFlag stop;
+        raise(SIGINT);
+    }
+    const StopFlag stop;
+    EXPECT_FALSE(stop.requested());
+    EXPECT_EQ(stop.signal(), 0);
+    // Only one interrupt so far has come to this one.
+    raise(SIGINT);
+    EXPECT_EQ(stop.signal(), SIGINT);
+}
+
+TEST(StopFlag, GivesTheFormerHandlersBack) {
+    const auto original = signal(SIGUSR1, some_handler);
+    const auto of_interrupt = handler_of(SIGINT);
+    const auto of_termination = handler_of(SIGTERM);
+    {
+        const StopFlag stop;
+        EXPECT_NE(handler_of(SIGUSR1), some_handler);
+    }
+    EXPECT_EQ(handler_of(SIGUSR1), some_handler);
+    signal(SIGUSR1, original);
+    EXPECT_EQ(handler_of(SIGINT), of_interrupt);
+    EXPECT_EQ(handler_of(SIGTERM), of_termination);
+}
+
+TEST(StopFlag, ASecondInterruptEndsTheProcessAtOnce) {
+    const int once = status_of_child([] {
+        const StopFlag stop;
+        raise(SIGINT);
+        _exit(stop.requested() ? 5 : 6);
+    });
+    ASSERT_TRUE(WIFEXITED(once));
+    EXPECT_EQ(WEXITSTATUS(once), 5);
+
+    const int twice = status_of_child([] {
+        const StopFlag stop;
+        raise(SIGINT);
+        raise(SIGINT);
+        _exit(5);
+    });
+    ASSERT_TRUE(WIFEXITED(twice));
+    EXPECT_EQ(WEXITSTATUS(twice), 128 + SIGINT);
+}
+
+TEST(StopFlag, AnInterruptedReadGoesOn) {
+    int pipe_ends[2];
+    ASSERT_EQ(pipe(pipe_ends), 0);
+    const StopFlag stop;
+    const pid_t child = fork();
+    if (child == 0) {
+        // Give the parent time to begin its read.
+        usleep(100'000);
+        kill(getppid(), SIGUSR1);
+        usleep(100'000);
+        const char byte = 'x';
+        _exit(write(pipe_ends[1], &byte, 1) == 1 ? 0 : 1);
+    }
+    char byte = 0;
+    EXPECT_EQ(read(pipe_ends[0], &byte, 1), 1);
+    EXPECT_EQ(byte, 'x');
+    EXPECT_EQ(stop.signal(), SIGUSR1);
+    waitpid(child, nullptr, 0);
+    close(pipe_ends[0]);
+    close(pipe_ends[1]);
+}
+
+}  // namespace ideotype

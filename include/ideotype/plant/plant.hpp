@@ -1,0 +1,61 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ideotype/core/mesh.hpp"
+
+namespace ideotype {
+
+//! What can be bred of a leaf.
+struct LeafTraits {
+    double length = 0;       //!< arc length of the midrib [m]
+    double width = 0;        //!< largest width of the blade [m]
+    double inclination = 0;  //!< of the leaf base from the stem [deg]
+    double azimuth = 0;      //!< about the stem, 0 = along the row [deg]
+};
+
+//! What is given of a leaf.
+struct LeafForm {
+    double droop = 0;             //!< how far the tip bends down [deg]
+    double insertion_height = 0;  //!< above the soil [m]
+};
+
+//! The shape that all blades share.
+struct BladeForm {
+    //! Control values of the width profile: the width over arc length is a
+    //! cubic B-spline with these six control values and knots at 1/3 and 2/3,
+    //! scaled to a maximum of 1.
+    std::vector<double> width_controls;
+    double fold = 10;             //!< rise of each half from flat [deg]
+    double droop_exponent = 1.5;  //!< of relative arc length
+};
+
+//! A cylinder on the soil.
+struct StalkForm {
+    bool is_present = true;
+    double height = 2.0;      //!< [m]
+    double diameter = 0.027;  //!< [m]
+};
+
+//! How finely curved surfaces are cut into faces.
+struct Tessellation {
+    int cells_along = 12;  //!< per leaf; two cells across, one per half
+    int stalk_sides = 8;
+};
+
+//! Everything about a plant that is not bred.
+struct PlantForm {
+    std::string name;
+    std::vector<LeafForm> leaves;  //!< lowest first
+    BladeForm blade;
+    StalkForm stalk;
+};
+
+//! The surfaces of one plant: its foot at the origin, y along the row, z up.
+//! Group i is leaf i + 1; the stalk, if present, is the last group.
+//! @throws Error if the numbers of leaves differ.
+Mesh build_plant(const std::vector<LeafTraits>& traits, const PlantForm& form,
+                 const Tessellation& tessellation);
+
+}  // namespace ideotype

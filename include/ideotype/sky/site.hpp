@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+namespace ideotype {
+
+//! A place on Earth and its clear-sky air.
+struct Site {
+    std::string name;
+    double latitude = 0;         //!< [deg], north positive
+    double longitude = 0;        //!< [deg], east positive
+    double utc_offset = 0;       //!< of the local clock [h]
+    double elevation = 0;        //!< above sea level [m]
+    double linke_turbidity = 3;  //!< [-], 2 very clear ... 7 hazy
+};
+
+//! A day of the Gregorian calendar.
+struct Date {
+    int year = 2025;
+    int month = 1;
+    int day = 1;
+};
+
+}  // namespace ideotype

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ideotype {
+
+//! The ray tracer, on one thread and with one instruction set. Which rays
+//! graze which edge depends on the instruction set; histories record it.
+class Device {
+  public:
+    //! @throws Error if the processor lacks the instruction set.
+    explicit Device(const std::string& isa);
+    ~Device();
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+
+    const std::string& isa() const { return isa_; }
+
+    //! Instruction sets that this processor has, narrowest first:
+    //! some of sse2, sse4.2, avx, avx2, avx512.
+    static std::vector<std::string> supported_isas();
+
+    //! Name and version of the ray tracing library.
+    static std::string library_version();
+
+  private:
+    friend class Scene;
+    struct Handle;
+    std::string isa_;
+    std::unique_ptr<Handle> handle_;
+};
+
+}  // namespace ideotype

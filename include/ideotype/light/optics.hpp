@@ -1,0 +1,25 @@
+#pragma once
+
+namespace ideotype {
+
+//! A Lambertian surface that reflects, transmits and absorbs the rest, the
+//! same on both faces.
+struct Lambertian {
+    double reflectance = 0;
+    double transmittance = 0;
+};
+
+//! Optical properties of all that light can meet.
+struct Optics {
+    Lambertian leaf;
+    Lambertian stalk;
+    double soil_albedo = 0;  //!< Lambertian
+};
+
+//! How much work one estimate of the light may cost.
+struct Sampling {
+    int paths = 4096;        //!< per randomisation, a power of two
+    int randomisations = 8;  //!< independent, at least 2
+};
+
+}  // namespace ideotype

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ideotype/light/illumination.hpp"
+#include "ideotype/light/optics.hpp"
+#include "ideotype/light/scene.hpp"
+
+namespace ideotype {
+
+//! Where the light of one source went [J m-2 of ground].
+struct Budget {
+    double leaves = 0;
+    double stalks = 0;
+    double soil = 0;
+    double reflected = 0;
+
+    double total() const { return leaves + stalks + soil + reflected; }
+};
+
+//! What one randomisation found [J m-2 of ground].
+struct Tally {
+    std::vector<Budget> sources;
+    std::vector<double> groups;  //!< absorbed, per group of the mesh
+};
+
+//! Which random numbers a simulation uses.
+struct Randomness {
+    std::uint64_t seed = 0;
+    std::uint32_t generation = 0;
+    std::uint32_t first_randomisation = 0;
+};
+
+//! Follows light from above the canopy, through as many periods as it takes,
+//! until leaves, stalks and soil have absorbed it or it has left upwards.
+//!
+//! Each source gets a share of the paths in proportion to its energy, at
+//! least one; its paths share its energy equally. At a surface light is
+//! absorbed, reflected or transmitted (Lambertian); see deposit() in the
+//! source for the unbiased rule that ends paths. In every randomisation the
+//! budget of every source sums to its energy, to rounding.
+//!
+//! @param groups what each group of the scene's mesh is made of
+//! @return one tally per randomisation
+//! @throws Error if there are fewer paths than sources or paths is not a
+//! power of two.
+std::vector<Tally> simulate(const Scene& scene,
+                            const std::vector<Group>& groups,
+                            const Optics& optics,
+                            const Illumination& illumination,
+                            const Sampling& sampling,
+                            const Randomness& randomness);
+
+}  // namespace ideotype

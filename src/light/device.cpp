@@ -1,0 +1,50 @@
+#include "ideotype/light/device.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "embree_handle.hpp"
+#include "ideotype/core/error.hpp"
+
+namespace ideotype {
+
+Device::Device(const std::string& isa) : isa_(isa) {
+    const std::vector<std::string> supported = supported_isas();
+    if (std::find(supported.begin(), supported.end(), isa) == supported.end())
+        throw Error(fmt::format(
+            "this processor has no instruction set '{}' (it has {}); results "
+            "depend on it, so run on a machine that has it",
+            isa, fmt::join(supported, ", ")));
+    RTCDevice device = rtcNewDevice(
+        fmt::format("threads=1,set_affinity=0,isa={}", isa).c_str());
+    if (!device) throw Error("Embree cannot create a device");
+    handle_ = std::make_unique<Handle>(Handle{device});
+}
+
+Device::~Device() {
+    rtcReleaseDevice(handle_->device);
+}
+
+std::vector<std::string> Device::supported_isas() {
+    std::vector<std::string> isas{"sse2"};
+    __builtin_cpu_init();
+    if (__builtin_cpu_supports("sse4.2")) isas.push_back("sse4.2");
+    if (__builtin_cpu_supports("avx")) isas.push_back("avx");
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+        isas.push_back("avx2");
+    if (__builtin_cpu_supports("avx512f") &&
+        __builtin_cpu_supports("avx512dq") &&
+        __builtin_cpu_supports("avx512cd") &&
+        __builtin_cpu_supports("avx512bw") &&
+        __builtin_cpu_supports("avx512vl"))
+        isas.push_back("avx512");
+    return isas;
+}
+
+std::string Device::library_version() {
+    return fmt::format("Embree {}", RTC_VERSION_STRING);
+}
+
+}  // namespace ideotype

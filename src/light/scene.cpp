@@ -1,0 +1,173 @@
+#include "ideotype/light/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "embree_handle.hpp"
+#include "ideotype/core/error.hpp"
+
+namespace ideotype {
+
+namespace {
+
+struct Extent {
+    double lower = std::numeric_limits<double>::infinity();
+    double upper = -std::numeric_limits<double>::infinity();
+
+    void include(double x) {
+        lower = std::min(lower, x);
+        upper = std::max(upper, x);
+    }
+};
+
+//! Whole periods by which an extent must be shifted to touch [0, period].
+struct Shifts {
+    long first;
+    long last;
+};
+
+Shifts shifts_into(const Extent& extent, double period) {
+    // A face that only touches the boundary is kept on both sides, so that no
+    // rounding can open a slit there.
+    const double margin = 1e-6 * period;
+    return {static_cast<long>(std::ceil((-margin - extent.upper) / period)),
+            static_cast<long>(
+                std::floor((period + margin - extent.lower) / period))};
+}
+
+}  // namespace
+
+Scene::Scene(const Device& device, const Mesh& mesh, double period_x,
+             double period_y)
+    : period_x_(period_x), period_y_(period_y) {
+    if (!(period_x > 0) || !(period_y > 0) || !std::isfinite(period_x) ||
+        !std::isfinite(period_y))
+        throw Error(fmt::format("the period {} x {} m is not positive",
+                                period_x, period_y));
+    for (const Vec3& v : mesh.vertices)
+        if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
+            throw Error("a vertex of the canopy is not finite");
+    const std::vector<double> areas = face_areas(mesh);
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+        if (areas[f] > 0) add_images(mesh, f);
+    top_ += 1e-3;
+    clearance_ = 4 * std::numeric_limits<float>::epsilon() *
+                 std::max({period_x, period_y, top_});
+    commit(device);
+}
+
+Scene::~Scene() {
+    if (handle_) rtcReleaseScene(handle_->scene);
+}
+
+Scene::Scene(Scene&&) noexcept = default;
+
+Scene& Scene::operator=(Scene&& other) noexcept {
+    std::swap(period_x_, other.period_x_);
+    std::swap(period_y_, other.period_y_);
+    std::swap(top_, other.top_);
+    std::swap(clearance_, other.clearance_);
+    corners_.swap(other.corners_);
+    face_group_.swap(other.face_group_);
+    handle_.swap(other.handle_);
+    return *this;
+}
+
+void Scene::add_images(const Mesh& mesh, std::size_t face) {
+    Extent x, y, z;
+    for (const std::uint32_t v : mesh.faces[face]) {
+        x.include(mesh.vertices[v].x);
+        y.include(mesh.vertices[v].y);
+        z.include(mesh.vertices[v].z);
+    }
+    if (z.upper < 0) return;
+    top_ = std::max(top_, z.upper);
+    const Shifts along_x = shifts_into(x, period_x_);
+    const Shifts along_y = shifts_into(y, period_y_);
+    for (long i = along_x.first; i <= along_x.last; ++i)
+        for (long j = along_y.first; j <= along_y.last; ++j) {
+            for (const std::uint32_t v : mesh.faces[face]) {
+                const Vec3& p = mesh.vertices[v];
+                corners_.push_back(
+                    {static_cast<float>(p.x +
+                                        static_cast<double>(i) * period_x_),
+                     static_cast<float>(p.y +
+                                        static_cast<double>(j) * period_y_),
+                     static_cast<float>(p.z), 0});
+            }
+            face_group_.push_back(mesh.face_group[face]);
+        }
+}
+
+void Scene::commit(const Device& device) {
+    RTCDevice embree = device.handle_->device;
+    handle_ = std::make_unique<Handle>(Handle{rtcNewScene(embree)});
+    if (!face_group_.empty()) attach_faces(embree);
+    rtcCommitScene(handle_->scene);
+    if (const RTCError error = rtcGetDeviceError(embree))
+        throw Error(
+            fmt::format("Embree cannot build a scene of {} faces "
+                        "(error {})",
+                        face_group_.size(), static_cast<int>(error)));
+}
+
+void Scene::attach_faces(RTCDeviceTy* embree) {
+    RTCGeometry geometry = rtcNewGeometry(embree, RTC_GEOMETRY_TYPE_QUAD);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+                               RTC_FORMAT_FLOAT3, corners_.data(), 0,
+                               sizeof corners_[0], corners_.size());
+    auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4,
+        4 * sizeof(std::uint32_t), face_group_.size()));
+    if (indices)
+        for (std::uint32_t i = 0; i < corners_.size(); ++i) indices[i] = i;
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(handle_->scene, geometry);
+    rtcReleaseGeometry(geometry);
+}
+
+bool Scene::intersect(const Vec3& origin, const Vec3& direction,
+                      double distance, Hit& hit) const {
+    RTCRayHit query;
+    query.ray.org_x = static_cast<float>(origin.x);
+    query.ray.org_y = static_cast<float>(origin.y);
+    query.ray.org_z = static_cast<float>(origin.z);
+    query.ray.dir_x = static_cast<float>(direction.x);
+    query.ray.dir_y = static_cast<float>(direction.y);
+    query.ray.dir_z = static_cast<float>(direction.z);
+    query.ray.tnear = 0;
+    query.ray.tfar = static_cast<float>(distance);
+    query.ray.time = 0;
+    query.ray.mask = ~0u;
+    query.ray.id = 0;
+    query.ray.flags = 0;
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    intersect_first(handle_->scene, query);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+
+    const double nx = query.hit.Ng_x, ny = query.hit.Ng_y, nz = query.hit.Ng_z;
+    const double length = std::sqrt(nx * nx + ny * ny + nz * nz);
+    hit.normal = {nx / length, ny / length, nz / length};
+    hit.group = face_group_[query.hit.primID];
+
+    // The distance along the ray is good to single precision only. Put the
+    // point back on the plane through a corner that both triangles of the
+    // face share.
+    const auto& corner = corners_[4 * std::size_t{query.hit.primID} + 1];
+    const double t = query.ray.tfar;
+    Vec3& p = hit.position;
+    p = {origin.x + t * direction.x, origin.y + t * direction.y,
+         origin.z + t * direction.z};
+    const double off = (p.x - static_cast<double>(corner[0])) * hit.normal.x +
+                       (p.y - static_cast<double>(corner[1])) * hit.normal.y +
+                       (p.z - static_cast<double>(corner[2])) * hit.normal.z;
+    p = {p.x - off * hit.normal.x, p.y - off * hit.normal.y,
+         p.z - off * hit.normal.z};
+    return true;
+}
+
+}  // namespace ideotype

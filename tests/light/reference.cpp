@@ -1,0 +1,112 @@
+#include "reference.hpp"
+
+#include <cmath>
+#include <tiny_obj_loader.h>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/core/error.hpp"
+#include "ideotype/core/units.hpp"
+
+namespace ideotype {
+
+const Device& widest_device() {
+    static const Device device(Device::supported_isas().back());
+    return device;
+}
+
+Mesh load_reference_mesh(const std::string& name) {
+    const std::string path =
+        std::string(IDEOTYPE_TEST_DATA) + "/reference/" + name + ".obj";
+    tinyobj::ObjReader reader;
+    if (!reader.ParseFromFile(path)) throw Error(path + ": " + reader.Error());
+    Mesh mesh;
+    const auto& v = reader.GetAttrib().vertices;
+    for (std::size_t i = 0; i + 2 < v.size(); i += 3)
+        mesh.vertices.push_back({v[i], v[i + 1], v[i + 2]});
+    for (const auto& shape : reader.GetShapes()) {
+        const auto group = static_cast<std::uint32_t>(mesh.groups.size());
+        mesh.groups.push_back({shape.name, Tissue::leaf});
+        const auto& corners = shape.mesh.indices;
+        for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+            const auto index = [&](std::size_t k) {
+                return static_cast<std::uint32_t>(corners[i + k].vertex_index);
+            };
+            mesh.faces.push_back({index(0), index(1), index(2), index(2)});
+            mesh.face_group.push_back(group);
+        }
+    }
+    return mesh;
+}
+
+Illumination sun_from(double elevation, double azimuth) {
+    return {{{beam_direction({90 - elevation, azimuth}), 1.0}}};
+}
+
+Illumination uniform_sky() {
+    return {{{std::nullopt, 1.0}}};
+}
+
+Fractions trace(const Mesh& mesh, Period period, const Optics& optics,
+                const Illumination& light, Sampling sampling,
+                std::uint64_t seed) {
+    const Scene scene(widest_device(), mesh, period.x, period.y);
+    const auto tallies =
+        simulate(scene, mesh.groups, optics, light, sampling, {seed, 0, 0});
+    const double incident = light.energy();
+    Fractions result;
+    const auto over = [&](auto figure) {
+        std::vector<double> replicates;
+        for (const Tally& tally : tallies)
+            replicates.push_back(figure(tally) / incident);
+        return estimate(replicates);
+    };
+    const auto part = [&](double Budget::*member) {
+        return over([member](const Tally& tally) {
+            double sum = 0;
+            for (const Budget& b : tally.sources) sum += b.*member;
+            return sum;
+        });
+    };
+    result.leaves = part(&Budget::leaves);
+    result.soil = part(&Budget::soil);
+    result.reflected = part(&Budget::reflected);
+    for (std::size_t g = 0; g < mesh.groups.size(); ++g)
+        result.groups.push_back(
+            over([g](const Tally& tally) { return tally.groups[g]; }));
+    for (const Tally& tally : tallies) {
+        double sum = 0;
+        for (const Budget& b : tally.sources) sum += b.total();
+        result.balance_error =
+            std::max(result.balance_error, std::abs(sum / incident - 1));
+    }
+    return result;
+}
+
+Optics leaf_optics(double reflectance, double transmittance,
+                   double soil_albedo) {
+    return {{reflectance, transmittance}, {0, 0}, soil_albedo};
+}
+
+void expect_agreement(Estimate ours, Estimate reference, double bound,
+                      const std::string& what) {
+    EXPECT_LE(ours.standard_error, bound) << what;
+    // Rounding of the reference's printed digits is part of its error.
+    const double error =
+        std::hypot(ours.standard_error, reference.standard_error) + 1e-7;
+    EXPECT_NEAR(ours.mean, reference.mean, 4 * error)
+        << what << ": " << (ours.mean - reference.mean) / error
+        << " standard errors off";
+}
+
+void add_sheet(Mesh& mesh, Period period, double height, std::uint32_t group) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), {{0, 0, height},
+                                               {period.x, 0, height},
+                                               {period.x, period.y, height},
+                                               {0, period.y, height}});
+    mesh.faces.push_back({first, first + 1, first + 2, first + 3});
+    mesh.face_group.push_back(group);
+}
+
+}  // namespace ideotype

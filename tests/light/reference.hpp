@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ideotype/core/estimate.hpp"
+#include "ideotype/core/mesh.hpp"
+#include "ideotype/light/illumination.hpp"
+#include "ideotype/light/optics.hpp"
+#include "ideotype/light/transport.hpp"
+
+namespace ideotype {
+
+//! The widest instruction set of this processor.
+const Device& widest_device();
+
+//! A mesh of tests/data/reference; one group per OBJ group.
+Mesh load_reference_mesh(const std::string& name);
+
+//! The period that belongs to a reference mesh.
+struct Period {
+    double x, y;
+};
+
+//! One unit of light on horizontal ground from a sun, azimuth from +y.
+Illumination sun_from(double elevation, double azimuth);
+
+//! One unit of light on horizontal ground from a uniform sky.
+Illumination uniform_sky();
+
+//! Fractions of the incident light, with standard errors.
+struct Fractions {
+    Estimate leaves, soil, reflected;
+    std::vector<Estimate> groups;
+    double balance_error = 0;
+};
+
+Fractions trace(const Mesh& mesh, Period period, const Optics& optics,
+                const Illumination& light, Sampling sampling = {16384, 16},
+                std::uint64_t seed = 1);
+
+//! Leaves with these reflectance and transmittance over soil, no stalks.
+Optics leaf_optics(double reflectance, double transmittance,
+                   double soil_albedo);
+
+//! Expects a value within four combined standard errors of the reference, and
+//! the standard error of ours below a bound.
+void expect_agreement(Estimate ours, Estimate reference, double bound,
+                      const std::string& what);
+
+//! A horizontal square that covers a period.
+void add_sheet(Mesh& mesh, Period period, double height, std::uint32_t group);
+
+}  // namespace ideotype

@@ -1,0 +1,107 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/core/error.hpp"
+#include "reference.hpp"
+
+namespace ideotype {
+namespace {
+
+TEST(Energy, BudgetClosesToRoundingForAnyOptics) {
+    const Mesh mesh = load_reference_mesh("maize1");
+    for (const double scattering : {0., .1, .84, .98, 1.})
+        for (const double soil : {0., .2, 1.}) {
+            const Fractions f =
+                trace(mesh, {0.76, 0.15},
+                      leaf_optics(scattering / 2, scattering / 2, soil),
+                      uniform_sky(), {256, 2});
+            EXPECT_LT(f.balance_error, 1e-12);
+        }
+}
+
+TEST(Energy, LowSunAlongTheRowLosesNothing) {
+    const Mesh mesh = load_reference_mesh("maize1");
+    for (const double elevation : {10., 5., 2., .1}) {
+        const Fractions f = trace(mesh, {0.76, 0.15}, leaf_optics(.05, .05, .1),
+                                  sun_from(elevation, 0), {256, 2});
+        EXPECT_LT(f.balance_error, 1e-12);
+        EXPECT_GT(f.leaves.mean, 0.9);
+    }
+}
+
+TEST(Energy, ShiftingThePeriodsChangesNothingBeyondTheError) {
+    const Mesh mesh = load_reference_mesh("maize1");
+    Mesh moved = mesh;
+    for (Vec3& v : moved.vertices) v = {v.x + 10000.3, v.y - 5000.07, v.z};
+    const auto of = [](const Mesh& m) {
+        return trace(m, {0.76, 0.15}, leaf_optics(.05, .05, .1),
+                     sun_from(40, 20))
+            .leaves;
+    };
+    expect_agreement(of(moved), of(mesh), 3e-4, "moved by 10 km");
+}
+
+TEST(Energy, AStandWithoutLeavesIsItsSoil) {
+    const Fractions f = trace(Mesh{}, {1, 1}, leaf_optics(.05, .05, .25),
+                              uniform_sky(), {4096, 8});
+    EXPECT_NEAR(f.soil.mean, .75, 4 * f.soil.standard_error + 1e-12);
+    EXPECT_NEAR(f.reflected.mean, .25, 4 * f.soil.standard_error + 1e-12);
+}
+
+TEST(Energy, EverySourceKeepsItsOwnEnergy) {
+    Illumination light = sun_from(30, 10);
+    light.sources[0].energy = 3;
+    light.sources.push_back({std::nullopt, 0.004});
+    light.sources.push_back({sun_from(60, 90).sources[0].direction, 2});
+    const Mesh mesh = load_reference_mesh("maize1");
+    const Scene scene(widest_device(), mesh, 0.76, 0.15);
+    for (const Tally& tally : simulate(
+             scene, mesh.groups, leaf_optics(.4, .4, .1), light, {128, 3}, {}))
+        for (std::size_t s = 0; s < 3; ++s)
+            EXPECT_NEAR(tally.sources[s].total() / light.sources[s].energy, 1,
+                        1e-12);
+}
+
+TEST(Energy, SameSeedSameBitsOtherSeedOtherBits) {
+    const Mesh mesh = load_reference_mesh("maize1");
+    const auto absorbed = [&](std::uint64_t seed) {
+        return trace(mesh, {0.76, 0.15}, leaf_optics(.05, .05, .1),
+                     uniform_sky(), {512, 4}, seed)
+            .leaves.mean;
+    };
+    EXPECT_EQ(absorbed(7), absorbed(7));
+    EXPECT_NE(absorbed(7), absorbed(8));
+}
+
+TEST(Energy, StandardErrorIsThatOfTheSpread) {
+    // Over many independent estimates the spread must be what each reports.
+    const Mesh mesh = load_reference_mesh("maize1");
+    std::vector<double> means;
+    double variance = 0;
+    constexpr int runs = 200;
+    for (int run = 0; run < runs; ++run) {
+        const Estimate e =
+            trace(mesh, {0.76, 0.15}, leaf_optics(.05, .05, .1), uniform_sky(),
+                  {256, 8}, static_cast<std::uint64_t>(100 + run))
+                .leaves;
+        means.push_back(e.mean);
+        variance += e.standard_error * e.standard_error / runs;
+    }
+    const double spread = estimate(means).standard_error * std::sqrt(runs);
+    // The ratio of two such estimates is good to about 6 %.
+    EXPECT_NEAR(spread / std::sqrt(variance), 1, 0.2);
+}
+
+TEST(Energy, RefusesWrongNumbersOfPaths) {
+    const Mesh mesh = load_reference_mesh("sheets1");
+    const Scene scene(widest_device(), mesh, 1, 1);
+    Illumination two = uniform_sky();
+    two.sources.push_back(two.sources[0]);
+    const Optics optics;
+    EXPECT_THROW(simulate(scene, mesh.groups, optics, two, {1, 2}, {}), Error);
+    EXPECT_THROW(simulate(scene, mesh.groups, optics, two, {48, 2}, {}), Error);
+}
+
+}  // namespace
+}  // namespace ideotype

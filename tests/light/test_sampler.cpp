@@ -1,0 +1,72 @@
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/core/estimate.hpp"
+#include "ideotype/light/sampler.hpp"
+
+namespace ideotype {
+namespace {
+
+TEST(Sampler, SobolPointsAreThePublishedOnes) {
+    // Points 1 to 5 of the published sequence, first four dimensions and the
+    // last one, in 1/8.
+    const std::uint32_t eighth = 1u << 29;
+    const std::uint32_t expected[5][4] = {
+        {4, 4, 4, 4}, {2, 6, 6, 6}, {6, 2, 2, 2}, {1, 5, 3, 5}, {5, 1, 7, 1}};
+    for (std::uint32_t i = 0; i < 5; ++i)
+        for (std::size_t d = 0; d < 3; ++d)
+            EXPECT_EQ(sobol(i + 1, d) / eighth, expected[i][d])
+                << "point " << i + 1 << ", " << d;
+}
+
+TEST(Sampler, EveryDimensionIsStratified) {
+    constexpr std::uint32_t n = 1024;
+    PathSampler sampler(5, 3, 2, n);
+    std::vector<std::set<unsigned>> cells(sobol_dimensions - 1);
+    for (std::uint32_t path = 0; path < n; ++path) {
+        sampler.begin(path);
+        for (auto& seen : cells)
+            seen.insert(static_cast<unsigned>(sampler.next() * n));
+    }
+    for (const auto& seen : cells) EXPECT_EQ(seen.size(), n);
+}
+
+TEST(Sampler, NeighbouringPathsAreAStratumOfTheNet) {
+    // A quarter of the paths fills a quarter as many boxes, each once.
+    constexpr std::uint32_t n = 1024;
+    PathSampler sampler(5, 3, 2, n);
+    std::set<unsigned> boxes;
+    for (std::uint32_t path = n / 4; path < n / 2; ++path) {
+        sampler.begin(path);
+        boxes.insert(static_cast<unsigned>(sampler.next() * n / 4));
+    }
+    EXPECT_EQ(boxes.size(), n / 4);
+}
+
+TEST(Sampler, NumbersAreUniformAlsoBeyondTheNet) {
+    constexpr std::uint32_t n = 4096;
+    PathSampler sampler(1, 0, 0, n);
+    std::vector<double> means(40);
+    for (std::uint32_t path = 0; path < n; ++path) {
+        sampler.begin(path);
+        for (double& mean : means) {
+            const double x = sampler.next();
+            ASSERT_GE(x, 0);
+            ASSERT_LT(x, 1);
+            mean += x / n;
+        }
+    }
+    for (const double mean : means) EXPECT_NEAR(mean, 0.5, 0.02);
+}
+
+TEST(Sampler, RandomisationsDiffer) {
+    PathSampler a(1, 0, 0, 64), b(1, 0, 1, 64), c(1, 1, 0, 64);
+    a.begin(9), b.begin(9), c.begin(9);
+    const double x = a.next(), y = b.next(), z = c.next();
+    EXPECT_NE(x, y);
+    EXPECT_NE(x, z);
+}
+
+}  // namespace
+}  // namespace ideotype

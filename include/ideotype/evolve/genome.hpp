@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ideotype {
+
+//! One plant as numbers: for each leaf from the lowest up its length [m],
+//! width [m], inclination [deg] and azimuth [deg].
+using Genome = std::vector<double>;
+
+//! What values one gene may take.
+struct Gene {
+    std::string name;  //!< for example "leaf03_length"
+    std::string unit;  //!< "m" or "deg"
+    double lower = 0;
+    double upper = 0;
+    bool is_circular = false;  //!< lower and upper are the same point
+    bool is_free = true;       //!< if not, the gene keeps the baseline value
+};
+
+using GeneSpace = std::vector<Gene>;
+
+}  // namespace ideotype

@@ -1,0 +1,124 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ideotype/evolve/genome.hpp"
+#include "ideotype/evolve/optimizer.hpp"
+#include "ideotype/light/optics.hpp"
+#include "ideotype/plant/field.hpp"
+#include "ideotype/plant/plant.hpp"
+#include "ideotype/sky/day.hpp"
+#include "ideotype/sky/site.hpp"
+
+namespace ideotype {
+
+//! A named entry of an axis of the sweep.
+template <class Value>
+struct Named {
+    std::string name;
+    Value value;
+};
+
+//! Which traits may be bred; the others keep the baseline's values.
+struct TraitSet {
+    bool length = true;
+    bool width = true;
+    bool inclination = true;
+    bool azimuth = true;
+};
+
+//! Smallest and largest value.
+struct Range {
+    double lower = 0;
+    double upper = 0;
+};
+
+//! Bounds of one leaf's traits; azimuth is a full circle.
+struct LeafBounds {
+    Range length;       //!< [m]
+    Range width;        //!< [m]
+    Range inclination;  //!< [deg]
+};
+
+//! How the best candidates are judged at the end.
+struct FinalRule {
+    int candidates = 5;
+    Sampling sampling{16384, 16};
+};
+
+//! A whole study as written in a TOML file: immutable once read. Every key,
+//! its unit, range and default are listed in campaigns/README.md.
+struct Campaign {
+    std::string source;    //!< the text of the campaign file as it was read
+    std::string resolved;  //!< a complete campaign in canonical form: every
+                           //!< key with its value, the plant inlined
+    std::string sha256;    //!< of resolved
+
+    std::string name;
+    std::uint64_t seed = 1;
+    int replicates = 1;
+
+    std::vector<Site> sites;
+    std::vector<Named<DaySpan>> days;
+    std::vector<Named<Spacing>> spacings;
+    std::vector<Named<TraitSet>> trait_sets;
+
+    FieldForm field;  //!< spacing is set per case
+    PlantForm plant;
+    std::vector<LeafTraits> baseline;
+    std::vector<LeafBounds> bounds;  //!< per leaf
+    Tessellation tessellation;
+    Optics optics;
+    double par_fraction = 0.45;
+    Sampling sampling;
+    Optimizer optimizer;
+    StopRules stop;
+    FinalRule final_rule;
+};
+
+//! One point of the sweep: a single evolution with its own history.
+struct Case {
+    int index = 0;
+    std::string name;        //!< also the name of its file
+    std::uint64_t seed = 0;  //!< a function of campaign seed and name only
+    Site site;
+    std::string day_name;
+    DaySpan day;
+    std::string spacing_name;
+    Spacing spacing;
+    std::string trait_set_name;
+    TraitSet traits;
+    int replicate = 1;
+};
+
+//! Reads and checks a campaign file and the plant file that it names.
+//! @throws InputError with all problems of both files.
+//! @throws Error if a file cannot be read.
+Campaign read_campaign(const std::string& path);
+
+//! Parses the text of a resolved campaign; file is used in messages.
+//! parse_campaign(c.resolved, f).resolved == c.resolved.
+//! @throws InputError
+Campaign parse_campaign(const std::string& text, const std::string& file);
+
+//! All cases in their order: sites, then days, spacings, trait sets, and
+//! replicates fastest. Adding an entry to an axis does not change the name or
+//! seed of any other case.
+std::vector<Case> cases(const Campaign& campaign);
+
+//! The genes of a case with their bounds; genes outside its trait set are
+//! not free.
+GeneSpace gene_space(const Campaign& campaign, const Case& chosen);
+
+//! The baseline plant as a genome, and back.
+Genome to_genome(const std::vector<LeafTraits>& traits);
+std::vector<LeafTraits> to_traits(const Genome& genome);
+
+//! What differs between two resolved campaigns, one line per key:
+//! "light.paths was 4096, is 8192". Empty if nothing does.
+std::vector<std::string> differences(const std::string& was,
+                                     const std::string& is);
+
+}  // namespace ideotype

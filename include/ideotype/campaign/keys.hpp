@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ideotype {
+
+//! What may be written for one key of a campaign or plant file, in words.
+struct KeyInfo {
+    std::string section;  //!< "top", "site", ..., "plant file", ..., "leaf"
+    std::string name;
+    std::string type;     //!< "integer", "number", "local date", ...
+    std::string unit;     //!< "-" if it has none
+    std::string range;    //!< "-" if it has none
+    std::string initial;  //!< the default in TOML, or "required"
+    std::string meaning;
+};
+
+//! Every key in the order of a resolved campaign, plant files last.
+std::vector<KeyInfo> campaign_keys();
+
+}  // namespace ideotype

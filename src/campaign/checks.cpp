@@ -1,0 +1,221 @@
+#include "checks.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "schema.hpp"
+
+namespace ideotype {
+
+namespace {
+
+std::string lower_case(std::string text) {
+    for (char& c : text)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+template <class Entry>
+void check_names(const std::string& axis, const std::vector<Entry>& entries,
+                 Report& report) {
+    // Names of cases are lower case: they are names of files.
+    std::map<std::string, const std::string*> first;
+    for (const Entry& entry : entries) {
+        const std::string* name = &entry.name;
+        if (!report.usable({name})) continue;
+        const auto [earlier, is_new] = first.emplace(lower_case(*name), name);
+        if (!is_new)
+            report.add(
+                name,
+                fmt::format("{}.name is \"{}\" (already used in line "
+                            "{}) give each a name of its own",
+                            axis, *name, report.where(earlier->second).line));
+    }
+}
+
+//! Names may contain the underscore that joins them to the name of a case.
+void check_case_names(const Campaign& campaign, Report& report) {
+    std::map<std::string, const Case> first;
+    for (const Case& chosen : cases(campaign)) {
+        const auto [earlier, is_new] = first.emplace(chosen.name, chosen);
+        if (is_new) continue;
+        const auto named = std::find_if(
+            campaign.sites.begin(), campaign.sites.end(),
+            [&](const Site& site) { return site.name == chosen.site.name; });
+        if (report.usable({&named->name}))
+            report.add(&named->name,
+                       fmt::format("site.name is \"{}\" (with the names of "
+                                   "the other axes two cases are called {}) "
+                                   "rename one of the entries",
+                                   named->name, chosen.name));
+        return;
+    }
+}
+
+void check_site(const Site& site, Report& report) {
+    if (!report.usable({&site.longitude, &site.utc_offset})) return;
+    // Real clocks are within four hours of the sun, summer time included.
+    const double error =
+        std::remainder(site.utc_offset - site.longitude / 15, 24);
+    if (std::abs(error) > 4)
+        report.add(
+            &site.utc_offset,
+            fmt::format("site.utc_offset is {} h (noon would be {:.1f} "
+                        "h off the sun's at longitude {} deg) check "
+                        "the signs: east is positive in both",
+                        site.utc_offset, std::abs(error), site.longitude));
+}
+
+void check_day(const DaySpan& day, Report& report) {
+    if (!report.usable({&day.start, &day.end})) return;
+    if (day.end <= day.start)
+        return report.add(
+            &day.end, fmt::format("day.end is {} (not after the start at "
+                                  "{}) give a later end",
+                                  clock_text(day.end), clock_text(day.start)));
+    if (!report.usable({&day.step_minutes})) return;
+    const double span = (day.end - day.start) * 60;
+    const double steps = span / day.step_minutes;
+    if (std::abs(steps - std::round(steps)) < 1e-6 && steps > 0.5) return;
+    const double fewer = std::max(1.0, std::floor(steps));
+    report.add(
+        &day.step_minutes,
+        fmt::format("day.step_minutes is {} min (does not divide the "
+                    "{:.6g} min from start to end) use {:.6g} or "
+                    "{:.6g}",
+                    day.step_minutes, span, span / (fewer + 1), span / fewer));
+}
+
+void check_surface(const std::string& name, const Lambertian& surface,
+                   Report& report) {
+    if (!report.usable({&surface.reflectance, &surface.transmittance})) return;
+    // Decimal fractions such as 0.7 + 0.3 may exceed 1 by rounding.
+    if (surface.reflectance + surface.transmittance <= 1 + 1e-12) return;
+    report.add(&surface.transmittance,
+               fmt::format("optics.{}_transmittance is {} (more than all "
+                           "light with a reflectance of {}) use {:.6g} or "
+                           "less",
+                           name, surface.transmittance, surface.reflectance,
+                           1 - surface.reflectance));
+}
+
+void check_evolution(const Campaign& campaign, Report& report) {
+    const Optimizer& optimizer = campaign.optimizer;
+    const int population = optimizer.population;
+    const auto at_most = [&](const std::string& name, const int& value,
+                             int most) {
+        if (report.usable({&optimizer.population, &value}) && value > most)
+            report.add(&value,
+                       fmt::format("{} is {} (the population is {}) use {} "
+                                   "or fewer",
+                                   name, value, population, most));
+    };
+    at_most("evolution.elites", optimizer.elites, population - 1);
+    at_most("evolution.tournament", optimizer.tournament, population);
+    at_most("final.candidates", campaign.final_rule.candidates, population);
+}
+
+void check_leaves(const Draft& draft, Report& report) {
+    const StalkForm& stalk = draft.campaign.plant.stalk;
+    const LeafEntry* below = nullptr;
+    for (const LeafEntry& leaf : draft.leaves) {
+        const LeafTraits& traits = leaf.traits;
+        const double& height = leaf.form.insertion_height;
+        if (report.usable({&traits.length, &traits.width}) &&
+            traits.width > traits.length)
+            report.add(&traits.width,
+                       fmt::format("leaf.width is {} m (wider than its length "
+                                   "of {} m) check the units: both are in m",
+                                   traits.width, traits.length));
+        if (report.usable({&height, &stalk.height}) && height > stalk.height)
+            report.add(&height,
+                       fmt::format("leaf.insertion_height is {} m (above the "
+                                   "stalk's height of {} m) use {} m or less",
+                                   height, stalk.height, stalk.height));
+        if (below && report.usable({&height, &below->form.insertion_height}) &&
+            height < below->form.insertion_height)
+            report.add(&height,
+                       fmt::format("leaf.insertion_height is {} m (below the "
+                                   "leaf before it, at {} m) list the lowest "
+                                   "leaf first",
+                                   height, below->form.insertion_height));
+        below = &leaf;
+    }
+}
+
+void check_blade(const BladeForm& blade, Report& report) {
+    const std::vector<double>& controls = blade.width_controls;
+    if (report.usable({&controls}) &&
+        *std::max_element(controls.begin(), controls.end()) <= 0)
+        report.add(&controls,
+                   "blade.width_controls are all 0 (a blade has a width) "
+                   "leave the key out for the usual profile");
+}
+
+//! Any trait set that breeds a trait, or nullptr.
+const Named<TraitSet>* breeder(const Campaign& campaign,
+                               bool TraitSet::*trait) {
+    for (const Named<TraitSet>& set : campaign.trait_sets)
+        if (set.value.*trait) return &set;
+    return nullptr;
+}
+
+void check_baseline(const Draft& draft, Report& report) {
+    const BoundsEntry& bounds = draft.bounds;
+    const bool is_table = bounds.rule.empty();
+    if (!is_table && !report.usable({&bounds.rule})) return;
+    for (std::size_t i = 0; i < draft.leaves.size(); ++i) {
+        const LeafTraits& traits = draft.leaves[i].traits;
+        const LeafBounds allowed = leaf_bounds(bounds, traits);
+        const auto check = [&](const std::string& name, const double& value,
+                               const Range& range, const Range& written,
+                               const std::string& unit, bool TraitSet::*trait) {
+            const Named<TraitSet>* set = breeder(draft.campaign, trait);
+            if (!set || !report.usable({&value})) return;
+            if (is_table && !report.usable({&written})) return;
+            if (value >= range.lower && value <= range.upper) return;
+            report.add(
+                &value,
+                fmt::format("leaf.{} of leaf {} is {} {} (outside the {} "
+                            "bounds {:.6g} .. {:.6g} {}, and trait set "
+                            "\"{}\" breeds it) change the baseline, the "
+                            "bounds or the free traits",
+                            name, i + 1, value, unit,
+                            is_table ? "table's" : '"' + bounds.rule + '"',
+                            range.lower, range.upper, unit, set->name));
+        };
+        check("length", traits.length, allowed.length, bounds.table.length, "m",
+              &TraitSet::length);
+        check("width", traits.width, allowed.width, bounds.table.width, "m",
+              &TraitSet::width);
+        check("inclination", traits.inclination, allowed.inclination,
+              bounds.table.inclination, "deg", &TraitSet::inclination);
+    }
+}
+
+}  // namespace
+
+void check_draft(const Draft& draft, Report& report) {
+    const Campaign& campaign = draft.campaign;
+    check_names("site", campaign.sites, report);
+    check_names("day", campaign.days, report);
+    check_names("spacing", campaign.spacings, report);
+    check_names("traits", campaign.trait_sets, report);
+    // Repeated names of one axis have been told apart already.
+    if (report.empty()) check_case_names(campaign, report);
+    for (const Site& site : campaign.sites) check_site(site, report);
+    for (const Named<DaySpan>& day : campaign.days)
+        check_day(day.value, report);
+    check_surface("leaf", campaign.optics.leaf, report);
+    check_surface("stalk", campaign.optics.stalk, report);
+    check_evolution(campaign, report);
+    check_blade(campaign.plant.blade, report);
+    check_leaves(draft, report);
+    check_baseline(draft, report);
+}
+
+}  // namespace ideotype

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "draft.hpp"
+#include "report.hpp"
+
+namespace ideotype {
+
+//! Checks values against each other: contradictions, duplicate names, a
+//! baseline outside its bounds.
+void check_draft(const Draft& draft, Report& report);
+
+}  // namespace ideotype

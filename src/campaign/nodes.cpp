@@ -1,0 +1,82 @@
+#include "nodes.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace ideotype {
+
+namespace {
+
+constexpr std::size_t longest_name = 64;
+
+// Only ASCII: the names end up on any file system.
+bool is_letter_or_digit(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+           (c >= '0' && c <= '9');
+}
+
+bool is_allowed(char c) {
+    return is_letter_or_digit(c) || c == '_' || c == '-';
+}
+
+}  // namespace
+
+Location location(const toml::node& node, const std::string& file) {
+    const toml::source_position begin = node.source().begin;
+    return {file, static_cast<int>(begin.line), static_cast<int>(begin.column)};
+}
+
+std::string kind(const toml::node& node) {
+    switch (node.type()) {
+        case toml::node_type::table:
+            return "a table";
+        case toml::node_type::array:
+            return "a list";
+        case toml::node_type::string:
+            return "a text";
+        case toml::node_type::integer:
+            return "an integer";
+        case toml::node_type::floating_point:
+            return "a decimal number";
+        case toml::node_type::boolean:
+            return "true or false";
+        case toml::node_type::date:
+            return "a date";
+        case toml::node_type::time:
+            return "a time";
+        case toml::node_type::date_time:
+            return "a date with a time";
+        case toml::node_type::none:
+            break;
+    }
+    return "nothing";
+}
+
+bool is_name(const std::string& text) {
+    // A leading sign would read as an option on a command line.
+    return !text.empty() && text.size() <= longest_name &&
+           is_letter_or_digit(text[0]) &&
+           std::all_of(text.begin(), text.end(), is_allowed);
+}
+
+std::string make_name(const std::string& text) {
+    std::string name = text.substr(0, longest_name);
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return !is_allowed(c); }, '_');
+    const auto first =
+        std::find_if(name.begin(), name.end(), is_letter_or_digit);
+    name.erase(name.begin(), first);
+    return name.empty() ? "name" : name;
+}
+
+std::optional<double> parse_duration(const std::string& text) {
+    int hours = 0, minutes = 0, seconds = 0;
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%6d:%2d:%2d%c", &hours, &minutes, &seconds,
+                    &rest) != 3 ||
+        hours < 0 || minutes < 0 || minutes > 59 || seconds < 0 || seconds > 59)
+        return std::nullopt;
+    return 3600.0 * hours + 60.0 * minutes + seconds;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <toml++/toml.h>
+
+#include "ideotype/core/error.hpp"
+
+namespace ideotype {
+
+//! Where a node begins.
+Location location(const toml::node& node, const std::string& file);
+
+//! The kind of a node in words: "an integer", "a table", ...
+std::string kind(const toml::node& node);
+
+//! Whether a text may be part of the name of a file on any system.
+bool is_name(const std::string& text);
+
+//! A name that resembles any text.
+std::string make_name(const std::string& text);
+
+//! The seconds of "HH:MM:SS"; nothing if the text is not of this form.
+std::optional<double> parse_duration(const std::string& text);
+
+}  // namespace ideotype

@@ -1,0 +1,187 @@
+#include "reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "nodes.hpp"
+#include "syntax.hpp"
+#include "tables.hpp"
+
+namespace ideotype {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+//! Another file in the folder whose name is nearest, or "".
+std::string nearest_file(const fs::path& missing) {
+    std::vector<std::string> names;
+    std::error_code none;
+    for (const auto& entry :
+         fs::directory_iterator(missing.parent_path(), none))
+        if (entry.path().extension() == ".toml")
+            names.push_back(entry.path().stem().string());
+    // The order of a folder is not defined; that of the advice is.
+    std::sort(names.begin(), names.end());
+    return nearest_name(missing.stem().string(), names);
+}
+
+class DraftReader {
+  public:
+    DraftReader(const std::string& file, PlantSource source, Draft& draft,
+                Report& report)
+        : file_(file),
+          source_(source),
+          draft_(draft),
+          report_(report),
+          tables_(file, report) {}
+
+    void read(const toml::table& top) {
+        Campaign& campaign = draft_.campaign;
+        tables_.read(top, top_section(campaign),
+                     {"site", "day", "spacing", "traits", "field", "plant",
+                      "optics", "light", "evolution", "stop", "final"});
+        read_axes(top);
+        tables_.read_child(top, "field", field_section(campaign.field));
+        read_plant_choice(top);
+        tables_.read_child(top, "optics", optics_section(campaign));
+        tables_.read_child(top, "light", light_section(campaign.sampling));
+        tables_.read_child(top, "evolution",
+                           evolution_section(campaign.optimizer));
+        tables_.read_child(top, "stop", stop_section(campaign.stop));
+        tables_.read_child(top, "final", final_section(campaign.final_rule));
+    }
+
+  private:
+    template <class Record>
+    void read_axis(const toml::table& top, const std::string& name,
+                   Section (*section_of)(Record&),
+                   std::vector<Record>& records) {
+        tables_.read_entries(top, name, section_of, records);
+        Record sample;
+        if (!top.contains(name))
+            tables_.report_missing(top, name, section_of(sample));
+    }
+
+    void read_axes(const toml::table& top) {
+        Campaign& campaign = draft_.campaign;
+        read_axis(top, "site", site_section, campaign.sites);
+        read_axis(top, "day", day_section, campaign.days);
+        for (auto& [name, span] : campaign.days)
+            if (name.empty())
+                name =
+                    fmt::format("{:02}{:02}", span.date.month, span.date.day);
+        read_axis(top, "spacing", spacing_section, campaign.spacings);
+        for (auto& [name, spacing] : campaign.spacings)
+            if (name.empty())
+                name = fmt::format("{}x{}", std::lround(spacing.row * 1000),
+                                   std::lround(spacing.plant * 1000));
+        if (top.contains("traits"))
+            tables_.read_entries(top, "traits", traits_section,
+                                 campaign.trait_sets);
+        else
+            campaign.trait_sets = {{"all", {}}};
+    }
+
+    void read_plant_choice(const toml::table& top) {
+        const toml::table* table = top["plant"].as_table();
+        Section section = plant_section(draft_);
+        if (!table) return tables_.read_child(top, "plant", section);
+        const toml::node* bounds = table->get("bounds");
+        if (bounds && bounds->is_table()) {
+            draft_.bounds.rule.clear();
+            for (Key& key : section.keys)
+                if (key.name == "bounds") key.value = {};
+            tables_.read_child(*table, "bounds",
+                               bounds_section(draft_.bounds.table));
+        }
+        tables_.read(*table, section);
+        if (const toml::node* baseline = table->get("baseline"))
+            read_baseline(*baseline);
+    }
+
+    void read_baseline(const toml::node& baseline) {
+        if (const toml::table* table = baseline.as_table())
+            return read_plant(*table, tables_);
+        const auto path = baseline.value<std::string>();
+        if (!path || source_ == PlantSource::table)
+            return report_.add(
+                tables_.where(baseline),
+                fmt::format("plant.baseline is {} (expected: {}) write {}",
+                            kind(baseline),
+                            path ? "the plant itself" : "path or table",
+                            path ? "it as [plant.baseline]"
+                                 : "for example baseline = "
+                                   "\"plants/b73.toml\""));
+        read_plant_file(*path, tables_.where(baseline));
+    }
+
+    void read_plant_file(const std::string& path, const Location& named_at) {
+        const fs::path full =
+            (fs::path(file_).parent_path() / path).lexically_normal();
+        const std::string file = full.generic_string();
+        const std::optional<std::string> text = read_text(full.string());
+        if (!text) {
+            const std::string near = nearest_file(full);
+            report_.add(
+                named_at,
+                fmt::format("cannot read {} (named by plant.baseline) {}", file,
+                            near.empty()
+                                ? "give a path relative to this file"
+                                : "did you mean '" + near + ".toml'?"));
+            return;
+        }
+        report_.open(file);
+        TableReader tables(file, report_);
+        if (const auto table = parse_toml(*text, file, report_))
+            read_plant(*table, tables);
+    }
+
+    void read_plant(const toml::table& table, TableReader& tables) {
+        PlantForm& plant = draft_.campaign.plant;
+        tables.read(table, plant_file_section(plant),
+                    {"stalk", "blade", "leaf"});
+        tables.read_child(table, "stalk", stalk_section(plant.stalk));
+        tables.read_child(table, "blade", blade_section(plant.blade));
+        tables.read_entries(table, "leaf", leaf_section, draft_.leaves);
+        LeafEntry sample;
+        if (!table.contains("leaf"))
+            tables.report_missing(table, "leaf", leaf_section(sample));
+        if (draft_.leaves.size() > most_leaves)
+            report_.add(&draft_.leaves[most_leaves],
+                        fmt::format("the plant has {} leaves (the limit is "
+                                    "{}) remove some",
+                                    draft_.leaves.size(), most_leaves));
+    }
+
+    const std::string& file_;
+    PlantSource source_;
+    Draft& draft_;
+    Report& report_;
+    TableReader tables_;
+};
+
+}  // namespace
+
+void read_draft(const std::string& text, const std::string& file,
+                PlantSource source, Draft& draft, Report& report) {
+    report.open(file);
+    if (const auto table = parse_toml(text, file, report))
+        DraftReader(file, source, draft, report).read(*table);
+}
+
+std::optional<std::string> read_text(const std::string& path) {
+    std::ifstream stream(path, std::ios::binary);
+    std::error_code none;
+    if (!stream || fs::is_directory(path, none)) return std::nullopt;
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+}  // namespace ideotype

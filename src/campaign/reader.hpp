@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "draft.hpp"
+#include "report.hpp"
+
+namespace ideotype {
+
+//! Where a plant may come from.
+enum class PlantSource {
+    file_or_table,  //!< as users write it
+    table,          //!< as in resolved campaigns, which stand alone
+};
+
+//! Reads the text of a campaign, and the plant file that it names, into a
+//! draft: everything but the checks of values against each other.
+void read_draft(const std::string& text, const std::string& file,
+                PlantSource source, Draft& draft, Report& report);
+
+//! The whole content of a file; nothing if it cannot be read.
+std::optional<std::string> read_text(const std::string& path);
+
+}  // namespace ideotype

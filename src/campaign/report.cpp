@@ -1,0 +1,59 @@
+#include "report.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace ideotype {
+
+void Report::locate(const void* value, const Location& where) {
+    places_[value] = where;
+}
+
+const Location& Report::where(const void* value) const {
+    return places_.at(value);
+}
+
+void Report::add(const Location& where, const std::string& what) {
+    if (muted_.count({where.file, where.line}) == 0)
+        problems_.push_back({where, what});
+}
+
+void Report::spoil(const void* value) {
+    unusable_.insert(value);
+}
+
+void Report::add(const void* value, const std::string& what) {
+    spoil(value);
+    add(where(value), what);
+}
+
+bool Report::usable(std::initializer_list<const void*> values) const {
+    return std::none_of(values.begin(), values.end(), [&](const void* value) {
+        return unusable_.count(value) != 0 || places_.count(value) == 0;
+    });
+}
+
+void Report::mute(const std::string& file, int line) {
+    muted_.insert({file, line});
+}
+
+void Report::open(const std::string& file) {
+    files_.push_back(file);
+}
+
+void Report::throw_if_any() const {
+    if (problems_.empty()) return;
+    const auto position = [&](const Problem& problem) {
+        const Location& where = problem.where;
+        return std::tuple(std::find(files_.begin(), files_.end(), where.file),
+                          where.line, where.column);
+    };
+    std::vector<Problem> sorted = problems_;
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [&](const Problem& a, const Problem& b) {
+                         return position(a) < position(b);
+                     });
+    throw InputError(std::move(sorted));
+}
+
+}  // namespace ideotype

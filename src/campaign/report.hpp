@@ -1,0 +1,56 @@
+#pragma once
+
+#include <initializer_list>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ideotype/core/error.hpp"
+
+namespace ideotype {
+
+//! Collects what is wrong, and remembers where each value was written so that
+//! later checks can point at it. Values are identified by their address.
+class Report {
+  public:
+    //! The value comes from this place.
+    void locate(const void* value, const Location& where);
+
+    //! Where a value was written, or else the table that lacks it.
+    const Location& where(const void* value) const;
+
+    void add(const Location& where, const std::string& what);
+
+    //! Makes a value unusable for checks against other values.
+    void spoil(const void* value);
+
+    //! Reports a problem of a value and spoils it.
+    void add(const void* value, const std::string& what);
+
+    //! Whether checks may rely on these values.
+    bool usable(std::initializer_list<const void*> values) const;
+
+    //! Whether nothing is wrong so far.
+    bool empty() const { return problems_.empty(); }
+
+    //! Drops all later problems of a line whose syntax is wrong.
+    void mute(const std::string& file, int line);
+
+    //! @throws InputError if there is any problem: file by file in the order
+    //! in which they were read, by position in each.
+    void throw_if_any() const;
+
+    //! Fixes the order of files.
+    void open(const std::string& file);
+
+  private:
+    std::vector<std::string> files_;
+    std::map<const void*, Location> places_;
+    std::set<const void*> unusable_;
+    std::set<std::pair<std::string, int>> muted_;
+    std::vector<Problem> problems_;
+};
+
+}  // namespace ideotype

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "draft.hpp"
+
+namespace ideotype {
+
+//! The whole campaign as canonical TOML: every key in a fixed order, axes as
+//! arrays of tables, the plant inlined.
+std::string resolved_text(Draft& draft);
+
+}  // namespace ideotype

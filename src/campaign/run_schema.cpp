@@ -1,0 +1,120 @@
+#include "schema.hpp"
+
+namespace ideotype {
+
+namespace {
+
+constexpr double most_paths = 1 << 24;
+
+std::vector<Key> sampling_keys(Sampling& sampling) {
+    return {{.name = "paths",
+             .value = &sampling.paths,
+             .notation = Notation::power_of_two,
+             .lower = 16,
+             .upper = most_paths,
+             .meaning = "light paths per randomisation"},
+            {.name = "randomisations",
+             .value = &sampling.randomisations,
+             .lower = 2,
+             .upper = 1024,
+             .meaning = "independent repetitions; their spread gives the "
+                        "standard error"}};
+}
+
+}  // namespace
+
+Section light_section(Sampling& sampling) {
+    return {"light", sampling_keys(sampling)};
+}
+
+Section evolution_section(Optimizer& optimizer) {
+    return {"evolution",
+            {{.name = "population",
+              .value = &optimizer.population,
+              .lower = 2,
+              .upper = 100000,
+              .meaning = "plants per generation"},
+             {.name = "elites",
+              .value = &optimizer.elites,
+              .lower = 0,
+              .upper = 99999,
+              .meaning = "best plants carried over and evaluated again; "
+                         "fewer than the population"},
+             {.name = "tournament",
+              .value = &optimizer.tournament,
+              .lower = 1,
+              .upper = 100000,
+              .meaning = "contestants per selected parent; at most the "
+                         "population"},
+             fraction("crossover_probability", optimizer.crossover_probability,
+                      "per couple"),
+             {.name = "crossover_index",
+              .value = &optimizer.crossover_index,
+              .lower = 0,
+              .upper = 1000,
+              .meaning = "of simulated binary crossover; larger: children "
+                         "nearer to their parents"},
+             {.name = "mutations_per_child",
+              .value = &optimizer.mutations_per_child,
+              .lower = 0,
+              .upper = 160,
+              .meaning = "expected number of mutated genes"},
+             {.name = "mutation_index",
+              .value = &optimizer.mutation_index,
+              .lower = 0,
+              .upper = 1000,
+              .meaning = "of polynomial mutation; larger: smaller "
+                         "changes"}}};
+}
+
+Section stop_section(StopRules& stop) {
+    return {"stop",
+            {{.name = "generations",
+              .value = &stop.generations,
+              .lower = 1,
+              .upper = 1e6,
+              .meaning = "at most; also the size of a history"},
+             {.name = "stagnation",
+              .value = &stop.stagnation,
+              .lower = 0,
+              .upper = 1e6,
+              .meaning = "generations without a better mean fitness; 0: "
+                         "off"},
+             {.name = "evaluations",
+              .value = &stop.evaluations,
+              .lower = 0,
+              .upper = 1e12,
+              .meaning = "at most; 0: no limit"},
+             {.name = "wall_time",
+              .value = &stop.wall_time,
+              .notation = Notation::duration,
+              .unit = "s",
+              .lower = 0,
+              .upper = 1e9,
+              .example = "\"12:00:00\"",
+              .meaning = "of all sessions together; 0: no limit"},
+             {.name = "target",
+              .value = &stop.target,
+              .lower = 0,
+              .upper = 1e9,
+              .meaning = "fitness that is enough, in the objective's unit; "
+                         "0: off"},
+             fraction("failed_fraction", stop.failed_fraction,
+                      "share of a generation that ends the run with an error "
+                      "when it fails; 0: any failure does")}};
+}
+
+Section final_section(FinalRule& rule) {
+    Section section{"final",
+                    {{.name = "candidates",
+                      .value = &rule.candidates,
+                      .lower = 1,
+                      .upper = 1000,
+                      .meaning = "best plants that are judged anew; at most "
+                                 "the population"}}};
+    for (const Key& key : sampling_keys(rule.sampling))
+        section.keys.push_back(key);
+    return section;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "draft.hpp"
+
+namespace ideotype {
+
+//! Where the value of a key is kept, which also fixes its type. None: the
+//! value has a form of its own and is read and written by hand.
+using Target = std::variant<std::monostate, std::string*, std::uint64_t*, int*,
+                            long long*, double*, bool*, Date*, Range*,
+                            std::vector<double>*, TraitSet*>;
+
+//! The address behind a target, which identifies the value in a Report.
+const void* address(const Target& target);
+
+enum class Presence { optional, required };
+
+//! How a number is written, where that is not as a plain number.
+enum class Notation {
+    plain,
+    power_of_two,
+    clock,     //!< TOML local time, kept as hours
+    duration,  //!< seconds or "HH:MM:SS", kept as seconds
+};
+
+//! One key, bound to the place of its value. This is the only declaration of
+//! a key: parsing, the canonical text and the documentation all use it.
+struct Key {
+    std::string name;
+    Target value;
+    Presence presence = Presence::optional;
+    Notation notation = Notation::plain;
+    std::string unit = "";
+    double lower = 0;
+    double upper = 0;       //!< of numbers; lower == upper: none
+    std::size_t count = 0;  //!< of the numbers of a list
+    std::vector<std::string> choices = {};  //!< of a text; none: any name
+    std::string example = "";               //!< as TOML, shown in messages
+    //! Words for the documentation that can't be had from the above.
+    std::string type = "";
+    std::string range = "";
+    std::string initial = "";
+    std::string meaning = "";
+};
+
+//! The keys of one table.
+struct Section {
+    std::string name;
+    std::vector<Key> keys;
+};
+
+//! An optional number from 0 to 1.
+Key fraction(const std::string& name, double& value,
+             const std::string& meaning);
+
+Section top_section(Campaign& campaign);
+Section site_section(Site& site);
+Section day_section(Named<DaySpan>& day);
+Section spacing_section(Named<Spacing>& spacing);
+Section traits_section(Named<TraitSet>& traits);
+Section field_section(FieldForm& field);
+Section plant_section(Draft& draft);
+Section bounds_section(LeafBounds& bounds);
+Section optics_section(Campaign& campaign);
+Section light_section(Sampling& sampling);
+Section evolution_section(Optimizer& optimizer);
+Section stop_section(StopRules& stop);
+Section final_section(FinalRule& rule);
+
+//! The sections of a plant file, or of [plant.baseline].
+Section plant_file_section(PlantForm& plant);
+Section stalk_section(StalkForm& stalk);
+Section blade_section(BladeForm& blade);
+Section leaf_section(LeafEntry& leaf);
+
+inline constexpr std::size_t most_leaves = 40;
+
+//! Names of the traits as they are written in a campaign.
+struct TraitName {
+    const char* name;
+    bool TraitSet::*member;
+};
+inline constexpr std::array<TraitName, 4> trait_names{
+    {{"length", &TraitSet::length},
+     {"width", &TraitSet::width},
+     {"inclination", &TraitSet::inclination},
+     {"azimuth", &TraitSet::azimuth}}};
+
+//! The value of a key as canonical TOML: shortest text that reads back to
+//! the same value.
+std::string toml_text(const Key& key);
+
+//! A local clock time [h] as TOML: "07:00:00".
+std::string clock_text(double hours);
+
+//! `-90 .. 90 deg`
+std::string range_text(const Key& key);
+
+//! What a user has to write for this key, such as "integer".
+std::string type_text(const Key& key);
+
+}  // namespace ideotype

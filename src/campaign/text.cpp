@@ -1,0 +1,155 @@
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "ideotype/campaign/keys.hpp"
+#include "schema.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! Writes the value that a target points at.
+struct Writer {
+    const Key& key;
+
+    std::string operator()(std::monostate) const { return ""; }
+    std::string operator()(const std::string* text) const {
+        return fmt::format("\"{}\"", *text);
+    }
+    std::string operator()(const double* number) const {
+        if (key.notation == Notation::clock) return clock_text(*number);
+        return fmt::format("{}", *number);
+    }
+    std::string operator()(const Date* date) const {
+        return fmt::format("{:04}-{:02}-{:02}", date->year, date->month,
+                           date->day);
+    }
+    std::string operator()(const Range* range) const {
+        return fmt::format("[{}, {}]", range->lower, range->upper);
+    }
+    std::string operator()(const std::vector<double>* numbers) const {
+        return fmt::format("[{}]", fmt::join(*numbers, ", "));
+    }
+    std::string operator()(const TraitSet* set) const {
+        std::vector<std::string> names;
+        for (const auto& [name, member] : trait_names)
+            if (set->*member) names.push_back(fmt::format("\"{}\"", name));
+        return fmt::format("[{}]", fmt::join(names, ", "));
+    }
+    template <class Plain>
+    std::string operator()(const Plain* value) const {
+        return fmt::format("{}", *value);
+    }
+};
+
+struct TypeName {
+    const Key& key;
+
+    std::string operator()(std::monostate) const { return key.type; }
+    std::string operator()(const std::string*) const { return "text"; }
+    std::string operator()(const bool*) const { return "true or false"; }
+    std::string operator()(const double*) const {
+        if (key.notation == Notation::clock) return "local time";
+        if (key.notation == Notation::duration) return "number or \"HH:MM:SS\"";
+        return "number";
+    }
+    std::string operator()(const Date*) const { return "local date"; }
+    std::string operator()(const Range*) const { return "[lower, upper]"; }
+    std::string operator()(const std::vector<double>*) const {
+        return fmt::format("list of {} numbers", key.count);
+    }
+    std::string operator()(const TraitSet*) const { return "list of texts"; }
+    template <class Integer>
+    std::string operator()(const Integer*) const {
+        return "integer";
+    }
+};
+
+KeyInfo describe(const Section& section, const Key& key) {
+    KeyInfo info;
+    info.section = section.name;
+    info.name = key.name;
+    info.type = type_text(key);
+    info.unit = key.unit.empty() ? "-" : key.unit;
+    Key unitless = key;
+    unitless.unit.clear();
+    info.range = range_text(unitless);
+    if (key.presence == Presence::required)
+        info.initial = "required";
+    else
+        info.initial = key.initial.empty() ? toml_text(key) : key.initial;
+    info.meaning = key.meaning;
+    return info;
+}
+
+}  // namespace
+
+const void* address(const Target& target) {
+    return std::visit(
+        [](auto value) -> const void* {
+            if constexpr (std::is_same_v<decltype(value), std::monostate>)
+                return nullptr;
+            else
+                return value;
+        },
+        target);
+}
+
+std::string clock_text(double hours) {
+    const long long total = std::llround(hours * 3.6e12);
+    const long long nanoseconds = total % 1'000'000'000;
+    const long long seconds = total / 1'000'000'000;
+    std::string text = fmt::format("{:02}:{:02}:{:02}", seconds / 3600,
+                                   seconds / 60 % 60, seconds % 60);
+    if (nanoseconds != 0) text += fmt::format(".{:09}", nanoseconds);
+    return text;
+}
+
+std::string toml_text(const Key& key) {
+    return std::visit(Writer{key}, key.value);
+}
+
+std::string type_text(const Key& key) {
+    if (!key.type.empty()) return key.type;
+    return std::visit(TypeName{key}, key.value);
+}
+
+std::string range_text(const Key& key) {
+    if (!key.range.empty()) return key.range;
+    if (!key.choices.empty())
+        return fmt::format("\"{}\"", fmt::join(key.choices, "\" or \""));
+    if (key.lower == key.upper) return "-";
+    std::string text = fmt::format("{} .. {}", key.lower, key.upper);
+    if (!key.unit.empty()) text += ' ' + key.unit;
+    if (key.notation == Notation::power_of_two) text += ", a power of two";
+    return text;
+}
+
+std::vector<KeyInfo> campaign_keys() {
+    Draft draft;
+    Campaign& campaign = draft.campaign;
+    Site site;
+    Named<DaySpan> day;
+    Named<Spacing> spacing;
+    Named<TraitSet> traits;
+    LeafEntry leaf;
+    std::vector<KeyInfo> keys;
+    for (const Section& section :
+         {top_section(campaign), site_section(site), day_section(day),
+          spacing_section(spacing), traits_section(traits),
+          field_section(campaign.field), plant_section(draft),
+          bounds_section(draft.bounds.table), optics_section(campaign),
+          light_section(campaign.sampling),
+          evolution_section(campaign.optimizer), stop_section(campaign.stop),
+          final_section(campaign.final_rule),
+          plant_file_section(campaign.plant),
+          stalk_section(campaign.plant.stalk),
+          blade_section(campaign.plant.blade), leaf_section(leaf)})
+        for (const Key& key : section.keys)
+            keys.push_back(describe(section, key));
+    return keys;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,243 @@
+#include "values.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "nodes.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! Reads a node into the value that a target points at.
+struct Reader {
+    const toml::node& node;
+    const std::string& section;
+    const Key& key;
+    Report& report;
+
+    std::string name() const {
+        return section == "top" ? key.name : section + '.' + key.name;
+    }
+
+    void fail(const std::string& what) const {
+        report.add(address(key.value), name() + ' ' + what);
+    }
+
+    void fail_type(const toml::node& found) const {
+        const std::string example =
+            key.example.empty() ? toml_text(key) : key.example;
+        fail(fmt::format("is {} (expected: {}) write for example {} = {}",
+                         kind(found), type_text(key), key.name, example));
+    }
+
+    //! What is wrong with a number, or "".
+    std::string fault(double value) const {
+        const std::string unit = key.unit.empty() ? "" : ' ' + key.unit;
+        if (!std::isfinite(value))
+            return fmt::format(
+                "is {} (not a finite number) give a number{}", value,
+                key.lower == key.upper ? std::string()
+                                       : " in " + range_text(key));
+        if (key.lower == key.upper) return "";
+        if (value < key.lower)
+            return fmt::format("is {}{} (below the range {}) use {}{} or more",
+                               value, unit, range_text(key), key.lower, unit);
+        if (value > key.upper)
+            return fmt::format("is {}{} (above the range {}) use {}{} or less",
+                               value, unit, range_text(key), key.upper, unit);
+        return "";
+    }
+
+    //! A number of either TOML type, in range; otherwise reports.
+    std::optional<double> number(const toml::node& found) const {
+        double plain = 0;
+        if (const auto* integer = found.as_integer())
+            plain = static_cast<double>(integer->get());
+        else if (const auto* decimal = found.as_floating_point())
+            plain = decimal->get();
+        else
+            return fail_type(found), std::nullopt;
+        // Adding zero turns -0 into 0, which has only one text.
+        const double value = plain + 0.0;
+        if (const std::string why = fault(value); !why.empty()) {
+            fail(why);
+            return std::nullopt;
+        }
+        return value;
+    }
+
+    //! The numbers of an array; otherwise reports.
+    std::optional<std::vector<double>> numbers(std::size_t count) const {
+        const toml::array* array = node.as_array();
+        if (!array) {
+            fail_type(node);
+            return std::nullopt;
+        }
+        std::vector<double> values;
+        for (const toml::node& element : *array)
+            if (const auto value = number(element)) values.push_back(*value);
+        if (array->size() != count)
+            fail(fmt::format("has {} values (expected: {}) give {} of them",
+                             array->size(), type_text(key), count));
+        if (values.size() != count) return std::nullopt;
+        return values;
+    }
+
+    void operator()(std::monostate) const {}
+
+    void operator()(std::string* value) const {
+        const auto text = node.value<std::string>();
+        if (!text) return fail_type(node);
+        if (!key.choices.empty()) {
+            if (std::find(key.choices.begin(), key.choices.end(), *text) ==
+                key.choices.end())
+                return fail(
+                    fmt::format("is \"{}\" (not one of its values) use {}",
+                                *text, range_text(key)));
+        } else if (!is_name(*text)) {
+            return fail(
+                fmt::format("is \"{}\" (allowed: {}) use for example "
+                            "\"{}\"",
+                            *text, range_text(key), make_name(*text)));
+        }
+        *value = *text;
+    }
+
+    void operator()(std::uint64_t* value) const {
+        const toml::value<std::int64_t>* found = node.as_integer();
+        if (!found) return fail_type(node);
+        if (found->get() < 0)
+            return fail(fmt::format("is {} (below the range {}) use 0 or more",
+                                    found->get(), range_text(key)));
+        *value = static_cast<std::uint64_t>(found->get());
+    }
+
+    template <class Integer>
+    void read_integer(Integer* value) const {
+        if (!node.is_integer()) return fail_type(node);
+        const auto in_range = number(node);
+        if (!in_range) return;
+        const std::int64_t found = node.as_integer()->get();
+        if (key.notation == Notation::power_of_two) {
+            const auto bits = static_cast<std::uint64_t>(found);
+            if (!std::has_single_bit(bits))
+                return fail(fmt::format(
+                    "is {} (not a power of two) use {} or "
+                    "{}",
+                    found, std::bit_floor(bits), std::bit_ceil(bits)));
+        }
+        *value = static_cast<Integer>(found);
+    }
+
+    void operator()(int* value) const { read_integer(value); }
+    void operator()(long long* value) const { read_integer(value); }
+
+    void operator()(double* value) const {
+        if (key.notation == Notation::clock) return clock(value);
+        if (key.notation == Notation::duration && node.is_string())
+            return duration(value);
+        if (const auto found = number(node)) *value = *found;
+    }
+
+    void clock(double* value) const {
+        const toml::value<toml::time>* found = node.as_time();
+        if (!found) return fail_type(node);
+        const toml::time time = found->get();
+        const double seconds = time.hour * 3600.0 + time.minute * 60.0 +
+                               time.second + time.nanosecond * 1e-9;
+        *value = seconds / 3600;
+    }
+
+    void duration(double* value) const {
+        const std::string text = *node.value<std::string>();
+        const auto seconds = parse_duration(text);
+        if (!seconds)
+            return fail(
+                fmt::format("is \"{}\" (not a duration HH:MM:SS) "
+                            "write for example {} = {}",
+                            text, key.name, key.example));
+        if (const std::string why = fault(*seconds); !why.empty())
+            return fail(why);
+        *value = *seconds;
+    }
+
+    void operator()(bool* value) const {
+        const auto found = node.value<bool>();
+        if (!node.is_boolean() || !found) return fail_type(node);
+        *value = *found;
+    }
+
+    void operator()(Date* value) const {
+        const toml::value<toml::date>* found = node.as_date();
+        if (!found) return fail_type(node);
+        const toml::date date = found->get();
+        *value = {date.year, date.month, date.day};
+        if (date.year < 1950 || date.year > 2100)
+            fail(fmt::format("is {} (outside the range {}) use a year within",
+                             toml_text(key), range_text(key)));
+    }
+
+    void operator()(Range* value) const {
+        const auto found = numbers(2);
+        if (!found) return;
+        const double lower = (*found)[0], upper = (*found)[1];
+        if (lower >= upper)
+            return fail(fmt::format(
+                "is [{}, {}] (the lower bound is not below the upper) write "
+                "[lower, upper]",
+                lower, upper));
+        *value = {lower, upper};
+    }
+
+    void operator()(std::vector<double>* value) const {
+        if (const auto found = numbers(key.count)) *value = *found;
+    }
+
+    void operator()(TraitSet* value) const {
+        const toml::array* array = node.as_array();
+        if (!array) return fail_type(node);
+        TraitSet set{false, false, false, false};
+        for (const toml::node& element : *array) mark(element, set);
+        if (array->empty())
+            fail(fmt::format("is empty (nothing could be bred) name {}",
+                             range_text(key)));
+        *value = set;
+    }
+
+    void mark(const toml::node& element, TraitSet& set) const {
+        const auto text = element.value<std::string>();
+        if (!text) return fail_type(element);
+        std::vector<std::string> known;
+        for (const auto& [trait, member] : trait_names) {
+            known.push_back(trait);
+            if (*text != trait) continue;
+            if (set.*member)
+                fail(
+                    fmt::format("has \"{}\" twice (once is enough) remove "
+                                "one",
+                                *text));
+            set.*member = true;
+            return;
+        }
+        const std::string nearest = nearest_name(*text, known);
+        fail(fmt::format("has \"{}\" (not a trait) {}", *text,
+                         nearest.empty()
+                             ? "use " + range_text(key)
+                             : "did you mean \"" + nearest + "\"?"));
+    }
+};
+
+}  // namespace
+
+void read_value(const toml::node& node, const std::string& section,
+                const Key& key, Report& report) {
+    std::visit(Reader{node, section, key, report}, key.value);
+}
+
+}  // namespace ideotype

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+
+#include "ideotype/campaign/campaign.hpp"
+
+namespace ideotype {
+
+//! A small complete campaign with a plant of one leaf inline. top is put
+//! before the first table, more after the last.
+inline std::string sample_text(const std::string& top = "",
+                               const std::string& more = "",
+                               const std::string& bounds = "\"paper\"") {
+    return "name = \"sample\"\n" + top + R"(
+[[site]]
+name = "Ames"
+latitude = 42.0
+longitude = -93.6
+utc_offset = -5
+[[day]]
+date = 2025-08-07
+start = 07:00:00
+end = 20:00:00
+[[spacing]]
+row = 0.762
+plant = 0.1524
+[plant]
+bounds = )" +
+           bounds + R"(
+[plant.baseline]
+name = "single"
+[[plant.baseline.leaf]]
+length = 0.8
+width = 0.08
+inclination = 40
+droop = 60
+azimuth = 90
+insertion_height = 0.2
+)" + more;
+}
+
+inline Campaign sample(const std::string& top = "",
+                       const std::string& more = "",
+                       const std::string& bounds = "\"paper\"") {
+    return parse_campaign(sample_text(top, more, bounds), "sample.toml");
+}
+
+}  // namespace ideotype

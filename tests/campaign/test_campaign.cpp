@@ -1,0 +1,171 @@
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/core/error.hpp"
+#include "ideotype/core/hash.hpp"
+#include "sample_campaign.hpp"
+
+namespace ideotype {
+
+namespace {
+
+Campaign ames() {
+    return read_campaign(IDEOTYPE_CAMPAIGNS "/ames.toml");
+}
+
+std::string replaced(std::string text, const std::string& from,
+                     const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+}
+
+}  // namespace
+
+TEST(Campaign, AmesIsTheStudyOfThePaper) {
+    const Campaign campaign = ames();
+    EXPECT_EQ(campaign.name, "ames");
+    EXPECT_EQ(campaign.replicates, 3);
+    EXPECT_EQ(campaign.optimizer.population, 100);
+    EXPECT_EQ(campaign.stop.generations, 200);
+    ASSERT_EQ(campaign.sites.size(), 1u);
+    EXPECT_EQ(campaign.sites[0].latitude, 42.0);
+    EXPECT_EQ(campaign.sites[0].longitude, -93.6);
+    EXPECT_EQ(campaign.sites[0].utc_offset, -5);
+    ASSERT_EQ(campaign.days.size(), 1u);
+    const DaySpan& day = campaign.days[0].value;
+    EXPECT_EQ(day.date.year, 2025);
+    EXPECT_EQ(day.date.month, 8);
+    EXPECT_EQ(day.date.day, 7);
+    EXPECT_EQ(day.start, 7);
+    EXPECT_EQ(day.end, 20);
+    EXPECT_EQ(day.step_minutes, 60);
+    ASSERT_EQ(campaign.spacings.size(), 1u);
+    EXPECT_EQ(campaign.spacings[0].value.row, 0.762);
+    EXPECT_EQ(campaign.spacings[0].value.plant, 0.1524);
+    EXPECT_EQ(campaign.field.rows * campaign.field.plants, 36);
+    EXPECT_EQ(campaign.field.jitter, 10);
+    EXPECT_EQ(campaign.optics.leaf.reflectance, 0.05);
+    EXPECT_EQ(campaign.baseline.size(), 10u);
+}
+
+TEST(Campaign, AmesQuickIsTheSameCaseWithLessWork) {
+    const Campaign quick = read_campaign(IDEOTYPE_CAMPAIGNS "/ames_quick.toml");
+    const Campaign full = ames();
+    EXPECT_EQ(quick.optimizer.population, 24);
+    EXPECT_EQ(quick.stop.generations, 20);
+    EXPECT_EQ(quick.replicates, 1);
+    EXPECT_LT(quick.sampling.paths, full.sampling.paths);
+    for (const std::string& line : differences(full.resolved, quick.resolved))
+        for (const std::string same :
+             {"site", "day", "spacing", "traits", "field", "plant", "optics"})
+            EXPECT_NE(line.rfind(same, 0), 0u) << line;
+}
+
+TEST(Campaign, PlantFilesHoldTheKnownPlants) {
+    const Campaign b73 = ames();
+    EXPECT_EQ(b73.plant.name, "b73");
+    EXPECT_EQ(b73.baseline[9].width, 0.0545);
+    EXPECT_EQ(b73.baseline[1].inclination, 31.4);
+    EXPECT_EQ(b73.plant.leaves[0].droop, 90);
+    EXPECT_EQ(b73.plant.leaves[9].insertion_height, 1.61);
+    // Leaf area index at 86,111 plants per hectare.
+    double area = 0;
+    for (const LeafTraits& leaf : b73.baseline)
+        area += 0.7455 * leaf.length * leaf.width;
+    EXPECT_NEAR(area / (0.762 * 0.1524), 3.44, 0.01);
+}
+
+TEST(Campaign, ElitePlantIsLargerAndInsideThePaperBounds) {
+    const Campaign elite =
+        read_campaign(IDEOTYPE_TEST_DATA "/campaign/elite.toml");
+    ASSERT_EQ(elite.baseline.size(), 10u);
+    double area = 0;
+    for (const LeafTraits& leaf : elite.baseline)
+        area += 0.7455 * leaf.length * leaf.width;
+    EXPECT_NEAR(area / (0.762 * 0.1524), 4.7, 0.05);
+    const Campaign b73 = ames();
+    for (std::size_t i = 0; i < 10; ++i) {
+        EXPECT_EQ(elite.baseline[i].azimuth, b73.baseline[i].azimuth);
+        EXPECT_EQ(elite.plant.leaves[i].droop, b73.plant.leaves[i].droop);
+        EXPECT_EQ(elite.plant.leaves[i].insertion_height,
+                  b73.plant.leaves[i].insertion_height);
+    }
+}
+
+TEST(Campaign, ResolvedTextReadsBackToItself) {
+    const Campaign campaign = ames();
+    const Campaign again = parse_campaign(campaign.resolved, "resolved");
+    EXPECT_EQ(again.resolved, campaign.resolved);
+    EXPECT_EQ(again.sha256, campaign.sha256);
+    EXPECT_EQ(campaign.sha256, sha256(campaign.resolved));
+    EXPECT_EQ(to_genome(again.baseline), to_genome(campaign.baseline));
+}
+
+TEST(Campaign, ResolvedTextKeepsUnusualValues) {
+    const Campaign campaign = sample(
+        "seed = 9223372036854775807\n",
+        "[field]\njitter = -0.0\nrow_direction = 0.1\n"
+        "[[traits]]\nname = \"t\"\nfree = [\"azimuth\", \"length\"]\n"
+        "[stop]\nwall_time = \"01:30:05\"\ntarget = 1e-7\n",
+        "{length = [0.1, 1], width = [0.05, 0.14], inclination = [-0.0, 80]}");
+    const Campaign again = parse_campaign(campaign.resolved, "resolved");
+    EXPECT_EQ(again.resolved, campaign.resolved);
+    EXPECT_EQ(again.seed, 9223372036854775807u);
+    EXPECT_EQ(again.stop.wall_time, 5405);
+    EXPECT_EQ(again.stop.target, 1e-7);
+    EXPECT_EQ(again.field.row_direction, 0.1);
+    EXPECT_FALSE(again.trait_sets[0].value.width);
+    EXPECT_EQ(again.bounds[0].length.lower, 0.1);
+}
+
+TEST(Campaign, ClockTimesKeepTheirSeconds) {
+    const std::string text =
+        replaced(replaced(sample_text(), "07:00:00", "05:00:07.125"),
+                 "20:00:00", "20:00:07.125");
+    const Campaign campaign = parse_campaign(text, "sample.toml");
+    EXPECT_NE(campaign.resolved.find("start = 05:00:07.125000000\n"),
+              std::string::npos);
+    EXPECT_DOUBLE_EQ(campaign.days[0].value.start, 5 + 7.125 / 3600);
+    EXPECT_EQ(parse_campaign(campaign.resolved, "resolved").resolved,
+              campaign.resolved);
+}
+
+TEST(Campaign, SameMeaningHasTheSameResolvedText) {
+    const Campaign one = sample("seed = 1\nreplicates = 1\n");
+    const Campaign other =
+        sample("# a comment\nreplicates = 1\n", "[light]\npaths = 4_096\n");
+    EXPECT_EQ(one.sha256, other.sha256);
+    EXPECT_NE(one.source, other.source);
+}
+
+TEST(Campaign, SingleTableIsAnAxisOfOne) {
+    const std::string text = replaced(sample_text(), "[[site]]", "[site]");
+    EXPECT_EQ(parse_campaign(text, "sample.toml").resolved, sample().resolved);
+}
+
+TEST(Campaign, UnnamedEntriesAreNamedAfterTheirValues) {
+    const Campaign campaign = sample();
+    EXPECT_EQ(campaign.days[0].name, "0807");
+    EXPECT_EQ(campaign.spacings[0].name, "762x152");
+    ASSERT_EQ(campaign.trait_sets.size(), 1u);
+    EXPECT_EQ(campaign.trait_sets[0].name, "all");
+}
+
+TEST(Campaign, BiologicalBoundsFollowEachLeaf) {
+    const Campaign campaign =
+        read_campaign(IDEOTYPE_TEST_DATA "/campaign/elite.toml");
+    const LeafBounds& longest = campaign.bounds[3];  // 0.92 m x 0.102 m
+    EXPECT_DOUBLE_EQ(longest.length.lower, 0.65 * 0.92);
+    EXPECT_EQ(longest.length.upper, 1.10);
+    EXPECT_DOUBLE_EQ(longest.width.lower, 0.65 * 0.102);
+    EXPECT_DOUBLE_EQ(longest.width.upper, 1.35 * 0.102);
+    EXPECT_EQ(longest.inclination.lower, 10);
+    EXPECT_EQ(longest.inclination.upper, 80);
+    const LeafBounds& shortest = campaign.bounds[9];  // 0.50 m
+    EXPECT_EQ(shortest.length.lower, 0.40);
+    EXPECT_DOUBLE_EQ(shortest.length.upper, 1.35 * 0.50);
+}
+
+}  // namespace ideotype

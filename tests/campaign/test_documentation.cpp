@@ -1,0 +1,89 @@
+#include <fstream>
+#include <set>
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "ideotype/campaign/keys.hpp"
+#include "sample_campaign.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! The rows of the tables of keys in campaigns/README.md, each after the
+//! section that its heading names.
+std::set<std::string> documented_keys() {
+    std::set<std::string> rows;
+    std::string section;
+    std::ifstream text(IDEOTYPE_CAMPAIGNS "/README.md");
+    for (std::string line; std::getline(text, line);) {
+        if (line.starts_with("## ")) section.clear();
+        if (line.starts_with("### `")) {
+            const std::size_t begin = line.find_first_not_of("#` [");
+            section =
+                line.substr(begin, line.find_first_of("]`", begin) - begin);
+        }
+        if (!section.empty() && line.starts_with("| `"))
+            rows.insert(section + ": " + line);
+    }
+    return rows;
+}
+
+std::set<std::string> declared_keys() {
+    std::set<std::string> rows;
+    for (const KeyInfo& key : campaign_keys())
+        rows.insert(fmt::format("{}: | `{}` | {} | {} | {} | {} | {} |",
+                                key.section, key.name, key.type, key.unit,
+                                key.range, key.initial, key.meaning));
+    return rows;
+}
+
+}  // namespace
+
+TEST(Documentation, ReadmeHasEveryKeyWithUnitRangeAndDefault) {
+    const std::set<std::string> documented = documented_keys();
+    for (const std::string& key : declared_keys())
+        EXPECT_EQ(documented.count(key), 1u) << "not in the README: " << key;
+}
+
+TEST(Documentation, ReadmeHasNoKeyThatDoesNotExist) {
+    const std::set<std::string> declared = declared_keys();
+    for (const std::string& key : documented_keys())
+        EXPECT_EQ(declared.count(key), 1u) << "not a key: " << key;
+}
+
+TEST(Documentation, EveryKeySaysWhatItMeans) {
+    EXPECT_GT(campaign_keys().size(), 60u);
+    for (const KeyInfo& key : campaign_keys()) {
+        EXPECT_NE(key.type, "") << key.section << '.' << key.name;
+        EXPECT_NE(key.range, "") << key.section << '.' << key.name;
+        EXPECT_NE(key.initial, "") << key.section << '.' << key.name;
+        EXPECT_NE(key.meaning, "") << key.section << '.' << key.name;
+    }
+}
+
+TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
+    // Bounds given by name have no table; the plant has a table of its own.
+    std::set<std::string> declared;
+    for (const KeyInfo& key : campaign_keys()) {
+        if (key.section == "plant.bounds" || key.name == "baseline") continue;
+        std::string section = key.section + '.';
+        if (section == "top.") section = "";
+        if (section == "plant file.") section = "plant.baseline.";
+        if (section == "stalk." || section == "blade." || section == "leaf.")
+            section = "plant.baseline." + section;
+        declared.insert(section + key.name);
+    }
+    std::set<std::string> written;
+    for (const std::string& line : differences(sample().resolved, "")) {
+        std::string name = line.substr(0, line.find(' '));
+        const std::size_t index = name.find("[0]");
+        if (index != std::string::npos) name.erase(index, 3);
+        written.insert(name);
+    }
+    EXPECT_EQ(written, declared);
+}
+
+}  // namespace ideotype

@@ -74,6 +74,9 @@ class Evaluator {
   public:
     virtual ~Evaluator() = default;
 
+    //! The columns of this task's outcome.
+    virtual const OutcomeSchema& schema(const Task& task) const = 0;
+
     //! A pure function of task and genome, but for seconds.
     //! @throws any exception; the worker turns it into a failed outcome.
     virtual Outcome evaluate(const Task& task, const Genome& genome) = 0;

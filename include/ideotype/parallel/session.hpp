@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+namespace ideotype {
+
+//! MPI for as long as this lives. Works with and without mpirun. Create it
+//! after the StopFlag, so that MPI does not replace its handlers.
+class Session {
+  public:
+    Session();
+    ~Session();
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    int rank() const;
+    int size() const;
+
+    //! Rank 0's text on all ranks. Collective. Sleeps while it waits.
+    std::string broadcast(const std::string& text) const;
+
+    //! The worst value of all ranks on all ranks. Collective.
+    int largest(int value) const;
+
+    //! Ends all ranks at once with this exit code.
+    [[noreturn]] void abort(int exit_code) const;
+
+    //! Name and version of the MPI library.
+    static std::string library_version();
+};
+
+}  // namespace ideotype

@@ -1,0 +1,35 @@
+#include "guard.hpp"
+
+#include <chrono>
+#include <exception>
+
+namespace ideotype {
+
+namespace {
+
+Outcome caught_outcome(Evaluator& evaluator, const Work& work,
+                       const OutcomeSchema& schema) {
+    try {
+        return evaluator.evaluate(work.task, work.genome);
+    } catch (const std::exception& error) {
+        return failed_outcome(schema, error.what());
+    } catch (...) {
+        return failed_outcome(schema, "an exception of unknown type");
+    }
+}
+
+}  // namespace
+
+Outcome evaluate_guarded(Evaluator& evaluator, const Work& work, int rank) {
+    const OutcomeSchema& schema = evaluator.schema(work.task);
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    Outcome outcome =
+        checked_outcome(schema, caught_outcome(evaluator, work, schema));
+    outcome.seconds =
+        std::chrono::duration<double>(Clock::now() - start).count();
+    outcome.worker = static_cast<std::uint32_t>(rank);
+    return outcome;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,73 @@
+#include "mailbox.hpp"
+
+#include <list>
+
+#include <fmt/format.h>
+#include <mpi.h>
+
+#include "ideotype/core/error.hpp"
+#include "patience.hpp"
+
+namespace ideotype {
+
+struct Mailbox::Posted {
+    struct Sending {
+        Bytes bytes;
+        MPI_Request request = MPI_REQUEST_NULL;
+    };
+    // A list, because MPI keeps the address of the request's bytes.
+    std::list<Sending> sendings;
+
+    void forget_finished() {
+        sendings.remove_if([](Sending& sending) {
+            int finished = 0;
+            MPI_Test(&sending.request, &finished, MPI_STATUS_IGNORE);
+            return finished != 0;
+        });
+    }
+};
+
+Mailbox::Mailbox() : posted_(std::make_unique<Posted>()) {}
+
+Mailbox::~Mailbox() {
+    Patience patience;
+    for (posted_->forget_finished(); !posted_->sendings.empty();
+         posted_->forget_finished())
+        patience.rest();
+}
+
+void Mailbox::post(int rank, Tag tag, Bytes bytes) {
+    auto& sending = posted_->sendings.emplace_back();
+    sending.bytes = std::move(bytes);
+    MPI_Isend(sending.bytes.data(), static_cast<int>(sending.bytes.size()),
+              MPI_BYTE, rank, static_cast<int>(tag), MPI_COMM_WORLD,
+              &sending.request);
+}
+
+Envelope Mailbox::wait() {
+    Patience patience;
+    MPI_Status status;
+    for (;;) {
+        posted_->forget_finished();
+        int arrived = 0;
+        MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &arrived,
+                   &status);
+        if (arrived) break;
+        patience.rest();
+    }
+    int size = 0;
+    MPI_Get_count(&status, MPI_BYTE, &size);
+    Bytes bytes(static_cast<std::size_t>(size));
+    MPI_Recv(bytes.data(), size, MPI_BYTE, status.MPI_SOURCE, status.MPI_TAG,
+             MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    if (status.MPI_TAG < static_cast<int>(Tag::work) ||
+        status.MPI_TAG > static_cast<int>(Tag::stop))
+        throw Error(fmt::format(
+            "unexpected MPI message with tag {} from rank {}; all ranks must "
+            "run the same ideotype",
+            status.MPI_TAG, status.MPI_SOURCE));
+    return {status.MPI_SOURCE, static_cast<Tag>(status.MPI_TAG),
+            std::move(bytes)};
+}
+
+}  // namespace ideotype

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+
+#include "ideotype/parallel/messages.hpp"
+
+namespace ideotype {
+
+//! What a message is about.
+enum class Tag : int { work = 1, reply = 2, stop = 3 };
+
+//! A message that arrived.
+struct Envelope {
+    int source = 0;  //!< rank that sent it
+    Tag tag = Tag::stop;
+    Bytes bytes;
+};
+
+//! Messages between ranks. Posting never blocks, waiting sleeps.
+class Mailbox {
+  public:
+    Mailbox();
+    //! Waits until all that was posted has left.
+    ~Mailbox();
+
+    void post(int rank, Tag tag, Bytes bytes);
+
+    //! The next message of any rank; sleeps until there is one.
+    //! @throws Error if its tag is unknown.
+    Envelope wait();
+
+  private:
+    //! Messages under way; MPI reads their bytes until they have left.
+    struct Posted;
+    std::unique_ptr<Posted> posted_;
+};
+
+}  // namespace ideotype

@@ -1,0 +1,185 @@
+#include "ideotype/parallel/messages.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <type_traits>
+
+#include <fmt/format.h>
+
+#include "ideotype/core/error.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! Bytes that no other kind of message starts with.
+enum class Mark : std::uint64_t {
+    work = 0x4b524f574f454449,   // "IDEOWORK"
+    reply = 0x594c50524f454449,  // "IDEORPLY"
+};
+
+struct WireTask {
+    std::uint32_t case_index;
+    std::uint32_t generation;
+    std::uint32_t slot;
+    std::uint32_t attempt;
+    std::uint32_t is_final;
+};
+
+struct WorkHeader {
+    Mark mark;
+    WireTask task;
+    std::uint32_t gene_count;
+};
+static_assert(sizeof(WorkHeader) == 32);
+static_assert(std::has_unique_object_representations_v<WorkHeader>);
+
+struct ReplyHeader {
+    Mark mark;
+    WireTask task;
+    std::uint32_t status;
+    double seconds;
+    std::uint32_t worker;
+    std::uint32_t message_size;
+    std::array<char, reply_message_capacity> message;
+};
+static_assert(sizeof(ReplyHeader) == 208);
+static_assert(std::is_trivially_copyable_v<ReplyHeader>);
+
+WireTask to_wire(const Task& task) {
+    return {task.case_index, task.generation, task.slot, task.attempt,
+            task.is_final ? 1u : 0u};
+}
+
+Task from_wire(const WireTask& task) {
+    return {task.case_index, task.generation, task.slot, task.attempt,
+            task.is_final != 0};
+}
+
+//! The header, followed by room for the doubles.
+template <class Header>
+Bytes with_room(const Header& header, std::size_t doubles) {
+    Bytes bytes(sizeof(Header) + doubles * sizeof(double));
+    std::memcpy(bytes.data(), &header, sizeof(Header));
+    return bytes;
+}
+
+template <class Header>
+Header read_header(std::span<const std::byte> bytes, Mark mark,
+                   const char* kind) {
+    Header header{};
+    if (bytes.size() >= sizeof(Header))
+        std::memcpy(&header, bytes.data(), sizeof(Header));
+    if (header.mark != mark)
+        throw Error(
+            fmt::format("unexpected MPI message of {} bytes (it is not "
+                        "{}); all ranks must run the same ideotype",
+                        bytes.size(), kind));
+    return header;
+}
+
+void check_size(std::span<const std::byte> bytes, std::size_t expected,
+                const char* kind) {
+    if (bytes.size() != expected)
+        throw Error(
+            fmt::format("MPI message has {} bytes instead of {} (as {}); all "
+                        "ranks must run the same ideotype and campaign",
+                        bytes.size(), expected, kind));
+}
+
+//! How much of a text fits without cutting a UTF-8 character in two.
+std::size_t fitting_size(const std::string& text) {
+    if (text.size() <= reply_message_capacity) return text.size();
+    std::size_t size = reply_message_capacity;
+    const auto continues = [&](std::size_t i) {
+        return (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80;
+    };
+    while (size > 0 && continues(size)) --size;
+    return size;
+}
+
+std::byte* write_estimates(std::byte* to, const std::vector<Estimate>& from) {
+    for (const Estimate& x : from) {
+        std::memcpy(to, &x.mean, sizeof(double));
+        std::memcpy(to + sizeof(double), &x.standard_error, sizeof(double));
+        to += 2 * sizeof(double);
+    }
+    return to;
+}
+
+const std::byte* read_estimates(const std::byte* from,
+                                std::vector<Estimate>& to) {
+    for (Estimate& x : to) {
+        std::memcpy(&x.mean, from, sizeof(double));
+        std::memcpy(&x.standard_error, from + sizeof(double), sizeof(double));
+        from += 2 * sizeof(double);
+    }
+    return from;
+}
+
+}  // namespace
+
+Bytes encode_work(const Work& work) {
+    const WorkHeader header{Mark::work, to_wire(work.task),
+                            static_cast<std::uint32_t>(work.genome.size())};
+    Bytes bytes = with_room(header, work.genome.size());
+    std::copy_n(reinterpret_cast<const std::byte*>(work.genome.data()),
+                work.genome.size() * sizeof(double),
+                bytes.begin() + sizeof(WorkHeader));
+    return bytes;
+}
+
+Work decode_work(std::span<const std::byte> bytes) {
+    const auto header = read_header<WorkHeader>(bytes, Mark::work, "work");
+    const std::size_t size = header.gene_count * sizeof(double);
+    check_size(bytes, sizeof(WorkHeader) + size, "work");
+    Work work{from_wire(header.task), Genome(header.gene_count)};
+    std::copy_n(bytes.begin() + sizeof(WorkHeader), size,
+                reinterpret_cast<std::byte*>(work.genome.data()));
+    return work;
+}
+
+Bytes encode_reply(const Reply& reply) {
+    const Outcome& outcome = reply.outcome;
+    ReplyHeader header{};
+    header.mark = Mark::reply;
+    header.task = to_wire(reply.task);
+    header.status = static_cast<std::uint32_t>(outcome.status);
+    header.seconds = outcome.seconds;
+    header.worker = outcome.worker;
+    const std::size_t message_size = fitting_size(outcome.message);
+    header.message_size = static_cast<std::uint32_t>(message_size);
+    std::copy_n(outcome.message.begin(), message_size, header.message.begin());
+
+    Bytes bytes = with_room(
+        header, 2 * (outcome.objectives.size() + outcome.diagnostics.size()));
+    write_estimates(
+        write_estimates(bytes.data() + sizeof(ReplyHeader), outcome.objectives),
+        outcome.diagnostics);
+    return bytes;
+}
+
+Reply decode_reply(std::span<const std::byte> bytes,
+                   const OutcomeSchema& schema) {
+    const auto header = read_header<ReplyHeader>(bytes, Mark::reply, "a reply");
+    const std::size_t columns =
+        schema.objectives.size() + schema.diagnostics.size();
+    check_size(bytes, sizeof(ReplyHeader) + 2 * columns * sizeof(double),
+               "a reply");
+    Outcome outcome;
+    outcome.status = static_cast<Status>(header.status);
+    outcome.seconds = header.seconds;
+    outcome.worker = header.worker;
+    outcome.message.assign(
+        header.message.data(),
+        std::min<std::size_t>(header.message_size, header.message.size()));
+    outcome.objectives.resize(schema.objectives.size());
+    outcome.diagnostics.resize(schema.diagnostics.size());
+    read_estimates(
+        read_estimates(bytes.data() + sizeof(ReplyHeader), outcome.objectives),
+        outcome.diagnostics);
+    return {from_wire(header.task), std::move(outcome)};
+}
+
+}  // namespace ideotype

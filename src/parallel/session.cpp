@@ -1,0 +1,90 @@
+#include "ideotype/parallel/session.hpp"
+
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+
+#include <mpi.h>
+
+#include "patience.hpp"
+
+namespace ideotype {
+
+namespace {
+
+void wait_for(MPI_Request request) {
+    Patience patience;
+    for (;;) {
+        int finished = 0;
+        MPI_Test(&request, &finished, MPI_STATUS_IGNORE);
+        if (finished) return;
+        patience.rest();
+    }
+}
+
+}  // namespace
+
+Session::Session() {
+    // Only this thread calls MPI; the ray tracer may have threads of its own.
+    int provided = 0;
+    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+}
+
+Session::~Session() {
+    MPI_Finalize();
+}
+
+int Session::rank() const {
+    int rank = 0;
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    return rank;
+}
+
+int Session::size() const {
+    int size = 0;
+    MPI_Comm_size(MPI_COMM_WORLD, &size);
+    return size;
+}
+
+std::string Session::broadcast(const std::string& text) const {
+    std::uint64_t length = text.size();
+    MPI_Request request;
+    MPI_Ibcast(&length, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD, &request);
+    wait_for(request);
+    std::string copy = text;
+    copy.resize(length);
+    MPI_Ibcast(copy.data(), static_cast<int>(length), MPI_CHAR, 0,
+               MPI_COMM_WORLD, &request);
+    wait_for(request);
+    return copy;
+}
+
+int Session::largest(int value) const {
+    int result = value;
+    MPI_Request request;
+    MPI_Iallreduce(&value, &result, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD,
+                   &request);
+    wait_for(request);
+    return result;
+}
+
+void Session::abort(int exit_code) const {
+    std::cout.flush();
+    std::cerr.flush();
+    std::fflush(nullptr);
+    MPI_Abort(MPI_COMM_WORLD, exit_code);
+    std::_Exit(exit_code);
+}
+
+std::string Session::library_version() {
+    std::array<char, MPI_MAX_LIBRARY_VERSION_STRING> text{};
+    int length = 0;
+    MPI_Get_library_version(text.data(), &length);
+    const std::string version(text.data());
+    // "Open MPI v4.1.4, package: ..., ident: ..."
+    return version.substr(0, version.find_first_of(",\n"));
+}
+
+}  // namespace ideotype

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <chrono>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+
+#include "ideotype/core/random.hpp"
+#include "ideotype/parallel/dispatcher.hpp"
+
+namespace ideotype {
+
+inline OutcomeSchema fake_schema() {
+    return {{{"light", "MJ m-2"}, {"yield", "g"}},
+            {{"area", "m2"}, {"height", "m"}, {"reflected", "1"}}};
+}
+
+//! Quick, a pure function of task and genome, and faulty in some slots.
+class FakeEvaluator : public Evaluator {
+  public:
+    static constexpr std::uint32_t throwing_slot = 1001;
+    static constexpr std::uint32_t oddly_throwing_slot = 1002;
+    static constexpr std::uint32_t not_a_number_slot = 1003;
+
+    explicit FakeEvaluator(std::chrono::milliseconds duration = {})
+        : duration_(duration) {}
+
+    const OutcomeSchema& schema(const Task&) const override { return schema_; }
+
+    Outcome evaluate(const Task& task, const Genome& genome) override {
+        std::this_thread::sleep_for(duration_);
+        if (task.slot == throwing_slot)
+            throw std::runtime_error("leaf 3 is longer than the row");
+        if (task.slot == oddly_throwing_slot) throw 42;
+
+        RandomStream random(task.case_index + 10ull * task.attempt,
+                            task.is_final ? Purpose::scramble : Purpose::jitter,
+                            task.generation, task.slot);
+        double sum = random.uniform();
+        for (const double gene : genome) sum += gene * random.uniform();
+        Outcome outcome;
+        outcome.status = Status::done;
+        outcome.objectives = {{sum, 0.1 * sum}, {1 / sum, random.uniform()}};
+        outcome.diagnostics = {{random.uniform(), 0}, {-sum, 1}, {0, 1e-300}};
+        if (task.slot == not_a_number_slot)
+            outcome.diagnostics[1].mean =
+                std::numeric_limits<double>::quiet_NaN();
+        return outcome;
+    }
+
+  private:
+    std::chrono::milliseconds duration_;
+    OutcomeSchema schema_ = fake_schema();
+};
+
+}  // namespace ideotype

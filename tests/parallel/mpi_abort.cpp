@@ -1,0 +1,16 @@
+#include <chrono>
+#include <iostream>
+#include <thread>
+
+#include "ideotype/parallel/session.hpp"
+
+//! One rank gives up while the others would go on for long.
+int main() {
+    const ideotype::Session session;
+    if (session.rank() != 1) {
+        std::this_thread::sleep_for(std::chrono::minutes(1));
+        return 0;
+    }
+    std::cout << "last words";
+    session.abort(4);
+}

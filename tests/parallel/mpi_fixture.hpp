@@ -1,0 +1,29 @@
+#pragma once
+
+#include <ctime>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/parallel/session.hpp"
+
+namespace ideotype {
+
+//! Every rank runs every test; this is the session that they share.
+class OnAllRanks : public testing::Test {
+  public:
+    static void share(const Session& session) { shared_ = &session; }
+
+  protected:
+    static const Session& session() { return *shared_; }
+    static bool is_master() { return session().rank() == 0; }
+
+  private:
+    static inline const Session* shared_ = nullptr;
+};
+
+//! Seconds that this process has computed.
+inline double cpu_seconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+}  // namespace ideotype

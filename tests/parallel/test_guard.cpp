@@ -1,0 +1,69 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "fake_evaluator.hpp"
+#include "guard.hpp"
+
+namespace ideotype {
+
+namespace {
+
+Outcome guarded(std::uint32_t slot, std::chrono::milliseconds duration = {}) {
+    FakeEvaluator evaluator(duration);
+    Work work;
+    work.task.slot = slot;
+    work.genome = {1, 2, 3};
+    return evaluate_guarded(evaluator, work, 7);
+}
+
+void expect_failed_everywhere(const Outcome& outcome) {
+    EXPECT_EQ(outcome.status, Status::failed);
+    ASSERT_EQ(outcome.objectives.size(), 2u);
+    ASSERT_EQ(outcome.diagnostics.size(), 3u);
+    for (const auto& columns : {outcome.objectives, outcome.diagnostics})
+        for (const Estimate& x : columns) {
+            EXPECT_TRUE(std::isnan(x.mean));
+            EXPECT_TRUE(std::isnan(x.standard_error));
+        }
+}
+
+}  // namespace
+
+TEST(EvaluateGuarded, PassesAResultOn) {
+    const Outcome outcome = guarded(5);
+    EXPECT_EQ(outcome.status, Status::done);
+    EXPECT_EQ(outcome.message, "");
+    EXPECT_EQ(outcome.worker, 7u);
+    EXPECT_EQ(
+        outcome.objectives.at(0).mean,
+        FakeEvaluator().evaluate({0, 0, 5}, {1, 2, 3}).objectives.at(0).mean);
+}
+
+TEST(EvaluateGuarded, MeasuresTheWallTime) {
+    const Outcome outcome = guarded(5, std::chrono::milliseconds(20));
+    EXPECT_GE(outcome.seconds, 0.02);
+    EXPECT_LT(outcome.seconds, 10);
+}
+
+TEST(EvaluateGuarded, TurnsAnExceptionIntoAFailureWithItsMessage) {
+    const Outcome outcome = guarded(FakeEvaluator::throwing_slot);
+    expect_failed_everywhere(outcome);
+    EXPECT_EQ(outcome.message, "leaf 3 is longer than the row");
+    EXPECT_EQ(outcome.worker, 7u);
+}
+
+TEST(EvaluateGuarded, SurvivesExceptionsOfAnyType) {
+    const Outcome outcome = guarded(FakeEvaluator::oddly_throwing_slot);
+    expect_failed_everywhere(outcome);
+    EXPECT_NE(outcome.message.find("unknown type"), std::string::npos);
+}
+
+TEST(EvaluateGuarded, NamesTheColumnThatIsNotANumber) {
+    const Outcome outcome = guarded(FakeEvaluator::not_a_number_slot);
+    expect_failed_everywhere(outcome);
+    EXPECT_NE(outcome.message.find("\"height\""), std::string::npos)
+        << outcome.message;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,45 @@
+#include <chrono>
+#include <thread>
+
+#include "ideotype/parallel/session.hpp"
+#include "mpi_fixture.hpp"
+
+namespace ideotype {
+
+class SessionOnAllRanks : public OnAllRanks {};
+
+TEST_F(SessionOnAllRanks, NumbersItsRanks) {
+    EXPECT_GE(session().rank(), 0);
+    EXPECT_LT(session().rank(), session().size());
+    EXPECT_EQ(session().largest(session().rank()), session().size() - 1);
+}
+
+TEST_F(SessionOnAllRanks, LargestIsTheWorstOfAllRanks) {
+    const bool is_last = session().rank() == session().size() - 1;
+    EXPECT_EQ(session().largest(is_last ? 3 : 0), 3);
+    EXPECT_EQ(session().largest(-2 - session().rank()), -2);
+}
+
+TEST_F(SessionOnAllRanks, BroadcastsTheTextOfRankZero) {
+    const std::string long_text(3'000'000, 'x');
+    for (const std::string& text :
+         {std::string(), std::string("name = \"\0\xc3\xa4\"", 11), long_text}) {
+        const std::string own = is_master() ? text : "something else";
+        EXPECT_TRUE(session().broadcast(own) == text) << text.size();
+    }
+}
+
+TEST_F(SessionOnAllRanks, SleepsWhileItWaitsForABroadcast) {
+    const double before = cpu_seconds();
+    if (is_master()) std::this_thread::sleep_for(std::chrono::seconds(1));
+    session().broadcast("at last");
+    EXPECT_LT(cpu_seconds() - before, 0.25);
+}
+
+TEST_F(SessionOnAllRanks, KnowsItsLibrary) {
+    const std::string version = Session::library_version();
+    EXPECT_NE(version.find("MPI"), std::string::npos) << version;
+    EXPECT_EQ(version.find('\n'), std::string::npos) << version;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,136 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ideotype/evolve/evaluation.hpp"
+#include "ideotype/evolve/genome.hpp"
+#include "ideotype/evolve/population.hpp"
+#include "ideotype/evolve/rank.hpp"
+
+namespace ideotype {
+
+//! All that is known of a history before its first evaluation.
+struct HistoryHeader {
+    //! Root attributes by name: program, provenance, case, site...; see
+    //! analysis/FORMAT.md. format and format_version are added here.
+    std::map<std::string, std::string> text;
+    std::map<std::string, double> numbers;
+    std::string campaign_source;
+    std::string campaign_resolved;
+    GeneSpace genes;
+    OutcomeSchema schema;
+    std::uint64_t seed = 0;  //!< of the case
+    int population = 0;
+    int generations = 0;  //!< at most
+    int finalists = 0;    //!< rows of /final
+};
+
+//! One evaluation as stored.
+struct Row {
+    Candidate candidate;
+    Outcome outcome;
+    double fitness = 0;
+    std::uint32_t attempt = 0;
+};
+
+//! One start of the program on this history.
+struct SessionRecord {
+    std::string started;  //!< UTC, ISO 8601
+    std::string host;
+    std::string command;
+    int ranks = 0;
+};
+
+//! The file of one case: written by rank 0 as the evolution goes, in SWMR
+//! mode, and its only checkpoint. Every function throws Error with the file's
+//! name if HDF5 fails.
+class History {
+  public:
+    //! Creates the file with everything in it that will ever be there, only
+    //! empty. @throws Error (refused) if it exists.
+    static History create(const std::string& path, const HistoryHeader& header);
+
+    //! Opens the file of a killed, drained or finished run to go on.
+    //! @throws Error (refused) if another process writes it, if it is not a
+    //! history, or of another format version.
+    static History resume(const std::string& path);
+
+    //! Opens to read only, also while another process writes.
+    static History read(const std::string& path);
+
+    History(History&&) noexcept;
+    History& operator=(History&&) noexcept;
+    ~History();
+
+    //! Name and version of the HDF5 library.
+    static std::string library_version();
+
+    const HistoryHeader& header() const;
+
+    //! Adds an entry to /sessions. Once per start.
+    void begin_session(const SessionRecord& session);
+
+    //! The next generation to breed or complete: 0 for a new file.
+    std::uint32_t next_generation() const;
+
+    //! Writes the genomes of a generation before any is sent out. If they are
+    //! there already, verifies instead. @throws Error (refused) if a genome,
+    //! origin or parent differs in any bit, naming the slot.
+    void propose(std::uint32_t generation,
+                 const std::vector<Candidate>& candidates);
+
+    //! Slots of a proposed generation that are not done or failed yet.
+    std::vector<std::uint32_t> pending(std::uint32_t generation) const;
+
+    //! Stores an outcome, status last, and makes it durable.
+    void record(std::uint32_t generation, std::uint32_t slot,
+                const Outcome& outcome, double fitness, std::uint32_t attempt);
+
+    //! One row, complete or not.
+    Row row(std::uint32_t generation, std::uint32_t slot) const;
+
+    //! A complete generation.
+    Population generation(std::uint32_t generation) const;
+
+    //! The last committed generation; empty if there is none.
+    Population last_committed() const;
+
+    //! Marks a generation complete.
+    void commit(std::uint32_t generation, const GenerationSummary& summary);
+
+    //! Summaries of all committed generations.
+    std::vector<GenerationSummary> summaries() const;
+
+    //! The finalists: as propose, pending, record and row, in /final. Slot 0
+    //! is the baseline.
+    void propose_final(const std::vector<Candidate>& candidates);
+    std::vector<std::uint32_t> pending_final() const;
+    void record_final(std::uint32_t slot, const Outcome& outcome,
+                      double fitness);
+    std::vector<Row> finalists() const;
+
+    //! Seconds that all sessions together spent.
+    double wall_time() const;
+    void set_wall_time(double seconds);
+
+    //! Adds a line to /messages (the oldest are kept when it is full).
+    void message(const std::string& text);
+
+    //! Marks the case finished with a reason such as "generations".
+    void finish(const std::string& reason);
+
+    //! Why the case finished, if it did.
+    std::optional<std::string> finished() const;
+
+  private:
+    struct File;
+    explicit History(std::unique_ptr<File> file);
+    std::unique_ptr<File> file_;
+};
+
+}  // namespace ideotype

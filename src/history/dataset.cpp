@@ -1,0 +1,104 @@
+#include "dataset.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "types.hpp"
+
+namespace ideotype {
+
+namespace {
+
+std::vector<hsize_t> extents(hid_t space) {
+    const int rank = checked(H5Sget_simple_extent_ndims(space), "read a rank");
+    std::vector<hsize_t> sizes(static_cast<std::size_t>(rank));
+    checked(H5Sget_simple_extent_dims(space, sizes.data(), nullptr),
+            "read a shape");
+    return sizes;
+}
+
+}  // namespace
+
+Dataset::Dataset(hid_t location, const std::string& name) : name_(name) {
+    id_ = Handle(H5Dopen2(location, name.c_str(), H5P_DEFAULT), H5Dclose,
+                 "open " + name);
+    const Handle type(H5Dget_type(id_), H5Tclose, "open " + name);
+    memory_type_ = Handle(H5Tget_native_type(type, H5T_DIR_ASCEND), H5Tclose,
+                          "open " + name);
+    value_size_ = H5Tget_size(memory_type_);
+    const Handle space(H5Dget_space(id_), H5Sclose, "open " + name);
+    const std::vector<hsize_t> sizes = extents(space);
+    for (std::size_t i = 1; i < sizes.size(); ++i) width_ *= sizes[i];
+}
+
+hsize_t Dataset::rows() const {
+    const Handle space(H5Dget_space(id_), H5Sclose, "read " + name_);
+    const std::vector<hsize_t> sizes = extents(space);
+    return sizes.empty() ? 1 : sizes[0];
+}
+
+void Dataset::write_text(hsize_t row, const std::string& text) {
+    std::string padded = fitted(text, value_size_);
+    padded.resize(value_size_, '\0');
+    put(row, padded.data(), 1, value_size_);
+}
+
+std::vector<std::string> Dataset::read_text(hsize_t first,
+                                            hsize_t count) const {
+    std::vector<char> bytes(count * value_size_);
+    get(first, bytes.data(), count, value_size_);
+    std::vector<std::string> texts;
+    texts.reserve(count);
+    for (auto from = bytes.begin(); from != bytes.end();) {
+        const auto to = from + static_cast<std::ptrdiff_t>(value_size_);
+        texts.emplace_back(from, std::find(from, to, '\0'));
+        from = to;
+    }
+    return texts;
+}
+
+void Dataset::check_value_size(std::size_t value_size) const {
+    if (value_size != value_size_)
+        throw Hdf5Error(fmt::format("{} has values of {} bytes, not {}", name_,
+                                    value_size_, value_size));
+}
+
+Dataset::Selection Dataset::select(hsize_t first, std::size_t values) const {
+    const std::string action = "select rows of " + name_;
+    const hsize_t size = values;
+    Handle memory(H5Screate_simple(1, &size, nullptr), H5Sclose, action);
+    Handle file(H5Dget_space(id_), H5Sclose, action);
+    std::vector<hsize_t> count = extents(file);
+    if (!count.empty()) {
+        count[0] = values / width_;
+        std::vector<hsize_t> start(count.size(), 0);
+        start[0] = first;
+        checked(H5Sselect_hyperslab(file, H5S_SELECT_SET, start.data(), nullptr,
+                                    count.data(), nullptr),
+                action);
+    }
+    return {std::move(memory), std::move(file)};
+}
+
+void Dataset::put(hsize_t first, const void* values, std::size_t count,
+                  std::size_t value_size) {
+    check_value_size(value_size);
+    if (count == 0) return;
+    const Selection selection = select(first, count);
+    checked(H5Dwrite(id_, memory_type_, selection.memory, selection.file,
+                     H5P_DEFAULT, values),
+            "write " + name_);
+}
+
+void Dataset::get(hsize_t first, void* values, std::size_t count,
+                  std::size_t value_size) const {
+    check_value_size(value_size);
+    if (count == 0) return;
+    const Selection selection = select(first, count);
+    checked(H5Dread(id_, memory_type_, selection.memory, selection.file,
+                    H5P_DEFAULT, values),
+            "read " + name_);
+}
+
+}  // namespace ideotype

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "handle.hpp"
+
+namespace ideotype {
+
+//! An open dataset, read and written by whole rows of its first dimension. A
+//! scalar has one row.
+class Dataset {
+  public:
+    Dataset() = default;
+
+    //! @throws Hdf5Error if there is no such dataset.
+    Dataset(hid_t location, const std::string& name);
+
+    //! Size of the first dimension.
+    hsize_t rows() const;
+
+    //! Values in one row.
+    std::size_t width() const { return width_; }
+
+    //! Writes as many rows as there are values for. Value has the dataset's
+    //! type in memory.
+    template <class Value>
+    void write(hsize_t first, std::span<const Value> values) {
+        put(first, values.data(), values.size(), sizeof(Value));
+    }
+
+    template <class Value>
+    void write(hsize_t first, const std::vector<Value>& values) {
+        write(first, std::span<const Value>(values));
+    }
+
+    //! Writes one value of a dataset with one value per row.
+    template <class Value>
+    void write_one(hsize_t row, const Value& value) {
+        write(row, std::span<const Value>(&value, 1));
+    }
+
+    //! Reads rows, one after the other.
+    template <class Value>
+    std::vector<Value> read(hsize_t first, hsize_t count) const {
+        std::vector<Value> values(static_cast<std::size_t>(count) * width_);
+        get(first, values.data(), values.size(), sizeof(Value));
+        return values;
+    }
+
+    //! Writes and reads fixed-length strings; too long ones are cut.
+    void write_text(hsize_t row, const std::string& text);
+    std::vector<std::string> read_text(hsize_t first, hsize_t count) const;
+
+  private:
+    struct Selection {
+        Handle memory;
+        Handle file;
+    };
+
+    void check_value_size(std::size_t value_size) const;
+    Selection select(hsize_t first, std::size_t values) const;
+    void put(hsize_t first, const void* values, std::size_t count,
+             std::size_t value_size);
+    void get(hsize_t first, void* values, std::size_t count,
+             std::size_t value_size) const;
+
+    std::string name_;
+    Handle id_;
+    Handle memory_type_;
+    std::size_t value_size_ = 0;
+    std::size_t width_ = 1;
+};
+
+}  // namespace ideotype

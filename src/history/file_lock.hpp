@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+namespace ideotype {
+
+//! The right to write a file, held by one process at a time on all hosts that
+//! share the file system. It is the system's lock on `<file>.lock`, because
+//! HDF5's lock on the file itself would keep readers out. A killed process
+//! loses it; what remains of the file is harmless.
+class FileLock {
+  public:
+    //! @throws Error (refused) naming the process that has the lock.
+    //! Where the file system has no locks, nobody is kept out.
+    explicit FileLock(const std::string& file);
+
+    FileLock(FileLock&& other) noexcept;
+    FileLock& operator=(FileLock&&) = delete;
+    ~FileLock();
+
+  private:
+    std::string path_;
+    int descriptor_ = -1;
+};
+
+}  // namespace ideotype

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <hdf5.h>
+
+namespace ideotype {
+
+//! HDF5 failed. History turns it into an Error with the file's name.
+class Hdf5Error : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+//! Silences HDF5's own messages and its clean-up at exit, which crashes after
+//! a full disk. Cheap; to be called before a file is opened or created.
+void initialize_hdf5();
+
+//! @throws Hdf5Error "cannot <action>: <HDF5's innermost reason>"
+[[noreturn]] void throw_hdf5_error(const std::string& action);
+
+//! Passes a result of HDF5 on. @throws Hdf5Error if it is negative.
+template <class Result>
+Result checked(Result result, const std::string& action) {
+    if (result < 0) throw_hdf5_error(action);
+    return result;
+}
+
+//! Owns an HDF5 identifier.
+class Handle {
+  public:
+    using Close = herr_t (*)(hid_t);
+
+    Handle() = default;
+
+    //! Takes over id. @throws Hdf5Error if id is negative.
+    Handle(hid_t id, Close closer, const std::string& action)
+        : id_(checked(id, action)), close_(closer) {}
+
+    Handle(Handle&& other) noexcept
+        : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+
+    Handle& operator=(Handle&& other) noexcept {
+        std::swap(id_, other.id_);
+        std::swap(close_, other.close_);
+        return *this;
+    }
+
+    // What a close could still fail to write was flushed before, and a
+    // destructor has nobody to tell.
+    ~Handle() {
+        if (id_ >= 0) close_(id_);
+    }
+
+    //! Closes now, to hear if that fails.
+    void close(const std::string& action) {
+        checked(close_(std::exchange(id_, -1)), action);
+    }
+
+    operator hid_t() const { return id_; }
+
+  private:
+    hid_t id_ = -1;
+    Close close_ = nullptr;
+};
+
+}  // namespace ideotype

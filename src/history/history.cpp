@@ -1,0 +1,216 @@
+#include "ideotype/history/history.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "history_file.hpp"
+#include "open.hpp"
+
+namespace ideotype {
+
+History::History(std::unique_ptr<File> file) : file_(std::move(file)) {}
+History::History(History&&) noexcept = default;
+History& History::operator=(History&&) noexcept = default;
+
+History::~History() = default;
+
+History History::create(const std::string& path, const HistoryHeader& header) {
+    initialize_hdf5();
+    FileLock lock(path);
+    if (std::filesystem::exists(path))
+        throw Error(path + ": exists already; add --resume to go on with it",
+                    ExitCode::refused);
+    return with_name_of(path, [&] {
+        create_file(path, header);
+        return History(
+            std::make_unique<File>(path, std::move(lock), open_to_write(path)));
+    });
+}
+
+History History::resume(const std::string& path) {
+    initialize_hdf5();
+    if (!std::filesystem::exists(path))
+        throw Error(path + ": there is no such file");
+    FileLock lock(path);
+    return with_name_of(path, [&] {
+        return History(
+            std::make_unique<File>(path, std::move(lock), open_to_write(path)));
+    });
+}
+
+History History::read(const std::string& path) {
+    initialize_hdf5();
+    return with_name_of(path, [&] {
+        return History(
+            std::make_unique<File>(path, std::nullopt, open_to_read(path)));
+    });
+}
+
+std::string History::library_version() {
+    return fmt::format("HDF5 {}.{}.{}", H5_VERS_MAJOR, H5_VERS_MINOR,
+                       H5_VERS_RELEASE);
+}
+
+const HistoryHeader& History::header() const {
+    return file_->header;
+}
+
+void History::begin_session(const SessionRecord& session) {
+    file_->write([&] {
+        file_->journal.add(session);
+        flush(file_->id);
+    });
+}
+
+std::uint32_t History::next_generation() const {
+    // A writer knows; under a reader the file goes on.
+    if (file_->lock) return file_->next_generation;
+    return file_->read([&] { return file_->summaries.committed(); });
+}
+
+void History::propose(std::uint32_t generation,
+                      const std::vector<Candidate>& candidates) {
+    const hsize_t first = file_->row(generation);
+    if (generation > file_->next_generation)
+        file_->fail(fmt::format("generation {} is not complete",
+                                file_->next_generation));
+    if (candidates.size() != file_->population())
+        file_->fail(fmt::format("{} candidates instead of {}",
+                                candidates.size(), file_->population()));
+    file_->propose(file_->evaluations,
+                   fmt::format("generation {} slot", generation), first,
+                   candidates);
+}
+
+std::vector<std::uint32_t> History::pending(std::uint32_t generation) const {
+    return file_->pending(file_->evaluations, file_->row(generation),
+                          file_->population());
+}
+
+void History::record(std::uint32_t generation, std::uint32_t slot,
+                     const Outcome& outcome, double fitness,
+                     std::uint32_t attempt) {
+    file_->record(file_->evaluations,
+                  fmt::format("generation {} slot {}", generation, slot),
+                  file_->row(generation, slot), outcome, fitness, attempt);
+}
+
+Row History::row(std::uint32_t generation, std::uint32_t slot) const {
+    const hsize_t at = file_->row(generation, slot);
+    return file_->read([&] { return file_->evaluations.read(at, 1)[0]; });
+}
+
+Population History::generation(std::uint32_t generation) const {
+    const hsize_t first = file_->row(generation);
+    const auto rows = file_->read(
+        [&] { return file_->evaluations.read(first, file_->population()); });
+    Population population;
+    for (const Row& row : rows) {
+        const Outcome& outcome = row.outcome;
+        if (!is_recorded(outcome.status))
+            file_->fail(
+                fmt::format("generation {} is not complete", generation));
+        population.push_back({row.candidate, outcome.status, row.fitness,
+                              outcome.objectives[0].standard_error});
+    }
+    return population;
+}
+
+Population History::last_committed() const {
+    const std::uint32_t count = next_generation();
+    return count == 0 ? Population{} : generation(count - 1);
+}
+
+void History::commit(std::uint32_t generation,
+                     const GenerationSummary& summary) {
+    const hsize_t first = file_->row(generation);
+    if (generation != file_->next_generation)
+        file_->fail(fmt::format("generation {} is the next to commit, not {}",
+                                file_->next_generation, generation),
+                    ExitCode::refused);
+    const auto statuses = file_->read([&] {
+        return file_->evaluations.statuses(first, file_->population());
+    });
+    if (!std::all_of(statuses.begin(), statuses.end(), is_recorded))
+        file_->fail(fmt::format("generation {} is not complete", generation));
+    file_->write([&] {
+        file_->summaries.write(generation, summary);
+        flush(file_->id);
+        file_->summaries.set_committed(generation);
+        flush(file_->id);
+        synchronize(file_->id);
+    });
+    ++file_->next_generation;
+}
+
+std::vector<GenerationSummary> History::summaries() const {
+    return file_->read([&] { return file_->summaries.read(); });
+}
+
+void History::propose_final(const std::vector<Candidate>& candidates) {
+    if (candidates.size() > file_->finals.rows())
+        file_->fail(fmt::format("{} finalists, but room for {}",
+                                candidates.size(), file_->finals.rows()));
+    const std::size_t known = finalists().size();
+    if (candidates.size() < known)
+        file_->fail(fmt::format("{} finalists, but there were {} before",
+                                candidates.size(), known),
+                    ExitCode::refused);
+    file_->propose(file_->finals, "finalist", 0, candidates);
+}
+
+std::vector<std::uint32_t> History::pending_final() const {
+    return file_->pending(file_->finals, 0, file_->finals.rows());
+}
+
+void History::record_final(std::uint32_t slot, const Outcome& outcome,
+                           double fitness) {
+    file_->record(file_->finals, fmt::format("finalist {}", slot), slot,
+                  outcome, fitness, 1);
+}
+
+std::vector<Row> History::finalists() const {
+    auto rows = file_->read(
+        [&] { return file_->finals.read(0, file_->finals.rows()); });
+    std::erase_if(rows, [](const Row& row) {
+        return row.outcome.status == Status::empty;
+    });
+    return rows;
+}
+
+double History::wall_time() const {
+    return file_->read([&] { return file_->journal.wall_time(); });
+}
+
+void History::set_wall_time(double seconds) {
+    file_->write([&] {
+        file_->journal.set_wall_time(seconds);
+        flush(file_->id);
+    });
+}
+
+void History::message(const std::string& text) {
+    file_->write([&] {
+        file_->journal.add(text);
+        flush(file_->id);
+    });
+}
+
+void History::finish(const std::string& reason) {
+    file_->write([&] {
+        file_->journal.set_reason(reason);
+        flush(file_->id);
+        file_->journal.set_finished();
+        flush(file_->id);
+        synchronize(file_->id);
+    });
+}
+
+std::optional<std::string> History::finished() const {
+    return file_->read([&] { return file_->journal.finished(); });
+}
+
+}  // namespace ideotype

@@ -1,0 +1,101 @@
+#include "history_file.hpp"
+
+#include <fmt/format.h>
+
+#include "open.hpp"
+#include "verify.hpp"
+
+namespace ideotype {
+
+History::File::File(std::string name, std::optional<FileLock> held,
+                    Handle opened)
+    : path(std::move(name)),
+      lock(std::move(held)),
+      id(std::move(opened)),
+      header(read_header(id)),
+      evaluations(id, "evaluations"),
+      finals(id, "final"),
+      summaries(id),
+      journal(id),
+      next_generation(summaries.committed()) {}
+
+hsize_t History::File::row(std::uint32_t generation, std::uint32_t slot) const {
+    const hsize_t first = generation * population();
+    if (first >= evaluations.rows() || slot >= population())
+        fail(
+            fmt::format("there is no generation {} slot {}", generation, slot));
+    return first + slot;
+}
+
+void History::File::propose(Columns& columns, const std::string& label,
+                            hsize_t first,
+                            const std::vector<Candidate>& candidates) {
+    for (const Candidate& candidate : candidates)
+        if (candidate.genome.size() != header.genes.size())
+            fail(fmt::format("a genome has {} genes instead of {}",
+                             candidate.genome.size(), header.genes.size()));
+    const auto stored =
+        read([&] { return columns.read(first, candidates.size()); });
+    std::size_t known = 0;
+    for (; known < stored.size(); ++known) {
+        if (stored[known].outcome.status == Status::empty) break;
+        const std::string difference = first_difference(
+            header.genes, stored[known].candidate, candidates[known]);
+        if (difference.empty()) continue;
+        fail(fmt::format("{} {} was bred otherwise before: {}; resume with "
+                         "the program and campaign that began the case",
+                         label, known, difference),
+             ExitCode::refused);
+    }
+    if (known == candidates.size()) return;
+    const std::vector<Candidate> rest(
+        candidates.begin() + static_cast<std::ptrdiff_t>(known),
+        candidates.end());
+    const std::vector<Status> proposed(rest.size(), Status::proposed);
+    write([&] {
+        columns.write(first + known, rest);
+        flush(id);
+        columns.set_statuses(first + known, proposed);
+        flush(id);
+    });
+}
+
+std::vector<std::uint32_t> History::File::pending(const Columns& columns,
+                                                  hsize_t first,
+                                                  hsize_t count) const {
+    const auto statuses = read([&] { return columns.statuses(first, count); });
+    std::vector<std::uint32_t> slots;
+    for (std::uint32_t slot = 0; slot < statuses.size(); ++slot)
+        if (statuses[slot] == Status::proposed) slots.push_back(slot);
+    return slots;
+}
+
+void History::File::record(Columns& columns, const std::string& label,
+                           hsize_t row, const Outcome& outcome, double fitness,
+                           std::uint32_t attempt) {
+    check(label, outcome);
+    const Status status = read([&] { return columns.statuses(row, 1)[0]; });
+    if (status != Status::proposed)
+        fail(label + (status == Status::empty ? " was never proposed"
+                                              : " is recorded already"),
+             ExitCode::refused);
+    write([&] {
+        columns.write(row, outcome, fitness, attempt);
+        flush(id);
+        columns.set_statuses(row, {outcome.status});
+        flush(id);
+    });
+}
+
+void History::File::check(const std::string& label,
+                          const Outcome& outcome) const {
+    if (!is_recorded(outcome.status))
+        fail(label + ": an outcome has to be done or failed");
+    // The numbers of a failed outcome are not stored.
+    if (outcome.status == Status::done &&
+        (outcome.objectives.size() != header.schema.objectives.size() ||
+         outcome.diagnostics.size() != header.schema.diagnostics.size()))
+        fail(label + ": an outcome does not have the history's columns");
+}
+
+}  // namespace ideotype

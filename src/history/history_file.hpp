@@ -1,0 +1,91 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "columns.hpp"
+#include "file_lock.hpp"
+#include "header.hpp"
+#include "ideotype/core/error.hpp"
+#include "ideotype/history/history.hpp"
+#include "journal.hpp"
+#include "summaries.hpp"
+
+namespace ideotype {
+
+//! Runs what can fail in HDF5, and names the file if it does.
+template <class Action>
+auto with_name_of(const std::string& path, Action action,
+                  const std::string& advice = "") {
+    try {
+        return action();
+    } catch (const Hdf5Error& error) {
+        throw Error(path + ": " + error.what() + advice);
+    }
+}
+
+//! The open file and what History does alike to generations and finalists.
+struct History::File {
+    //! Takes over the file; only a writer holds a lock.
+    File(std::string name, std::optional<FileLock> held, Handle opened);
+
+    hsize_t population() const {
+        return static_cast<hsize_t>(header.population);
+    }
+
+    //! Row of /evaluations. @throws Error if there is none.
+    hsize_t row(std::uint32_t generation, std::uint32_t slot = 0) const;
+
+    [[noreturn]] void fail(const std::string& what,
+                           ExitCode exit_code = ExitCode::runtime) const {
+        throw Error(path + ": " + what, exit_code);
+    }
+
+    template <class Action>
+    auto read(Action action) const {
+        return with_name_of(path, std::move(action));
+    }
+
+    template <class Action>
+    void write(Action action) {
+        if (!lock) fail("opened to read only");
+        if (is_broken) fail("an earlier write failed");
+        // After a failed write HDF5 takes more data and stores zeros.
+        is_broken = true;
+        with_name_of(path, std::move(action),
+                     "; all that was recorded before is safe, resume when "
+                     "the cause is gone");
+        is_broken = false;
+    }
+
+    //! Stores candidates, or verifies what an interrupted session stored.
+    //! label names a row together with its number from first.
+    void propose(Columns& columns, const std::string& label, hsize_t first,
+                 const std::vector<Candidate>& candidates);
+
+    //! Slots from first that are proposed and not recorded.
+    std::vector<std::uint32_t> pending(const Columns& columns, hsize_t first,
+                                       hsize_t count) const;
+
+    //! Stores an outcome of a proposed row; label names the row.
+    void record(Columns& columns, const std::string& label, hsize_t row,
+                const Outcome& outcome, double fitness, std::uint32_t attempt);
+
+    std::string path;
+    std::optional<FileLock> lock;
+    Handle id;
+    HistoryHeader header;
+    Columns evaluations;
+    Columns finals;
+    Summaries summaries;
+    Journal journal;
+    std::uint32_t next_generation = 0;
+    bool is_broken = false;
+
+  private:
+    void check(const std::string& label, const Outcome& outcome) const;
+};
+
+}  // namespace ideotype

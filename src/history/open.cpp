@@ -1,0 +1,173 @@
+#include "open.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <system_error>
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include "columns.hpp"
+#include "header.hpp"
+#include "ideotype/core/error.hpp"
+#include "journal.hpp"
+#include "summaries.hpp"
+
+namespace ideotype {
+
+namespace {
+
+std::string system_reason() {
+    return std::generic_category().message(errno);
+}
+
+[[noreturn]] void refuse(const std::string& path, const std::string& what) {
+    throw Error(path + ": " + what, ExitCode::refused);
+}
+
+Handle access_properties() {
+    const std::string action = "prepare the file access";
+    Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, action);
+    checked(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110),
+            action);
+    // Writers exclude each other with FileLock, readers need no lock, and
+    // some cluster file systems have none.
+    checked(H5Pset_file_locking(access, false, true), action);
+    // No buffer keeps a write from the system or a reader from the file.
+    checked(H5Pset_sieve_buf_size(access, 0), action);
+    // HDF5 reads a block again, each time after twice the wait, until its
+    // checksum is right: a second of patience with a live file. Its default
+    // of 100 attempts would outlast us all on a damaged one.
+    checked(H5Pset_metadata_read_attempts(access, 30), action);
+    return access;
+}
+
+// A file that was cut short opens, and reads as zeros beyond its end: the
+// length that HDF5 noted in its superblock (version 3) tells.
+void check_superblock(const std::string& path) {
+    constexpr std::array<unsigned char, 9> start{0x89, 'H',  'D',  'F', '\r',
+                                                 '\n', 0x1a, '\n', 3};
+    constexpr std::size_t end_of_file_at = 28;
+    std::array<unsigned char, 48> block{};
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) throw Error(path + ": " + system_reason());
+    const ssize_t size = pread(descriptor, block.data(), block.size(), 0);
+    struct stat status {};
+    const bool is_known = fstat(descriptor, &status) == 0;
+    ::close(descriptor);
+    if (size < 0 || !is_known) throw Error(path + ": " + system_reason());
+    if (std::memcmp(block.data(), start.data(), start.size()) != 0)
+        refuse(path, "not a history of ideotype");
+    std::uint64_t length = 0;
+    for (std::size_t i = 8; i-- > 0;)
+        length = length << 8U | block[end_of_file_at + i];
+    if (static_cast<std::uint64_t>(status.st_size) < length)
+        refuse(path, fmt::format("truncated: {} of {} bytes are there",
+                                 status.st_size, length));
+}
+
+void check_format(const std::string& path, hid_t file, bool is_exact) {
+    if (text_attribute(file, "format") != format_name)
+        refuse(path, "not a history of ideotype");
+    const std::string version = text_attribute(file, "format_version");
+    const std::string own = format_version;
+    const std::string major = own.substr(0, own.find('.') + 1);
+    if (is_exact ? version != own : !version.starts_with(major))
+        refuse(path, fmt::format("format version {}, but this program {} {}",
+                                 version.empty() ? "unknown" : version,
+                                 is_exact ? "resumes only" : "reads only",
+                                 is_exact ? own : major + "x"));
+}
+
+void synchronize_path(const std::filesystem::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) throw Error(path.string() + ": " + system_reason());
+    fsync(descriptor);
+    ::close(descriptor);
+}
+
+void write_everything(hid_t file, const HistoryHeader& header) {
+    const auto population = static_cast<hsize_t>(header.population);
+    const auto generations = static_cast<hsize_t>(header.generations);
+    write_header(file, header);
+    Columns::create(file, header,
+                    {.group = "evaluations",
+                     .rows = population * generations,
+                     .room = Room::as_needed,
+                     .row_label = "row"});
+    Columns::create(file, header,
+                    {.group = "final",
+                     .rows = static_cast<hsize_t>(header.finalists),
+                     .row_label = "finalist"});
+    Summaries::create(file, header);
+    Journal::create(file);
+}
+
+void write_file(const std::string& path, const HistoryHeader& header) {
+    const Handle access = access_properties();
+    // A kill can cut a write in two where a page ends, but not within a number
+    // at a multiple of its size.
+    checked(H5Pset_alignment(access, 8, 8), "align the datasets");
+    Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access),
+                H5Fclose, "create the file");
+    write_everything(file, header);
+    flush(file);
+    file.close("write the file");
+    synchronize_path(path);
+}
+
+}  // namespace
+
+void create_file(const std::string& path, const HistoryHeader& header) {
+    const std::string unfinished = path + ".new";
+    std::error_code failure;
+    try {
+        write_file(unfinished, header);
+    } catch (...) {
+        std::filesystem::remove(unfinished, failure);
+        throw;
+    }
+    std::filesystem::rename(unfinished, path, failure);
+    if (failure) throw Error(path + ": " + failure.message());
+    synchronize_path(std::filesystem::absolute(path).parent_path());
+}
+
+Handle open_to_write(const std::string& path) {
+    check_superblock(path);
+    const Handle access = access_properties();
+    // What h5clear does: forget that a killed writer had the file open.
+    const hbool_t yes = true;
+    checked(H5Pset(access, "clear_status_flags", &yes), "clear the flags");
+    Handle file(
+        H5Fopen(path.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, access),
+        H5Fclose, "open the file to write");
+    check_format(path, file, true);
+    return file;
+}
+
+Handle open_to_read(const std::string& path) {
+    check_superblock(path);
+    Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ,
+                        access_properties()),
+                H5Fclose, "open the file");
+    check_format(path, file, false);
+    return file;
+}
+
+void flush(hid_t file) {
+    checked(H5Fflush(file, H5F_SCOPE_LOCAL), "write");
+}
+
+void synchronize(hid_t file) {
+    void* descriptor = nullptr;
+    checked(H5Fget_vfd_handle(file, H5P_DEFAULT, &descriptor), "synchronize");
+    if (fsync(*static_cast<int*>(descriptor)) != 0)
+        throw Hdf5Error("cannot write: " + system_reason());
+}
+
+}  // namespace ideotype

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "ideotype/evolve/genome.hpp"
+#include "ideotype/evolve/population.hpp"
+
+namespace ideotype {
+
+//! The first gene, origin or parent in which two candidates differ in any
+//! bit, with both values; empty if they are the same.
+std::string first_difference(const GeneSpace& genes, const Candidate& was,
+                             const Candidate& is);
+
+}  // namespace ideotype

@@ -1,0 +1,345 @@
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "ideotype/core/error.hpp"
+#include "sample_history.hpp"
+
+namespace ideotype {
+namespace {
+
+class HistoryTest : public testing::Test {
+  protected:
+    //! Closes the history and opens it to go on.
+    void reopen() {
+        close();
+        history = std::make_unique<History>(History::resume(path));
+    }
+
+    void close() { history.reset(); }
+
+    Folder folder;
+    std::string path = folder / "case.h5";
+    std::unique_ptr<History> history =
+        std::make_unique<History>(History::create(path, sample_header()));
+};
+
+std::string refusal(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return error.exit_code() == ExitCode::refused
+                   ? error.what()
+                   : std::string("not refused: ") + error.what();
+    }
+    return "no error";
+}
+
+TEST_F(HistoryTest, HeaderComesBack) {
+    reopen();
+    const HistoryHeader was = sample_header();
+    const HistoryHeader& is = history->header();
+    for (const auto& [name, text] : was.text) EXPECT_EQ(is.text.at(name), text);
+    EXPECT_EQ(is.text.at("format"), "ideotype-history");
+    EXPECT_EQ(is.text.at("format_version"), "1.0");
+    EXPECT_EQ(is.numbers, was.numbers);
+    EXPECT_EQ(is.campaign_source, was.campaign_source);
+    EXPECT_EQ(is.campaign_resolved, was.campaign_resolved);
+    EXPECT_EQ(is.seed, was.seed);
+    EXPECT_EQ(is.population, was.population);
+    EXPECT_EQ(is.generations, was.generations);
+    EXPECT_EQ(is.finalists, was.finalists);
+    ASSERT_EQ(is.genes.size(), was.genes.size());
+    for (std::size_t i = 0; i < was.genes.size(); ++i) {
+        EXPECT_EQ(is.genes[i].name, was.genes[i].name);
+        EXPECT_EQ(is.genes[i].unit, was.genes[i].unit);
+        EXPECT_EQ(is.genes[i].lower, was.genes[i].lower);
+        EXPECT_EQ(is.genes[i].upper, was.genes[i].upper);
+        EXPECT_EQ(is.genes[i].is_circular, was.genes[i].is_circular);
+        EXPECT_EQ(is.genes[i].is_free, was.genes[i].is_free);
+    }
+    ASSERT_EQ(is.schema.diagnostics.size(), 2U);
+    EXPECT_EQ(is.schema.diagnostics[1].name, "balance_error");
+    EXPECT_EQ(is.schema.objectives[0].unit, "MJ m-2 day-1");
+}
+
+TEST_F(HistoryTest, RowsComeBackBitForBit) {
+    history->propose(0, sample_candidates(0));
+    record_pending(*history, 0);
+    reopen();
+    for (std::uint32_t slot = 0; slot < 4; ++slot) {
+        const Row row = history->row(0, slot);
+        const Candidate candidate = sample_candidate(0, slot);
+        const Outcome outcome = sample_outcome(0, slot);
+        for (std::size_t i = 0; i < 3; ++i)
+            EXPECT_EQ(std::bit_cast<std::uint64_t>(row.candidate.genome[i]),
+                      std::bit_cast<std::uint64_t>(candidate.genome[i]));
+        EXPECT_EQ(row.candidate.origin, candidate.origin);
+        EXPECT_EQ(row.candidate.parents, candidate.parents);
+        EXPECT_EQ(row.outcome.status, Status::done);
+        EXPECT_EQ(row.outcome.objectives[0].mean, outcome.objectives[0].mean);
+        EXPECT_EQ(row.outcome.objectives[0].standard_error,
+                  outcome.objectives[0].standard_error);
+        EXPECT_EQ(row.outcome.diagnostics[1].mean, 1e-300);
+        EXPECT_EQ(row.outcome.diagnostics[0].standard_error, 0.02);
+        EXPECT_EQ(row.outcome.seconds, 0.5);
+        EXPECT_EQ(row.outcome.worker, slot);
+        EXPECT_EQ(row.outcome.message, "");
+        EXPECT_EQ(row.fitness, outcome.objectives[0].mean);
+        EXPECT_EQ(row.attempt, 1U);
+    }
+}
+
+TEST_F(HistoryTest, WhatIsNotKnownIsNaN) {
+    history->propose(0, sample_candidates(0));
+    const Row proposed = history->row(0, 2);
+    EXPECT_EQ(proposed.outcome.status, Status::proposed);
+    EXPECT_EQ(proposed.candidate.genome, sample_candidate(0, 2).genome);
+    EXPECT_TRUE(std::isnan(proposed.fitness));
+    EXPECT_TRUE(std::isnan(proposed.outcome.objectives[0].mean));
+    EXPECT_TRUE(std::isnan(proposed.outcome.diagnostics[1].standard_error));
+    const Row empty = history->row(4, 0);
+    EXPECT_EQ(empty.outcome.status, Status::empty);
+    EXPECT_TRUE(std::isnan(empty.candidate.genome[0]));
+    EXPECT_EQ(empty.candidate.parents[0], no_parent);
+    EXPECT_TRUE(std::isnan(empty.outcome.seconds));
+}
+
+TEST_F(HistoryTest, FailedRowKeepsItsReasonAndNoNumbers) {
+    history->propose(0, sample_candidates(0));
+    Outcome outcome = sample_outcome(0, 1);
+    outcome.status = Status::failed;
+    // 159 bytes and a character of two: it would end in its middle.
+    outcome.message = std::string(159, 'x') + "\u00e9";
+    const double worst = -std::numeric_limits<double>::infinity();
+    history->record(0, 1, outcome, worst, 3);
+    reopen();
+    const Row row = history->row(0, 1);
+    EXPECT_EQ(row.outcome.status, Status::failed);
+    EXPECT_EQ(row.outcome.message, std::string(159, 'x'));
+    EXPECT_TRUE(std::isnan(row.outcome.objectives[0].mean));
+    EXPECT_TRUE(std::isnan(row.outcome.diagnostics[0].standard_error));
+    EXPECT_EQ(row.fitness, worst);
+    EXPECT_EQ(row.attempt, 3U);
+}
+
+TEST_F(HistoryTest, PendingIsWhatIsNotRecorded) {
+    EXPECT_TRUE(history->pending(0).empty());
+    history->propose(0, sample_candidates(0));
+    const Outcome outcome = sample_outcome(0, 2);
+    history->record(0, 2, outcome, 1, 1);
+    EXPECT_EQ(history->pending(0), (std::vector<std::uint32_t>{0, 1, 3}));
+    reopen();
+    EXPECT_EQ(history->pending(0), (std::vector<std::uint32_t>{0, 1, 3}));
+    EXPECT_EQ(history->next_generation(), 0U);
+}
+
+TEST_F(HistoryTest, CommitMovesToTheNextGeneration) {
+    EXPECT_TRUE(history->last_committed().empty());
+    complete(*history, 0);
+    complete(*history, 1);
+    history->propose(2, sample_candidates(2));
+    reopen();
+    EXPECT_EQ(history->next_generation(), 2U);
+    const Population population = history->last_committed();
+    ASSERT_EQ(population.size(), 4U);
+    EXPECT_EQ(population[3].candidate.genome, sample_candidate(1, 3).genome);
+    EXPECT_EQ(population[3].fitness, sample_outcome(1, 3).objectives[0].mean);
+    EXPECT_EQ(population[3].standard_error,
+              sample_outcome(1, 3).objectives[0].standard_error);
+    ASSERT_EQ(history->summaries().size(), 2U);
+    EXPECT_EQ(history->summaries()[1].best, 1.5);
+    EXPECT_EQ(history->summaries()[1].best_slot, 3U);
+}
+
+TEST_F(HistoryTest, SummaryComesBack) {
+    const GenerationSummary was{3, 1.5, 0.25, 1.25, 0.125, 0.5, 2, 4, 60.5};
+    history->propose(0, sample_candidates(0));
+    record_pending(*history, 0);
+    history->commit(0, was);
+    reopen();
+    const GenerationSummary is = history->summaries().at(0);
+    EXPECT_EQ(is.best_slot, was.best_slot);
+    EXPECT_EQ(is.best, was.best);
+    EXPECT_EQ(is.best_standard_error, was.best_standard_error);
+    EXPECT_EQ(is.mean, was.mean);
+    EXPECT_EQ(is.spread, was.spread);
+    EXPECT_EQ(is.diversity, was.diversity);
+    EXPECT_EQ(is.failures, was.failures);
+    EXPECT_EQ(is.evaluations, was.evaluations);
+    EXPECT_EQ(is.wall_time, was.wall_time);
+}
+
+TEST_F(HistoryTest, IncompleteGenerationIsNotCommitted) {
+    history->propose(0, sample_candidates(0));
+    EXPECT_THROW(history->commit(0, {}), Error);
+    EXPECT_THROW(history->generation(0), Error);
+    EXPECT_THROW(history->propose(1, sample_candidates(1)), Error);
+    record_pending(*history, 0);
+    EXPECT_EQ(history->generation(0).size(), 4U);
+    history->commit(0, {});
+    EXPECT_THROW(history->commit(0, {}), Error);
+    EXPECT_EQ(history->next_generation(), 1U);
+}
+
+TEST_F(HistoryTest, SameProposalIsVerifiedAndKeepsWhatIsRecorded) {
+    history->propose(0, sample_candidates(0));
+    history->record(0, 0, sample_outcome(0, 0), 1, 1);
+    reopen();
+    history->propose(0, sample_candidates(0));
+    EXPECT_EQ(history->pending(0), (std::vector<std::uint32_t>{1, 2, 3}));
+}
+
+TEST_F(HistoryTest, ChangedProposalIsRefusedByName) {
+    history->propose(0, sample_candidates(0));
+    reopen();
+    auto candidates = sample_candidates(0);
+    candidates[2].genome[1] = std::nextafter(candidates[2].genome[1], 100);
+    std::string message = refusal([&] { history->propose(0, candidates); });
+    EXPECT_NE(message.find("generation 0 slot 2"), std::string::npos)
+        << message;
+    EXPECT_NE(message.find("leaf01_inclination"), std::string::npos) << message;
+
+    candidates = sample_candidates(0);
+    candidates[3].genome[2] = 0.0;  // was -0.0
+    message = refusal([&] { history->propose(0, candidates); });
+    EXPECT_NE(message.find("slot 3"), std::string::npos) << message;
+
+    candidates = sample_candidates(0);
+    candidates[1].origin = Origin::child;
+    message = refusal([&] { history->propose(0, candidates); });
+    EXPECT_NE(message.find("origin"), std::string::npos) << message;
+
+    candidates = sample_candidates(0);
+    candidates[1].parents[1] = 2;
+    message = refusal([&] { history->propose(0, candidates); });
+    EXPECT_NE(message.find("parents"), std::string::npos) << message;
+    history->propose(0, sample_candidates(0));
+}
+
+TEST_F(HistoryTest, RecordedRowNeverChanges) {
+    history->propose(0, sample_candidates(0));
+    history->record(0, 0, sample_outcome(0, 0), 1, 1);
+    const auto again = [&] {
+        history->record(0, 0, sample_outcome(0, 1), 2, 2);
+    };
+    EXPECT_NE(refusal(again).find("generation 0 slot 0 is recorded already"),
+              std::string::npos);
+    EXPECT_EQ(history->row(0, 0).fitness, 1);
+    EXPECT_THROW(history->record(1, 0, sample_outcome(1, 0), 1, 1), Error);
+    EXPECT_THROW(history->record(0, 4, sample_outcome(0, 0), 1, 1), Error);
+}
+
+TEST_F(HistoryTest, WrongShapesAreRejectedAndDoNoHarm) {
+    EXPECT_THROW(history->propose(0, sample_candidates(0, 3)), Error);
+    auto candidates = sample_candidates(0);
+    candidates[0].genome.pop_back();
+    EXPECT_THROW(history->propose(0, candidates), Error);
+    EXPECT_THROW(history->propose(5, sample_candidates(5)), Error);
+    complete(*history, 0);
+    history->propose(1, sample_candidates(1));
+    Outcome outcome = sample_outcome(1, 0);
+    outcome.diagnostics.pop_back();
+    EXPECT_THROW(history->record(1, 0, outcome, 1, 1), Error);
+    outcome = sample_outcome(1, 0);
+    outcome.status = Status::proposed;
+    EXPECT_THROW(history->record(1, 0, outcome, 1, 1), Error);
+    record_pending(*history, 1);
+    history->commit(1, {});
+    EXPECT_EQ(history->next_generation(), 2U);
+}
+
+TEST_F(HistoryTest, FinalistsAreKeptApart) {
+    history->propose_final(sample_candidates(7, 2));
+    history->record_final(1, sample_outcome(7, 1), 8);
+    reopen();
+    history->propose_final(sample_candidates(7, 2));
+    EXPECT_EQ(history->pending_final(), (std::vector<std::uint32_t>{0}));
+    history->record_final(0, sample_outcome(7, 0), 7);
+    const auto rows = history->finalists();
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_EQ(rows[1].fitness, 8);
+    EXPECT_EQ(rows[1].candidate.genome, sample_candidate(7, 1).genome);
+    EXPECT_EQ(history->row(0, 0).outcome.status, Status::empty);
+    EXPECT_THROW(history->propose_final(sample_candidates(6, 2)), Error);
+    EXPECT_THROW(history->propose_final(sample_candidates(7, 1)), Error);
+    EXPECT_THROW(history->propose_final(sample_candidates(7, 4)), Error);
+}
+
+TEST_F(HistoryTest, StateSurvivesReopening) {
+    EXPECT_EQ(history->finished(), std::nullopt);
+    EXPECT_EQ(history->wall_time(), 0);
+    history->begin_session({"2025-08-07T12:00:00Z", "node1", "run", 4});
+    history->set_wall_time(1.5);
+    history->message("slow");
+    reopen();
+    history->begin_session({"2025-08-08T12:00:00Z", "node2", "run", 8});
+    history->set_wall_time(2.25);
+    EXPECT_EQ(history->wall_time(), 2.25);
+    history->finish("generations");
+    reopen();
+    EXPECT_EQ(history->wall_time(), 2.25);
+    EXPECT_EQ(history->finished(), "generations");
+}
+
+TEST_F(HistoryTest, ReaderDoesNotWrite) {
+    history->propose(0, sample_candidates(0));
+    close();
+    History reader = History::read(path);
+    EXPECT_THROW(reader.record(0, 0, sample_outcome(0, 0), 1, 1), Error);
+    EXPECT_THROW(reader.finish("generations"), Error);
+    EXPECT_EQ(reader.pending(0).size(), 4U);
+}
+
+TEST(History, StopsEarlyWithoutTakingRoom) {
+    const Folder folder;
+    HistoryHeader header = sample_header();
+    header.generations = 1000;
+    header.population = 1000;
+    const std::string path = folder / "large.h5";
+    {
+        History history = History::create(path, header);
+        history.propose(0, sample_candidates(0, 1000));
+    }
+    struct stat status {};
+    ASSERT_EQ(stat(path.c_str(), &status), 0);
+    constexpr int block = 512;
+    EXPECT_GT(status.st_size, 200'000'000);
+    EXPECT_LT(status.st_blocks * block, 4'000'000);
+}
+
+TEST_F(HistoryTest, OnlyValuesChange) {
+    // Were the file to grow, HDF5 would have to change its own structures,
+    // and a kill could leave them unreadable.
+    const auto size = std::filesystem::file_size(path);
+    history->begin_session({"2025-08-07T12:00:00Z", "node1", "run", 4});
+    for (std::uint32_t g = 0; g < 5; ++g) complete(*history, g);
+    history->message("slow");
+    history->propose_final(sample_candidates(7, 3));
+    history->finish("generations");
+    EXPECT_EQ(std::filesystem::file_size(path), size);
+    reopen();
+    close();
+    EXPECT_EQ(std::filesystem::file_size(path), size);
+}
+
+TEST(History, WorksWithoutDiagnosticsAndFinalists) {
+    const Folder folder;
+    HistoryHeader header = sample_header();
+    header.schema.diagnostics.clear();
+    header.finalists = 0;
+    History history = History::create(folder / "bare.h5", header);
+    history.propose(0, sample_candidates(0));
+    Outcome outcome = sample_outcome(0, 0);
+    outcome.diagnostics.clear();
+    history.record(0, 0, outcome, 1, 1);
+    EXPECT_EQ(history.row(0, 0).outcome.status, Status::done);
+    EXPECT_TRUE(history.finalists().empty());
+    EXPECT_TRUE(history.pending_final().empty());
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -1,0 +1,118 @@
+#include <functional>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "sample_history.hpp"
+
+namespace ideotype {
+namespace {
+
+// A writer in a process of its own that goes on step by step. The reader is
+// this process: a copy of a process that has the file open would not read the
+// file but inherit what HDF5 remembers of it.
+class Writer {
+  public:
+    using Step = std::function<void(History&)>;
+
+    Writer(const std::string& path, const std::vector<Step>& steps) {
+        if (pipe(go_) != 0 || pipe(done_) != 0)
+            throw std::runtime_error("no pipe");
+        process_ = fork();
+        if (process_ != 0) return;
+        ::close(go_[1]);
+        try {
+            History history = History::create(path, sample_header());
+            for (const Step& step : steps) {
+                wait(go_[0]);
+                step(history);
+                if (::write(done_[1], "d", 1) != 1) _exit(2);
+            }
+            wait(go_[0]);
+        } catch (...) {
+            _exit(1);
+        }
+        _exit(0);
+    }
+
+    ~Writer() {
+        ::close(go_[1]);
+        waitpid(process_, nullptr, 0);
+        for (const int end : {go_[0], done_[0], done_[1]}) ::close(end);
+    }
+
+    Writer(const Writer&) = delete;
+    Writer& operator=(const Writer&) = delete;
+
+    //! Takes one step.
+    void step() {
+        ASSERT_EQ(::write(go_[1], "g", 1), 1);
+        ASSERT_TRUE(wait(done_[0]));
+    }
+
+  private:
+    static bool wait(int end) {
+        char byte = 0;
+        return ::read(end, &byte, 1) == 1;
+    }
+
+    int go_[2] = {-1, -1};
+    int done_[2] = {-1, -1};
+    pid_t process_ = -1;
+};
+
+void expect_row(const Row& row, std::uint32_t generation, std::uint32_t slot) {
+    EXPECT_EQ(row.outcome.status, Status::done);
+    EXPECT_EQ(row.candidate.genome, sample_candidate(generation, slot).genome);
+    EXPECT_EQ(row.outcome.objectives[0].mean,
+              sample_outcome(generation, slot).objectives[0].mean);
+    EXPECT_EQ(row.fitness, row.outcome.objectives[0].mean);
+}
+
+TEST(Live, FileIsReadWhileItIsWritten) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    Writer writer(path, {[](History& history) {
+                      history.begin_session({"now", "node", "run", 1});
+                      complete(history, 0);
+                      history.propose(1, sample_candidates(1));
+                      const Outcome outcome = sample_outcome(1, 3);
+                      history.record(1, 3, outcome, outcome.objectives[0].mean,
+                                     1);
+                  }});
+    writer.step();
+    const History live = History::read(path);
+    EXPECT_EQ(live.next_generation(), 1U);
+    EXPECT_EQ(live.pending(1), (std::vector<std::uint32_t>{0, 1, 2}));
+    expect_row(live.row(1, 3), 1, 3);
+    expect_row(live.row(0, 2), 0, 2);
+    EXPECT_EQ(live.last_committed().size(), 4U);
+    EXPECT_EQ(live.summaries().size(), 1U);
+    EXPECT_EQ(live.finished(), std::nullopt);
+}
+
+TEST(Live, ReaderThatStaysOpenSeesWhatIsWrittenLater) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    std::vector<Writer::Step> steps{[](History&) {}};
+    for (std::uint32_t g = 0; g < 5; ++g)
+        steps.push_back([g](History& history) { complete(history, g); });
+    steps.push_back([](History& history) { history.finish("generations"); });
+    Writer writer(path, steps);
+    writer.step();
+    const History live = History::read(path);
+    EXPECT_EQ(live.row(0, 1).outcome.status, Status::empty);
+    for (std::uint32_t g = 0; g < 5; ++g) {
+        writer.step();
+        EXPECT_EQ(live.next_generation(), g + 1);
+        for (std::uint32_t slot = 0; slot < 4; ++slot)
+            expect_row(live.row(g, slot), g, slot);
+        EXPECT_EQ(live.summaries().size(), g + 1);
+    }
+    EXPECT_EQ(live.finished(), std::nullopt);
+    writer.step();
+    EXPECT_EQ(live.finished(), "generations");
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -1,0 +1,222 @@
+#include <csignal>
+#include <fstream>
+#include <functional>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+#include <hdf5.h>
+
+#include "ideotype/core/error.hpp"
+#include "sample_history.hpp"
+
+namespace ideotype {
+namespace {
+
+struct Failure {
+    std::string message = "no error";
+    ExitCode exit_code = ExitCode::ok;
+};
+
+Failure failure_of(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return {error.what(), error.exit_code()};
+    }
+    return {};
+}
+
+// Opening in both ways is refused with the file's name and this reason.
+void expect_refused(const std::string& path, const std::string& reason) {
+    for (const auto open : {History::read, History::resume}) {
+        const Failure failure = failure_of([&] { open(path); });
+        EXPECT_EQ(failure.exit_code, ExitCode::refused) << failure.message;
+        EXPECT_TRUE(failure.message.starts_with(path + ": "))
+            << failure.message;
+        EXPECT_NE(failure.message.find(reason), std::string::npos)
+            << failure.message;
+        EXPECT_EQ(failure.message.find('\n'), std::string::npos);
+    }
+}
+
+std::string contents(const std::string& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void write_contents(const std::string& path, const std::string& bytes) {
+    std::ofstream(path, std::ios::binary) << bytes;
+}
+
+TEST(Open, NeverOverwrites) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    History::create(path, sample_header());
+    const std::string before = contents(path);
+    const Failure failure =
+        failure_of([&] { History::create(path, sample_header()); });
+    EXPECT_EQ(failure.exit_code, ExitCode::refused);
+    EXPECT_NE(failure.message.find("--resume"), std::string::npos);
+    EXPECT_EQ(contents(path), before);
+}
+
+TEST(Open, MissingFileIsNamed) {
+    const Folder folder;
+    const std::string path = folder / "missing.h5";
+    for (const auto open : {History::read, History::resume}) {
+        const Failure failure = failure_of([&] { open(path); });
+        EXPECT_EQ(failure.exit_code, ExitCode::runtime);
+        EXPECT_NE(failure.message.find(path), std::string::npos);
+    }
+    EXPECT_TRUE(std::filesystem::is_empty(folder / ""));
+}
+
+TEST(Open, FolderThatIsMissingIsNamed) {
+    const Folder folder;
+    const Failure failure = failure_of(
+        [&] { History::create(folder / "none/case.h5", sample_header()); });
+    EXPECT_EQ(failure.exit_code, ExitCode::runtime);
+    EXPECT_NE(failure.message.find("none/case.h5"), std::string::npos);
+}
+
+TEST(Open, RefusesWhatIsNotAHistory) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    write_contents(path, "");
+    expect_refused(path, "not a history");
+    write_contents(path, std::string(5000, 'x'));
+    expect_refused(path, "not a history");
+}
+
+TEST(Open, RefusesATruncatedFile) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    {
+        History history = History::create(path, sample_header());
+        complete(history, 0);
+    }
+    const auto size = std::filesystem::file_size(path);
+    std::filesystem::resize_file(path, size - 1);
+    expect_refused(path, "truncated");
+    std::filesystem::resize_file(path, size / 2);
+    expect_refused(path, "truncated");
+}
+
+// Writes a string attribute as another program version would.
+void set_attribute(const std::string& path, const std::string& name,
+                   const std::string& value) {
+    const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    const hid_t attribute = H5Aopen(file, name.c_str(), H5P_DEFAULT);
+    const hid_t type = H5Aget_type(attribute);
+    EXPECT_EQ(H5Tget_size(type), value.size());
+    EXPECT_GE(H5Awrite(attribute, type, value.data()), 0);
+    H5Tclose(type);
+    H5Aclose(attribute);
+    H5Fclose(file);
+}
+
+TEST(Open, RefusesAnotherFormat) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    History::create(path, sample_header());
+    set_attribute(path, "format", "something-else-0");
+    expect_refused(path, "not a history");
+}
+
+TEST(Open, RefusesAnotherMajorVersion) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    History::create(path, sample_header());
+    set_attribute(path, "format_version", "2.0");
+    expect_refused(path, "format version 2.0");
+}
+
+TEST(Open, ReadsButDoesNotResumeAnotherMinorVersion) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    History::create(path, sample_header());
+    set_attribute(path, "format_version", "1.1");
+    EXPECT_EQ(History::read(path).header().text.at("format_version"), "1.1");
+    const Failure failure = failure_of([&] { History::resume(path); });
+    EXPECT_EQ(failure.exit_code, ExitCode::refused);
+    EXPECT_NE(failure.message.find("resumes only 1.0"), std::string::npos)
+        << failure.message;
+}
+
+TEST(Open, DamagedFileIsNamedSoon) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    History::create(path, sample_header());
+    std::string bytes = contents(path);
+    const std::size_t at = bytes.find("format_version");
+    ASSERT_NE(at, std::string::npos);
+    bytes[at] = 'F';
+    write_contents(path, bytes);
+    for (const auto open : {History::read, History::resume}) {
+        const Failure failure = failure_of([&] { open(path); });
+        EXPECT_EQ(failure.exit_code, ExitCode::runtime);
+        EXPECT_TRUE(failure.message.starts_with(path + ": "))
+            << failure.message;
+    }
+}
+
+TEST(Open, SecondWriterIsRefusedWhileTheFirstLives) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    History history = History::create(path, sample_header());
+    EXPECT_EQ(in_other_process([&] {
+                  const std::string who =
+                      "in use by process " + std::to_string(getppid());
+                  for (const auto& open : std::vector<std::function<void()>>{
+                           [&] { History::resume(path); },
+                           [&] { History::create(path, sample_header()); }}) {
+                      const Failure failure = failure_of(open);
+                      if (failure.exit_code != ExitCode::refused) return 1;
+                      if (failure.message.find(who) == std::string::npos)
+                          return 2;
+                  }
+                  return 0;
+              }),
+              0);
+    complete(history, 0);
+    EXPECT_EQ(history.next_generation(), 1U);
+}
+
+TEST(Open, ClosedHistoryLeavesOnlyItsFile) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    History::create(path, sample_header());
+    History::resume(path);
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / ""))
+        names.push_back(entry.path().filename());
+    EXPECT_EQ(names, std::vector<std::string>{"case.h5"});
+}
+
+TEST(Open, KilledFileIsReadAndResumed) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    EXPECT_EQ(in_other_process([&] {
+                  History history = History::create(path, sample_header());
+                  complete(history, 0);
+                  history.propose(1, sample_candidates(1));
+                  history.record(1, 2, sample_outcome(1, 2), 1, 1);
+                  return raise(SIGKILL);
+              }),
+              128 + SIGKILL);
+    EXPECT_EQ(History::read(path).pending(1).size(), 3U);
+    // A reader changes nothing: the file can be read again.
+    EXPECT_EQ(History::read(path).next_generation(), 1U);
+    {
+        History history = History::resume(path);
+        history.propose(1, sample_candidates(1));
+        record_pending(history, 1);
+        history.commit(1, {});
+    }
+    const History history = History::read(path);
+    EXPECT_EQ(history.next_generation(), 2U);
+    EXPECT_EQ(history.row(1, 2).fitness, 1);
+}
+
+}  // namespace
+}  // namespace ideotype

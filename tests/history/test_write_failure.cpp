@@ -1,0 +1,100 @@
+#include <csignal>
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include "ideotype/core/error.hpp"
+#include "sample_history.hpp"
+
+namespace ideotype {
+namespace {
+
+// A limit on the size of files stands in for a full disk.
+void limit_file_size(std::uintmax_t bytes) {
+    signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{bytes, bytes};
+    setrlimit(RLIMIT_FSIZE, &limit);
+}
+
+HistoryHeader large_header() {
+    HistoryHeader header = sample_header();
+    header.population = 1000;
+    return header;
+}
+
+TEST(WriteFailure, NamesTheFileAndKeepsWhatWasRecorded) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    const int result = in_other_process([&] {
+        History history = History::create(path, large_header());
+        history.propose(0, sample_candidates(0, 1000));
+        for (std::uint32_t slot = 0; slot < 1000; ++slot)
+            history.record(0, slot, sample_outcome(0, slot), slot, 1);
+        history.commit(0, {});
+        limit_file_size(1000);
+        try {
+            history.propose(1, sample_candidates(1, 1000));
+            return 1;
+        } catch (const Error& error) {
+            const std::string what = error.what();
+            if (!what.starts_with(path)) return 2;
+            if (what.find("File too large") == std::string::npos) return 3;
+        }
+        // After that it stores nothing more, and does not pretend to.
+        try {
+            history.message("still here?");
+            return 4;
+        } catch (const Error&) {
+        }
+        return 0;
+    });
+    EXPECT_EQ(result, 0);
+
+    History history = History::resume(path);
+    EXPECT_EQ(history.next_generation(), 1U);
+    EXPECT_EQ(history.row(0, 999).fitness, 999);
+    history.propose(1, sample_candidates(1, 1000));
+    for (const std::uint32_t slot : history.pending(1))
+        history.record(1, slot, sample_outcome(1, slot), slot, 1);
+    history.commit(1, {});
+    EXPECT_EQ(history.next_generation(), 2U);
+}
+
+TEST(WriteFailure, DoesNotCrashAtExit) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    const pid_t child = fork();
+    if (child == 0) {
+        {
+            History history = History::create(path, large_header());
+            limit_file_size(1000);
+            EXPECT_THROW(history.propose(0, sample_candidates(0, 1000)), Error);
+        }
+        exit(testing::Test::HasFailure() ? 1 : 0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+TEST(WriteFailure, UnfinishedFileNeverHasItsName) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    EXPECT_EQ(in_other_process([&] {
+                  limit_file_size(2000);
+                  try {
+                      History::create(path, large_header());
+                      return 1;
+                  } catch (const Error& error) {
+                      return std::string(error.what()).starts_with(path) ? 0
+                                                                         : 2;
+                  }
+              }),
+              0);
+    EXPECT_TRUE(std::filesystem::is_empty(folder / ""));
+    EXPECT_EQ(History::create(path, large_header()).next_generation(), 0U);
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -49,8 +49,8 @@ std::array<double, controls_along> basis(double t) {
 //! abscissae. The first and last control points are the end points.
 std::array<glm::dvec2, controls_along> interpolate(
     const std::array<glm::dvec2, controls_along>& points) {
-    glm::dmat4 collocation;  // column-major: [control][abscissa]
-    glm::dvec4 right_y, right_z;
+    glm::dmat4 collocation(0);  // column-major: [control][abscissa]
+    glm::dvec4 right_y(0), right_z(0);
     for (int a = 0; a < 4; ++a) {
         const auto i = static_cast<std::size_t>(a + 1);
         const auto n = basis(greville(i));

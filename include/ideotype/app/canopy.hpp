@@ -1,0 +1,73 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ideotype/campaign/campaign.hpp"
+#include "ideotype/core/mesh.hpp"
+#include "ideotype/evolve/evaluation.hpp"
+#include "ideotype/light/device.hpp"
+#include "ideotype/light/report.hpp"
+#include "ideotype/plant/field.hpp"
+#include "ideotype/sky/day.hpp"
+
+namespace ideotype {
+
+//! Which random numbers an estimate uses, and how many.
+struct Draws {
+    std::uint64_t seed = 0;
+    std::uint32_t generation = 0;
+    Sampling sampling;
+    //! One field for all randomisations makes candidates comparable at least
+    //! cost; a new one for each makes the standard error include the jitter.
+    enum class Fields { one, each } fields = Fields::one;
+};
+
+//! The draws of a task: common to all candidates of a generation; fresh and
+//! finer ones for all finalists.
+Draws draws_of(const Task& task, const Campaign& campaign, const Case& chosen);
+
+//! genome -> plant.
+Mesh build_plant(const Campaign& campaign, const Genome& genome);
+
+//! genome -> plant -> field, with the turns of one draw.
+Field build_field(const Campaign& campaign, const Case& chosen,
+                  const Genome& genome, const Draws& draws, std::uint32_t draw);
+
+//! What the light of a day does in the stand of one genome.
+struct CanopyReport {
+    DayReport light;
+    std::vector<Group> groups;  //!< of the plant: leaves, then the stalk
+    double lai = 0;             //!< one-sided leaf area over ground [m2 m-2]
+};
+
+//! field -> light -> report.
+CanopyReport study(const Campaign& campaign, const Case& chosen, const Day& day,
+                   const Device& device, const Genome& genome,
+                   const Draws& draws);
+
+//! The columns of a case's outcomes.
+OutcomeSchema outcome_schema(const Campaign& campaign, const Day& day);
+
+//! The columns' values, in their order.
+Outcome to_outcome(const CanopyReport& report);
+
+//! Evaluates candidates of all cases of a campaign.
+class CanopyEvaluator : public Evaluator {
+  public:
+    //! The campaign must outlive the evaluator.
+    //! @throws Error if the processor lacks the instruction set.
+    CanopyEvaluator(const Campaign& campaign, const std::string& isa);
+
+    const OutcomeSchema& schema(const Task& task) const override;
+    Outcome evaluate(const Task& task, const Genome& genome) override;
+
+  private:
+    const Campaign& campaign_;
+    std::vector<Case> cases_;
+    std::vector<Day> days_;               //!< by case
+    std::vector<OutcomeSchema> schemas_;  //!< by case
+    Device device_;
+};
+
+}  // namespace ideotype

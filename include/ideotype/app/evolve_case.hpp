@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "ideotype/campaign/campaign.hpp"
+#include "ideotype/core/stop_flag.hpp"
+#include "ideotype/history/history.hpp"
+#include "ideotype/parallel/dispatcher.hpp"
+
+namespace ideotype {
+
+enum class Ending { finished, drained };
+
+//! Sees a case evolve; for progress lines.
+class Watcher {
+  public:
+    virtual ~Watcher() = default;
+
+    //! An evaluation of this generation is durable.
+    virtual void on_evaluation(std::uint32_t generation) = 0;
+
+    //! A generation is complete.
+    virtual void on_generation(std::uint32_t generation,
+                               const GenerationSummary& summary) = 0;
+
+    //! The finalists are about to be evaluated.
+    virtual void on_final(const std::string& reason) = 0;
+};
+
+//! What an evolution works with; all must outlive it.
+struct Evolution {
+    const Campaign& campaign;
+    const Case& chosen;
+    Dispatcher& dispatcher;
+    const StopFlag& stop;
+    Watcher& watcher;
+    //! Seconds since this session began to work on the case.
+    std::function<double()> elapsed;
+};
+
+//! The master's loop: evolves a case from where its history stands until a
+//! stop rule holds and the finalists are judged, or a stop is requested.
+//! @throws Error if too many evaluations of a generation fail.
+Ending evolve_case(const Evolution& evolution, History& history);
+
+}  // namespace ideotype

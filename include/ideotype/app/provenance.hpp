@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "ideotype/campaign/campaign.hpp"
+#include "ideotype/history/history.hpp"
+
+namespace ideotype {
+
+//! Everything that the history of a case says about where it comes from.
+HistoryHeader header_of(const Campaign& campaign, const Case& chosen,
+                        const std::string& isa);
+
+//! Refuses to go on with a history that another campaign or case wrote.
+//! @throws Error (refused) that names each difference.
+void require_same_campaign(const HistoryHeader& header,
+                           const Campaign& campaign, const Case& chosen,
+                           const std::string& path);
+
+//! This start of the program.
+SessionRecord session_record(const std::string& command, int ranks);
+
+//! One line per fact about the program and its libraries.
+std::string version_text();
+
+}  // namespace ideotype

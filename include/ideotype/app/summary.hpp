@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "ideotype/campaign/campaign.hpp"
+#include "ideotype/core/estimate.hpp"
+#include "ideotype/history/history.hpp"
+
+namespace ideotype {
+
+//! Daily energy per ground area in the three units of the field:
+//! "x MJ m-2 day-1 = y mol m-2 day-1 = z MWh acre-1 day-1".
+std::string format_daily(Estimate mj_per_m2);
+
+//! Slot in /final of the best finalist other than the baseline in slot 0, or
+//! 0 if nothing but the baseline has been judged.
+std::size_t best_finalist(const std::vector<Row>& finalists);
+
+//! Best plant against the baseline after a finished evolution, both evaluated
+//! anew under the same fresh random numbers.
+std::string final_summary(const History& history, const Campaign& campaign);
+
+}  // namespace ideotype

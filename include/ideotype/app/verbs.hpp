@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ideotype/core/error.hpp"
+#include "ideotype/core/stop_flag.hpp"
+#include "ideotype/parallel/session.hpp"
+
+namespace ideotype {
+
+//! `check CAMPAIGN`: validates, builds one plant, reports size and cost.
+ExitCode check(const std::string& campaign_path);
+
+//! `plan CAMPAIGN`: lists the cases with index, seed and cost.
+struct PlanOptions {
+    std::string campaign_path;
+    bool only_count = false;
+};
+ExitCode plan(const PlanOptions& options);
+
+//! `run CAMPAIGN`: evolves one case, or all of them one after the other.
+struct RunOptions {
+    std::string campaign_path;
+    std::optional<int> case_index;
+    bool is_resumed = false;
+    std::string out = "results";
+    std::optional<double> wall_time;  //!< of this start [s]
+    std::string command;              //!< as typed, for the record
+};
+
+//! Collective over all ranks of the session.
+ExitCode run(const RunOptions& options, const Session& session, StopFlag& stop);
+
+//! `status FILE...`: one line per history, also of live ones.
+struct StatusOptions {
+    std::vector<std::string> paths;
+    bool only_resumable = false;  //!< print only files that can be resumed
+};
+ExitCode status(const StatusOptions& options);
+
+//! Which plant of a history is meant.
+struct RowChoice {
+    bool is_best = false;  //!< the best finalist, or the best so far
+    std::optional<std::uint32_t> generation;
+    std::optional<std::uint32_t> slot;
+};
+
+//! `evaluate CAMPAIGN`: the baseline's light.
+//! `evaluate FILE --generation G --slot S`: recomputes a row.
+struct EvaluateOptions {
+    std::string path;  //!< a campaign or a history
+    int case_index = 0;
+    RowChoice row;
+    bool is_json = false;
+};
+ExitCode evaluate(const EvaluateOptions& options);
+
+//! `export FILE --to X.obj|X.csv`: writes a plant or its field.
+struct ExportOptions {
+    std::string path;
+    RowChoice row;
+    std::string to;
+    bool is_field = false;
+};
+ExitCode export_plant(const ExportOptions& options);
+
+//! Parses the command line, runs the verb, reports errors.
+int run_command_line(int argc, char** argv);
+
+}  // namespace ideotype

@@ -1,0 +1,138 @@
+#include "ideotype/app/canopy.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "ideotype/core/error.hpp"
+#include "ideotype/core/hash.hpp"
+
+namespace ideotype {
+
+namespace {
+
+constexpr double joule_per_megajoule = 1e6;
+
+//! The part of a randomised day that a relative error of rounding may reach.
+constexpr double balance_tolerance = 1e-9;
+
+std::string clock_name(double hour) {
+    const int minutes = static_cast<int>(std::lround(hour * 60));
+    return fmt::format("{:02}_{:02}", minutes / 60, minutes % 60);
+}
+
+}  // namespace
+
+Draws draws_of(const Task& task, const Campaign& campaign, const Case& chosen) {
+    if (task.is_final)
+        return {derive_seed(chosen.seed, "final"), 0,
+                campaign.final_rule.sampling, Draws::Fields::each};
+    return {chosen.seed, task.generation, campaign.sampling,
+            Draws::Fields::one};
+}
+
+Mesh build_plant(const Campaign& campaign, const Genome& genome) {
+    return build_plant(to_traits(genome), campaign.plant,
+                       campaign.tessellation);
+}
+
+Field build_field(const Campaign& campaign, const Case& chosen,
+                  const Genome& genome, const Draws& draws,
+                  std::uint32_t draw) {
+    FieldForm form = campaign.field;
+    form.spacing = chosen.spacing;
+    return build_field(build_plant(campaign, genome), form,
+                       draw_turns(form, draws.seed, draws.generation, draw));
+}
+
+CanopyReport study(const Campaign& campaign, const Case& chosen, const Day& day,
+                   const Device& device, const Genome& genome,
+                   const Draws& draws) {
+    const DayIllumination illumination =
+        illuminate(day, campaign.field.row_direction);
+    const bool is_one = draws.fields == Draws::Fields::one;
+    const int fields = is_one ? 1 : draws.sampling.randomisations;
+    Sampling sampling = draws.sampling;
+    sampling.randomisations /= fields;
+
+    CanopyReport result;
+    std::vector<Tally> tallies;
+    for (std::uint32_t f = 0; f < static_cast<std::uint32_t>(fields); ++f) {
+        const Field field = build_field(campaign, chosen, genome, draws, f);
+        const Scene scene(device, field.mesh, field.period_x, field.period_y);
+        const auto more = simulate(scene, field.mesh.groups, campaign.optics,
+                                   illumination.light, sampling,
+                                   {draws.seed, draws.generation, f});
+        tallies.insert(tallies.end(), more.begin(), more.end());
+        result.groups = field.mesh.groups;
+        result.lai = leaf_area(field.mesh) / field.ground_area();
+    }
+    result.light = report(tallies, illumination, day);
+    if (!(result.light.balance_error < balance_tolerance))
+        throw Error(fmt::format("the energy balance is off by {:.3g}",
+                                result.light.balance_error));
+    return result;
+}
+
+OutcomeSchema outcome_schema(const Campaign& campaign, const Day& day) {
+    OutcomeSchema schema;
+    schema.objectives = {{"absorbed_par", "MJ m-2 day-1"}};
+    schema.diagnostics = {{"incident", "MJ m-2 day-1"},
+                          {"absorbed_fraction", "1"},
+                          {"stalk_fraction", "1"},
+                          {"soil_fraction", "1"},
+                          {"reflected_fraction", "1"},
+                          {"balance_error", "1"},
+                          {"lai", "m2 m-2"}};
+    for (std::size_t leaf = 1; leaf <= campaign.baseline.size(); ++leaf)
+        schema.diagnostics.push_back(
+            {fmt::format("absorbed_leaf{:02}", leaf), "MJ m-2 day-1"});
+    for (const TimeStep& step : day.steps)
+        schema.diagnostics.push_back(
+            {"absorbed_hour_" + clock_name(step.hour), "W m-2"});
+    return schema;
+}
+
+Outcome to_outcome(const CanopyReport& report) {
+    const BudgetEstimate& day = report.light.day;
+    const double to_mj = 1 / joule_per_megajoule;
+    const double to_fraction = 1 / day.incident;
+    Outcome outcome;
+    outcome.status = Status::done;
+    outcome.objectives = {scaled(day.leaves, to_mj)};
+    outcome.diagnostics = {{day.incident * to_mj, 0},
+                           scaled(day.leaves, to_fraction),
+                           scaled(day.stalks, to_fraction),
+                           scaled(day.soil, to_fraction),
+                           scaled(day.reflected, to_fraction),
+                           {report.light.balance_error, 0},
+                           {report.lai, 0}};
+    for (std::size_t g = 0; g < report.groups.size(); ++g)
+        if (report.groups[g].tissue == Tissue::leaf)
+            outcome.diagnostics.push_back(
+                scaled(report.light.groups[g], to_mj));
+    for (const StepReport& step : report.light.steps)
+        outcome.diagnostics.push_back(step.budget.leaves);
+    return outcome;
+}
+
+CanopyEvaluator::CanopyEvaluator(const Campaign& campaign,
+                                 const std::string& isa)
+    : campaign_(campaign), cases_(cases(campaign)), device_(isa) {
+    for (const Case& c : cases_) {
+        days_.push_back(clear_day(c.site, c.day, campaign.par_fraction));
+        schemas_.push_back(outcome_schema(campaign, days_.back()));
+    }
+}
+
+const OutcomeSchema& CanopyEvaluator::schema(const Task& task) const {
+    return schemas_.at(task.case_index);
+}
+
+Outcome CanopyEvaluator::evaluate(const Task& task, const Genome& genome) {
+    const Case& chosen = cases_.at(task.case_index);
+    return to_outcome(study(campaign_, chosen, days_[task.case_index], device_,
+                            genome, draws_of(task, campaign_, chosen)));
+}
+
+}  // namespace ideotype

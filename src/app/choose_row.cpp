@@ -1,0 +1,69 @@
+#include "ideotype/app/choose_row.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "ideotype/app/summary.hpp"
+
+namespace ideotype {
+
+namespace {
+
+ChosenRow best_row(const History& history, Task task) {
+    const std::vector<Row> finalists = history.finalists();
+    if (const std::size_t best = best_finalist(finalists); best > 0) {
+        task.is_final = true;
+        task.slot = static_cast<std::uint32_t>(best);
+        return {task, finalists[best]};
+    }
+    const auto summaries = history.summaries();
+    if (summaries.empty())
+        throw Error("no generation of this history is complete yet");
+    task.generation = static_cast<std::uint32_t>(summaries.size() - 1);
+    task.slot = summaries.back().best_slot;
+    return {task, history.row(task.generation, task.slot)};
+}
+
+}  // namespace
+
+ChosenRow choose_row(const History& history, const RowChoice& choice,
+                     const Case& chosen) {
+    Task task;
+    task.case_index = static_cast<std::uint32_t>(chosen.index);
+    if (choice.is_best) return best_row(history, task);
+    if (!choice.generation || !choice.slot)
+        throw Error("say which plant: --best, or --generation G --slot S",
+                    ExitCode::usage);
+    const HistoryHeader& header = history.header();
+    if (*choice.generation >= static_cast<std::uint32_t>(header.generations) ||
+        *choice.slot >= static_cast<std::uint32_t>(header.population))
+        throw Error(fmt::format("there is no generation {} slot {}: this "
+                                "history has generations 0 to {} of slots 0 "
+                                "to {}",
+                                *choice.generation, *choice.slot,
+                                header.generations - 1, header.population - 1),
+                    ExitCode::usage);
+    task.generation = *choice.generation;
+    task.slot = *choice.slot;
+    Row row = history.row(task.generation, task.slot);
+    if (row.candidate.genome.empty() || row.candidate.origin == Origin::none)
+        throw Error(fmt::format("generation {} slot {} has not been bred yet",
+                                task.generation, task.slot),
+                    ExitCode::usage);
+    return {task, std::move(row)};
+}
+
+Case case_of(const History& history, const Campaign& campaign) {
+    const std::string& name = history.header().text.at("case");
+    for (const Case& c : cases(campaign))
+        if (c.name == name) return c;
+    throw Error(
+        fmt::format("the campaign in this history has no case {}", name));
+}
+
+bool is_history(const std::string& path) {
+    return std::filesystem::path(path).extension() == ".h5";
+}
+
+}  // namespace ideotype

@@ -1,0 +1,160 @@
+#include <cstdio>
+#include <regex>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "ideotype/app/provenance.hpp"
+#include "ideotype/app/verbs.hpp"
+
+namespace ideotype {
+
+namespace {
+
+int report_error(const std::exception& error, ExitCode code) {
+    fmt::print(stderr, "ideotype: {}\n", error.what());
+    return static_cast<int>(code);
+}
+
+std::string joined_command(int argc, char** argv) {
+    std::string command;
+    for (int i = 0; i < argc; ++i)
+        command += (i > 0 ? " " : "") + std::string(argv[i]);
+    return command;
+}
+
+//! "HH:MM:SS" in seconds.
+double to_seconds(const std::string& text) {
+    std::smatch match;
+    if (!std::regex_match(text, match,
+                          std::regex(R"((\d+):([0-5]\d):([0-5]\d))")))
+        throw CLI::ValidationError("--wall-time", text + " is not HH:MM:SS");
+    return 3600 * std::stod(match[1]) + 60 * std::stod(match[2]) +
+           std::stod(match[3]);
+}
+
+void add_row_choice(CLI::App& verb, RowChoice& row) {
+    auto* best = verb.add_flag(
+        "--best", row.is_best,
+        "the best finalist, or the best of the last complete generation");
+    verb.add_option("--generation", row.generation, "generation of the row")
+        ->excludes(best);
+    verb.add_option("--slot", row.slot, "slot of the row")->excludes(best);
+}
+
+//! run is the one verb that may have many ranks; only its rank 0 speaks.
+int run_with_session(const RunOptions& options) {
+    StopFlag stop;
+    const Session session;
+    try {
+        return static_cast<int>(run(options, session, stop));
+    } catch (const Error& error) {
+        return report_error(error, error.exit_code());
+    } catch (const std::exception& error) {
+        return report_error(error, ExitCode::runtime);
+    }
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+    CLI::App app(
+        "Designs crop canopies: evolves plants that make the best use of "
+        "light.\nExit codes: 0 ok, 1 failed, 2 wrong usage, 3 invalid "
+        "campaign, 4 refused.",
+        "ideotype");
+    app.set_version_flag("--version", version_text());
+    app.require_subcommand(1);
+    std::function<int()> action;
+    const auto on = [&](CLI::App* verb, std::function<ExitCode()> function) {
+        verb->callback([&action, function] {
+            action = [function] { return static_cast<int>(function()); };
+        });
+    };
+
+    std::string check_path;
+    auto* check_verb = app.add_subcommand(
+        "check", "validate a campaign; report its size and cost");
+    check_verb->add_option("campaign", check_path, "campaign file (TOML)")
+        ->required();
+    on(check_verb, [&] { return check(check_path); });
+
+    PlanOptions plan_options;
+    auto* plan_verb = app.add_subcommand(
+        "plan", "list the cases of a campaign with index, seed and cost");
+    plan_verb->add_option("campaign", plan_options.campaign_path)->required();
+    plan_verb->add_flag("--count", plan_options.only_count,
+                        "print only how many cases there are");
+    on(plan_verb, [&] { return plan(plan_options); });
+
+    RunOptions run_options;
+    std::string wall_time;
+    auto* run_verb = app.add_subcommand(
+        "run", "evolve the cases of a campaign, alone or under mpirun");
+    run_verb->add_option("campaign", run_options.campaign_path)->required();
+    run_verb->add_option("--case", run_options.case_index,
+                         "only the case of this index (see plan)");
+    run_verb->add_flag("--resume", run_options.is_resumed,
+                       "go on with histories that exist; start the others");
+    run_verb
+        ->add_option("--out", run_options.out,
+                     "folder for <campaign>/<case>.h5")
+        ->capture_default_str();
+    run_verb->add_option("--wall-time", wall_time,
+                         "HH:MM:SS after which to stop cleanly");
+    run_options.command = joined_command(argc, argv);
+    run_verb->callback([&] {
+        if (!wall_time.empty()) run_options.wall_time = to_seconds(wall_time);
+        action = [&] { return run_with_session(run_options); };
+    });
+
+    StatusOptions status_options;
+    auto* status_verb = app.add_subcommand(
+        "status", "how far histories have come, also while they are written");
+    status_verb->add_option("files", status_options.paths)->required();
+    status_verb->add_flag("--resumable", status_options.only_resumable,
+                          "print only the files of unfinished cases");
+    on(status_verb, [&] { return status(status_options); });
+
+    EvaluateOptions evaluate_options;
+    auto* evaluate_verb = app.add_subcommand(
+        "evaluate",
+        "the light in one canopy: a campaign's baseline, or a row of a "
+        "history, which is recomputed and compared bit for bit");
+    evaluate_verb
+        ->add_option("path", evaluate_options.path,
+                     "campaign (.toml) or history (.h5)")
+        ->required();
+    evaluate_verb
+        ->add_option("--case", evaluate_options.case_index,
+                     "case of the campaign")
+        ->capture_default_str();
+    add_row_choice(*evaluate_verb, evaluate_options.row);
+    evaluate_verb->add_flag("--json", evaluate_options.is_json);
+    on(evaluate_verb, [&] { return evaluate(evaluate_options); });
+
+    ExportOptions export_options;
+    auto* export_verb = app.add_subcommand(
+        "export", "write a plant of a history as OBJ (mesh) or CSV (traits)");
+    export_verb->add_option("file", export_options.path)->required();
+    add_row_choice(*export_verb, export_options.row);
+    export_verb->add_option("--to", export_options.to, "new file, .obj or .csv")
+        ->required();
+    export_verb->add_flag("--field", export_options.is_field,
+                          "the whole field instead of one plant (.obj)");
+    on(export_verb, [&] { return export_plant(export_options); });
+
+    try {
+        app.parse(argc, argv);
+        return action();
+    } catch (const CLI::ParseError& error) {
+        const bool is_fine = app.exit(error) == 0;
+        return static_cast<int>(is_fine ? ExitCode::ok : ExitCode::usage);
+    } catch (const Error& error) {
+        return report_error(error, error.exit_code());
+    } catch (const std::exception& error) {
+        return report_error(error, ExitCode::runtime);
+    }
+}
+
+}  // namespace ideotype

@@ -1,0 +1,180 @@
+#include <bit>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "ideotype/app/canopy.hpp"
+#include "ideotype/app/choose_row.hpp"
+#include "ideotype/app/progress.hpp"
+#include "ideotype/app/summary.hpp"
+#include "ideotype/app/verbs.hpp"
+#include "ideotype/light/device.hpp"
+
+namespace ideotype {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json to_json(Estimate x) {
+    return {{"mean", x.mean}, {"standard_error", x.standard_error}};
+}
+
+ordered_json to_json(const BudgetEstimate& budget) {
+    return {{"incident", budget.incident},
+            {"leaves", to_json(budget.leaves)},
+            {"stalks", to_json(budget.stalks)},
+            {"soil", to_json(budget.soil)},
+            {"reflected", to_json(budget.reflected)}};
+}
+
+ordered_json to_json(const CanopyReport& report, const Case& chosen,
+                     double seconds) {
+    ordered_json json{{"case", chosen.name},
+                      {"lai", report.lai},
+                      {"balance_error", report.light.balance_error},
+                      {"seconds", seconds},
+                      {"unit", "J m-2 day-1"},
+                      {"day", to_json(report.light.day)}};
+    for (std::size_t g = 0; g < report.groups.size(); ++g)
+        json["groups"][report.groups[g].name] = to_json(report.light.groups[g]);
+    json["hours"] = ordered_json::array();
+    for (const StepReport& step : report.light.steps) {
+        ordered_json hour = to_json(step.budget);
+        hour["hour"] = step.hour;
+        hour["unit"] = "W m-2";
+        json["hours"].push_back(hour);
+    }
+    return json;
+}
+
+std::string clock(double hour) {
+    const int minutes = static_cast<int>(std::lround(hour * 60));
+    return fmt::format("{:02}:{:02}", minutes / 60, minutes % 60);
+}
+
+void print_report(const CanopyReport& report, const Case& chosen,
+                  double seconds) {
+    const BudgetEstimate& day = report.light.day;
+    fmt::print("case {}, LAI {:.3f}, {:.0f} ms\n\n", chosen.name, report.lai,
+               seconds * 1e3);
+    fmt::print("{:<10} {:>24} {:>24}\n", "day", "MJ m-2 day-1", "fraction");
+    const auto line = [&](const char* name, Estimate x) {
+        fmt::print("{:<10} {:>24} {:>24}\n", name, format(scaled(x, 1e-6)),
+                   format(scaled(x, 1 / day.incident)));
+    };
+    fmt::print("{:<10} {:>24.9f} {:>24}\n", "incident", day.incident / 1e6, 1);
+    line("leaves", day.leaves);
+    line("stalks", day.stalks);
+    line("soil", day.soil);
+    line("reflected", day.reflected);
+    const double sum =
+        day.leaves.mean + day.stalks.mean + day.soil.mean + day.reflected.mean;
+    fmt::print("{:<10} {:>24.9f} {:>24} (off by {:.1e} of the incident)\n",
+               "sum", sum / 1e6, "", report.light.balance_error);
+    fmt::print("leaves     {}\n\n", format_daily(scaled(day.leaves, 1e-6)));
+
+    fmt::print("{:<10} {:>24} {:>24}\n", "organ", "MJ m-2 day-1", "fraction");
+    for (std::size_t g = 0; g < report.groups.size(); ++g)
+        line(report.groups[g].name.c_str(), report.light.groups[g]);
+
+    fmt::print("\n{:<10} {:>10} {:>20} {:>20} {:>20} {:>20}   [W m-2]\n",
+               "hour", "incident", "leaves", "stalks", "soil", "reflected");
+    for (const StepReport& step : report.light.steps)
+        fmt::print("{:<10} {:>10.2f} {:>20} {:>20} {:>20} {:>20}\n",
+                   clock(step.hour), step.budget.incident,
+                   format(step.budget.leaves), format(step.budget.stalks),
+                   format(step.budget.soil), format(step.budget.reflected));
+}
+
+bool same_bits(const std::vector<Estimate>& a, const std::vector<Estimate>& b) {
+    const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+    if (a.size() != b.size()) return false;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (bits(a[i].mean) != bits(b[i].mean) ||
+            bits(a[i].standard_error) != bits(b[i].standard_error))
+            return false;
+    return true;
+}
+
+struct Study {
+    CanopyReport report;
+    double seconds;
+};
+
+Study timed_study(const Campaign& campaign, const Case& chosen,
+                  const Genome& genome, const Task& task,
+                  const std::string& isa) {
+    const Day day = clear_day(chosen.site, chosen.day, campaign.par_fraction);
+    const Device device(isa);
+    const double began = now();
+    CanopyReport report = study(campaign, chosen, day, device, genome,
+                                draws_of(task, campaign, chosen));
+    return {std::move(report), now() - began};
+}
+
+ExitCode evaluate_baseline(const EvaluateOptions& options) {
+    const Campaign campaign = read_campaign(options.path);
+    const std::vector<Case> all = cases(campaign);
+    const auto index = static_cast<std::size_t>(options.case_index);
+    if (options.case_index < 0 || index >= all.size())
+        throw Error(
+            fmt::format("there is no case {}; {} has cases 0 to {}",
+                        options.case_index, options.path, all.size() - 1),
+            ExitCode::usage);
+    Task task;
+    task.case_index = static_cast<std::uint32_t>(index);
+    task.is_final = true;
+    const auto [report, seconds] =
+        timed_study(campaign, all[index], to_genome(campaign.baseline), task,
+                    Device::supported_isas().back());
+    if (options.is_json)
+        fmt::print("{}\n", to_json(report, all[index], seconds).dump(2));
+    else
+        print_report(report, all[index], seconds);
+    return ExitCode::ok;
+}
+
+ExitCode evaluate_row(const EvaluateOptions& options) {
+    const History history = History::read(options.path);
+    const HistoryHeader& header = history.header();
+    const Campaign campaign =
+        parse_campaign(header.campaign_resolved, options.path);
+    const Case chosen = case_of(history, campaign);
+    const auto [task, row] = choose_row(history, options.row, chosen);
+    const auto [report, seconds] = timed_study(
+        campaign, chosen, row.candidate.genome, task, header.text.at("isa"));
+    const Outcome again = to_outcome(report);
+    const bool is_done = row.outcome.status == Status::done;
+    const bool agrees = is_done &&
+                        same_bits(again.objectives, row.outcome.objectives) &&
+                        same_bits(again.diagnostics, row.outcome.diagnostics);
+    if (options.is_json) {
+        ordered_json json = to_json(report, chosen, seconds);
+        json["row"] = {{"is_final", task.is_final},
+                       {"generation", task.generation},
+                       {"slot", task.slot},
+                       {"is_done", is_done},
+                       {"agrees_bit_for_bit", agrees}};
+        fmt::print("{}\n", json.dump(2));
+    } else {
+        print_report(report, chosen, seconds);
+        fmt::print(
+            "\n{}{} slot {}: {}\n", task.is_final ? "final" : "generation ",
+            task.is_final ? "" : std::to_string(task.generation), task.slot,
+            agrees    ? "agrees bit for bit with the history"
+            : is_done ? "DIFFERS from the history"
+                      : "has no result in the history to compare with");
+    }
+    return agrees || !is_done ? ExitCode::ok : ExitCode::runtime;
+}
+
+}  // namespace
+
+ExitCode evaluate(const EvaluateOptions& options) {
+    return is_history(options.path) ? evaluate_row(options)
+                                    : evaluate_baseline(options);
+}
+
+}  // namespace ideotype

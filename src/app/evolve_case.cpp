@@ -1,0 +1,153 @@
+#include "ideotype/app/evolve_case.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "ideotype/core/error.hpp"
+#include "ideotype/evolve/breed.hpp"
+#include "ideotype/evolve/rank.hpp"
+#include "ideotype/evolve/stop_rules.hpp"
+
+namespace ideotype {
+
+namespace {
+
+double fitness_of(const Outcome& outcome) {
+    return outcome.status == Status::done
+               ? outcome.objectives.front().mean
+               : -std::numeric_limits<double>::infinity();
+}
+
+Progress progress_of(const History& history) {
+    Progress progress;
+    for (const GenerationSummary& summary : history.summaries()) {
+        progress.mean.push_back(summary.mean);
+        progress.best.push_back(summary.best);
+        progress.evaluations += summary.evaluations;
+    }
+    progress.wall_time = history.wall_time();
+    return progress;
+}
+
+//! Evaluates what is pending of a proposed generation. Under common random
+//! numbers equal genomes have equal outcomes: they are evaluated once and
+//! copied (attempt 0).
+void evaluate_generation(const Evolution& evolution, History& history,
+                         std::uint32_t generation,
+                         const std::vector<Candidate>& candidates) {
+    const auto original_of = twins(candidates);
+    std::vector<Work> work;
+    for (const std::uint32_t slot : history.pending(generation))
+        if (!original_of.contains(slot)) {
+            Task task;
+            task.case_index =
+                static_cast<std::uint32_t>(evolution.chosen.index);
+            task.generation = generation;
+            task.slot = slot;
+            work.push_back({task, candidates[slot].genome});
+        }
+    evolution.dispatcher.evaluate(
+        work, [&](const Work& done, const Outcome& outcome) {
+            history.record(generation, done.task.slot, outcome,
+                           fitness_of(outcome), done.task.attempt);
+            evolution.watcher.on_evaluation(generation);
+        });
+    const auto pending = history.pending(generation);
+    const std::set<std::uint32_t> unknown(pending.begin(), pending.end());
+    for (const auto& [slot, original] : original_of)
+        if (unknown.contains(slot) && !unknown.contains(original)) {
+            const Row row = history.row(generation, original);
+            history.record(generation, slot, row.outcome, row.fitness, 0);
+        }
+}
+
+void require_few_failures(const Evolution& evolution, History& history,
+                          std::uint32_t generation,
+                          const GenerationSummary& summary) {
+    const int population = evolution.campaign.optimizer.population;
+    const double limit = evolution.campaign.stop.failed_fraction * population;
+    if (summary.failures == 0 || summary.failures < limit) return;
+    std::string reason;
+    for (std::uint32_t slot = 0;
+         slot < static_cast<std::uint32_t>(population) && reason.empty();
+         ++slot)
+        reason = history.row(generation, slot).outcome.message;
+    const std::string message = fmt::format(
+        "{} of {} evaluations of generation {} failed, more than "
+        "stop.failed_fraction allows; the first reason: {}",
+        summary.failures, population, generation, reason);
+    history.message(message);
+    throw Error(message);
+}
+
+//! Evaluates the baseline and the best distinct genomes of the last
+//! generation anew; false if a stop came first.
+bool judge_finalists(const Evolution& evolution, History& history) {
+    const Population last = history.last_committed();
+    std::vector<Candidate> finalists{
+        {to_genome(evolution.campaign.baseline), Origin::baseline, {}}};
+    for (const std::uint32_t slot :
+         best_distinct(last, static_cast<std::size_t>(
+                                 evolution.campaign.final_rule.candidates)))
+        finalists.push_back({last[slot].candidate.genome,
+                             Origin::elite,
+                             {static_cast<std::int32_t>(slot), no_parent}});
+    history.propose_final(finalists);
+    std::vector<Work> work;
+    for (const std::uint32_t slot : history.pending_final()) {
+        Task task;
+        task.case_index = static_cast<std::uint32_t>(evolution.chosen.index);
+        task.slot = slot;
+        task.is_final = true;
+        work.push_back({task, finalists[slot].genome});
+    }
+    evolution.dispatcher.evaluate(
+        work, [&](const Work& done, const Outcome& outcome) {
+            history.record_final(done.task.slot, outcome, fitness_of(outcome));
+        });
+    return history.pending_final().empty();
+}
+
+}  // namespace
+
+Ending evolve_case(const Evolution& evolution, History& history) {
+    const auto& [campaign, chosen, dispatcher, stop, watcher, elapsed] =
+        evolution;
+    const GeneSpace genes = gene_space(campaign, chosen);
+    const Genome baseline = to_genome(campaign.baseline);
+    const double spent_before = history.wall_time();
+
+    std::optional<std::string> reason =
+        finished(campaign.stop, progress_of(history));
+    Population parents = history.last_committed();
+    for (std::uint32_t g = history.next_generation(); !reason; ++g) {
+        const std::vector<Candidate> children =
+            breed(campaign.optimizer, genes, baseline, chosen.seed, g, parents);
+        history.propose(g, children);
+        evaluate_generation(evolution, history, g, children);
+        history.set_wall_time(spent_before + elapsed());
+        if (!history.pending(g).empty()) return Ending::drained;
+
+        parents = history.generation(g);
+        GenerationSummary summary = summarize(parents, genes);
+        summary.evaluations = static_cast<std::uint32_t>(
+            children.size() - twins(children).size());
+        summary.wall_time = history.wall_time();
+        require_few_failures(evolution, history, g, summary);
+        history.commit(g, summary);
+        watcher.on_generation(g, summary);
+        reason = finished(campaign.stop, progress_of(history));
+        if (!reason && stop.requested()) return Ending::drained;
+    }
+    watcher.on_final(*reason);
+    if (!judge_finalists(evolution, history)) return Ending::drained;
+    history.set_wall_time(spent_before + elapsed());
+    history.finish(*reason);
+    return Ending::finished;
+}
+
+}  // namespace ideotype

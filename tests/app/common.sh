@@ -1,0 +1,75 @@
+# Shared by the tests of the program: $1 the executable, $2 the project, $3 a
+# folder for this test alone.
+set -euo pipefail
+ideotype=$1
+project=$2
+folder=$3
+rm -rf "$folder"
+mkdir -p "$folder/campaigns/plants"
+cp "$project"/campaigns/plants/*.toml "$folder/campaigns/plants"
+cd "$folder"
+
+fail() {
+    echo "FAILED: $*" >&2
+    exit 1
+}
+
+# A campaign of a second or so: small field, few paths.
+# $1 its name, $2 population, $3 generations
+write_campaign() {
+    cat >"campaigns/$1.toml" <<TOML
+name = "$1"
+seed = 7
+[site]
+name = "Ames"
+latitude = 42.0
+longitude = -93.6
+utc_offset = -5
+[day]
+date = 2025-08-07
+start = 07:00:00
+end = 20:00:00
+[spacing]
+row = 0.762
+plant = 0.1524
+[field]
+rows = 3
+plants = 3
+[plant]
+baseline = "plants/b73.toml"
+bounds = "paper"
+[light]
+paths = 256
+randomisations = 4
+[evolution]
+population = $2
+elites = 2
+[stop]
+generations = $3
+[final]
+candidates = 3
+paths = 256
+randomisations = 4
+TOML
+}
+
+# Everything of a history but what may differ between runs: times, workers,
+# attempts, sessions.
+same_results() {
+    for dataset in genome objectives objectives_standard_error diagnostics \
+        diagnostics_standard_error fitness status origin parents message; do
+        for group in evaluations final; do
+            h5diff -c "$1" "$2" "/$group/$dataset" ||
+                fail "/$group/$dataset differs: $1 $2"
+        done
+    done
+    for dataset in best_slot best best_standard_error mean spread diversity \
+        failures evaluations; do
+        h5diff -c "$1" "$2" "/generations/$dataset" ||
+            fail "/generations/$dataset differs: $1 $2"
+    done
+}
+
+history_of() {
+    echo "$1/$2/ames_0807_762x152_all_r1.h5"
+}

@@ -1,0 +1,84 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/app/canopy.hpp"
+
+namespace ideotype {
+namespace {
+
+class Ames : public ::testing::Test {
+  protected:
+    const Campaign campaign =
+        read_campaign(std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml");
+    const std::vector<Case> all = cases(campaign);
+    const Day day = clear_day(all[0].site, all[0].day, campaign.par_fraction);
+    const Genome baseline = to_genome(campaign.baseline);
+    CanopyEvaluator evaluator{campaign, Device::supported_isas().back()};
+
+    double diagnostic(const Outcome& outcome, const std::string& name) const {
+        const OutcomeSchema schema = outcome_schema(campaign, day);
+        for (std::size_t i = 0; i < schema.diagnostics.size(); ++i)
+            if (schema.diagnostics[i].name == name)
+                return outcome.diagnostics[i].mean;
+        ADD_FAILURE() << "no diagnostic " << name;
+        return 0;
+    }
+};
+
+TEST_F(Ames, BaselineAbsorbsWhatASparseReferenceSays) {
+    Task task;
+    task.is_final = true;
+    const Outcome outcome = evaluator.evaluate(task, baseline);
+    // Leaves and stalks of a B73-like stand take about .93 of the light.
+    const double leaves = diagnostic(outcome, "absorbed_fraction");
+    const double stalks = diagnostic(outcome, "stalk_fraction");
+    EXPECT_NEAR(leaves + stalks, .93, .015);
+    EXPECT_NEAR(diagnostic(outcome, "lai"), 3.44, .03);
+    EXPECT_NEAR(diagnostic(outcome, "incident") / 12.2, 1, .05);
+    EXPECT_LT(outcome.objectives[0].standard_error,
+              .002 * outcome.objectives[0].mean);
+}
+
+TEST_F(Ames, FractionsSumToOneAndLeavesToTheTotal) {
+    const Outcome outcome = evaluator.evaluate({}, baseline);
+    EXPECT_NEAR(diagnostic(outcome, "absorbed_fraction") +
+                    diagnostic(outcome, "stalk_fraction") +
+                    diagnostic(outcome, "soil_fraction") +
+                    diagnostic(outcome, "reflected_fraction"),
+                1, 1e-12);
+    EXPECT_LT(diagnostic(outcome, "balance_error"), 1e-12);
+    double sum = 0;
+    for (int leaf = 1; leaf <= 10; ++leaf)
+        sum += diagnostic(outcome,
+                          (leaf < 10 ? "absorbed_leaf0" : "absorbed_leaf") +
+                              std::to_string(leaf));
+    EXPECT_NEAR(sum / outcome.objectives[0].mean, 1, 1e-12);
+}
+
+TEST_F(Ames, CandidatesOfAGenerationShareTheirRandomNumbers) {
+    Task first, second, later;
+    second.slot = 17;
+    later.generation = 1;
+    const double a = evaluator.evaluate(first, baseline).objectives[0].mean;
+    EXPECT_EQ(evaluator.evaluate(second, baseline).objectives[0].mean, a);
+    EXPECT_NE(evaluator.evaluate(later, baseline).objectives[0].mean, a);
+}
+
+TEST_F(Ames, TheElitePlantAbsorbsMoreThanTheBaseline) {
+    Genome wider = baseline;
+    for (std::size_t i = 0; i < wider.size(); i += 4) {
+        wider[i] *= 1.15;
+        wider[i + 1] *= 1.2;
+        wider[i + 2] = 70;
+    }
+    const auto absorbed = [&](const Genome& genome) {
+        return evaluator.evaluate({}, genome).objectives[0];
+    };
+    const Estimate b = absorbed(baseline), w = absorbed(wider);
+    EXPECT_GT(w.mean - b.mean,
+              4 * std::hypot(b.standard_error, w.standard_error));
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -1,0 +1,86 @@
+#!/usr/bin/env bash
+# Every verb, its output and its exit code.
+. "$(dirname "$0")/common.sh"
+
+# $1 the expected exit code, the rest a command; its output is in out.log.
+expect() {
+    local expected=$1 code=0
+    shift
+    "$@" >out.log 2>&1 || code=$?
+    [ $code -eq "$expected" ] ||
+        fail "'$*' ended with $code, not $expected: $(cat out.log)"
+}
+
+says() {
+    grep -q -- "$1" out.log || fail "no '$1' in: $(cat out.log)"
+}
+
+write_campaign verbs 6 2
+expect 0 "$ideotype" --version
+says "Embree 3"
+says "HDF5 1"
+expect 0 "$ideotype" --help
+says "evaluate"
+expect 2 "$ideotype" fly
+expect 2 "$ideotype"
+expect 2 "$ideotype" run campaigns/verbs.toml --wall-time soon
+says "HH:MM:SS"
+expect 1 "$ideotype" check campaigns/missing.toml
+says "missing.toml"
+
+expect 0 "$ideotype" check campaigns/verbs.toml
+says "LAI 3.44"
+expect 0 "$ideotype" plan campaigns/verbs.toml
+says "ames_0807_762x152_all_r1"
+expect 0 "$ideotype" plan campaigns/verbs.toml --count
+says "^1$"
+
+sed 's/plants = 3/plnats = 3/' campaigns/verbs.toml >campaigns/typo.toml
+expect 3 "$ideotype" check campaigns/typo.toml
+says "typo.toml:17:1"
+says "plants"
+expect 3 mpirun -n 3 "$ideotype" run campaigns/typo.toml
+says "typo.toml:17:1"
+
+expect 0 "$ideotype" evaluate campaigns/verbs.toml
+says "incident"
+expect 0 "$ideotype" evaluate campaigns/verbs.toml --json
+says '"leaves"'
+expect 2 "$ideotype" evaluate campaigns/verbs.toml --case 1
+
+expect 0 "$ideotype" run campaigns/verbs.toml
+says "gain"
+history=$(history_of results verbs)
+expect 0 "$ideotype" status "$history"
+says "2 of 2 generations"
+says "finished by generations"
+expect 0 "$ideotype" status "$history" --resumable
+[ ! -s out.log ] || fail "a finished history is not resumable"
+for slot in 0 3 5; do
+    expect 0 "$ideotype" evaluate "$history" --generation 1 --slot $slot
+    says "agrees bit for bit"
+done
+expect 0 "$ideotype" evaluate "$history" --best
+says "agrees bit for bit"
+expect 2 "$ideotype" evaluate "$history" --generation 2 --slot 0
+expect 2 "$ideotype" evaluate "$history"
+says "--best"
+
+expect 0 "$ideotype" export "$history" --best --to plant.obj
+[ "$(grep -c '^g leaf' plant.obj)" -eq 10 ] || fail "not one group per leaf"
+expect 0 "$ideotype" export "$history" --generation 0 --slot 0 --field \
+    --to field.obj
+[ "$(grep -c '^g plant.*leaf' field.obj)" -eq 90 ] || fail "not nine plants"
+expect 0 "$ideotype" export "$history" --best --to plant.csv
+[ "$(wc -l <plant.csv)" -eq 11 ] || fail "not ten leaves"
+expect 4 "$ideotype" export "$history" --best --to plant.obj
+expect 2 "$ideotype" export "$history" --best --to plant.doc
+
+# A second look at a finished case repeats its summary and evaluates nothing.
+expect 0 "$ideotype" run campaigns/verbs.toml --resume
+says "gain"
+
+# A time limit of this start stops cleanly.
+write_campaign limited 12 400
+expect 0 "$ideotype" run campaigns/limited.toml --wall-time 00:00:01
+says "stopped before the end"

@@ -1,0 +1,171 @@
+#include <cmath>
+#include <filesystem>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/app/canopy.hpp"
+#include "ideotype/app/evolve_case.hpp"
+#include "ideotype/app/provenance.hpp"
+#include "ideotype/core/error.hpp"
+
+namespace ideotype {
+namespace {
+
+//! Evaluates here with the sum of the genes, fails where told, and counts.
+class FakeDispatcher : public Dispatcher {
+  public:
+    FakeDispatcher(const OutcomeSchema& schema, StopFlag& stop)
+        : schema_(schema), stop_(stop) {}
+
+    void evaluate(const std::vector<Work>& work,
+                  const Record& record) override {
+        for (const Work& item : work) {
+            if (stop_.requested()) return;
+            if (count++ == stop_after) stop_.request();
+            Outcome outcome;
+            outcome.status = Status::done;
+            double sum = 0;
+            for (const double gene : item.genome) sum += gene;
+            outcome.objectives.assign(schema_.objectives.size(), {sum, 0.1});
+            outcome.diagnostics.assign(schema_.diagnostics.size(), {1, 0});
+            if (item.task.slot < failing_slots && !item.task.is_final)
+                outcome = failed_outcome(schema_, "the sun went out");
+            record(item, outcome);
+        }
+    }
+
+    int width() const override { return 1; }
+
+    int count = 0;
+    int stop_after = -1;
+    std::uint32_t failing_slots = 0;
+
+  private:
+    const OutcomeSchema& schema_;
+    StopFlag& stop_;
+};
+
+class NoWatcher : public Watcher {
+  public:
+    void on_evaluation(std::uint32_t) override {}
+    void on_generation(std::uint32_t, const GenerationSummary&) override {}
+    void on_final(const std::string&) override {}
+};
+
+class EvolveCase : public ::testing::Test {
+  protected:
+    EvolveCase() {
+        folder = std::filesystem::temp_directory_path() /
+                 ("ideotype_evolve_" + std::to_string(getpid()));
+        std::filesystem::create_directories(folder);
+        campaign =
+            read_campaign(std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml");
+        campaign.optimizer.population = 10;
+        campaign.stop.generations = 6;
+        chosen = cases(campaign)[0];
+    }
+    ~EvolveCase() override { std::filesystem::remove_all(folder); }
+
+    std::string path(const std::string& name) const {
+        return (folder / name).string();
+    }
+    HistoryHeader header() const { return header_of(campaign, chosen, "sse2"); }
+    Ending evolve(History& history, FakeDispatcher& dispatcher) {
+        return evolve_case(
+            {campaign, chosen, dispatcher, stop, watcher, [] { return 1.0; }},
+            history);
+    }
+
+    std::filesystem::path folder;
+    Campaign campaign;
+    Case chosen;
+    StopFlag stop;
+    NoWatcher watcher;
+};
+
+TEST_F(EvolveCase, EndsWithJudgedFinalistsAndAReason) {
+    const HistoryHeader h = header();
+    History history = History::create(path("a.h5"), h);
+    FakeDispatcher dispatcher(h.schema, stop);
+    EXPECT_EQ(evolve(history, dispatcher), Ending::finished);
+    EXPECT_EQ(history.finished(), "generations");
+    const auto finalists = history.finalists();
+    ASSERT_GE(finalists.size(), 2u);
+    EXPECT_EQ(finalists[0].candidate.origin, Origin::baseline);
+    EXPECT_GT(finalists[1].fitness, finalists[0].fitness);
+}
+
+TEST_F(EvolveCase, StopAndResumeGiveWhatAnUninterruptedRunGives) {
+    const HistoryHeader h = header();
+    History whole = History::create(path("whole.h5"), h);
+    FakeDispatcher dispatcher(h.schema, stop);
+    evolve(whole, dispatcher);
+    for (const int stop_after : {0, 7, 10, 31}) {
+        const std::string name = path("cut" + std::to_string(stop_after));
+        {
+            History cut = History::create(name, h);
+            FakeDispatcher interrupted(h.schema, stop);
+            interrupted.stop_after = stop_after;
+            EXPECT_EQ(evolve(cut, interrupted), Ending::drained);
+        }
+        // Only a new start takes a stop back.
+        stop.~StopFlag();
+        new (&stop) StopFlag;
+        History resumed = History::resume(name);
+        FakeDispatcher rest(h.schema, stop);
+        EXPECT_EQ(evolve(resumed, rest), Ending::finished);
+        for (std::uint32_t g = 0; g < 6; ++g)
+            for (std::uint32_t s = 0; s < 10; ++s) {
+                EXPECT_EQ(resumed.row(g, s).candidate.genome,
+                          whole.row(g, s).candidate.genome);
+                EXPECT_EQ(resumed.row(g, s).fitness, whole.row(g, s).fitness);
+            }
+    }
+}
+
+TEST_F(EvolveCase, EqualGenomesAreEvaluatedOnce) {
+    campaign.optimizer.mutations_per_child = 0;
+    campaign.optimizer.crossover_probability = 0;
+    const HistoryHeader h = header();
+    History history = History::create(path("twins.h5"), h);
+    FakeDispatcher dispatcher(h.schema, stop);
+    evolve(history, dispatcher);
+    const auto summaries = history.summaries();
+    std::uint32_t evaluations = 0;
+    for (const auto& s : summaries) evaluations += s.evaluations;
+    EXPECT_LT(summaries.back().evaluations, 10u);
+    EXPECT_EQ(evaluations + history.finalists().size(),
+              static_cast<std::size_t>(dispatcher.count));
+    for (std::uint32_t s = 0; s < 10; ++s)
+        EXPECT_EQ(history.row(5, s).outcome.status, Status::done);
+}
+
+TEST_F(EvolveCase, AFewFailuresAreRowsWithAReason) {
+    const HistoryHeader h = header();
+    History history = History::create(path("few.h5"), h);
+    FakeDispatcher dispatcher(h.schema, stop);
+    dispatcher.failing_slots = 2;
+    EXPECT_EQ(evolve(history, dispatcher), Ending::finished);
+    const Row row = history.row(3, 1);
+    EXPECT_EQ(row.outcome.status, Status::failed);
+    EXPECT_EQ(row.outcome.message, "the sun went out");
+    EXPECT_EQ(history.summaries()[3].failures, 2u);
+}
+
+TEST_F(EvolveCase, TooManyFailuresEndTheRunWithTheReason) {
+    const HistoryHeader h = header();
+    History history = History::create(path("many.h5"), h);
+    FakeDispatcher dispatcher(h.schema, stop);
+    dispatcher.failing_slots = 6;
+    try {
+        evolve(history, dispatcher);
+        FAIL() << "went on";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("the sun went out"),
+                  std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -1,0 +1,219 @@
+"""What the fittest plants look like."""
+
+from __future__ import annotations
+
+from typing import Any, cast
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.projections.polar import PolarAxes
+from numpy.typing import NDArray
+
+from . import style
+from .circle import circular_deviation, circular_mean
+from .file import HistoryError
+from .history import History
+from .rows import Evaluation, Rows
+
+COUNT = 10
+"""How many plants are shown."""
+
+_KINDS = ("length", "width", "inclination", "azimuth")
+
+
+def draw_traits(history: History) -> Figure:
+    """Each trait by leaf rank: the fittest plants, their mean and standard
+    deviation, the baseline, and the bounds."""
+    top = _top(history)
+    baseline = history.baseline()
+    figure = style.new_figure(9.6, 4.4)
+    panels = figure.subplots(1, len(_KINDS), sharey=True)
+    for axes, kind in zip(panels, _KINDS):
+        _draw_trait(axes, history, kind, top, baseline)
+    panels[0].set_ylabel("leaf rank (1 = lowest)")
+    handles, labels = panels[0].get_legend_handles_labels()
+    figure.legend(
+        handles, labels, loc="outside lower center", ncols=4, fontsize=8
+    )
+    figure.suptitle(_title(history, top), fontsize=10)
+    return figure
+
+
+def draw_azimuths(history: History) -> Figure:
+    """Leaf azimuths from above, the lowest leaf innermost: the fittest
+    plants, their circular mean and deviation, and the baseline."""
+    top = _top(history)
+    columns = history.traits.columns("azimuth")
+    if not len(columns):
+        raise HistoryError("the plants have no azimuths")
+    leaves = history.traits.leaves("azimuth")
+    figure = style.new_figure(6.0, 6.4)
+    axes = cast(PolarAxes, figure.add_subplot(projection="polar"))
+    axes.set_theta_zero_location("N")
+    axes.set_theta_direction(-1)
+    for values, color in reversed(_colored(top, columns)):
+        axes.plot(np.deg2rad(values), leaves, "o", color=color, alpha=0.8)
+    _draw_arcs(axes, top.traits.values[:, columns], leaves)
+    if (baseline := history.baseline()) is not None:
+        values = baseline.row.traits.values[0, columns]
+        axes.plot(np.deg2rad(values), leaves, **_BASELINE_MARKER)
+    axes.plot([0, 0], [0, 1.1 * leaves.max()], color=style.QUIET, ls="--")
+    axes.plot([np.pi] * 2, [0, 1.1 * leaves.max()], color=style.QUIET, ls="--")
+    axes.set_rlim(0, leaves.max() + 0.9)
+    axes.grid(color="#CFCFCF")
+    axes.set_rgrids(leaves, [])
+    for leaf in leaves:
+        axes.text(np.pi / 8, leaf, str(leaf), **_RANK_LABEL)
+    axes.set_thetagrids(
+        np.arange(0, 360, 45),
+        ["0° along the row"] + [f"{a}°" for a in range(45, 360, 45)],
+    )
+    handles, labels = axes.get_legend_handles_labels()
+    _add_top_handle(axes, handles, labels, len(top))
+    figure.legend(
+        handles, labels, loc="outside lower center", ncols=3, fontsize=8
+    )
+    figure.suptitle(
+        f"{_title(history, top)}\n"
+        "leaf azimuths from above; circles: leaf rank, lowest innermost",
+        fontsize=10,
+    )
+    return figure
+
+
+_BASELINE_MARKER: dict[str, Any] = {
+    "marker": "D",
+    "markersize": 5.5,
+    "markerfacecolor": "none",
+    "color": style.BASELINE,
+    "linestyle": "none",
+    "label": "baseline",
+}
+
+
+_RANK_LABEL: dict[str, Any] = {
+    "ha": "center",
+    "va": "center",
+    "fontsize": 7,
+    "zorder": 1.9,  # above the circles, below the plants
+    "bbox": {"facecolor": "white", "edgecolor": "none", "pad": 0.5},
+}
+
+
+def _top(history: History) -> Rows:
+    top = history.latest().top(COUNT)
+    if not len(top):
+        raise HistoryError("no plant is evaluated yet")
+    return top
+
+
+def _title(history: History, top: Rows) -> str:
+    case = history.attributes.get("case", history.path.stem)
+    generation = int(top.generation.max())
+    return f"{case}: the {len(top)} fittest plants of generation {generation}"
+
+
+def _colored(top: Rows, columns: NDArray) -> list[tuple[NDArray, NDArray]]:
+    """The traits and the colour of each plant, fittest first."""
+    return list(
+        zip(top.traits.values[:, columns], style.ranked_colors(len(top)))
+    )
+
+
+def _add_top_handle(
+    axes: Axes, handles: list, labels: list, count: int
+) -> None:
+    (handle,) = axes.plot(
+        [], [], "o", color=style.ranked_colors(count)[0], alpha=0.8
+    )
+    handles.insert(0, handle)
+    labels.insert(0, "one plant (dark: fitter)")
+
+
+def _draw_trait(
+    axes: Axes,
+    history: History,
+    kind: str,
+    top: Rows,
+    baseline: Evaluation | None,
+) -> None:
+    traits = history.traits
+    columns, leaves = traits.columns(kind), traits.leaves(kind)
+    if not len(columns):
+        raise HistoryError(f"the plants have no {kind}")
+    is_circular = bool(traits.is_circular[columns].all())
+    axes.barh(
+        leaves,
+        (traits.upper - traits.lower)[columns],
+        left=traits.lower[columns],
+        height=0.8,
+        color="#F0F0F0",
+        label="bounds",
+    )
+    for values, color in reversed(_colored(top, columns)):
+        axes.plot(values, leaves, "o", color=color, markersize=3, alpha=0.8)
+    if kind == _KINDS[0]:
+        axes.plot(
+            [], [], "o", color=style.ranked_colors(1)[0], markersize=3,
+            label="one plant (dark: fitter)",
+        )  # fmt: skip
+    values = top.traits.values[:, columns]
+    _draw_mean(axes, values, leaves, is_circular)
+    if baseline is not None:
+        plain = baseline.row.traits.values[0, columns]
+        axes.plot(plain, leaves, **_BASELINE_MARKER)
+    lower, upper = traits.lower[columns].min(), traits.upper[columns].max()
+    margin = 0.04 * (upper - lower)
+    axes.set_xlim(lower - margin, upper + margin)
+    if is_circular:
+        axes.set_xticks(np.linspace(lower, upper, 5))
+    axes.set_yticks(leaves)
+    axes.set_ylim(leaves.min() - 0.6, leaves.max() + 0.6)
+    axes.set_xlabel(style.axis_label(kind, traits.units[columns[0]]))
+    if not traits.is_free[columns].any():
+        axes.set_title("not bred")
+
+
+def _draw_mean(
+    axes: Axes, values: NDArray, leaves: NDArray, is_circular: bool
+) -> None:
+    """Mean and standard deviation by leaf, beside the points."""
+    if is_circular:
+        mean = circular_mean(values)
+        deviation = np.minimum(circular_deviation(values), 180.0)
+        turns = [-360.0, 0.0, 360.0]
+    else:
+        mean, deviation, turns = values.mean(0), _deviation(values), [0.0]
+    for turn in turns:
+        # A bar that leaves on one side of the circle comes in on the other.
+        axes.errorbar(
+            mean + turn,
+            leaves - 0.28,
+            xerr=deviation,
+            color=style.ANEW,
+            marker="|",
+            linestyle="none",
+            label="their mean ± standard deviation" if turn == 0 else None,
+        )
+
+
+def _deviation(values: NDArray) -> NDArray:
+    return values.std(0, ddof=1) if len(values) > 1 else 0 * values[0]
+
+
+def _draw_arcs(axes: Axes, values: NDArray, leaves: NDArray) -> None:
+    """Circular mean and deviation by leaf, just outside the points."""
+    mean = circular_mean(values)
+    deviation = np.minimum(circular_deviation(values), 180.0)
+    for center, width, leaf in zip(mean, deviation, leaves):
+        arc = np.deg2rad(np.linspace(center - width, center + width, 60))
+        axes.plot(arc, np.full(len(arc), leaf + 0.3), color=style.ANEW, lw=1.2)
+    axes.plot(
+        np.deg2rad(mean),
+        leaves + 0.3,
+        "s",
+        color=style.ANEW,
+        markersize=3,
+        label="circular mean ± deviation",
+    )

@@ -1,0 +1,62 @@
+"""How all figures look. Colours are those of Okabe and Ito, and viridis:
+both can be told apart by the colour-blind."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+BASELINE = "#000000"
+BEST = "#0072B2"
+MEAN = "#009E73"
+ANEW = "#D55E00"
+QUIET = "#8C8C8C"
+
+RC: dict[Any, Any] = {
+    "font.size": 9.0,
+    "axes.titlesize": 10.0,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "grid.color": "#E3E3E3",
+    "grid.linewidth": 0.6,
+    "axes.axisbelow": True,
+    "legend.frameon": False,
+    "lines.linewidth": 1.5,
+    "lines.markersize": 4.5,
+    "errorbar.capsize": 2.0,
+    "pdf.fonttype": 42,
+    "savefig.dpi": 200,
+}
+
+_SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def new_figure(width: float, height: float) -> Figure:
+    """An empty figure [inches]; it belongs to no window and no global list."""
+    return Figure(figsize=(width, height), layout="constrained")
+
+
+def unit_label(unit: str) -> str:
+    """A unit as it is printed: "MJ m-2" has a raised -2, "deg" is "°"."""
+    raised = re.sub(
+        r"(?<=[A-Za-z])-?\d+", lambda m: m[0].translate(_SUPERSCRIPT), unit
+    )
+    return re.sub(r"\bdeg\b", "°", raised)
+
+
+def axis_label(name: str, unit: str) -> str:
+    """ "absorbed PAR [MJ m⁻² day⁻¹]" of a column's name and unit."""
+    words = re.sub(r"\bpar\b", "PAR", name.replace("_", " "))
+    return words if unit == "1" else f"{words} [{unit_label(unit)}]"
+
+
+def ranked_colors(count: int) -> NDArray[np.float64]:
+    """Colours from the fittest, dark, to the least fit, bright; the palest
+    end of viridis does not show on white."""
+    return colormaps["viridis"](np.linspace(0.0, 0.9, max(count, 1)))

@@ -1,0 +1,254 @@
+"""The package on a file of the program itself.
+
+IDEOTYPE_EXECUTABLE names the built program: a tiny campaign is run with it.
+IDEOTYPE_SAMPLE_HISTORY names a finished history that is looked at instead;
+tests that need the program are then skipped if it is not given too."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from ideotype_analysis import HistoryError, Rows, open_history
+from ideotype_analysis.cli import main
+
+ROOT = Path(__file__).parents[2]
+PLANT = ROOT / "campaigns" / "plants" / "b73.toml"
+
+CAMPAIGN = """
+name = "tiny"
+
+[[site]]
+name = "ames"
+latitude = 42.0
+longitude = -93.6
+utc_offset = -5
+
+[[day]]
+date = 2025-08-07
+start = 07:00:00
+end = 20:00:00
+step_minutes = 60
+
+[[spacing]]
+row = 0.762
+plant = 0.1524
+
+[field]
+rows = 2
+plants = 2
+
+[plant]
+baseline = "b73.toml"
+
+[light]
+paths = 64
+randomisations = 4
+
+[evolution]
+population = 6
+
+[stop]
+generations = {generations}
+
+[final]
+candidates = 2
+paths = 256
+randomisations = 4
+"""
+
+PROMISED = {
+    *("program", "program_version", "git_sha", "git_dirty"),
+    *("compiler", "build_type", "isa"),
+    *("embree_version", "hdf5_version", "mpi_version"),
+    *("campaign", "campaign_sha256", "case", "created"),
+    *("site", "day", "spacing", "trait_set", "replicate"),
+    *("latitude", "longitude", "row_spacing", "plant_spacing"),
+}
+"""Root attributes of FORMAT.md beyond those that no reader can do without."""
+
+Start = Callable[[Path, int], "subprocess.Popen[str]"]
+
+
+@pytest.fixture(scope="session")
+def start() -> Start:
+    """Starts the program on the tiny campaign, of so many generations."""
+    executable = os.environ.get("IDEOTYPE_EXECUTABLE")
+    if not executable:
+        if "IDEOTYPE_SAMPLE_HISTORY" in os.environ:
+            pytest.skip("IDEOTYPE_EXECUTABLE is not set")
+        pytest.fail(
+            "set IDEOTYPE_EXECUTABLE to the built program, or "
+            "IDEOTYPE_SAMPLE_HISTORY to a finished history"
+        )
+
+    def start_in(folder: Path, generations: int) -> subprocess.Popen[str]:
+        shutil.copy(PLANT, folder)
+        campaign = folder / "tiny.toml"
+        campaign.write_text(CAMPAIGN.format(generations=generations))
+        return subprocess.Popen(
+            [os.path.abspath(executable), "run", campaign, "--out", folder],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+        )
+
+    return start_in
+
+
+@pytest.fixture(scope="session")
+def own(start: Start, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The history of a finished run of the tiny campaign."""
+    folder = tmp_path_factory.mktemp("run")
+    run = start(folder, 3)
+    output, _ = run.communicate(timeout=300)
+    assert run.returncode == 0, output
+    (path,) = (folder / "tiny").glob("*.h5")
+    return path
+
+
+@pytest.fixture(scope="session")
+def sample(request: pytest.FixtureRequest) -> Path:
+    """The given history, or else one of our own."""
+    if given := os.environ.get("IDEOTYPE_SAMPLE_HISTORY"):
+        return Path(given)
+    return request.getfixturevalue("own")
+
+
+@pytest.fixture(params=["evaluations", "finalists"])
+def rows(request: pytest.FixtureRequest, sample: Path) -> Rows:
+    """Done rows of the run and of the finals."""
+    with open_history(sample) as history:
+        found = getattr(history, request.param)().done
+    assert len(found) > 0
+    return found
+
+
+def test_the_file_says_what_the_format_promises(sample: Path) -> None:
+    with open_history(sample) as history:
+        has = history.attributes
+        assert str(history.state()).startswith("finished (")
+        assert history.state().missing_bytes == 0
+        assert len(history.sessions()) >= 1
+        assert len(history.traits.names) == 40
+        assert has["campaign"] in history.campaign("resolved")
+    assert sorted(PROMISED - has.keys()) == []
+
+
+def test_leaves_sum_to_what_all_leaves_absorb(rows: Rows) -> None:
+    names = [f"absorbed_leaf{leaf:02}" for leaf in range(1, 11)]
+    total = np.sum([rows[name].values for name in names], axis=0)
+    assert total == pytest.approx(rows["absorbed_par"].values, rel=1e-9)
+
+
+def test_the_balance_closes(rows: Rows) -> None:
+    parts = ("absorbed", "stalk", "soil", "reflected")
+    fractions = [rows[f"{part}_fraction"].values for part in parts]
+    assert np.sum(fractions, axis=0) == pytest.approx(1.0, rel=1e-9)
+    assert np.all(np.abs(rows["balance_error"].values) < 1e-9)
+    assert np.all(np.array(fractions) >= 0)
+    absorbed = fractions[0] * rows["incident"].values
+    assert absorbed == pytest.approx(rows["absorbed_par"].values, rel=1e-9)
+
+
+def test_errors_are_known_and_small(rows: Rows) -> None:
+    relative = rows["absorbed_par"].standard_error / rows.fitness.values
+    assert np.all((relative > 0) & (relative < 0.05))
+    assert rows.fitness.values == pytest.approx(rows["absorbed_par"].values)
+
+
+def test_plants_stay_in_their_bounds(rows: Rows, sample: Path) -> None:
+    with open_history(sample) as history:
+        traits = history.traits
+    genes = rows.traits.values
+    assert np.all((genes >= traits.lower) & (genes <= traits.upper))
+
+
+def test_generations_summarize_their_rows(sample: Path) -> None:
+    with open_history(sample) as history:
+        generations, everything = history.generations(), history.evaluations()
+    assert len(generations) > 0
+    for g in range(len(generations)):
+        rows = everything.take(everything.generation == g)
+        fitness = rows.done.fitness.values
+        best = rows.take(rows.slot == generations.best_slot[g]).fitness
+        assert generations.best.values[g] == fitness.max() == best.values[0]
+        assert generations.mean.values[g] == pytest.approx(fitness.mean())
+        assert generations.failures[g] == len(rows.failed)
+
+
+def test_hours_integrate_to_the_day(own: Path) -> None:
+    with open_history(own) as history:
+        best = history.best()
+    assert best is not None and best.is_final
+    profile = best.by_hour()
+    # trapezoids: the sun of Ames is up from the first hour to the last
+    assert list(profile.hours) == list(range(7, 21))
+    ends = profile.values[0] + profile.values[-1]
+    joules = 3600 * (profile.values.sum() - ends / 2)
+    assert joules / 1e6 == pytest.approx(best.objective.mean, rel=1e-9)
+
+
+def test_the_command_draws_everything(
+    sample: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main([str(sample), "-o", str(tmp_path)]) == 0
+    printed = capsys.readouterr().out
+    assert "finished" in printed and "gain" in printed
+    assert "Provisional" not in printed and "not drawn" not in printed
+    names = {path.name for path in tmp_path.iterdir()}
+    assert len(names) == 8 and "hours.png" in names
+
+
+@pytest.fixture
+def running(
+    start: Start, tmp_path: Path
+) -> Iterator[tuple[subprocess.Popen[str], Path]]:
+    """A run that does not end by itself, and its history."""
+    run = start(tmp_path, 1_000_000)
+    deadline = time.monotonic() + 60
+    while not (found := list((tmp_path / "tiny").glob("*.h5"))):
+        assert run.poll() is None, run.communicate()[0]
+        assert time.monotonic() < deadline, "no history within a minute"
+        time.sleep(0.01)
+    yield run, found[0]
+    run.kill()
+    run.wait()
+
+
+def test_a_run_is_followed_and_survives_its_kill(
+    running: tuple[subprocess.Popen[str], Path],
+) -> None:
+    run, path = running
+    seen = 0
+    with open_history(path) as history:
+        assert str(history.state()) == "running"
+        deadline = time.monotonic() + 60
+        while seen < 20:
+            assert time.monotonic() < deadline, f"only {seen} rows"
+            rows = history.evaluations()
+            assert len(rows) >= seen
+            assert np.all(np.isfinite(rows.done.fitness.values))
+            assert np.all(np.isfinite(rows.done.diagnostics.values))
+            seen = len(rows)
+    run.kill()
+    run.wait()
+    with open_history(path) as history:
+        assert len(history.evaluations()) >= seen
+        assert str(history.state()).startswith("interrupted")
+        assert history.state().missing_bytes == 0
+
+
+def test_a_real_file_that_was_cut_short_is_refused(
+    own: Path, tmp_path: Path
+) -> None:
+    data = own.read_bytes()
+    (tmp_path / "cut.h5").write_bytes(data[: len(data) // 2])
+    with pytest.raises(HistoryError, match="cut short"):
+        open_history(tmp_path / "cut.h5")

@@ -1,0 +1,83 @@
+"""Circles, errors and units."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from ideotype_analysis import Estimate
+from ideotype_analysis.circle import circular_deviation, circular_mean
+from ideotype_analysis.estimate import relative_gain
+
+
+def test_359_and_1_are_neighbours() -> None:
+    assert circular_mean([359.0, 1.0]) in (
+        pytest.approx(0.0, abs=1e-9),
+        pytest.approx(360.0, abs=1e-9),
+    )
+    assert circular_deviation([359.0, 1.0]) == pytest.approx(1.0, rel=1e-3)
+    assert circular_mean([350.0, 20.0]) == pytest.approx(5.0)
+
+
+def test_means_turn_with_their_angles() -> None:
+    angles = np.array([10.0, 35.0, 300.0, 20.0])
+    mean, deviation = circular_mean(angles), circular_deviation(angles)
+    for turn in range(0, 360, 7):
+        turned = (angles + turn) % 360
+        difference = (circular_mean(turned) - mean - turn + 180) % 360 - 180
+        assert difference == pytest.approx(0.0, abs=1e-9)
+        assert circular_deviation(turned) == pytest.approx(float(deviation))
+
+
+def test_opposite_angles_have_no_mean() -> None:
+    assert np.isnan(circular_mean([90.0, 270.0]))
+    assert np.isinf(circular_deviation([90.0, 270.0]))
+
+
+def test_a_mean_is_below_360() -> None:
+    means = circular_mean(np.full((3, 4), 360.0 - 1e-14))
+    assert np.all((means >= 0) & (means < 360))
+    assert np.all(circular_deviation(np.full((3, 4), 77.0)) < 1e-5)
+
+
+def test_daily_par_comes_in_three_units() -> None:
+    units = Estimate(2.0, 0.5, "MJ m-2 day-1").in_common_units()
+    assert [u.unit for u in units] == [
+        "MJ m-2 day-1",
+        "MWh acre-1 day-1",
+        "mol m-2 day-1",
+    ]
+    assert [u.mean for u in units] == pytest.approx(
+        [2.0, 2 * 1.12413, 9.14], rel=1e-5
+    )
+    assert units[2].standard_error == pytest.approx(0.5 * 4.57)
+    assert len(Estimate(2.0, 0.5, "g m-2").in_common_units()) == 1
+
+
+@pytest.mark.parametrize(
+    ("mean", "error", "text"),
+    [
+        (11.23456, 0.0123, "11.235 +- 0.012"),
+        (11.23456, 0.5, "11.23 +- 0.50"),
+        (1234.5, 20.0, "1234 +- 20"),
+        (1.5, math.nan, "1.5 +- unknown"),
+        (12.2, 0.0, "12.2 +- 0"),
+    ],
+)
+def test_the_error_decides_the_digits(
+    mean: float, error: float, text: str
+) -> None:
+    assert Estimate(mean, error).number() == text
+
+
+def test_the_error_of_a_gain_is_that_of_independent_figures() -> None:
+    best, baseline = Estimate(11.5, 0.02, "x"), Estimate(11.0, 0.03, "x")
+    draw = np.random.default_rng(1)
+    sample = 100 * (
+        draw.normal(11.5, 0.02, 400_000) / draw.normal(11.0, 0.03, 400_000) - 1
+    )
+    gain = relative_gain(best, baseline)
+    assert gain.mean == pytest.approx(100 / 22)
+    assert gain.standard_error == pytest.approx(sample.std(), rel=0.01)
+    assert math.isnan(relative_gain(best, Estimate(0.0, 0.1, "x")).mean)

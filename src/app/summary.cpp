@@ -53,10 +53,14 @@ std::string final_summary(const History& history, const Campaign& campaign) {
                "rows\n";
     const Estimate a = finalists[0].outcome.objectives.front();
     const Estimate b = finalists[best].outcome.objectives.front();
-    // Both share their random numbers, so this error is, if anything, too
+    // Both share their random numbers, so these errors are, if anything, too
     // large.
     const Estimate gain{b.mean - a.mean,
                         std::hypot(a.standard_error, b.standard_error)};
+    const double ratio = b.mean / a.mean;
+    const Estimate percent{
+        100 * (ratio - 1),
+        100 / a.mean * std::hypot(ratio * a.standard_error, b.standard_error)};
     return fmt::format(
         "absorbed by leaves, {} of {} paths with a new field each:\n"
         "  baseline  {}\n"
@@ -64,8 +68,7 @@ std::string final_summary(const History& history, const Campaign& campaign) {
         "  gain      {} MJ m-2 day-1 = {} %\n",
         campaign.final_rule.sampling.randomisations,
         campaign.final_rule.sampling.paths, described(history, finalists[0]),
-        described(history, finalists[best]), format(gain),
-        format(scaled(gain, 100 / a.mean)));
+        described(history, finalists[best]), format(gain), format(percent));
 }
 
 }  // namespace ideotype

@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# From a fresh Debian 12 to an evolved canopy: installs what is missing,
+# builds, runs the quick Ames campaign on all cores, draws its figures.
+# May be run again: finished parts are not repeated.
+set -euo pipefail
+cd "$(dirname "$0")"
+. .ci/install
+
+install_packages
+cmake --preset release >build-release.log 2>&1 || { cat build-release.log; exit 1; }
+cmake --build --preset release
+rm -f build-release.log
+install_analysis
+
+campaign=campaigns/ames_quick.toml
+out=${1:-results}
+ideotype=build/release/src/ideotype
+
+echo
+"$ideotype" check "$campaign"
+echo
+"$ideotype" plan "$campaign"
+echo
+# One worker per core and a master that sleeps.
+mpirun -n $(($(nproc) + 1)) "$ideotype" run "$campaign" --out "$out" --resume
+
+for history in "$out"/ames_quick/*.h5; do
+    echo
+    .venv/bin/ideotype-summary "$history" -o "${history%.h5}_figures"
+done
+echo
+echo "everything is in $(cd "$out/ames_quick" && pwd)"

@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds, and runs every test.
+set -euo pipefail
+cd "$(dirname "$0")"
+. .ci/install
+
+install_packages libgtest-dev libgmock-dev libtinyobjloader-dev hdf5-tools
+cmake --preset dev >build-dev.log 2>&1 || { cat build-dev.log; exit 1; }
+cmake --build --preset dev
+rm -f build-dev.log
+install_analysis test
+
+ctest --preset dev --timeout 600 "$@"
+IDEOTYPE_EXECUTABLE=$PWD/build/dev/src/ideotype \
+    .venv/bin/python -m pytest -q tests/analysis

@@ -1,8 +1,9 @@
 #include "ideotype/core/error.hpp"
 
 #include <algorithm>
-#include <fmt/format.h>
 #include <numeric>
+
+#include <fmt/format.h>
 
 namespace ideotype {
 

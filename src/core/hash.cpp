@@ -1,9 +1,9 @@
 #include "ideotype/core/hash.hpp"
 
+#include <array>
+
 #include <fmt/format.h>
 #include <openssl/evp.h>
-
-#include <array>
 
 #include "ideotype/core/error.hpp"
 

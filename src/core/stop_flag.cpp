@@ -1,10 +1,9 @@
 #include "ideotype/core/stop_flag.hpp"
 
-#include <unistd.h>
-
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <unistd.h>
 
 namespace ideotype {
 
@@ -45,10 +44,16 @@ StopFlag::~StopFlag() {
         sigaction(handled[i], &former_[i], nullptr);
 }
 
-bool StopFlag::requested() const { return stop_requested.load(); }
+bool StopFlag::requested() const {
+    return stop_requested.load();
+}
 
-void StopFlag::request() { stop_requested.store(true); }
+void StopFlag::request() {
+    stop_requested.store(true);
+}
 
-int StopFlag::signal() const { return first_signal.load(); }
+int StopFlag::signal() const {
+    return first_signal.load();
+}
 
 }  // namespace ideotype

@@ -33,9 +33,12 @@ BudgetEstimate weighted_budget(const std::vector<Tally>& tallies,
             part(&Budget::soil), part(&Budget::reflected)};
 }
 
-double balance_error(const Tally& tally, double incident) {
-    double sum = 0;
-    for (const Budget& budget : tally.sources) sum += budget.total();
+double balance_error(const Tally& tally) {
+    double sum = 0, incident = 0;
+    for (const Budget& budget : tally.sources) {
+        sum += budget.total();
+        incident += budget.incident;
+    }
     return incident > 0 ? std::abs(sum - incident) / incident : 0;
 }
 
@@ -65,8 +68,7 @@ DayReport report(const std::vector<Tally>& tallies,
     }
     for (const Tally& tally : tallies)
         result.balance_error =
-            std::max(result.balance_error,
-                     balance_error(tally, illumination.light.energy()));
+            std::max(result.balance_error, balance_error(tally));
     return result;
 }
 

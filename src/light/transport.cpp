@@ -3,94 +3,20 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "directions.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/light/sampler.hpp"
+#include "launch.hpp"
+#include "travel.hpp"
 
 namespace ideotype {
 
 namespace {
-
-//! A bundle of light on its way.
-struct Bundle {
-    Vec3 position;
-    Vec3 direction;
-    double energy = 0;
-};
-
-enum class Met { face, soil, sky };
-
-//! Straight on through the stand, re-entering the cell on its other side
-//! whenever it leaves, until the bundle meets something.
-Met travel(const Scene& scene, Bundle& bundle, Hit& hit) {
-    constexpr double never = std::numeric_limits<double>::infinity();
-    // Rounding may hide a face at the very end of a segment or, as its image,
-    // at the very start of the next one. Both look a little over the seam.
-    const double seam = scene.clearance() / 2;
-    double before = 0;
-    Vec3& p = bundle.position;
-    const Vec3& d = bundle.direction;
-    const auto to_side = [](double x, double dx, double period) {
-        return dx > 0 ? (period - x) / dx : dx < 0 ? -x / dx : never;
-    };
-    for (;;) {
-        const double to_x = to_side(p.x, d.x, scene.period_x());
-        const double to_y = to_side(p.y, d.y, scene.period_y());
-        const double to_z =
-            std::max(0.0, d.z < 0 ? -p.z / d.z : (scene.top() - p.z) / d.z);
-        const double distance = std::max(0.0, std::min({to_x, to_y, to_z}));
-        const Vec3 from{p.x - before * d.x, p.y - before * d.y,
-                        p.z - before * d.z};
-        if (scene.intersect(from, d, before + distance + seam, hit))
-            return Met::face;
-        before = seam;
-        if (to_z <= to_x && to_z <= to_y) {
-            p = {p.x + to_z * d.x, p.y + to_z * d.y, d.z < 0 ? 0 : scene.top()};
-            return d.z < 0 ? Met::soil : Met::sky;
-        }
-        p = {p.x + distance * d.x, p.y + distance * d.y, p.z + distance * d.z};
-        if (to_x < to_y)
-            p.x = d.x > 0 ? 0 : scene.period_x();
-        else
-            p.y = d.y > 0 ? 0 : scene.period_y();
-    }
-}
-
-//! Keeps a direction from being so level that it would cross the stand
-//! almost for ever; a shift far below any measurable angle.
-Vec3 not_level(Vec3 d) {
-    constexpr double least = 1e-7;
-    if (std::abs(d.z) < least) d.z = std::copysign(least, d.z);
-    return d;
-}
-
-//! A direction around a unit normal with density cos / pi: Lambert's law.
-//! Frame after Duff et al. 2017 (jcgt.org/published/0006/01/01).
-Vec3 lambertian(const Vec3& n, double u, double v) {
-    const double sign = std::copysign(1.0, n.z);
-    const double a = -1 / (sign + n.z);
-    const double b = n.x * n.y * a;
-    const Vec3 s{1 + sign * n.x * n.x * a, sign * b, -sign * n.x};
-    const Vec3 t{b, sign + n.y * n.y * a, -n.y};
-    const double r = std::sqrt(u);
-    const double phi = 2 * std::numbers::pi * v;
-    const double x = r * std::cos(phi);
-    const double y = r * std::sin(phi);
-    const double z = std::sqrt(1 - u);
-    return not_level({x * s.x + y * t.x + z * n.x, x * s.y + y * t.y + z * n.y,
-                      x * s.z + y * t.z + z * n.z});
-}
-
-double wrapped(double x, double period) {
-    const double w = x - period * std::floor(x / period);
-    return w < period ? w : 0;
-}
 
 //! Traces the paths of one randomisation into one tally.
 class Tracer {
@@ -102,10 +28,11 @@ class Tracer {
           optics_(optics),
           sampler_(std::move(sampler)) {}
 
-    void trace(std::uint32_t path, const Source& source, double energy,
+    void trace(std::uint32_t path, const Launcher& launcher, double energy,
                Budget& budget, std::vector<double>& absorbed) {
         sampler_.begin(path);
-        Bundle bundle = launch(source, energy);
+        Bundle bundle = launcher.launch(sampler_, energy);
+        budget.incident += bundle.energy;
         Hit hit;
         while (bundle.energy > 0) {
             const Met met = travel(scene_, bundle, hit);
@@ -125,16 +52,6 @@ class Tracer {
     }
 
   private:
-    Bundle launch(const Source& source, double energy) {
-        const double x = sampler_.next() * scene_.period_x();
-        const double y = sampler_.next() * scene_.period_y();
-        if (source.direction)
-            return {{x, y, scene_.top()}, not_level(*source.direction), energy};
-        const double u = sampler_.next();
-        const double v = sampler_.next();
-        return {{x, y, scene_.top()}, lambertian({0, 0, -1}, u, v), energy};
-    }
-
     //! What a surface keeps of a bundle; the bundle goes on with the rest.
     //! While the scattered part is a large share of what the path started
     //! with, the surface keeps exactly its absorptance. A small scattered
@@ -164,8 +81,7 @@ class Tracer {
         if (bundle.energy > 0) {
             const double u = sampler_.next();
             const double v = sampler_.next();
-            bundle.position.x = wrapped(bundle.position.x, scene_.period_x());
-            bundle.position.y = wrapped(bundle.position.y, scene_.period_y());
+            bundle.position = scene_.wrapped(bundle.position);
             bundle.direction = lambertian({0, 0, 1}, u, v);
         }
         return kept;
@@ -195,10 +111,9 @@ class Tracer {
         const bool is_along = d.x * n.x + d.y * n.y + d.z * n.z > 0;
         if (is_along == is_reflected) n = {-n.x, -n.y, -n.z};
         const double clear = scene_.clearance();
-        bundle.position = {
-            wrapped(hit.position.x + clear * n.x, scene_.period_x()),
-            wrapped(hit.position.y + clear * n.y, scene_.period_y()),
-            std::clamp(hit.position.z + clear * n.z, 0.0, scene_.top())};
+        bundle.position = scene_.wrapped(
+            {hit.position.x + clear * n.x, hit.position.y + clear * n.y,
+             std::clamp(hit.position.z + clear * n.z, 0.0, scene_.top())});
         bundle.direction = lambertian(n, u, v);
     }
 
@@ -262,6 +177,9 @@ std::vector<Tally> simulate(const Scene& scene,
          std::vector<double>(groups.size())});
     if (sources.empty()) return tallies;
 
+    std::vector<Launcher> launchers;
+    for (const Source& source : sources)
+        launchers.emplace_back(scene, source, optics.soil_albedo);
     const std::vector<std::uint32_t> begins = share_paths(illumination, paths);
     auto randomisation = randomness.first_randomisation;
     for (Tally& tally : tallies) {
@@ -269,10 +187,10 @@ std::vector<Tally> simulate(const Scene& scene,
                       PathSampler(randomness.seed, randomness.generation,
                                   randomisation++, paths));
         for (std::size_t s = 0; s < sources.size(); ++s) {
-            const double energy =
-                sources[s].energy / (begins[s + 1] - begins[s]);
+            const double energy = sources[s].energy * launchers[s].entering() /
+                                  (begins[s + 1] - begins[s]);
             for (std::uint32_t p = begins[s]; p < begins[s + 1]; ++p)
-                tracer.trace(p, sources[s], energy, tally.sources[s],
+                tracer.trace(p, launchers[s], energy, tally.sources[s],
                              tally.groups);
         }
     }

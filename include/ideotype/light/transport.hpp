@@ -15,6 +15,7 @@ struct Budget {
     double stalks = 0;
     double soil = 0;
     double reflected = 0;
+    double incident = 0;  //!< that entered: into a plot also from soil around
 
     double total() const { return leaves + stalks + soil + reflected; }
 };
@@ -36,10 +37,17 @@ struct Randomness {
 //! until leaves, stalks and soil have absorbed it or it has left upwards.
 //!
 //! Each source gets a share of the paths in proportion to its energy, at
-//! least one; its paths share its energy equally. At a surface light is
-//! absorbed, reflected or transmitted (Lambertian); see deposit() in the
-//! source for the unbiased rule that ends paths. In every randomisation the
-//! budget of every source sums to its energy, to rounding.
+//! least one; its paths share equally what enters of it, see Launcher. At a
+//! surface light is absorbed, reflected or transmitted (Lambertian); see
+//! deposit() in the source for the unbiased rule that ends paths. In every
+//! randomisation the budget of every source sums to what entered, to rounding:
+//! in a periodic stand its energy, in an isolated plot what came through its
+//! bounding box.
+//!
+//! Nothing is neglected around an isolated plot: the soil is infinite and lit,
+//! and light that leaves the box comes back by way of it. `soil` is then what
+//! soil anywhere absorbs, and `reflected` what goes to the sky, of the light
+//! that has been in the box.
 //!
 //! @param groups what each group of the scene's mesh is made of
 //! @return one tally per randomisation

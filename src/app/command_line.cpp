@@ -42,17 +42,22 @@ void add_row_choice(CLI::App& verb, RowChoice& row) {
     verb.add_option("--slot", row.slot, "slot of the row")->excludes(best);
 }
 
-//! run is the one verb that may have many ranks; only its rank 0 speaks.
+//! run is the one verb that may have many ranks.
 int run_with_session(const RunOptions& options) {
     StopFlag stop;
     const Session session;
+    int code = 0;
     try {
         return static_cast<int>(run(options, session, stop));
     } catch (const Error& error) {
-        return report_error(error, error.exit_code());
+        code = report_error(error, error.exit_code());
     } catch (const std::exception& error) {
-        return report_error(error, ExitCode::runtime);
+        code = report_error(error, ExitCode::runtime);
     }
+    // Rank 0 has told the others to leave. It would wait for ever for one
+    // that fails by itself.
+    if (session.rank() != 0) session.abort(code);
+    return code;
 }
 
 }  // namespace

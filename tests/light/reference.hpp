@@ -44,7 +44,8 @@ Optics leaf_optics(double reflectance, double transmittance,
                    double soil_albedo);
 
 //! Expects a value within four combined standard errors of the reference, and
-//! the standard error of ours below a bound.
+//! the standard error of ours below a bound; prints all of them, and how many
+//! standard errors they are apart.
 void expect_agreement(Estimate ours, Estimate reference, double bound,
                       const std::string& what);
 

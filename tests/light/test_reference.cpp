@@ -1,6 +1,7 @@
 // Exact and independently computed values. A comparison passes within four
 // combined standard errors, ours being bounded as well.
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 
 #include <gtest/gtest.h>
@@ -43,10 +44,11 @@ void compare_with_file(const std::string& file, Period period,
                   *light, {65536, 32});
         const double error = expected.at("standard_error");
         expect_agreement(ours.leaves, {expected.at("leaf_absorbed"), error},
-                         bound, name);
-        expect_agreement(ours.soil, {expected.at("soil"), error}, bound, name);
+                         bound, name + " leaves");
+        expect_agreement(ours.soil, {expected.at("soil"), error}, bound,
+                         name + " soil");
         expect_agreement(ours.reflected, {expected.at("reflected"), error},
-                         bound, name);
+                         bound, name + " reflected");
         if (!expected.contains("by_group")) continue;
         for (std::size_t g = 0; g < mesh.groups.size(); ++g) {
             const std::string group = mesh.groups[g].name;
@@ -70,17 +72,22 @@ TEST(Reference, RandomLeavesAgreeWithADoublePrecisionTracer) {
 TEST(Reference, BlackSphericalLeavesFollowBeersLaw) {
     const Mesh mesh = load_reference_mesh("poisson_spherical_L3");
     const Optics black = leaf_optics(0, 0, 0);
-    const auto intercepted = [&](const Illumination& light) {
+    const auto expect_intercepted = [&](const std::string& name,
+                                        const Illumination& light,
+                                        double expected) {
         const Estimate leaves =
             trace(mesh, {1, 1}, black, light, {65536, 16}).leaves;
         EXPECT_LT(leaves.standard_error, bound);
-        return leaves.mean;
+        EXPECT_NEAR(leaves.mean / expected, 1, 0.004) << name;
+        std::printf("%-12s %.5f +- %.5f  Beer's law %.5f  (%+.2f %%)\n",
+                    name.c_str(), leaves.mean, leaves.standard_error, expected,
+                    100 * (leaves.mean / expected - 1));
     };
     // 1 - exp(-0.5 LAI / cos z), and its mean over a uniform sky.
-    EXPECT_NEAR(intercepted(sun_from(90, 180)) / .77687, 1, 0.004);
-    EXPECT_NEAR(intercepted(sun_from(60, 180)) / .82308, 1, 0.004);
-    EXPECT_NEAR(intercepted(sun_from(30, 180)) / .95021, 1, 0.004);
-    EXPECT_NEAR(intercepted(uniform_sky()) / .88652, 1, 0.004);
+    expect_intercepted("zenith 0", sun_from(90, 180), .77687);
+    expect_intercepted("zenith 30", sun_from(60, 180), .82308);
+    expect_intercepted("zenith 60", sun_from(30, 180), .95021);
+    expect_intercepted("uniform sky", uniform_sky(), .88652);
 }
 
 TEST(Reference, HorizontalLeavesFollowTheTwoStreamSolution) {

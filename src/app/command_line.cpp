@@ -116,9 +116,13 @@ int run_command_line(int argc, char** argv) {
     StatusOptions status_options;
     auto* status_verb = app.add_subcommand(
         "status", "how far histories have come, also while they are written");
-    status_verb->add_option("files", status_options.paths)->required();
-    status_verb->add_flag("--resumable", status_options.only_resumable,
-                          "print only the files of unfinished cases");
+    status_verb
+        ->add_option("paths", status_options.paths, "histories or folders")
+        ->required();
+    status_verb->add_flag(
+        "--resumable", status_options.only_resumable,
+        "print only the files of unfinished cases that nobody "
+        "works on");
     on(status_verb, [&] { return status(status_options); });
 
     EvaluateOptions evaluate_options;

@@ -19,7 +19,8 @@ for delay in 0.9 1.0 1.2 0.8 1.1; do
     fi
     wait $job || true
     # The contract: the file can be read after any kill.
-    [ ! -e "$killed" ] || "$ideotype" status "$killed"
+    [ ! -e "$killed" ] || "$ideotype" status killed | grep ": dead, " ||
+        fail "a killed run does not look dead"
 done
 [ $kills -ge 3 ] || fail "only $kills kills hit a run"
 mpirun -n 3 "$ideotype" run campaigns/long.toml --out killed --resume
@@ -29,8 +30,12 @@ same_results "$whole" "$killed"
 mpirun -n 3 "$ideotype" run campaigns/long.toml --out drained >drain.log &
 job=$!
 sleep 1
+"$ideotype" status drained | grep ": running, " || fail "does not look running"
 kill -USR1 $job
 wait $job || fail "a drain must end with 0"
+"$ideotype" status drained | grep ": drained, " || fail "does not look drained"
+[ "$("$ideotype" status --resumable drained)" = "$(history_of drained long)" ] ||
+    fail "a drained run is resumable"
 grep -q -- "--resume" drain.log || fail "no word about how to go on"
 "$ideotype" run campaigns/long.toml --out drained --resume >/dev/null
 same_results "$whole" "$(history_of drained long)"

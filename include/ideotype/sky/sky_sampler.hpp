@@ -11,7 +11,7 @@ namespace ideotype {
 //! horizontal ground, radiance times cos z. The map from the unit square
 //! is continuous and one to one, so that evenly spread points stay so, and
 //! nothing is rejected or weighted. Uniform and overcast skies are exact to
-//! rounding, clear ones to 1e-7 in the probability of any set of directions.
+//! rounding, clear ones to 2e-7 in the probability of any set of directions.
 class SkySampler {
   public:
     //! @throws Error if the sky is clear and its sun below the horizon.

@@ -7,11 +7,13 @@
 #include <numbers>
 #include <numeric>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
 #include "ideotype/core/error.hpp"
 #include "ideotype/light/sampler.hpp"
+#include "ideotype/sky/sky_sampler.hpp"
 
 namespace ideotype {
 
@@ -87,6 +89,20 @@ double wrapped(double x, double period) {
     return w < period ? w : 0;
 }
 
+//! Where the light of a source comes from: one direction of travel or a sky.
+using Origin = std::variant<Vec3, SkySampler>;
+
+std::vector<Origin> origins_of(const std::vector<Source>& sources) {
+    std::vector<Origin> origins;
+    for (const Source& source : sources) {
+        if (source.direction)
+            origins.emplace_back(*source.direction);
+        else
+            origins.emplace_back(SkySampler(source.sky));
+    }
+    return origins;
+}
+
 //! Traces the paths of one randomisation into one tally.
 class Tracer {
   public:
@@ -97,10 +113,10 @@ class Tracer {
           optics_(optics),
           sampler_(std::move(sampler)) {}
 
-    void trace(std::uint32_t path, const Source& source, double energy,
+    void trace(std::uint32_t path, const Origin& origin, double energy,
                Budget& budget, std::vector<double>& absorbed) {
         sampler_.begin(path);
-        Bundle bundle = launch(source, energy);
+        Bundle bundle = launch(origin, energy);
         Hit hit;
         while (bundle.energy > 0) {
             const Met met = travel(scene_, bundle, hit);
@@ -120,14 +136,15 @@ class Tracer {
     }
 
   private:
-    Bundle launch(const Source& source, double energy) {
+    Bundle launch(const Origin& origin, double energy) {
         const double x = sampler_.next() * scene_.period_x();
         const double y = sampler_.next() * scene_.period_y();
-        if (source.direction)
-            return {{x, y, scene_.top()}, not_level(*source.direction), energy};
+        const auto* beam = std::get_if<Vec3>(&origin);
+        if (beam) return {{x, y, scene_.top()}, not_level(*beam), energy};
         const double u = sampler_.next();
         const double v = sampler_.next();
-        return {{x, y, scene_.top()}, lambertian({0, 0, -1}, u, v), energy};
+        const Vec3 direction = std::get<SkySampler>(origin).sample(u, v);
+        return {{x, y, scene_.top()}, not_level(direction), energy};
     }
 
     //! What a surface keeps of a bundle; the bundle goes on with the rest.
@@ -249,7 +266,8 @@ std::vector<Tally> simulate(const Scene& scene,
     if (paths < sources.size())
         throw Error(fmt::format(
             "{} paths are too few for {} sources of light (a sun at each time "
-            "step and the sky); take more paths or a longer step",
+            "step and the sky, a clear one at each); take more paths or a "
+            "longer step",
             paths, sources.size()));
     std::vector<Tally> tallies(
         static_cast<std::size_t>(sampling.randomisations),
@@ -257,6 +275,7 @@ std::vector<Tally> simulate(const Scene& scene,
          std::vector<double>(groups.size())});
     if (sources.empty()) return tallies;
 
+    const std::vector<Origin> origins = origins_of(sources);
     const std::vector<std::uint32_t> begins = share_paths(illumination, paths);
     auto randomisation = randomness.first_randomisation;
     for (Tally& tally : tallies) {
@@ -267,7 +286,7 @@ std::vector<Tally> simulate(const Scene& scene,
             const double energy =
                 sources[s].energy / (begins[s + 1] - begins[s]);
             for (std::uint32_t p = begins[s]; p < begins[s + 1]; ++p)
-                tracer.trace(p, sources[s], energy, tally.sources[s],
+                tracer.trace(p, origins[s], energy, tally.sources[s],
                              tally.groups);
         }
     }

@@ -41,11 +41,19 @@ Mesh load_reference_mesh(const std::string& name) {
 }
 
 Illumination sun_from(double elevation, double azimuth) {
-    return {{{beam_direction({90 - elevation, azimuth}), 1.0}}};
+    return {{{beam_direction({90 - elevation, azimuth}), 1.0, {}}}};
+}
+
+Illumination sky_of(const SkyRadiance& sky) {
+    return {{{std::nullopt, 1.0, sky}}};
 }
 
 Illumination uniform_sky() {
-    return {{{std::nullopt, 1.0}}};
+    return sky_of({SkyModel::uniform, {}});
+}
+
+Illumination overcast_sky() {
+    return sky_of({SkyModel::overcast, {}});
 }
 
 Fractions trace(const Mesh& mesh, Period period, const Optics& optics,

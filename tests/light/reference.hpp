@@ -25,8 +25,10 @@ struct Period {
 //! One unit of light on horizontal ground from a sun, azimuth from +y.
 Illumination sun_from(double elevation, double azimuth);
 
-//! One unit of light on horizontal ground from a uniform sky.
+//! One unit of light on horizontal ground from a sky.
+Illumination sky_of(const SkyRadiance& sky);
 Illumination uniform_sky();
+Illumination overcast_sky();
 
 //! Fractions of the incident light, with standard errors.
 struct Fractions {

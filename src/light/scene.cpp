@@ -13,6 +13,11 @@ namespace ideotype {
 
 namespace {
 
+//! How far a vertex may be from the origin [m] and how many faces a scene may
+//! have: beyond the Earth and beyond memory the input must be wrong.
+constexpr double farthest = 1e7;
+constexpr std::size_t most_faces = 100'000'000;
+
 struct Extent {
     double lower = std::numeric_limits<double>::infinity();
     double upper = -std::numeric_limits<double>::infinity();
@@ -27,6 +32,8 @@ struct Extent {
 struct Shifts {
     long first;
     long last;
+
+    double count() const { return static_cast<double>(last - first + 1); }
 };
 
 Shifts shifts_into(const Extent& extent, double period) {
@@ -50,6 +57,12 @@ Scene::Scene(const Device& device, const Mesh& mesh, double period_x,
     for (const Vec3& v : mesh.vertices)
         if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
             throw Error("a vertex of the canopy is not finite");
+        else if (std::abs(v.x) > farthest || std::abs(v.y) > farthest ||
+                 std::abs(v.z) > farthest)
+            throw Error(
+                fmt::format("a vertex of the canopy is at {:.3g} {:.3g} {:.3g} "
+                            "m, more than {:.0e} m away; the unit is metres",
+                            v.x, v.y, v.z, farthest));
     const std::vector<double> areas = face_areas(mesh);
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
         if (areas[f] > 0) add_images(mesh, f);
@@ -87,6 +100,13 @@ void Scene::add_images(const Mesh& mesh, std::size_t face) {
     top_ = std::max(top_, z.upper);
     const Shifts along_x = shifts_into(x, period_x_);
     const Shifts along_y = shifts_into(y, period_y_);
+    if (static_cast<double>(face_group_.size()) +
+            along_x.count() * along_y.count() >
+        static_cast<double>(most_faces))
+        throw Error(fmt::format(
+            "the canopy has more than {} faces in a period of {} x {} m (large "
+            "faces count once for each period that they touch)",
+            most_faces, period_x_, period_y_));
     for (long i = along_x.first; i <= along_x.last; ++i)
         for (long j = along_y.first; j <= along_y.last; ++j) {
             for (const std::uint32_t v : mesh.faces[face]) {
@@ -105,6 +125,8 @@ void Scene::add_images(const Mesh& mesh, std::size_t face) {
 void Scene::commit(const Device& device) {
     RTCDevice embree = device.handle_->device;
     handle_ = std::make_unique<Handle>(Handle{rtcNewScene(embree)});
+    // Without this, light slips through the edges that faces share.
+    rtcSetSceneFlags(handle_->scene, RTC_SCENE_FLAG_ROBUST);
     if (!face_group_.empty()) attach_faces(embree);
     rtcCommitScene(handle_->scene);
     if (const RTCError error = rtcGetDeviceError(embree))

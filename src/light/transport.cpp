@@ -32,9 +32,10 @@ enum class Met { face, soil, sky };
 //! whenever it leaves, until the bundle meets something.
 Met travel(const Scene& scene, Bundle& bundle, Hit& hit) {
     constexpr double never = std::numeric_limits<double>::infinity();
-    // Rounding may hide a face at the very end of a segment; its image starts
-    // the next one. Looking a little beyond closes the seam.
-    constexpr double beyond = 1 + 1e-6;
+    // Rounding may hide a face at the very end of a segment or, as its image,
+    // at the very start of the next one. Both look a little over the seam.
+    const double seam = scene.clearance() / 2;
+    double before = 0;
     Vec3& p = bundle.position;
     const Vec3& d = bundle.direction;
     const auto to_side = [](double x, double dx, double period) {
@@ -46,7 +47,11 @@ Met travel(const Scene& scene, Bundle& bundle, Hit& hit) {
         const double to_z =
             std::max(0.0, d.z < 0 ? -p.z / d.z : (scene.top() - p.z) / d.z);
         const double distance = std::max(0.0, std::min({to_x, to_y, to_z}));
-        if (scene.intersect(p, d, distance * beyond, hit)) return Met::face;
+        const Vec3 from{p.x - before * d.x, p.y - before * d.y,
+                        p.z - before * d.z};
+        if (scene.intersect(from, d, before + distance + seam, hit))
+            return Met::face;
+        before = seam;
         if (to_z <= to_x && to_z <= to_y) {
             p = {p.x + to_z * d.x, p.y + to_z * d.y, d.z < 0 ? 0 : scene.top()};
             return d.z < 0 ? Met::soil : Met::sky;

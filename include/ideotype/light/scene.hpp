@@ -28,8 +28,8 @@ struct Hit {
 class Scene {
   public:
     //! Faces without area and faces below the soil are left out.
-    //! @throws Error if a vertex is not finite, a period not positive, or
-    //! memory runs out.
+    //! @throws Error if a vertex is not finite or beyond reason, a period not
+    //! positive, there are too many faces, or memory runs out.
     Scene(const Device& device, const Mesh& mesh, double period_x,
           double period_y);
     ~Scene();

@@ -2,12 +2,10 @@
 
 #include <cmath>
 #include <cstdio>
-#include <tiny_obj_loader.h>
 
 #include <gtest/gtest.h>
 
-#include "ideotype/core/error.hpp"
-#include "ideotype/core/units.hpp"
+#include "ideotype/plant/obj_reader.hpp"
 
 namespace ideotype {
 
@@ -17,27 +15,9 @@ const Device& widest_device() {
 }
 
 Mesh load_reference_mesh(const std::string& name) {
-    const std::string path =
-        std::string(IDEOTYPE_TEST_DATA) + "/reference/" + name + ".obj";
-    tinyobj::ObjReader reader;
-    if (!reader.ParseFromFile(path)) throw Error(path + ": " + reader.Error());
-    Mesh mesh;
-    const auto& v = reader.GetAttrib().vertices;
-    for (std::size_t i = 0; i + 2 < v.size(); i += 3)
-        mesh.vertices.push_back({v[i], v[i + 1], v[i + 2]});
-    for (const auto& shape : reader.GetShapes()) {
-        const auto group = static_cast<std::uint32_t>(mesh.groups.size());
-        mesh.groups.push_back({shape.name, Tissue::leaf});
-        const auto& corners = shape.mesh.indices;
-        for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
-            const auto index = [&](std::size_t k) {
-                return static_cast<std::uint32_t>(corners[i + k].vertex_index);
-            };
-            mesh.faces.push_back({index(0), index(1), index(2), index(2)});
-            mesh.face_group.push_back(group);
-        }
-    }
-    return mesh;
+    return read_obj(std::string(IDEOTYPE_TEST_DATA) + "/reference/" + name +
+                    ".obj")
+        .mesh;
 }
 
 Illumination sun_from(double elevation, double azimuth) {

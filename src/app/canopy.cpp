@@ -96,7 +96,8 @@ OutcomeSchema outcome_schema(const Campaign& campaign, const Day& day) {
 Outcome to_outcome(const CanopyReport& report) {
     const BudgetEstimate& day = report.light.day;
     const double to_mj = 1 / joule_per_megajoule;
-    const double to_fraction = 1 / day.incident;
+    // On a day without light nothing is absorbed, of nothing.
+    const double to_fraction = day.incident > 0 ? 1 / day.incident : 0;
     Outcome outcome;
     outcome.status = Status::done;
     outcome.objectives = {scaled(day.leaves, to_mj)};

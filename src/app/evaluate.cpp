@@ -60,11 +60,13 @@ void print_report(const CanopyReport& report, const Case& chosen,
     fmt::print("case {}, LAI {:.3f}, {:.0f} ms\n\n", chosen.name, report.lai,
                seconds * 1e3);
     fmt::print("{:<10} {:>24} {:>24}\n", "day", "MJ m-2 day-1", "fraction");
+    const double to_fraction = day.incident > 0 ? 1 / day.incident : 0;
     const auto line = [&](const char* name, Estimate x) {
         fmt::print("{:<10} {:>24} {:>24}\n", name, format(scaled(x, 1e-6)),
-                   format(scaled(x, 1 / day.incident)));
+                   format(scaled(x, to_fraction)));
     };
-    fmt::print("{:<10} {:>24.9f} {:>24}\n", "incident", day.incident / 1e6, 1);
+    fmt::print("{:<10} {:>24.9f} {:>24}\n", "incident", day.incident / 1e6,
+               day.incident > 0 ? "1" : "none (the sun stays down)");
     line("leaves", day.leaves);
     line("stalks", day.stalks);
     line("soil", day.soil);

@@ -80,5 +80,26 @@ TEST_F(Ames, TheElitePlantAbsorbsMoreThanTheBaseline) {
               4 * std::hypot(b.standard_error, w.standard_error));
 }
 
+TEST(Canopy, InThePolarNightAllFiguresAreZero) {
+    Campaign campaign =
+        read_campaign(std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml");
+    for (const double pole : {90., -90.}) {
+        Case night = cases(campaign)[0];
+        night.site.latitude = pole;
+        night.day.date = {2025, pole > 0 ? 12 : 6, 21};
+        const Day day = clear_day(night.site, night.day, campaign.par_fraction);
+        ASSERT_TRUE(day.steps.empty());
+        const Device device(Device::supported_isas().back());
+        const Outcome outcome =
+            checked_outcome(outcome_schema(campaign, day),
+                            to_outcome(study(campaign, night, day, device,
+                                             to_genome(campaign.baseline),
+                                             draws_of({}, campaign, night))));
+        EXPECT_EQ(outcome.status, Status::done) << outcome.message;
+        EXPECT_EQ(outcome.objectives[0].mean, 0);
+        EXPECT_EQ(outcome.objectives[0].standard_error, 0);
+    }
+}
+
 }  // namespace
 }  // namespace ideotype

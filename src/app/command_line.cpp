@@ -4,8 +4,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "ideotype/app/mesh_study.hpp"
 #include "ideotype/app/provenance.hpp"
 #include "ideotype/app/verbs.hpp"
+#include "mesh_command.hpp"
 
 namespace ideotype {
 
@@ -129,18 +131,28 @@ int run_command_line(int argc, char** argv) {
     auto* evaluate_verb = app.add_subcommand(
         "evaluate",
         "the light in one canopy: a campaign's baseline, or a row of a "
-        "history, which is recomputed and compared bit for bit");
-    evaluate_verb
-        ->add_option("path", evaluate_options.path,
-                     "campaign (.toml) or history (.h5)")
-        ->required();
+        "history, which is recomputed and compared bit for bit, or any mesh");
+    auto* evaluate_path = evaluate_verb->add_option(
+        "path", evaluate_options.path, "campaign (.toml) or history (.h5)");
     evaluate_verb
         ->add_option("--case", evaluate_options.case_index,
                      "case of the campaign")
         ->capture_default_str();
     add_row_choice(*evaluate_verb, evaluate_options.row);
     evaluate_verb->add_flag("--json", evaluate_options.is_json);
-    on(evaluate_verb, [&] { return evaluate(evaluate_options); });
+    MeshOptions mesh_options;
+    add_mesh_options(*evaluate_verb, mesh_options);
+    evaluate_verb->get_option("--mesh")
+        ->excludes(evaluate_path)
+        ->excludes("--case")
+        ->excludes("--best")
+        ->excludes("--generation")
+        ->excludes("--slot");
+    on(evaluate_verb, [&] {
+        if (mesh_options.path.empty()) return evaluate(evaluate_options);
+        mesh_options.is_json = evaluate_options.is_json;
+        return evaluate_mesh(mesh_options);
+    });
 
     ExportOptions export_options;
     auto* export_verb = app.add_subcommand(

@@ -49,7 +49,7 @@ CanopyReport study(const Campaign& campaign, const Case& chosen, const Day& day,
                    const Device& device, const Genome& genome,
                    const Draws& draws) {
     const DayIllumination illumination =
-        illuminate(day, campaign.field.row_direction);
+        illuminate(day, campaign.sky_model, campaign.field.row_direction);
     const bool is_one = draws.fields == Draws::Fields::one;
     const int fields = is_one ? 1 : draws.sampling.randomisations;
     Sampling sampling = draws.sampling;

@@ -4,8 +4,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "ideotype/app/mesh_study.hpp"
 #include "ideotype/app/provenance.hpp"
 #include "ideotype/app/verbs.hpp"
+#include "mesh_command.hpp"
 
 namespace ideotype {
 
@@ -42,17 +44,22 @@ void add_row_choice(CLI::App& verb, RowChoice& row) {
     verb.add_option("--slot", row.slot, "slot of the row")->excludes(best);
 }
 
-//! run is the one verb that may have many ranks; only its rank 0 speaks.
+//! run is the one verb that may have many ranks.
 int run_with_session(const RunOptions& options) {
     StopFlag stop;
     const Session session;
+    int code = 0;
     try {
         return static_cast<int>(run(options, session, stop));
     } catch (const Error& error) {
-        return report_error(error, error.exit_code());
+        code = report_error(error, error.exit_code());
     } catch (const std::exception& error) {
-        return report_error(error, ExitCode::runtime);
+        code = report_error(error, ExitCode::runtime);
     }
+    // Rank 0 has told the others to leave. It would wait for ever for one
+    // that fails by itself.
+    if (session.rank() != 0) session.abort(code);
+    return code;
 }
 
 }  // namespace
@@ -111,27 +118,41 @@ int run_command_line(int argc, char** argv) {
     StatusOptions status_options;
     auto* status_verb = app.add_subcommand(
         "status", "how far histories have come, also while they are written");
-    status_verb->add_option("files", status_options.paths)->required();
-    status_verb->add_flag("--resumable", status_options.only_resumable,
-                          "print only the files of unfinished cases");
+    status_verb
+        ->add_option("paths", status_options.paths, "histories or folders")
+        ->required();
+    status_verb->add_flag(
+        "--resumable", status_options.only_resumable,
+        "print only the files of unfinished cases that nobody "
+        "works on");
     on(status_verb, [&] { return status(status_options); });
 
     EvaluateOptions evaluate_options;
     auto* evaluate_verb = app.add_subcommand(
         "evaluate",
         "the light in one canopy: a campaign's baseline, or a row of a "
-        "history, which is recomputed and compared bit for bit");
-    evaluate_verb
-        ->add_option("path", evaluate_options.path,
-                     "campaign (.toml) or history (.h5)")
-        ->required();
+        "history, which is recomputed and compared bit for bit, or any mesh");
+    auto* evaluate_path = evaluate_verb->add_option(
+        "path", evaluate_options.path, "campaign (.toml) or history (.h5)");
     evaluate_verb
         ->add_option("--case", evaluate_options.case_index,
                      "case of the campaign")
         ->capture_default_str();
     add_row_choice(*evaluate_verb, evaluate_options.row);
     evaluate_verb->add_flag("--json", evaluate_options.is_json);
-    on(evaluate_verb, [&] { return evaluate(evaluate_options); });
+    MeshOptions mesh_options;
+    add_mesh_options(*evaluate_verb, mesh_options);
+    evaluate_verb->get_option("--mesh")
+        ->excludes(evaluate_path)
+        ->excludes("--case")
+        ->excludes("--best")
+        ->excludes("--generation")
+        ->excludes("--slot");
+    on(evaluate_verb, [&] {
+        if (mesh_options.path.empty()) return evaluate(evaluate_options);
+        mesh_options.is_json = evaluate_options.is_json;
+        return evaluate_mesh(mesh_options);
+    });
 
     ExportOptions export_options;
     auto* export_verb = app.add_subcommand(

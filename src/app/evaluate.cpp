@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "ideotype/app/canopy.hpp"
 #include "ideotype/app/choose_row.hpp"
@@ -10,18 +9,13 @@
 #include "ideotype/app/summary.hpp"
 #include "ideotype/app/verbs.hpp"
 #include "ideotype/light/device.hpp"
+#include "json.hpp"
 
 namespace ideotype {
 
 namespace {
 
-using nlohmann::ordered_json;
-
-ordered_json to_json(Estimate x) {
-    return {{"mean", x.mean}, {"standard_error", x.standard_error}};
-}
-
-ordered_json to_json(const BudgetEstimate& budget) {
+Json to_json(const BudgetEstimate& budget) {
     return {{"incident", budget.incident},
             {"leaves", to_json(budget.leaves)},
             {"stalks", to_json(budget.stalks)},
@@ -29,19 +23,18 @@ ordered_json to_json(const BudgetEstimate& budget) {
             {"reflected", to_json(budget.reflected)}};
 }
 
-ordered_json to_json(const CanopyReport& report, const Case& chosen,
-                     double seconds) {
-    ordered_json json{{"case", chosen.name},
-                      {"lai", report.lai},
-                      {"balance_error", report.light.balance_error},
-                      {"seconds", seconds},
-                      {"unit", "J m-2 day-1"},
-                      {"day", to_json(report.light.day)}};
+Json to_json(const CanopyReport& report, const Case& chosen, double seconds) {
+    Json json{{"case", chosen.name},
+              {"lai", report.lai},
+              {"balance_error", report.light.balance_error},
+              {"seconds", seconds},
+              {"unit", "J m-2 day-1"},
+              {"day", to_json(report.light.day)}};
     for (std::size_t g = 0; g < report.groups.size(); ++g)
         json["groups"][report.groups[g].name] = to_json(report.light.groups[g]);
-    json["hours"] = ordered_json::array();
+    json["hours"] = Json::array();
     for (const StepReport& step : report.light.steps) {
-        ordered_json hour = to_json(step.budget);
+        Json hour = to_json(step.budget);
         hour["hour"] = step.hour;
         hour["unit"] = "W m-2";
         json["hours"].push_back(hour);
@@ -132,7 +125,7 @@ ExitCode evaluate_baseline(const EvaluateOptions& options) {
         timed_study(campaign, all[index], to_genome(campaign.baseline), task,
                     Device::supported_isas().back());
     if (options.is_json)
-        fmt::print("{}\n", to_json(report, all[index], seconds).dump(2));
+        fmt::print("{}\n", to_text(to_json(report, all[index], seconds)));
     else
         print_report(report, all[index], seconds);
     return ExitCode::ok;
@@ -153,13 +146,13 @@ ExitCode evaluate_row(const EvaluateOptions& options) {
                         same_bits(again.objectives, row.outcome.objectives) &&
                         same_bits(again.diagnostics, row.outcome.diagnostics);
     if (options.is_json) {
-        ordered_json json = to_json(report, chosen, seconds);
+        Json json = to_json(report, chosen, seconds);
         json["row"] = {{"is_final", task.is_final},
                        {"generation", task.generation},
                        {"slot", task.slot},
                        {"is_done", is_done},
                        {"agrees_bit_for_bit", agrees}};
-        fmt::print("{}\n", json.dump(2));
+        fmt::print("{}\n", to_text(json));
     } else {
         print_report(report, chosen, seconds);
         fmt::print(
@@ -175,6 +168,9 @@ ExitCode evaluate_row(const EvaluateOptions& options) {
 }  // namespace
 
 ExitCode evaluate(const EvaluateOptions& options) {
+    if (options.path.empty())
+        throw Error("evaluate: name a campaign, a history or --mesh FILE.obj",
+                    ExitCode::usage);
     return is_history(options.path) ? evaluate_row(options)
                                     : evaluate_baseline(options);
 }

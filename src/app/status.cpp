@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <filesystem>
+
 #include <fmt/format.h>
 
 #include "ideotype/app/progress.hpp"
@@ -8,32 +11,78 @@ namespace ideotype {
 
 namespace {
 
+namespace fs = std::filesystem;
+
+//! The files themselves, and for a folder all histories in it.
+std::vector<std::string> histories_in(const std::vector<std::string>& paths) {
+    std::vector<std::string> files;
+    for (const std::string& path : paths) {
+        if (!fs::is_directory(path)) {
+            files.push_back(path);
+            continue;
+        }
+        std::vector<std::string> found;
+        for (const auto& entry : fs::recursive_directory_iterator(path))
+            if (entry.path().extension() == ".h5")
+                found.push_back(entry.path().string());
+        if (found.empty())
+            throw Error(path + ": there is no history (*.h5) in this folder");
+        std::sort(found.begin(), found.end());
+        files.insert(files.end(), found.begin(), found.end());
+    }
+    return files;
+}
+
+std::string state_of(const History& history, const std::string& path) {
+    if (const auto reason = history.finished()) return "finished by " + *reason;
+    switch (writer_of(path)) {
+        case Writer::alive:
+            return "running";
+        case Writer::closed:
+            return "drained";
+        case Writer::killed:
+            return "dead";
+    }
+    return "";
+}
+
 std::string line_of(const std::string& path) {
     const History history = History::read(path);
     const HistoryHeader& header = history.header();
     const auto summaries = history.summaries();
-    std::string line = fmt::format("{}: {} of {} generations", path,
-                                   summaries.size(), header.generations);
-    if (!summaries.empty()) {
-        const GenerationSummary& last = summaries.back();
-        std::uint32_t failures = 0;
-        for (const GenerationSummary& s : summaries) failures += s.failures;
-        line += fmt::format(", best {} {}, {} failed",
-                            format({last.best, last.best_standard_error}),
-                            header.schema.objectives.front().unit, failures);
+    std::string line = fmt::format("{}: {}, {} of {} generations", path,
+                                   state_of(history, path), summaries.size(),
+                                   header.generations);
+    if (summaries.empty()) return line;
+    const GenerationSummary& last = summaries.back();
+    double failures = 0, evaluations = 0;
+    for (const GenerationSummary& s : summaries) {
+        failures += s.failures;
+        evaluations += s.evaluations;
     }
-    const auto reason = history.finished();
-    return line + (reason ? ", finished by " + *reason : ", not finished");
+    line += fmt::format(", best {} {}, {} failed",
+                        format({last.best, last.best_standard_error}),
+                        header.schema.objectives.front().unit, failures);
+    const double generations = static_cast<double>(summaries.size());
+    if (last.wall_time > 0)
+        line +=
+            fmt::format(", {:.1f} evaluations/s", evaluations / last.wall_time);
+    if (!history.finished())
+        line += fmt::format(", {} left",
+                            format_duration((header.generations - generations) *
+                                            last.wall_time / generations));
+    return line;
 }
 
 }  // namespace
 
 ExitCode status(const StatusOptions& options) {
     ExitCode worst = ExitCode::ok;
-    for (const std::string& path : options.paths) try {
+    for (const std::string& path : histories_in(options.paths)) try {
             if (!options.only_resumable)
                 fmt::print("{}\n", line_of(path));
-            else if (!History::read(path).finished())
+            else if (!History::read(path).finished() &&
+                     writer_of(path) != Writer::alive)
                 fmt::print("{}\n", path);
         } catch (const Error& error) {
             // One unreadable file must not hide the others.

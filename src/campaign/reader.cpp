@@ -50,7 +50,7 @@ class DraftReader {
         tables_.read_child(top, "field", field_section(campaign.field));
         read_plant_choice(top);
         tables_.read_child(top, "optics", optics_section(campaign));
-        tables_.read_child(top, "light", light_section(campaign.sampling));
+        tables_.read_child(top, "light", light_section(campaign));
         tables_.read_child(top, "evolution",
                            evolution_section(campaign.optimizer));
         tables_.read_child(top, "stop", stop_section(campaign.stop));

@@ -61,7 +61,7 @@ std::string resolved_text(Draft& draft) {
     append_table(text, "field", field_section(campaign.field));
     append_plant(text, draft);
     append_table(text, "optics", optics_section(campaign));
-    append_table(text, "light", light_section(campaign.sampling));
+    append_table(text, "light", light_section(campaign));
     append_table(text, "evolution", evolution_section(campaign.optimizer));
     append_table(text, "stop", stop_section(campaign.stop));
     append_table(text, "final", final_section(campaign.final_rule));

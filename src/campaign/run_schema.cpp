@@ -23,8 +23,16 @@ std::vector<Key> sampling_keys(Sampling& sampling) {
 
 }  // namespace
 
-Section light_section(Sampling& sampling) {
-    return {"light", sampling_keys(sampling)};
+Section light_section(Campaign& campaign) {
+    Section section{"light", sampling_keys(campaign.sampling)};
+    Key sky{.name = "sky",
+            .value = &campaign.sky_model,
+            .meaning =
+                "how the radiance of diffuse light is distributed: "
+                "evenly, or as CIE overcast or clear skies"};
+    for (const SkyName& each : sky_names) sky.choices.push_back(each.name);
+    section.keys.push_back(sky);
+    return section;
 }
 
 Section evolution_section(Optimizer& optimizer) {

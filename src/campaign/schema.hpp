@@ -14,7 +14,7 @@ namespace ideotype {
 //! value has a form of its own and is read and written by hand.
 using Target = std::variant<std::monostate, std::string*, std::uint64_t*, int*,
                             long long*, double*, bool*, Date*, Range*,
-                            std::vector<double>*, TraitSet*>;
+                            std::vector<double>*, TraitSet*, SkyModel*>;
 
 //! The address behind a target, which identifies the value in a Report.
 const void* address(const Target& target);
@@ -68,7 +68,7 @@ Section field_section(FieldForm& field);
 Section plant_section(Draft& draft);
 Section bounds_section(LeafBounds& bounds);
 Section optics_section(Campaign& campaign);
-Section light_section(Sampling& sampling);
+Section light_section(Campaign& campaign);
 Section evolution_section(Optimizer& optimizer);
 Section stop_section(StopRules& stop);
 Section final_section(FinalRule& rule);
@@ -91,6 +91,16 @@ inline constexpr std::array<TraitName, 4> trait_names{
      {"width", &TraitSet::width},
      {"inclination", &TraitSet::inclination},
      {"azimuth", &TraitSet::azimuth}}};
+
+//! Names of the sky models as they are written in a campaign.
+struct SkyName {
+    const char* name;
+    SkyModel model;
+};
+inline constexpr std::array<SkyName, 3> sky_names{
+    {{"uniform", SkyModel::uniform},
+     {"overcast", SkyModel::overcast},
+     {"clear", SkyModel::clear}}};
 
 //! The value of a key as canonical TOML: shortest text that reads back to
 //! the same value.

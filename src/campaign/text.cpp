@@ -38,6 +38,12 @@ struct Writer {
             if (set->*member) names.push_back(fmt::format("\"{}\"", name));
         return fmt::format("[{}]", fmt::join(names, ", "));
     }
+    std::string operator()(const SkyModel* model) const {
+        std::string text;
+        for (const SkyName& each : sky_names)
+            if (each.model == *model) text = each.name;
+        return fmt::format("\"{}\"", text);
+    }
     template <class Plain>
     std::string operator()(const Plain* value) const {
         return fmt::format("{}", *value);
@@ -61,6 +67,7 @@ struct TypeName {
         return fmt::format("list of {} numbers", key.count);
     }
     std::string operator()(const TraitSet*) const { return "list of texts"; }
+    std::string operator()(const SkyModel*) const { return "text"; }
     template <class Integer>
     std::string operator()(const Integer*) const {
         return "integer";
@@ -141,9 +148,8 @@ std::vector<KeyInfo> campaign_keys() {
           spacing_section(spacing), traits_section(traits),
           field_section(campaign.field), plant_section(draft),
           bounds_section(draft.bounds.table), optics_section(campaign),
-          light_section(campaign.sampling),
-          evolution_section(campaign.optimizer), stop_section(campaign.stop),
-          final_section(campaign.final_rule),
+          light_section(campaign), evolution_section(campaign.optimizer),
+          stop_section(campaign.stop), final_section(campaign.final_rule),
           plant_file_section(campaign.plant),
           stalk_section(campaign.plant.stalk),
           blade_section(campaign.plant.blade), leaf_section(leaf)})

@@ -91,15 +91,28 @@ struct Reader {
 
     void operator()(std::monostate) const {}
 
+    bool is_choice(const std::string& text) const {
+        if (std::find(key.choices.begin(), key.choices.end(), text) !=
+            key.choices.end())
+            return true;
+        fail(fmt::format("is \"{}\" (not one of its values) use {}", text,
+                         range_text(key)));
+        return false;
+    }
+
+    void operator()(SkyModel* value) const {
+        const auto text = node.value<std::string>();
+        if (!text) return fail_type(node);
+        if (!is_choice(*text)) return;
+        for (const SkyName& each : sky_names)
+            if (each.name == *text) *value = each.model;
+    }
+
     void operator()(std::string* value) const {
         const auto text = node.value<std::string>();
         if (!text) return fail_type(node);
         if (!key.choices.empty()) {
-            if (std::find(key.choices.begin(), key.choices.end(), *text) ==
-                key.choices.end())
-                return fail(
-                    fmt::format("is \"{}\" (not one of its values) use {}",
-                                *text, range_text(key)));
+            if (!is_choice(*text)) return;
         } else if (!is_name(*text)) {
             return fail(
                 fmt::format("is \"{}\" (allowed: {}) use for example "

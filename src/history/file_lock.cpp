@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <fcntl.h>
 #include <system_error>
+#include <thread>
 #include <unistd.h>
 #include <utility>
 
@@ -12,6 +14,7 @@
 #include <sys/stat.h>
 
 #include "ideotype/core/error.hpp"
+#include "ideotype/history/history.hpp"
 
 namespace ideotype {
 
@@ -44,14 +47,30 @@ bool is_still_at(const std::string& path, int descriptor) {
 
 }  // namespace
 
+Writer writer_of(const std::string& path) {
+    const int descriptor = open((path + ".lock").c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) return Writer::closed;
+    // A shared lock, held for an instant: others may look at the same time,
+    // and a writer that wants to start tries again.
+    const bool is_free = flock(descriptor, LOCK_SH | LOCK_NB) == 0;
+    close(descriptor);
+    return is_free ? Writer::killed : Writer::alive;
+}
+
 FileLock::FileLock(const std::string& file) : path_(file + ".lock") {
-    while (true) {
+    constexpr int tries = 20;
+    for (int failed = 0;;) {
         descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
         if (descriptor_ < 0)
             throw Error(fmt::format("{}: cannot create: {}", path_,
                                     std::generic_category().message(errno)));
         if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 &&
             errno == EWOULDBLOCK) {
+            if (++failed < tries) {
+                close(descriptor_);
+                std::this_thread::sleep_for(std::chrono::milliseconds(10));
+                continue;
+            }
             const std::string who = holder(descriptor_);
             close(descriptor_);
             throw Error(fmt::format("{}: in use by {}; only one program can "

@@ -8,7 +8,8 @@ double Illumination::energy() const {
     return sum;
 }
 
-DayIllumination illuminate(const Day& day, double row_direction) {
+DayIllumination illuminate(const Day& day, SkyModel sky_model,
+                           double row_direction) {
     DayIllumination result;
     std::vector<Source>& sources = result.light.sources;
     const auto add = [&](const Source& source) {
@@ -16,13 +17,21 @@ DayIllumination illuminate(const Day& day, double row_direction) {
         sources.push_back(source);
         return static_cast<int>(sources.size()) - 1;
     };
-    for (const TimeStep& step : day.steps) {
-        SunPosition sun = step.sun;
-        sun.azimuth -= row_direction;
-        result.beam_of.push_back(
-            add({beam_direction(sun), step.par.beam * step.seconds}));
+    const auto sun_of = [&](const TimeStep& step) {
+        return SunPosition{step.sun.zenith, step.sun.azimuth - row_direction};
+    };
+    for (const TimeStep& step : day.steps)
+        result.beam_of.push_back(add(
+            {beam_direction(sun_of(step)), step.par.beam * step.seconds, {}}));
+    if (sky_model == SkyModel::clear) {
+        for (const TimeStep& step : day.steps)
+            result.sky_of.push_back(add({std::nullopt,
+                                         step.par.diffuse * step.seconds,
+                                         {sky_model, sun_of(step)}}));
+    } else {
+        const int sky = add({std::nullopt, day.diffuse(), {sky_model, {}}});
+        result.sky_of.assign(day.steps.size(), sky);
     }
-    result.sky = add({std::nullopt, day.diffuse()});
     return result;
 }
 

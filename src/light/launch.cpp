@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "directions.hpp"
 
@@ -18,6 +19,7 @@ std::array<double, 3> as_array(const Vec3& v) {
 
 Launcher::Launcher(const Scene& scene, const Source& source, double soil_albedo)
     : scene_(scene), source_(source) {
+    if (!source.direction) sky_.emplace(source.sky);
     if (scene.boundary() == Boundary::isolated) add_portals(soil_albedo);
 }
 
@@ -54,7 +56,7 @@ Bundle Launcher::launch(PathSampler& sampler, double energy) const {
     if (scene_.boundary() == Boundary::periodic) {
         const double x = sampler.next() * scene_.period_x();
         const double y = sampler.next() * scene_.period_y();
-        return {{x, y, scene_.top()}, from_source({0, 0, -1}, sampler), energy};
+        return {{x, y, scene_.top()}, from_above(sampler), energy};
     }
     if (portals_.empty()) return {};
     double left = sampler.next() * entering_ * scene_.ground_area();
@@ -81,14 +83,18 @@ Bundle Launcher::enter(const Portal& portal, PathSampler& sampler,
     const Vec3 p{at[0], at[1], at[2]};
     const Vec3 n{inwards[0], inwards[1], inwards[2]};
     Vec3 d;
-    if (portal.from == From::source) {
-        d = from_source(n, sampler);
+    if (portal.from == From::source && (!sky_ || portal.axis == 2)) {
+        d = from_above(sampler);
     } else {
         const double u = sampler.next();
         d = lambertian(n, u, sampler.next());
-        d.z = std::abs(d.z);
-        const double t = p.z / d.z;
-        if (!is_lit({p.x - t * d.x, p.y - t * d.y, 0}, sampler)) return {};
+        d.z = std::copysign(d.z, portal.from == From::soil ? 1.0 : -1.0);
+        if (portal.from == From::source) {
+            energy *= relative_brightness(d);
+        } else {
+            const double t = p.z / d.z;
+            if (!is_lit({p.x - t * d.x, p.y - t * d.y, 0}, sampler)) return {};
+        }
     }
     // Start outside, where nothing is, so that a leaf in the face is met.
     const double back =
@@ -96,16 +102,19 @@ Bundle Launcher::enter(const Portal& portal, PathSampler& sampler,
     return {{p.x - back * d.x, p.y - back * d.y, p.z - back * d.z}, d, energy};
 }
 
-Vec3 Launcher::from_source(const Vec3& inwards, PathSampler& sampler) const {
-    if (source_.direction) return not_level(*source_.direction);
+Vec3 Launcher::from_above(PathSampler& sampler) const {
+    if (!sky_) return not_level(*source_.direction);
     const double u = sampler.next();
-    Vec3 d = lambertian(inwards, u, sampler.next());
-    d.z = -std::abs(d.z);
-    return d;
+    return not_level(sky_->sample(u, sampler.next()));
+}
+
+double Launcher::relative_brightness(const Vec3& direction) const {
+    return relative_radiance(source_.sky, direction) * std::numbers::pi /
+           sky_->horizontal_irradiance();
 }
 
 bool Launcher::is_lit(const Vec3& soil, PathSampler& sampler) const {
-    const Vec3 d = from_source({0, 0, -1}, sampler);
+    const Vec3 d = from_above(sampler);
     return !clip(scene_.box(), soil, {-d.x, -d.y, -d.z});
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "ideotype/light/illumination.hpp"
 #include "ideotype/light/sampler.hpp"
 #include "ideotype/light/scene.hpp"
+#include "ideotype/sky/sky_sampler.hpp"
 #include "travel.hpp"
 
 namespace ideotype {
@@ -22,7 +24,9 @@ class Launcher {
   public:
     Launcher(const Scene& scene, const Source& source, double soil_albedo);
 
-    //! Energy of all paths over that of the source. [J m-2 of ground]
+    //! What all paths share, over the energy of the source. Paths from a sky
+    //! that is not uniform through the sides carry more or less than their
+    //! share, as the sky is brighter or darker there than on average.
     double entering() const { return entering_; }
 
     //! A bundle that enters; without energy if it comes from soil that the
@@ -43,12 +47,14 @@ class Launcher {
     void add_portals(double soil_albedo);
     Bundle enter(const Portal& portal, PathSampler& sampler,
                  double energy) const;
-    Vec3 from_source(const Vec3& inwards, PathSampler& sampler) const;
+    Vec3 from_above(PathSampler& sampler) const;
+    double relative_brightness(const Vec3& direction) const;
     bool is_lit(const Vec3& soil, PathSampler& sampler) const;
 
     const Scene& scene_;
     const Source& source_;
-    std::vector<Portal> portals_;  //!< empty for a periodic stand
+    std::optional<SkySampler> sky_;  //!< if the source has no direction
+    std::vector<Portal> portals_;    //!< empty for a periodic stand
     double entering_ = 1;
 };
 

@@ -57,11 +57,13 @@ DayReport report(const std::vector<Tally>& tallies,
     for (std::size_t i = 0; i < day.steps.size(); ++i) {
         const TimeStep& step = day.steps[i];
         std::vector<double> weights(sources, 0.0);
-        if (const int beam = illumination.beam_of[i]; beam >= 0)
-            weights[static_cast<std::size_t>(beam)] = 1 / step.seconds;
-        if (illumination.sky >= 0)
-            weights[static_cast<std::size_t>(illumination.sky)] =
-                step.par.diffuse / day.diffuse();
+        const auto add = [&](int source, double irradiance) {
+            if (source < 0) return;
+            const auto s = static_cast<std::size_t>(source);
+            weights[s] = irradiance / illumination.light.sources[s].energy;
+        };
+        add(illumination.beam_of[i], step.par.beam);
+        add(illumination.sky_of[i], step.par.diffuse);
         result.steps.push_back(
             {step.hour, weighted_budget(tallies, weights,
                                         step.par.beam + step.par.diffuse)});

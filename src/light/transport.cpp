@@ -32,7 +32,8 @@ class Tracer {
                Budget& budget, std::vector<double>& absorbed) {
         sampler_.begin(path);
         Bundle bundle = launcher.launch(sampler_, energy);
-        budget.incident += bundle.energy;
+        const double started = bundle.energy;
+        budget.incident += started;
         Hit hit;
         while (bundle.energy > 0) {
             const Met met = travel(scene_, bundle, hit);
@@ -41,11 +42,11 @@ class Tracer {
                 return;
             }
             if (met == Met::soil) {
-                budget.soil += meet_soil(bundle, energy);
+                budget.soil += meet_soil(bundle, started);
                 continue;
             }
             const Tissue tissue = groups_[hit.group].tissue;
-            const double share = meet_face(bundle, hit, energy, tissue);
+            const double share = meet_face(bundle, hit, started, tissue);
             (tissue == Tissue::leaf ? budget.leaves : budget.stalks) += share;
             absorbed[hit.group] += share;
         }
@@ -169,7 +170,8 @@ std::vector<Tally> simulate(const Scene& scene,
     if (paths < sources.size())
         throw Error(fmt::format(
             "{} paths are too few for {} sources of light (a sun at each time "
-            "step and the sky); take more paths or a longer step",
+            "step and the sky, a clear one at each); take more paths or a "
+            "longer step",
             paths, sources.size()));
     std::vector<Tally> tallies(
         static_cast<std::size_t>(sampling.randomisations),

@@ -18,8 +18,14 @@ for delay in 0.9 1.0 1.2 0.8 1.1; do
         kills=$((kills + 1))
     fi
     wait $job || true
+    # mpirun may be gone before the ranks are.
+    while pgrep -f "run campaigns/long.toml --out killed" >/dev/null; do
+        sleep 0.05
+    done
     # The contract: the file can be read after any kill.
-    [ ! -e "$killed" ] || "$ideotype" status "$killed"
+    [ ! -e "$killed" ] || "$ideotype" status killed |
+        grep -E ": (dead|finished by generations), " ||
+        fail "a killed run does not look dead: $("$ideotype" status killed)"
 done
 [ $kills -ge 3 ] || fail "only $kills kills hit a run"
 mpirun -n 3 "$ideotype" run campaigns/long.toml --out killed --resume
@@ -28,9 +34,17 @@ same_results "$whole" "$killed"
 # SIGUSR1 to mpirun drains: exit 0, a message with the command to go on.
 mpirun -n 3 "$ideotype" run campaigns/long.toml --out drained >drain.log &
 job=$!
-sleep 1
+for _ in $(seq 100); do
+    [ ! -e "$(history_of drained long)" ] || break
+    sleep 0.1
+done
+sleep 0.5
+"$ideotype" status drained | grep ": running, " || fail "does not look running"
 kill -USR1 $job
 wait $job || fail "a drain must end with 0"
+"$ideotype" status drained | grep ": drained, " || fail "does not look drained"
+[ "$("$ideotype" status --resumable drained)" = "$(history_of drained long)" ] ||
+    fail "a drained run is resumable"
 grep -q -- "--resume" drain.log || fail "no word about how to go on"
 "$ideotype" run campaigns/long.toml --out drained --resume >/dev/null
 same_results "$whole" "$(history_of drained long)"

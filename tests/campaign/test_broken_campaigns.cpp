@@ -113,6 +113,16 @@ TEST(BrokenCampaign, PlantsHaveAtMostFortyLeaves) {
               std::string::npos);
 }
 
+TEST(BrokenCampaign, UnknownSkiesAreRefusedWithTheKnownOnes) {
+    EXPECT_NE(problem_of(sample_text("", "[light]\nsky = \"cloudy\"\n"))
+                  .find("light.sky is \"cloudy\" (not one of its values) use "
+                        "\"uniform\" or \"overcast\" or \"clear\""),
+              std::string::npos);
+    EXPECT_NE(problem_of(sample_text("", "[light]\nsky = 3\n"))
+                  .find("light.sky is an integer (expected: text)"),
+              std::string::npos);
+}
+
 TEST(BrokenCampaign, BlackAndConservativeSurfacesAreAllowed) {
     EXPECT_EQ(problem_of(sample_text("",
                                      "[optics]\nleaf_reflectance = 0.7\n"

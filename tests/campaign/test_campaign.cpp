@@ -1,5 +1,7 @@
 #include <string>
+#include <utility>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "ideotype/core/error.hpp"
@@ -118,6 +120,20 @@ TEST(Campaign, ResolvedTextKeepsUnusualValues) {
     EXPECT_EQ(again.field.row_direction, 0.1);
     EXPECT_FALSE(again.trait_sets[0].value.width);
     EXPECT_EQ(again.bounds[0].length.lower, 0.1);
+}
+
+TEST(Campaign, SkyIsUniformUnlessItIsNamed) {
+    EXPECT_EQ(sample().sky_model, SkyModel::uniform);
+    for (const auto& [name, model] : {std::pair{"uniform", SkyModel::uniform},
+                                      {"overcast", SkyModel::overcast},
+                                      {"clear", SkyModel::clear}}) {
+        const Campaign campaign =
+            sample("", fmt::format("[light]\nsky = \"{}\"\n", name));
+        EXPECT_EQ(campaign.sky_model, model);
+        const Campaign again = parse_campaign(campaign.resolved, "resolved");
+        EXPECT_EQ(again.sky_model, model);
+        EXPECT_EQ(again.resolved, campaign.resolved);
+    }
 }
 
 TEST(Campaign, ClockTimesKeepTheirSeconds) {

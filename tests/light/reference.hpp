@@ -25,8 +25,10 @@ struct Period {
 //! One unit of light on horizontal ground from a sun, azimuth from +y.
 Illumination sun_from(double elevation, double azimuth);
 
-//! One unit of light on horizontal ground from a uniform sky.
+//! One unit of light on horizontal ground from a sky.
+Illumination sky_of(const SkyRadiance& sky);
 Illumination uniform_sky();
+Illumination overcast_sky();
 
 //! Fractions of the incident light, with standard errors.
 struct Fractions {
@@ -44,7 +46,8 @@ Optics leaf_optics(double reflectance, double transmittance,
                    double soil_albedo);
 
 //! Expects a value within four combined standard errors of the reference, and
-//! the standard error of ours below a bound.
+//! the standard error of ours below a bound; prints all of them, and how many
+//! standard errors they are apart.
 void expect_agreement(Estimate ours, Estimate reference, double bound,
                       const std::string& what);
 

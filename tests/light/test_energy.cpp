@@ -30,6 +30,17 @@ TEST(Energy, LowSunAlongTheRowLosesNothing) {
     }
 }
 
+TEST(Energy, AClearSkyWithTheSunOnTheHorizonLosesNothing) {
+    const Mesh mesh = load_reference_mesh("maize1");
+    for (const double zenith : {0., 89.99, 90.}) {
+        const Fractions f =
+            trace(mesh, {0.76, 0.15}, leaf_optics(.05, .05, .1),
+                  sky_of({SkyModel::clear, {zenith, 0}}), {256, 2});
+        EXPECT_LT(f.balance_error, 1e-12);
+        EXPECT_GT(f.leaves.mean, 0.9);
+    }
+}
+
 TEST(Energy, ShiftingThePeriodsChangesNothingBeyondTheError) {
     const Mesh mesh = load_reference_mesh("maize1");
     Mesh moved = mesh;
@@ -52,13 +63,14 @@ TEST(Energy, AStandWithoutLeavesIsItsSoil) {
 TEST(Energy, EverySourceKeepsItsOwnEnergy) {
     Illumination light = sun_from(30, 10);
     light.sources[0].energy = 3;
-    light.sources.push_back({std::nullopt, 0.004});
-    light.sources.push_back({sun_from(60, 90).sources[0].direction, 2});
+    light.sources.push_back({std::nullopt, 0.004, {SkyModel::overcast, {}}});
+    light.sources.push_back({sun_from(60, 90).sources[0].direction, 2, {}});
+    light.sources.push_back({std::nullopt, 1, {SkyModel::clear, {70, 180}}});
     const Mesh mesh = load_reference_mesh("maize1");
     const Scene scene(widest_device(), mesh, 0.76, 0.15);
     for (const Tally& tally : simulate(
              scene, mesh.groups, leaf_optics(.4, .4, .1), light, {128, 3}, {}))
-        for (std::size_t s = 0; s < 3; ++s)
+        for (std::size_t s = 0; s < 4; ++s)
             EXPECT_NEAR(tally.sources[s].total() / light.sources[s].energy, 1,
                         1e-12);
 }

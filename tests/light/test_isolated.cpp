@@ -1,4 +1,6 @@
 // Plots that stand alone on an infinite plane of soil.
+#include <numbers>
+
 #include "extremes.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/units.hpp"
@@ -71,6 +73,25 @@ TEST(Isolated, AVerticalSheetTakesItsAreaTimesTheCosine) {
         }
     // Each side sees half of the sky.
     EXPECT_NEAR(trace_plot(mesh, black, uniform_sky()).leaves.mean, .5, 1e-4);
+}
+
+TEST(Isolated, AWallSeesTheSkyThatItFaces) {
+    // Irradiance of a wall over that of the ground under an overcast sky:
+    // (1/2 + 4/(3 pi)) / (1 + 4/3), by integrating 1 + 2 cos z.
+    Mesh wall = leaves_only();
+    add_leaf(wall, {0, 0, 0}, {0, .5, 0}, {0, 0, 1});
+    Illumination sky = uniform_sky();
+    sky.sources[0].sky.model = SkyModel::overcast;
+    const double expected = (.5 + 4 / (3 * std::numbers::pi)) / (1 + 4. / 3);
+    expect_agreement(trace_plot(wall, black, sky).leaves, {expected, 0}, 5e-4,
+                     "both sides of half a square metre");
+
+    // Under a clear one the balance closes, and a sheet takes its area.
+    sky.sources[0].sky = {SkyModel::clear, {50, 120}};
+    Mesh sheet = leaves_only();
+    add_leaf(sheet, {0, 0, 1}, {1, 0, 0}, {0, .4, 0});
+    EXPECT_NEAR(trace_plot(sheet, black, sky).leaves.mean, .4, 1e-4);
+    trace_plot(box(.6, .4, 2), leaf_optics(.4, .4, .3), sky);
 }
 
 TEST(Isolated, ABlackBoxTakesWhatEntersMoreThanItsGroundReceives) {

@@ -13,7 +13,7 @@ class MadeUpDay : public ::testing::Test {
     MadeUpDay() {
         day.steps = {{8, 1800, {60, 90}, {100, 50}},
                      {9, 3600, {40, 120}, {0, 150}}};
-        light = illuminate(day, 0);
+        light = illuminate(day, SkyModel::uniform, 0);
         tallies = {
             {{{90, 20, 30, 40, 180}, {300, 0, 0, 330, 630}}, {70, 320}},
             {{{100, 10, 30, 40, 180}, {310, 0, 0, 320, 630}}, {80, 330}}};
@@ -34,7 +34,7 @@ class MadeUpDay : public ::testing::Test {
 TEST_F(MadeUpDay, HasOneBeamAndOneSkyForAllInstants) {
     ASSERT_EQ(light.light.sources.size(), 2u);
     EXPECT_EQ(light.beam_of, (std::vector<int>{0, -1}));
-    EXPECT_EQ(light.sky, 1);
+    EXPECT_EQ(light.sky_of, (std::vector<int>{1, 1}));
     EXPECT_DOUBLE_EQ(light.light.sources[0].energy, 180e3);
     EXPECT_DOUBLE_EQ(light.light.sources[1].energy, 630e3);
 }
@@ -56,6 +56,39 @@ TEST_F(MadeUpDay, GivesEachInstantItsBeamAndItsShareOfTheSky) {
     EXPECT_NEAR(r.steps[0].budget.leaves.mean, 95e3 / 1800 + 305e3 * 50 / 630e3,
                 1e-9);
     EXPECT_NEAR(r.steps[1].budget.leaves.mean, 305e3 * 150 / 630e3, 1e-9);
+}
+
+TEST_F(MadeUpDay, HasOneSkyForAllInstantsWhenOvercast) {
+    light = illuminate(day, SkyModel::overcast, 0);
+    ASSERT_EQ(light.light.sources.size(), 2u);
+    EXPECT_EQ(light.sky_of, (std::vector<int>{1, 1}));
+    EXPECT_EQ(light.light.sources[1].sky.model, SkyModel::overcast);
+}
+
+TEST_F(MadeUpDay, HasAClearSkyForEachInstantThatFollowsTheSun) {
+    day.steps.push_back({10, 1800, {30, 150}, {50, 0}});
+    light = illuminate(day, SkyModel::clear, 70);
+    ASSERT_EQ(light.light.sources.size(), 4u);
+    EXPECT_EQ(light.beam_of, (std::vector<int>{0, -1, 1}));
+    EXPECT_EQ(light.sky_of, (std::vector<int>{2, 3, -1}));
+    const Source& sky = light.light.sources[3];
+    EXPECT_DOUBLE_EQ(sky.energy, 540e3);
+    EXPECT_EQ(sky.sky.model, SkyModel::clear);
+    EXPECT_EQ(sky.sky.sun.zenith, 40);
+    EXPECT_EQ(sky.sky.sun.azimuth, 50);
+    EXPECT_DOUBLE_EQ(light.light.energy(), day.incident());
+
+    // Each instant has the light of its own sources only.
+    tallies = {
+        {{{1800, 0, 0, 0}, {3600, 0, 0, 0}, {900, 0, 0, 0}, {7200, 0, 0, 0}},
+         {}},
+        {{{1800, 0, 0, 0}, {3600, 0, 0, 0}, {900, 0, 0, 0}, {7200, 0, 0, 0}},
+         {}}};
+    const DayReport r = report(tallies, light, day);
+    EXPECT_DOUBLE_EQ(r.steps[0].budget.leaves.mean, 1.5);
+    EXPECT_DOUBLE_EQ(r.steps[1].budget.leaves.mean, 2);
+    EXPECT_DOUBLE_EQ(r.steps[2].budget.leaves.mean, 2);
+    EXPECT_EQ(r.steps[2].budget.incident, 50);
 }
 
 }  // namespace

@@ -34,10 +34,11 @@ struct RunOptions {
 //! Collective over all ranks of the session.
 ExitCode run(const RunOptions& options, const Session& session, StopFlag& stop);
 
-//! `status FILE...`: one line per history, also of live ones.
+//! `status PATH...`: one line per history or history in a folder, also of live
+//! ones.
 struct StatusOptions {
     std::vector<std::string> paths;
-    bool only_resumable = false;  //!< print only files that can be resumed
+    bool only_resumable = false;  //!< print only files to be resumed
 };
 ExitCode status(const StatusOptions& options);
 

@@ -10,6 +10,7 @@
 #include "ideotype/plant/field.hpp"
 #include "ideotype/plant/plant.hpp"
 #include "ideotype/sky/day.hpp"
+#include "ideotype/sky/radiance.hpp"
 #include "ideotype/sky/site.hpp"
 
 namespace ideotype {
@@ -72,6 +73,7 @@ struct Campaign {
     Tessellation tessellation;
     Optics optics;
     double par_fraction = 0.45;
+    SkyModel sky_model = SkyModel::uniform;  //!< of diffuse light
     Sampling sampling;
     Optimizer optimizer;
     StopRules stop;

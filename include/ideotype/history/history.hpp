@@ -46,6 +46,17 @@ struct SessionRecord {
     int ranks = 0;
 };
 
+//! What became of the program that writes a history.
+enum class Writer {
+    alive,   //!< it holds the file on this or another host
+    closed,  //!< it ended in order
+    killed,  //!< it was killed, or its machine stopped
+};
+
+//! Looks at the lock next to a history; never changes anything. Where the
+//! file system has no locks, a living writer looks killed.
+Writer writer_of(const std::string& path);
+
 //! The file of one case: written by rank 0 as the evolution goes, in SWMR
 //! mode, and its only checkpoint. Every function throws Error with the file's
 //! name if HDF5 fails.

@@ -5,14 +5,15 @@
 
 #include "ideotype/core/mesh.hpp"
 #include "ideotype/sky/day.hpp"
+#include "ideotype/sky/radiance.hpp"
 
 namespace ideotype {
 
-//! Light that comes from one direction, or, without one, from a sky of
-//! uniform radiance.
+//! Light that comes from one direction, or, without one, from a sky.
 struct Source {
     std::optional<Vec3> direction;  //!< of travel, unit length, downwards
     double energy = 0;              //!< on horizontal ground [J m-2]
+    SkyRadiance sky;                //!< in use if there is no direction
 };
 
 //! All light that falls on a stand, each source traced for itself.
@@ -22,17 +23,18 @@ struct Illumination {
     double energy() const;  //!< [J m-2]
 };
 
-//! The light of a day in the axes of a field: one beam for each instant and,
-//! because its shape does not change, one sky for the whole day. Sources
-//! without energy are left out. beam_of[i] is the source of instant i and
-//! sky the source of the diffuse light, or -1 if they carry nothing.
+//! The light of a day in the axes of a field: one beam for each instant and
+//! one sky for the whole day, if its shape does not change, or else one for
+//! each instant. Sources without energy are left out. beam_of[i] and
+//! sky_of[i] are the sources of instant i, or -1 if it has none.
 struct DayIllumination {
     Illumination light;
     std::vector<int> beam_of;
-    int sky = -1;
+    std::vector<int> sky_of;
 };
 
 //! @param row_direction of the field's y axis, clockwise from north [deg]
-DayIllumination illuminate(const Day& day, double row_direction);
+DayIllumination illuminate(const Day& day, SkyModel sky_model,
+                           double row_direction);
 
 }  // namespace ideotype

@@ -34,9 +34,9 @@ struct DayReport {
     double balance_error = 0;
 };
 
-//! Sums up independent tallies of a day; the diffuse part of each instant is
-//! its share of the day's sky. The standard errors are those of the mean of
-//! the tallies.
+//! Sums up independent tallies of a day; where one sky serves the whole day,
+//! the diffuse part of each instant is its share of that. The standard errors
+//! are those of the mean of the tallies.
 DayReport report(const std::vector<Tally>& tallies,
                  const DayIllumination& illumination, const Day& day);
 

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "ideotype/light/optics.hpp"
+#include "ideotype/plant/field.hpp"
+#include "ideotype/sky/radiance.hpp"
+#include "ideotype/sky/site.hpp"
+#include "ideotype/sky/sun.hpp"
+
+namespace ideotype {
+
+//! `evaluate --mesh FILE.obj`: the light in one canopy from any mesh; x is
+//! east, y is north, z is up.
+struct MeshOptions {
+    //! Whether the mesh repeats without end or stands alone.
+    enum class Boundary { periodic, isolated };
+    struct Period {
+        double x, y;  //!< [m]
+    };
+
+    std::string path;  //!< empty: another kind of evaluate is meant
+    std::optional<Period> period;
+    Boundary boundary = Boundary::periodic;
+    std::optional<double> ground_area;  //!< [m2]
+    //! Repeats the mesh, as one plant at the origin, into a field.
+    std::optional<FieldForm> field;
+
+    std::optional<SunPosition> sun;
+    std::optional<SkyModel> sky;
+    std::optional<Site> site;  //!< with date: a whole clear day
+    std::optional<Date> date;
+
+    Lambertian leaf{0.05, 0.05};
+    double soil_albedo = 0.1;
+
+    double tolerance = 1e-3;             //!< relative standard error
+    std::optional<std::uint64_t> paths;  //!< instead of a tolerance
+    std::uint64_t seed = 1;
+    bool is_json = false;
+};
+
+//! @throws Error of wrong usage: options that miss, contradict each other or
+//! have impossible values.
+void check(const MeshOptions& options);
+
+}  // namespace ideotype

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ideotype/app/mesh_options.hpp"
+#include "ideotype/core/error.hpp"
+#include "ideotype/core/mesh.hpp"
+#include "ideotype/light/report.hpp"
+
+namespace ideotype {
+
+//! What light does in one canopy.
+struct MeshReport {
+    //! Of single lights the ground receives 1; of days [J m-2 day-1].
+    DayReport light;
+    std::vector<Group> groups;
+    double ground_area = 0;  //!< [m2]
+    double lai = 0;          //!< one-sided leaf area over ground [m2 m-2]
+    std::uint64_t paths = 0;
+    //! Relative standard error of the leaves' total.
+    double relative_error = 0;
+    double seconds = 0;
+    std::vector<std::string> warnings;
+};
+
+//! Most paths that a tolerance may ask for.
+inline constexpr std::uint64_t most_tolerance_paths = std::uint64_t{1} << 28;
+
+//! Reads the mesh and traces the light. To meet a tolerance the paths are
+//! doubled until the standard error is small enough: always the same
+//! sequence, so that results can be repeated.
+//! @throws Error, also of wrong usage.
+MeshReport study(const MeshOptions& options);
+
+//! `evaluate --mesh FILE.obj`: studies and prints.
+ExitCode evaluate_mesh(const MeshOptions& options);
+
+}  // namespace ideotype

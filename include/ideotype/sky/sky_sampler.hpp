@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+
+#include "ideotype/core/mesh.hpp"
+#include "ideotype/sky/radiance.hpp"
+
+namespace ideotype {
+
+//! Chooses directions of light from a sky in proportion to what they carry to
+//! horizontal ground, radiance times cos z. The map from the unit square
+//! is continuous and one to one, so that evenly spread points stay so, and
+//! nothing is rejected or weighted. Uniform and overcast skies are exact to
+//! rounding, clear ones to 2e-7 in the probability of any set of directions.
+class SkySampler {
+  public:
+    //! @throws Error if the sky is clear and its sun below the horizon.
+    explicit SkySampler(const SkyRadiance& sky);
+
+    //! A direction of travel (unit length, z up, never upwards) from two
+    //! numbers uniform in [0, 1).
+    Vec3 sample(double u, double v) const;
+
+    //! Integral of relative_radiance() times cos z over the hemisphere.
+    double horizontal_irradiance() const;
+
+  private:
+    class ClearSky;
+    SkyModel model_;
+    std::shared_ptr<const ClearSky> clear_;
+};
+
+}  // namespace ideotype

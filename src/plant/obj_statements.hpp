@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ideotype {
+
+//! How often something was met, and where first.
+struct Occurrences {
+    int count = 0;
+    int first_line = 0;
+
+    void add(int line) {
+        if (count++ == 0) first_line = line;
+    }
+};
+
+//! The statements of an OBJ text that make surfaces: v, f, g and o.
+struct ObjStatements {
+    std::string text;               //!< one per line, continuations joined
+    std::vector<int> vertex_lines;  //!< of the file, per vertex
+    std::vector<int> face_lines;    //!< of the file, per face
+    Occurrences unknown;            //!< not in the OBJ standard, left out
+};
+
+//! Picks the statements out of an OBJ text and checks what the library lets
+//! pass: words that are no numbers would count as zero.
+//! @throws InputError with the place of the first such word.
+ObjStatements pick_statements(const std::string& text, const std::string& file);
+
+}  // namespace ideotype

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "ideotype/core/mesh.hpp"
+
+namespace ideotype {
+
+//! Corners of a polygon, as indices of vertices.
+using Corners = std::vector<std::uint32_t>;
+
+//! What kind of polygon was split.
+enum class PolygonKind {
+    simple,
+    without_area,  //!< there are no faces
+    crossing,      //!< its outline crosses itself: the faces may overlap
+};
+
+//! The faces of a mesh that cover a polygon: one quadrilateral for four
+//! corners, else triangles.
+struct SplitPolygon {
+    PolygonKind kind = PolygonKind::simple;
+    std::vector<std::array<std::uint32_t, 4>> faces;
+};
+
+//! Splits a polygon of any shape. Seen along its mean normal the faces do not
+//! overlap, unless the outline crosses itself.
+SplitPolygon split_polygon(const std::vector<Vec3>& vertices, Corners corners);
+
+}  // namespace ideotype

@@ -1,0 +1,171 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/app/mesh_study.hpp"
+
+namespace ideotype {
+namespace {
+
+MeshOptions reference(const std::string& name, MeshOptions::Period period) {
+    MeshOptions options;
+    options.path =
+        std::string(IDEOTYPE_TEST_DATA) + "/reference/" + name + ".obj";
+    options.period = period;
+    return options;
+}
+
+MeshOptions maize(double elevation, double azimuth) {
+    MeshOptions options = reference("maize1", {.76, .15});
+    options.sun = {90 - elevation, azimuth};
+    options.leaf = {0, 0};
+    options.soil_albedo = 0;
+    return options;
+}
+
+//! Some light is scattered, so that totals are not whole numbers of paths.
+MeshOptions lit_maize() {
+    MeshOptions options = maize(60, 180);
+    options.leaf = {.05, .05};
+    return options;
+}
+
+ExitCode code_of(const MeshOptions& options) {
+    try {
+        check(options);
+    } catch (const Error& error) {
+        return error.exit_code();
+    }
+    return ExitCode::ok;
+}
+
+TEST(MeshStudy, MaizeAgreesWithADoublePrecisionTracer) {
+    MeshOptions options = maize(60, 180);
+    options.tolerance = 1e-4;
+    const MeshReport report = study(options);
+    const Estimate leaf = report.light.day.leaves;
+    EXPECT_LE(leaf.standard_error, 1e-4 * leaf.mean);
+    EXPECT_NEAR(leaf.mean, .9206372,
+                4 * std::hypot(leaf.standard_error, 3.39e-5));
+    EXPECT_NEAR(report.ground_area, .114, 1e-12);
+    EXPECT_LT(report.light.balance_error, 1e-12);
+}
+
+TEST(MeshStudy, OneSheetOverSoilIsExact) {
+    MeshOptions options = reference("sheets1", {1, 1});
+    options.sky = SkyModel::uniform;
+    options.soil_albedo = .2;
+    options.tolerance = 1e-4;
+    const BudgetEstimate day = study(options).light.day;
+    const auto expect = [](Estimate ours, double exact) {
+        EXPECT_LT(ours.standard_error, 2e-4);
+        EXPECT_NEAR(ours.mean, exact, 4 * ours.standard_error + 1e-7);
+    };
+    expect(day.leaves, .9090909);
+    expect(day.soil, .0404040);
+    expect(day.reflected, .0505051);
+}
+
+TEST(MeshStudy, TheSameOptionsGiveTheSameBits) {
+    const MeshReport a = study(lit_maize()), b = study(lit_maize());
+    EXPECT_EQ(a.paths, b.paths);
+    EXPECT_EQ(a.light.day.leaves.mean, b.light.day.leaves.mean);
+    MeshOptions other = lit_maize();
+    other.seed = 2;
+    EXPECT_NE(study(other).light.day.leaves.mean, a.light.day.leaves.mean);
+}
+
+TEST(MeshStudy, ATighterToleranceTakesMorePathsAndIsMet) {
+    MeshOptions options = lit_maize();
+    options.tolerance = 1e-2;
+    const std::uint64_t few = study(options).paths;
+    options.tolerance = 3e-4;
+    const MeshReport report = study(options);
+    EXPECT_GT(report.paths, few);
+    EXPECT_LE(report.relative_error, 3e-4);
+}
+
+TEST(MeshStudy, AtLeastTheAskedPathsAreFollowed) {
+    MeshOptions options = maize(30, 90);
+    for (const std::uint64_t paths : {1, 2, 31, 33, 4096, 5000}) {
+        options.paths = paths;
+        const MeshReport report = study(options);
+        EXPECT_GE(report.paths, paths);
+        EXPECT_LE(report.paths, 4 * paths);
+        EXPECT_TRUE(std::isfinite(report.light.day.leaves.standard_error));
+    }
+}
+
+TEST(MeshStudy, AFieldOfUnturnedPlantsIsThePlantInItsCell) {
+    MeshOptions field = maize(45, 120);
+    field.tolerance = 2e-4;
+    const MeshReport plant = study(field);
+    field.period.reset();
+    field.field = FieldForm{2, 3, {.76, .15}, 0, 0};
+    const MeshReport stand = study(field);
+    EXPECT_NEAR(stand.ground_area, 6 * .76 * .15, 1e-12);
+    EXPECT_NEAR(stand.lai, plant.lai, 1e-9);
+    const Estimate a = plant.light.day.leaves, b = stand.light.day.leaves;
+    EXPECT_NEAR(a.mean, b.mean,
+                4 * std::hypot(a.standard_error, b.standard_error));
+    field.field->jitter = 20;
+    EXPECT_NE(study(field).light.day.leaves.mean, b.mean);
+}
+
+TEST(MeshStudy, ADayHasHoursThatSumToIt) {
+    MeshOptions options = maize(1, 0);
+    options.sun.reset();
+    options.site = Site{"", 42, -93.6, -5};
+    options.date = Date{2025, 8, 7};
+    const DayReport light = study(options).light;
+    EXPECT_NEAR(light.day.incident / 12.2e6, 1, .05);
+    double leaves = 0;
+    for (const StepReport& step : light.steps)
+        leaves += 3600 * step.budget.leaves.mean;
+    EXPECT_NEAR(leaves / light.day.leaves.mean, 1, 1e-9);
+    EXPECT_LT(light.balance_error, 1e-12);
+}
+
+TEST(MeshStudy, PolarNightIsDarkAndFinite) {
+    MeshOptions options = maize(1, 0);
+    options.sun.reset();
+    options.site = Site{"", 85, 0, 0};
+    options.date = Date{2025, 12, 21};
+    const MeshReport report = study(options);
+    EXPECT_EQ(report.light.day.incident, 0);
+    EXPECT_EQ(report.light.day.leaves.mean, 0);
+}
+
+TEST(MeshStudy, ContradictionsAreWrongUsage) {
+    EXPECT_EQ(code_of(maize(60, 180)), ExitCode::ok);
+    const auto refuses = [](auto change) {
+        MeshOptions options = maize(60, 180);
+        change(options);
+        EXPECT_EQ(code_of(options), ExitCode::usage);
+    };
+    refuses([](auto& o) { o.period.reset(); });
+    refuses([](auto& o) { o.period = {0, 1}; });
+    refuses([](auto& o) { o.period = {std::nan(""), 1}; });
+    refuses([](auto& o) { o.field = FieldForm{1, 1, {1, 1}, 0, 0}; });
+    refuses([](auto& o) { o.ground_area = 1; });
+    refuses([](auto& o) { o.boundary = MeshOptions::Boundary::isolated; });
+    refuses([](auto& o) { o.sun.reset(); });
+    refuses([](auto& o) { o.sun->zenith = 90; });
+    refuses([](auto& o) { o.sun->zenith = -1; });
+    refuses([](auto& o) { o.sky = SkyModel::uniform; });
+    refuses([](auto& o) { o.site = Site{}; });
+    refuses([](auto& o) { o.leaf = {.6, .5}; });
+    refuses([](auto& o) { o.leaf = {-.1, .5}; });
+    refuses([](auto& o) { o.soil_albedo = 1.1; });
+    refuses([](auto& o) { o.tolerance = 0; });
+    refuses([](auto& o) { o.paths = 0; });
+}
+
+TEST(MeshStudy, AMeshOutOfProportionToItsPeriodIsRefused) {
+    MeshOptions options = maize(60, 180);
+    options.period = {1e-6, 1e-6};
+    EXPECT_THROW(study(options), Error);
+}
+
+}  // namespace
+}  // namespace ideotype

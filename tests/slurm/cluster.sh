@@ -1,0 +1,80 @@
+# A real SLURM on this machine, in one folder and on local ports: source it,
+# then start_cluster FOLDER NODES, and stop_cluster at the end. Needs
+# slurmctld, slurmd, slurm-client and munge; leaves nothing outside FOLDER.
+
+start_cluster() {
+    cluster=$(mkdir -p "$1" && cd "$1" && pwd)
+    local nodes=$2 port host node
+    port=$((20000 + $$ % 20000))
+    host=$(hostname -s)
+    mkdir -p "$cluster"/{state,log,run/tmp}
+    for node in $(seq "$nodes"); do
+        mkdir -p "$cluster/run/slurmd.node$node" "$cluster/run/tmp.node$node"
+    done
+    chmod 700 "$cluster/log"
+    chmod 755 "$cluster/run"
+    (umask 077 && head -c 128 /dev/urandom >"$cluster/munge.key")
+    cat >"$cluster/slurm.conf" <<CONF
+ClusterName=ci
+SlurmctldHost=$host(127.0.0.1)
+SlurmctldPort=$port
+SlurmUser=$(id -un)
+AuthInfo=socket=$cluster/run/munge.socket,cred_expire=5
+StateSaveLocation=$cluster/state
+SlurmdSpoolDir=$cluster/run/slurmd.%n
+SlurmctldPidFile=$cluster/run/slurmctld.pid
+SlurmdPidFile=$cluster/run/slurmd.%n.pid
+SlurmctldLogFile=$cluster/log/slurmctld.log
+SlurmdLogFile=$cluster/log/slurmd.%n.log
+TmpFS=$cluster/run/tmp.%n
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+SelectType=select/cons_tres
+SelectTypeParameters=CR_CPU
+SchedulerParameters=sched_interval=1,bf_interval=1
+JobCompType=jobcomp/filetxt
+JobCompLoc=$cluster/log/jobcomp.txt
+SlurmdParameters=config_overrides
+ReturnToService=2
+SlurmdTimeout=30
+KillWait=5
+NodeName=node[1-$nodes] NodeHostname=$host NodeAddr=127.0.0.1 Port=[$((port + 1))-$((port + nodes))] CPUs=4 State=UNKNOWN
+PartitionName=debug Nodes=ALL Default=YES MaxTime=INFINITE State=UP OverSubscribe=FORCE:4
+CONF
+    export SLURM_CONF=$cluster/slurm.conf
+    munged --key-file="$cluster/munge.key" \
+        --socket="$cluster/run/munge.socket" \
+        --pid-file="$cluster/run/munged.pid" \
+        --log-file="$cluster/log/munged.log" \
+        --seed-file="$cluster/munge.seed"
+    slurmctld
+    for node in $(seq "$nodes"); do slurmd -N "node$node"; done
+    for _ in $(seq 100); do
+        [ "$(sinfo -h -o %D -t idle 2>/dev/null || true)" = "$nodes" ] &&
+            return
+        sleep 0.2
+    done
+    cat "$cluster"/log/*.log >&2
+    echo "the cluster did not start" >&2
+    return 1
+}
+
+stop_cluster() {
+    local file
+    scancel --user="$(id -un)" 2>/dev/null || true
+    for file in "$cluster"/run/*.pid; do
+        [ ! -e "$file" ] || kill "$(cat "$file")" 2>/dev/null || true
+    done
+}
+
+# Waits until no job is left; $1 at most so many seconds.
+wait_for_jobs() {
+    local end=$((SECONDS + $1))
+    while [ -n "$(squeue -h)" ]; do
+        if [ $SECONDS -gt $end ]; then
+            squeue >&2
+            return 1
+        fi
+        sleep 0.5
+    done
+}

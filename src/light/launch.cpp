@@ -99,7 +99,10 @@ Bundle Launcher::enter(const Portal& portal, PathSampler& sampler,
     // Start outside, where nothing is, so that a leaf in the face is met.
     const double back =
         scene_.clearance() / (d.x * n.x + d.y * n.y + d.z * n.z);
-    return {{p.x - back * d.x, p.y - back * d.y, p.z - back * d.z}, d, energy};
+    return {{p.x - back * d.x, p.y - back * d.y, p.z - back * d.z},
+            d,
+            energy,
+            portal.from == From::soil};
 }
 
 Vec3 Launcher::from_above(PathSampler& sampler) const {

@@ -138,9 +138,15 @@ void Scene::add_plot(const Mesh& mesh, const std::vector<double>& areas) {
         }
     }
     if (!(x.lower <= x.upper)) return;
+    plot_corner_ = {x.lower, y.lower, 0};
     box_ = {{0, 0, z.lower}, {x.upper - x.lower, y.upper - y.lower, z.upper}};
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
         if (is_there(f)) add_face(mesh, f, {-x.lower, -y.lower, 0});
+}
+
+Vec3 Scene::placed(const Vec3& point) const {
+    return wrapped(
+        {point.x - plot_corner_.x, point.y - plot_corner_.y, point.z});
 }
 
 Vec3 Scene::wrapped(const Vec3& point) const {
@@ -158,6 +164,7 @@ Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&& other) noexcept {
     std::swap(boundary_, other.boundary_);
     std::swap(box_, other.box_);
+    std::swap(plot_corner_, other.plot_corner_);
     std::swap(ground_area_, other.ground_area_);
     std::swap(period_x_, other.period_x_);
     std::swap(period_y_, other.period_y_);

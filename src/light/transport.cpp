@@ -22,14 +22,15 @@ namespace {
 class Tracer {
   public:
     Tracer(const Scene& scene, const std::vector<Group>& groups,
-           const Optics& optics, PathSampler sampler)
+           const Optics& optics, const Layers& layers, PathSampler sampler)
         : scene_(scene),
           groups_(groups),
           optics_(optics),
+          layers_(layers),
           sampler_(std::move(sampler)) {}
 
     void trace(std::uint32_t path, const Launcher& launcher, double energy,
-               Budget& budget, std::vector<double>& absorbed) {
+               Budget& budget, Tally& tally) {
         sampler_.begin(path);
         Bundle bundle = launcher.launch(sampler_, energy);
         const double started = bundle.energy;
@@ -43,16 +44,29 @@ class Tracer {
             }
             if (met == Met::soil) {
                 budget.soil += meet_soil(bundle, started);
-                continue;
+            } else {
+                const bool is_adaxial = against(bundle.direction, hit.normal);
+                const Tissue tissue = groups_[hit.group].tissue;
+                const double share = meet_face(bundle, hit, started, tissue);
+                tally.groups[hit.group] += share;
+                if (tissue == Tissue::leaf) {
+                    budget.leaves += share;
+                    if (!bundle.is_scattered) budget.unscattered += share;
+                    tally.layers[layers_.at(hit.position.z)] += share;
+                    (is_adaxial ? tally.adaxial : tally.abaxial) += share;
+                } else {
+                    budget.stalks += share;
+                }
             }
-            const Tissue tissue = groups_[hit.group].tissue;
-            const double share = meet_face(bundle, hit, started, tissue);
-            (tissue == Tissue::leaf ? budget.leaves : budget.stalks) += share;
-            absorbed[hit.group] += share;
+            bundle.is_scattered = true;
         }
     }
 
   private:
+    static bool against(const Vec3& d, const Vec3& n) {
+        return d.x * n.x + d.y * n.y + d.z * n.z < 0;
+    }
+
     //! What a surface keeps of a bundle; the bundle goes on with the rest.
     //! While the scattered part is a large share of what the path started
     //! with, the surface keeps exactly its absorptance. A small scattered
@@ -107,10 +121,9 @@ class Tracer {
 
     void scatter(Bundle& bundle, const Hit& hit, bool is_reflected, double u,
                  double v) const {
-        const Vec3& d = bundle.direction;
         Vec3 n = hit.normal;
-        const bool is_along = d.x * n.x + d.y * n.y + d.z * n.z > 0;
-        if (is_along == is_reflected) n = {-n.x, -n.y, -n.z};
+        if (against(bundle.direction, n) != is_reflected)
+            n = {-n.x, -n.y, -n.z};
         const double clear = scene_.clearance();
         bundle.position = scene_.wrapped(
             {hit.position.x + clear * n.x, hit.position.y + clear * n.y,
@@ -121,6 +134,7 @@ class Tracer {
     const Scene& scene_;
     const std::vector<Group>& groups_;
     const Optics& optics_;
+    const Layers& layers_;
     PathSampler sampler_;
 };
 
@@ -156,12 +170,10 @@ std::vector<std::uint32_t> share_paths(const Illumination& illumination,
 
 }  // namespace
 
-std::vector<Tally> simulate(const Scene& scene,
-                            const std::vector<Group>& groups,
-                            const Optics& optics,
-                            const Illumination& illumination,
-                            const Sampling& sampling,
-                            const Randomness& randomness) {
+std::vector<Tally> simulate(
+    const Scene& scene, const std::vector<Group>& groups, const Optics& optics,
+    const Illumination& illumination, const Sampling& sampling,
+    const Randomness& randomness, const Layers& layers) {
     const std::vector<Source>& sources = illumination.sources;
     const auto paths = static_cast<std::uint32_t>(sampling.paths);
     if (sampling.paths < 1 || !std::has_single_bit(paths))
@@ -176,7 +188,8 @@ std::vector<Tally> simulate(const Scene& scene,
     std::vector<Tally> tallies(
         static_cast<std::size_t>(sampling.randomisations),
         {std::vector<Budget>(sources.size()),
-         std::vector<double>(groups.size())});
+         std::vector<double>(groups.size()), std::vector<double>(layers.count),
+         0, 0});
     if (sources.empty()) return tallies;
 
     std::vector<Launcher> launchers;
@@ -185,15 +198,14 @@ std::vector<Tally> simulate(const Scene& scene,
     const std::vector<std::uint32_t> begins = share_paths(illumination, paths);
     auto randomisation = randomness.first_randomisation;
     for (Tally& tally : tallies) {
-        Tracer tracer(scene, groups, optics,
+        Tracer tracer(scene, groups, optics, layers,
                       PathSampler(randomness.seed, randomness.generation,
                                   randomisation++, paths));
         for (std::size_t s = 0; s < sources.size(); ++s) {
             const double energy = sources[s].energy * launchers[s].entering() /
                                   (begins[s + 1] - begins[s]);
             for (std::uint32_t p = begins[s]; p < begins[s + 1]; ++p)
-                tracer.trace(p, launchers[s], energy, tally.sources[s],
-                             tally.groups);
+                tracer.trace(p, launchers[s], energy, tally.sources[s], tally);
         }
     }
     return tallies;

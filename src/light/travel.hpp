@@ -9,6 +9,7 @@ struct Bundle {
     Vec3 position;
     Vec3 direction;
     double energy = 0;
+    bool is_scattered = false;  //!< has met a surface
 };
 
 enum class Met { face, soil, sky };

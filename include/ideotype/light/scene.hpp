@@ -16,7 +16,7 @@ namespace ideotype {
 //! Where light meets a face.
 struct Hit {
     Vec3 position;            //!< on the plane of the face [m]
-    Vec3 normal;              //!< unit length, on either side
+    Vec3 normal;              //!< unit length, on the adaxial side
     std::uint32_t group = 0;  //!< of the mesh
 };
 
@@ -79,6 +79,9 @@ class Scene {
     bool intersect(const Vec3& origin, const Vec3& direction, double distance,
                    Hit& hit) const;
 
+    //! Where a point of the mesh is in this scene.
+    Vec3 placed(const Vec3& point) const;
+
     //! The same point of the stand inside the cell; a plot has only itself.
     Vec3 wrapped(const Vec3& point) const;
 
@@ -98,6 +101,7 @@ class Scene {
 
     Boundary boundary_ = Boundary::periodic;
     Box box_;
+    Vec3 plot_corner_;  //!< in the axes of the mesh, if isolated
     double ground_area_ = 0;
     double period_x_ = 0;
     double period_y_ = 0;

@@ -6,25 +6,9 @@
 #include "ideotype/light/illumination.hpp"
 #include "ideotype/light/optics.hpp"
 #include "ideotype/light/scene.hpp"
+#include "ideotype/light/tally.hpp"
 
 namespace ideotype {
-
-//! Where the light of one source went [J m-2 of ground].
-struct Budget {
-    double leaves = 0;
-    double stalks = 0;
-    double soil = 0;
-    double reflected = 0;
-    double incident = 0;  //!< that entered: into a plot also from soil around
-
-    double total() const { return leaves + stalks + soil + reflected; }
-};
-
-//! What one randomisation found [J m-2 of ground].
-struct Tally {
-    std::vector<Budget> sources;
-    std::vector<double> groups;  //!< absorbed, per group of the mesh
-};
 
 //! Which random numbers a simulation uses.
 struct Randomness {
@@ -50,14 +34,13 @@ struct Randomness {
 //! that has been in the box.
 //!
 //! @param groups what each group of the scene's mesh is made of
+//! @param layers in which the light that leaves absorb is counted
 //! @return one tally per randomisation
 //! @throws Error if there are fewer paths than sources or paths is not a
 //! power of two.
-std::vector<Tally> simulate(const Scene& scene,
-                            const std::vector<Group>& groups,
-                            const Optics& optics,
-                            const Illumination& illumination,
-                            const Sampling& sampling,
-                            const Randomness& randomness);
+std::vector<Tally> simulate(
+    const Scene& scene, const std::vector<Group>& groups, const Optics& optics,
+    const Illumination& illumination, const Sampling& sampling,
+    const Randomness& randomness, const Layers& layers = {});
 
 }  // namespace ideotype

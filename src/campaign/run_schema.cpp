@@ -9,7 +9,6 @@ constexpr double most_paths = 1 << 24;
 std::vector<Key> sampling_keys(Sampling& sampling) {
     return {{.name = "paths",
              .value = &sampling.paths,
-             .notation = Notation::power_of_two,
              .lower = 16,
              .upper = most_paths,
              .meaning = "light paths per randomisation"},

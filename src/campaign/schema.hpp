@@ -24,7 +24,6 @@ enum class Presence { optional, required };
 //! How a number is written, where that is not as a plain number.
 enum class Notation {
     plain,
-    power_of_two,
     clock,     //!< TOML local time, kept as hours
     duration,  //!< seconds or "HH:MM:SS", kept as seconds
 };

@@ -130,7 +130,6 @@ std::string range_text(const Key& key) {
     if (key.lower == key.upper) return "-";
     std::string text = fmt::format("{} .. {}", key.lower, key.upper);
     if (!key.unit.empty()) text += ' ' + key.unit;
-    if (key.notation == Notation::power_of_two) text += ", a power of two";
     return text;
 }
 

@@ -1,7 +1,6 @@
 #include "values.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <optional>
 
@@ -136,16 +135,7 @@ struct Reader {
         if (!node.is_integer()) return fail_type(node);
         const auto in_range = number(node);
         if (!in_range) return;
-        const std::int64_t found = node.as_integer()->get();
-        if (key.notation == Notation::power_of_two) {
-            const auto bits = static_cast<std::uint64_t>(found);
-            if (!std::has_single_bit(bits))
-                return fail(fmt::format(
-                    "is {} (not a power of two) use {} or "
-                    "{}",
-                    found, std::bit_floor(bits), std::bit_ceil(bits)));
-        }
-        *value = static_cast<Integer>(found);
+        *value = static_cast<Integer>(node.as_integer()->get());
     }
 
     void operator()(int* value) const { read_integer(value); }

@@ -82,25 +82,24 @@ std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
 }
 
 PathSampler::PathSampler(std::uint64_t seed, std::uint32_t generation,
-                         std::uint32_t randomisation, std::uint32_t paths)
-    : generation_(generation),
-      bits_(static_cast<unsigned>(std::countr_zero(paths))) {
-    RandomStream stream(seed, Purpose::scramble, generation, randomisation);
+                         std::uint32_t randomisation, std::uint32_t source)
+    : generation_(generation) {
+    RandomStream stream(seed, Purpose::scramble, generation,
+                        randomisation << 16 | source);
     for (std::uint32_t& s : scramble_seeds_) s = stream.bits();
     tail_seed_ = stream.bits64();
 }
 
 void PathSampler::begin(std::uint32_t path) {
     path_ = path;
-    index_ = bits_ == 0 ? 0 : reversed(path) >> (32 - bits_);
-    dimension_ = 1;
+    dimension_ = 0;
     tail_.reset();
 }
 
 double PathSampler::next() {
     if (dimension_ < sobol_dimensions) {
         const std::uint32_t x =
-            scrambled(sobol(index_, dimension_), scramble_seeds_[dimension_]);
+            scrambled(sobol(path_, dimension_), scramble_seeds_[dimension_]);
         ++dimension_;
         return x * 0x1p-32;
     }

@@ -109,7 +109,7 @@ std::vector<std::vector<double>> sunlit_fractions(
     auto randomisation = randomness.first_randomisation;
     for (std::vector<double>& fractions : result) {
         PathSampler sampler(randomness.seed, randomness.generation,
-                            randomisation++, points);
+                            randomisation++, 0);
         for (std::uint32_t i = 0; i < points; ++i) {
             sampler.begin(i);
             const double share = sampler.next();

@@ -1,7 +1,6 @@
 #include "ideotype/light/transport.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -139,7 +138,7 @@ class Tracer {
 };
 
 //! Splits paths among sources in proportion to energy, at least one each, by
-//! largest remainders; returns where each source's paths begin and the end.
+//! largest remainders.
 std::vector<std::uint32_t> share_paths(const Illumination& illumination,
                                        std::uint32_t paths) {
     const std::vector<Source>& sources = illumination.sources;
@@ -162,10 +161,7 @@ std::vector<std::uint32_t> share_paths(const Illumination& illumination,
                      });
     for (std::size_t i = 0; given < paths; ++i, ++given)
         ++counts[order[i % order.size()]];
-    std::vector<std::uint32_t> begins{0};
-    for (const std::uint32_t count : counts)
-        begins.push_back(begins.back() + count);
-    return begins;
+    return counts;
 }
 
 }  // namespace
@@ -176,10 +172,7 @@ std::vector<Tally> simulate(
     const Randomness& randomness, const Layers& layers) {
     const std::vector<Source>& sources = illumination.sources;
     const auto paths = static_cast<std::uint32_t>(sampling.paths);
-    if (sampling.paths < 1 || !std::has_single_bit(paths))
-        throw Error(
-            fmt::format("{} paths are not a power of two", sampling.paths));
-    if (paths < sources.size())
+    if (sampling.paths < 1 || paths < sources.size())
         throw Error(fmt::format(
             "{} paths are too few for {} sources of light (a sun at each time "
             "step and the sky, a clear one at each); take more paths or a "
@@ -195,18 +188,19 @@ std::vector<Tally> simulate(
     std::vector<Launcher> launchers;
     for (const Source& source : sources)
         launchers.emplace_back(scene, source, optics.soil_albedo);
-    const std::vector<std::uint32_t> begins = share_paths(illumination, paths);
+    const std::vector<std::uint32_t> counts = share_paths(illumination, paths);
     auto randomisation = randomness.first_randomisation;
     for (Tally& tally : tallies) {
-        Tracer tracer(scene, groups, optics, layers,
-                      PathSampler(randomness.seed, randomness.generation,
-                                  randomisation++, paths));
-        for (std::size_t s = 0; s < sources.size(); ++s) {
-            const double energy = sources[s].energy * launchers[s].entering() /
-                                  (begins[s + 1] - begins[s]);
-            for (std::uint32_t p = begins[s]; p < begins[s + 1]; ++p)
+        for (std::uint32_t s = 0; s < sources.size(); ++s) {
+            Tracer tracer(scene, groups, optics, layers,
+                          PathSampler(randomness.seed, randomness.generation,
+                                      randomisation, s));
+            const double energy =
+                sources[s].energy * launchers[s].entering() / counts[s];
+            for (std::uint32_t p = 0; p < counts[s]; ++p)
                 tracer.trace(p, launchers[s], energy, tally.sources[s], tally);
         }
+        ++randomisation;
     }
     return tallies;
 }

@@ -22,8 +22,8 @@ TEST(Sampler, SobolPointsAreThePublishedOnes) {
 
 TEST(Sampler, EveryDimensionIsStratified) {
     constexpr std::uint32_t n = 1024;
-    PathSampler sampler(5, 3, 2, n);
-    std::vector<std::set<unsigned>> cells(sobol_dimensions - 1);
+    PathSampler sampler(5, 3, 2, 1);
+    std::vector<std::set<unsigned>> cells(sobol_dimensions);
     for (std::uint32_t path = 0; path < n; ++path) {
         sampler.begin(path);
         for (auto& seen : cells)
@@ -32,21 +32,24 @@ TEST(Sampler, EveryDimensionIsStratified) {
     for (const auto& seen : cells) EXPECT_EQ(seen.size(), n);
 }
 
-TEST(Sampler, NeighbouringPathsAreAStratumOfTheNet) {
-    // A quarter of the paths fills a quarter as many boxes, each once.
+TEST(Sampler, ThePlaneIsStratifiedInBoxesOfAnyShape) {
     constexpr std::uint32_t n = 1024;
-    PathSampler sampler(5, 3, 2, n);
-    std::set<unsigned> boxes;
-    for (std::uint32_t path = n / 4; path < n / 2; ++path) {
-        sampler.begin(path);
-        boxes.insert(static_cast<unsigned>(sampler.next() * n / 4));
+    PathSampler sampler(5, 3, 2, 1);
+    for (const unsigned columns : {1u, 8u, 32u, 256u, 1024u}) {
+        std::set<unsigned> boxes;
+        for (std::uint32_t path = 0; path < n; ++path) {
+            sampler.begin(path);
+            const auto i = static_cast<unsigned>(sampler.next() * columns);
+            const auto j = static_cast<unsigned>(sampler.next() * n / columns);
+            boxes.insert(i * (n / columns) + j);
+        }
+        EXPECT_EQ(boxes.size(), n) << columns;
     }
-    EXPECT_EQ(boxes.size(), n / 4);
 }
 
 TEST(Sampler, NumbersAreUniformAlsoBeyondTheNet) {
     constexpr std::uint32_t n = 4096;
-    PathSampler sampler(1, 0, 0, n);
+    PathSampler sampler(1, 0, 0, 0);
     std::vector<double> means(40);
     for (std::uint32_t path = 0; path < n; ++path) {
         sampler.begin(path);
@@ -60,12 +63,15 @@ TEST(Sampler, NumbersAreUniformAlsoBeyondTheNet) {
     for (const double mean : means) EXPECT_NEAR(mean, 0.5, 0.02);
 }
 
-TEST(Sampler, RandomisationsDiffer) {
-    PathSampler a(1, 0, 0, 64), b(1, 0, 1, 64), c(1, 1, 0, 64);
-    a.begin(9), b.begin(9), c.begin(9);
-    const double x = a.next(), y = b.next(), z = c.next();
-    EXPECT_NE(x, y);
-    EXPECT_NE(x, z);
+TEST(Sampler, RandomisationsAndSourcesDiffer) {
+    std::set<double> seen;
+    for (PathSampler sampler :
+         {PathSampler(1, 0, 0, 0), PathSampler(1, 0, 1, 0),
+          PathSampler(1, 1, 0, 0), PathSampler(1, 0, 0, 1)}) {
+        sampler.begin(9);
+        seen.insert(sampler.next());
+    }
+    EXPECT_EQ(seen.size(), 4u);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ struct Optics {
 
 //! How much work one estimate of the light may cost.
 struct Sampling {
-    int paths = 4096;        //!< per randomisation, a power of two
+    int paths = 4096;        //!< per randomisation
     int randomisations = 8;  //!< independent, at least 2
 };
 

@@ -22,15 +22,13 @@ std::uint32_t sobol(std::uint32_t index, std::size_t dimension);
 //! doi:10.1111/j.1467-8659.2011.02000.x; constants of Vegdahl 2021).
 std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed);
 
-//! Uniform numbers for the paths of one randomisation: a scrambled Sobol' net
-//! of 2^m paths. The first dimension is not scrambled but taken in order, so
-//! that paths [a, b) are a stratum of the net, of exactly b - a points.
-//! Randomisations are independent of each other.
+//! Uniform numbers for the paths of one source in one randomisation: a
+//! scrambled Sobol' sequence, as long as is asked for. Those of other sources
+//! and randomisations, up to 65,536 of each, are independent.
 class PathSampler {
   public:
-    //! @param paths a power of two
     PathSampler(std::uint64_t seed, std::uint32_t generation,
-                std::uint32_t randomisation, std::uint32_t paths);
+                std::uint32_t randomisation, std::uint32_t source);
 
     //! Goes to the first number of a path.
     void begin(std::uint32_t path);
@@ -40,12 +38,10 @@ class PathSampler {
 
   private:
     std::uint32_t generation_;
-    unsigned bits_;  //!< paths = 2^bits
     std::array<std::uint32_t, sobol_dimensions> scramble_seeds_;
     std::uint64_t tail_seed_;
     std::uint32_t path_ = 0;
-    std::uint32_t index_ = 0;
-    std::size_t dimension_ = 1;
+    std::size_t dimension_ = 0;
     std::optional<RandomStream> tail_;
 };
 

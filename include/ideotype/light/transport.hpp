@@ -36,8 +36,7 @@ struct Randomness {
 //! @param groups what each group of the scene's mesh is made of
 //! @param layers in which the light that leaves absorb is counted
 //! @return one tally per randomisation
-//! @throws Error if there are fewer paths than sources or paths is not a
-//! power of two.
+//! @throws Error if there are fewer paths than sources.
 std::vector<Tally> simulate(
     const Scene& scene, const std::vector<Group>& groups, const Optics& optics,
     const Illumination& illumination, const Sampling& sampling,

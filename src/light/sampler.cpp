@@ -84,8 +84,9 @@ std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
 PathSampler::PathSampler(std::uint64_t seed, std::uint32_t generation,
                          std::uint32_t randomisation, std::uint32_t source)
     : generation_(generation) {
-    RandomStream stream(seed, Purpose::scramble, generation,
-                        randomisation << 16 | source);
+    RandomStream of_randomisation(seed, Purpose::scramble, generation,
+                                  randomisation);
+    RandomStream stream(of_randomisation.bits64(), Purpose::scramble, source);
     for (std::uint32_t& s : scramble_seeds_) s = stream.bits();
     tail_seed_ = stream.bits64();
 }

@@ -1,11 +1,8 @@
 #pragma once
 
-#include <cmath>
+#include <string>
+#include <vector>
 
-#include <gtest/gtest.h>
-
-#include "ideotype/plant/field.hpp"
-#include "ideotype/plant/plant.hpp"
 #include "reference.hpp"
 
 namespace ideotype {
@@ -13,51 +10,66 @@ namespace ideotype {
 inline constexpr Period own_cell{0.76, 0.15};
 inline const Optics par = leaf_optics(.05, .05, .1);
 
-//! Traces and expects finite fractions that close the balance to rounding.
-inline Fractions closing(const Mesh& mesh, Period period, const Optics& optics,
-                         const Illumination& light,
-                         Sampling sampling = {256, 4}) {
-    const Fractions f = trace(mesh, period, optics, light, sampling);
-    EXPECT_LT(f.balance_error, 1e-12);
-    for (const Estimate& e : {f.leaves, f.soil, f.reflected}) {
-        EXPECT_GE(e.mean, 0);
-        EXPECT_TRUE(std::isfinite(e.mean));
-        EXPECT_TRUE(std::isfinite(e.standard_error));
-    }
-    for (const Estimate& e : f.groups) EXPECT_TRUE(std::isfinite(e.mean));
-    return f;
-}
+//! Collects what one extreme case shows.
+class Findings {
+  public:
+    //! Traces, and requires that all figures are finite fractions and that
+    //! the balance closes to rounding.
+    Fractions closing(const Mesh& mesh, Period period, const Optics& optics,
+                      const Illumination& light, Sampling sampling = {256, 4});
+
+    //! As above, for fractions that come from elsewhere.
+    void require_closed(const Fractions& fractions);
+
+    //! What must hold.
+    void require(bool holds, const std::string& what);
+
+    //! Requires ours within four combined standard errors of a reference, and
+    //! ours to have a standard error below a bound.
+    void require_agreement(Estimate ours, Estimate reference, double bound,
+                           const std::string& what);
+
+    //! What came out, in words.
+    void say(const std::string& words);
+
+    const std::vector<std::string>& failures() const { return failures_; }
+    //! How many balances were looked at.
+    int traces() const { return traces_; }
+    //! Largest in any randomisation of any trace.
+    double balance_error() const { return balance_error_; }
+    //! What was said, or how far agreements were off.
+    std::string result() const;
+
+  private:
+    double balance_error_ = 0;
+    int traces_ = 0;
+    double most_off_ = 0;
+    int agreements_ = 0;
+    std::string said_;
+    std::vector<std::string> failures_;
+};
+
+//! Something at the limits of what can be asked for.
+struct ExtremeCase {
+    std::string name;  //!< unique
+    std::string expectation;
+    void (*run)(Findings&);
+};
+
+std::vector<ExtremeCase> extreme_suns_and_fields();
+std::vector<ExtremeCase> extreme_surfaces();
+std::vector<ExtremeCase> extreme_days_and_paths();
+
+//! All of them.
+std::vector<ExtremeCase> extreme_cases();
 
 //! One group of leaves, still without faces.
-inline Mesh leaves_only() {
-    Mesh mesh;
-    mesh.groups.push_back({"leaf", Tissue::leaf});
-    return mesh;
-}
+Mesh leaves_only();
 
 //! A parallelogram from a corner along two edges.
-inline void add_leaf(Mesh& mesh, Vec3 corner, Vec3 u, Vec3 v) {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    const auto& [x, y, z] = corner;
-    mesh.vertices.insert(mesh.vertices.end(),
-                         {corner,
-                          {x + u.x, y + u.y, z + u.z},
-                          {x + u.x + v.x, y + u.y + v.y, z + u.z + v.z},
-                          {x + v.x, y + v.y, z + v.z}});
-    mesh.faces.push_back({first, first + 1, first + 2, first + 3});
-    mesh.face_group.push_back(0);
-}
+void add_leaf(Mesh& mesh, Vec3 corner, Vec3 u, Vec3 v);
 
 //! A plant of two leaves, the upper one across the row.
-inline Mesh two_leaves(double length, double width, double inclination) {
-    const PlantForm form{
-        "plant",
-        {{60, 0.2}, {40, 0.5}},
-        {{0.28, 0.885870, 0.895017, 1.149943, 0.379696, 0.0}, 10, 1.5},
-        {false, 2, 0.027}};
-    return build_plant(
-        {{length, width, inclination, 0}, {length, width, inclination, 90}},
-        form, {});
-}
+Mesh two_leaves(double length, double width, double inclination);
 
 }  // namespace ideotype

@@ -37,6 +37,10 @@ struct Fractions {
     double balance_error = 0;
 };
 
+//! The fractions in tallies of all sources together.
+Fractions fractions_of(const std::vector<Tally>& tallies, std::size_t groups,
+                       double incident);
+
 Fractions trace(const Mesh& mesh, Period period, const Optics& optics,
                 const Illumination& light, Sampling sampling = {16384, 16},
                 std::uint64_t seed = 1);
@@ -45,11 +49,8 @@ Fractions trace(const Mesh& mesh, Period period, const Optics& optics,
 Optics leaf_optics(double reflectance, double transmittance,
                    double soil_albedo);
 
-//! Expects a value within four combined standard errors of the reference, and
-//! the standard error of ours below a bound; prints all of them, and how many
-//! standard errors they are apart.
-void expect_agreement(Estimate ours, Estimate reference, double bound,
-                      const std::string& what);
+//! How far ours is from a reference in combined standard errors.
+double deviation(Estimate ours, Estimate reference);
 
 //! A horizontal square that covers a period.
 void add_sheet(Mesh& mesh, Period period, double height, std::uint32_t group);

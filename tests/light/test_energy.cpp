@@ -2,44 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "expectations.hpp"
 #include "ideotype/core/error.hpp"
-#include "reference.hpp"
 
 namespace ideotype {
 namespace {
-
-TEST(Energy, BudgetClosesToRoundingForAnyOptics) {
-    const Mesh mesh = load_reference_mesh("maize1");
-    for (const double scattering : {0., .1, .84, .98, 1.})
-        for (const double soil : {0., .2, 1.}) {
-            const Fractions f =
-                trace(mesh, {0.76, 0.15},
-                      leaf_optics(scattering / 2, scattering / 2, soil),
-                      uniform_sky(), {256, 2});
-            EXPECT_LT(f.balance_error, 1e-12);
-        }
-}
-
-TEST(Energy, LowSunAlongTheRowLosesNothing) {
-    const Mesh mesh = load_reference_mesh("maize1");
-    for (const double elevation : {10., 5., 2., .1}) {
-        const Fractions f = trace(mesh, {0.76, 0.15}, leaf_optics(.05, .05, .1),
-                                  sun_from(elevation, 0), {256, 2});
-        EXPECT_LT(f.balance_error, 1e-12);
-        EXPECT_GT(f.leaves.mean, 0.9);
-    }
-}
-
-TEST(Energy, AClearSkyWithTheSunOnTheHorizonLosesNothing) {
-    const Mesh mesh = load_reference_mesh("maize1");
-    for (const double zenith : {0., 89.99, 90.}) {
-        const Fractions f =
-            trace(mesh, {0.76, 0.15}, leaf_optics(.05, .05, .1),
-                  sky_of({SkyModel::clear, {zenith, 0}}), {256, 2});
-        EXPECT_LT(f.balance_error, 1e-12);
-        EXPECT_GT(f.leaves.mean, 0.9);
-    }
-}
 
 TEST(Energy, ShiftingThePeriodsChangesNothingBeyondTheError) {
     const Mesh mesh = load_reference_mesh("maize1");

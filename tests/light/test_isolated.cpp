@@ -1,7 +1,8 @@
 // Plots that stand alone on an infinite plane of soil.
+#include <cmath>
 #include <numbers>
 
-#include "extremes.hpp"
+#include "expectations.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/units.hpp"
 

@@ -1,8 +1,10 @@
 // The same light described in another way: what must not matter does not.
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
-#include "extremes.hpp"
+#include "expectations.hpp"
+#include "ideotype/plant/field.hpp"
 
 namespace ideotype {
 namespace {

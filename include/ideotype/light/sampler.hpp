@@ -24,7 +24,7 @@ std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed);
 
 //! Uniform numbers for the paths of one source in one randomisation: a
 //! scrambled Sobol' sequence, as long as is asked for. Those of other sources
-//! and randomisations, up to 65,536 of each, are independent.
+//! and randomisations are independent.
 class PathSampler {
   public:
     PathSampler(std::uint64_t seed, std::uint32_t generation,

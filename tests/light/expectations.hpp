@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "extremes.hpp"
+
+namespace ideotype {
+
+//! Expects ours within four combined standard errors of a reference, and the
+//! standard error of ours below a bound.
+void expect_agreement(Estimate ours, Estimate reference, double bound,
+                      const std::string& what);
+
+//! Traces and expects finite fractions that close the balance to rounding.
+Fractions closing(const Mesh& mesh, Period period, const Optics& optics,
+                  const Illumination& light, Sampling sampling = {256, 4});
+
+//! The letters and digits of a case's name, for a test's name.
+std::string test_name(std::string name);
+
+}  // namespace ideotype

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "reference.hpp"
+#include "setups.hpp"
+
+namespace ideotype {
+
+//! What is known of one light in a scene: of "leaves", "soil", "reflected" or
+//! a group of the mesh, as a fraction of the incident light.
+struct KnownValue {
+    std::string quantity;
+    Estimate value;
+};
+
+//! One case: a light and what is known of it.
+struct ReferenceCase {
+    std::string name;  //!< unique
+    Source light;
+    std::vector<KnownValue> known;
+};
+
+//! A stand whose light is known. Groups can be told apart only under a single
+//! light.
+struct ReferenceScene {
+    std::string origin;  //!< of the known values
+    //! The stand; if random, a realisation of it.
+    std::function<Mesh(std::uint32_t realisation)> mesh;
+    //! A random stand has a new realisation for each randomisation, so that
+    //! the standard error of ours includes that of the sample of leaves.
+    enum class Kind { fixed, random } kind;
+    Period period{};
+    Optics optics;
+    std::vector<ReferenceCase> cases;
+    Sampling sampling;    //!< that gets every standard error below the bound
+    double bound = 2e-4;  //!< of ours
+};
+
+//! Every value of the exact and trusted references.
+std::vector<ReferenceScene> reference_scenes();
+
+//! How many cases there are.
+std::size_t count_cases(const std::vector<ReferenceScene>& scenes);
+
+//! One known value against ours.
+struct Comparison {
+    std::string name;
+    std::string quantity;
+    std::string origin;
+    Estimate reference;
+    Estimate ours;
+    double bound = 0;  //!< of the standard error of ours
+
+    //! The difference in combined standard errors.
+    double off() const;
+};
+
+struct SceneResult {
+    std::vector<Comparison> comparisons;
+    double balance_error = 0;
+};
+
+//! Traces a scene in one setup and compares all that is known.
+//! @param thrift how many times fewer paths than it takes to meet the bound,
+//! a power of two; the bound grows with its power 3/4, as errors of nets do
+SceneResult compare(const ReferenceScene& scene, const Setup& setup,
+                    int thrift = 1);
+
+}  // namespace ideotype

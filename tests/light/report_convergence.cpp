@@ -1,0 +1,105 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "ideotype/app/canopy.hpp"
+#include "ideotype/light/report.hpp"
+#include "light_report.hpp"
+
+namespace ideotype {
+
+namespace {
+
+constexpr int randomisations = 32;
+
+//! The baseline's field under its day at Ames.
+struct Baseline {
+    explicit Baseline(const std::string& campaigns)
+        : campaign(read_campaign(campaigns + "/ames.toml")),
+          chosen(cases(campaign).front()),
+          day(clear_day(chosen.site, chosen.day, campaign.par_fraction)),
+          illumination(illuminate(day, campaign.sky_model,
+                                  campaign.field.row_direction)),
+          field(build_field(campaign, chosen, to_genome(campaign.baseline),
+                            {chosen.seed, 0, {}, Draws::Fields::one}, 0)),
+          device(Device::supported_isas().back()),
+          scene(device, field.mesh, field.period_x, field.period_y) {}
+
+    BudgetEstimate light(int paths) const {
+        return report(simulate(scene, field.mesh.groups, campaign.optics,
+                               illumination.light, {paths, randomisations},
+                               {chosen.seed, 0, 0}),
+                      illumination, day)
+            .day;
+    }
+
+    Campaign campaign;
+    Case chosen;
+    Day day;
+    DayIllumination illumination;
+    Field field;
+    Device device;
+    Scene scene;
+};
+
+//! A straight line by least squares.
+class Line {
+  public:
+    void add(double x, double y) {
+        n_ += 1;
+        x_ += x;
+        y_ += y;
+        xx_ += x * x;
+        xy_ += x * y;
+    }
+    double slope() const { return (n_ * xy_ - x_ * y_) / (n_ * xx_ - x_ * x_); }
+    double intercept() const { return (y_ - slope() * x_) / n_; }
+
+  private:
+    double n_ = 0, x_ = 0, y_ = 0, xx_ = 0, xy_ = 0;
+};
+
+//! Prints a row for 2^k paths; returns the relative standard error.
+double measure(const Baseline& baseline, int k) {
+    const auto began = std::chrono::steady_clock::now();
+    const BudgetEstimate light = baseline.light(1 << k);
+    const std::chrono::duration<double> seconds =
+        std::chrono::steady_clock::now() - began;
+    const double relative = light.leaves.standard_error / light.leaves.mean;
+    fmt::print("| {:.3g} | 2^{} | {:.6f} | {:.2e} | {:.2g} |\n",
+               std::ldexp(randomisations, k), k,
+               light.leaves.mean / light.incident, relative, seconds.count());
+    std::fflush(stdout);
+    return relative;
+}
+
+}  // namespace
+
+void report_convergence(const std::string& campaigns) {
+    const Baseline baseline(campaigns);
+    constexpr double goal = 1e-5;
+    constexpr int first = 8, last = 20, most = 26;
+    fmt::print(
+        "\n## Convergence\n\nThe light that the leaves of the baseline at Ames "
+        "take in a day, one field, {}\nrandomisations, on one core. The last "
+        "row "
+        "has as many paths as a relative s.e. of\n{:.0e} asks for by the rows "
+        "before.\n\n| paths | of the randomisation | fraction | relative s.e. "
+        "| s "
+        "|\n|---|---|---|---|---|\n",
+        randomisations, goal);
+    Line fit;
+    for (int k = first; k <= last; ++k)
+        fit.add(k, std::log2(measure(baseline, k)));
+    const double needed = (std::log2(goal) - fit.intercept()) / fit.slope();
+    measure(baseline,
+            std::clamp(static_cast<int>(std::ceil(needed)), last + 1, most));
+    fmt::print(
+        "\nFrom 2^{} to 2^{} the error falls with paths to the power "
+        "{:.2f}; -0.5 is that of\nindependent paths.\n",
+        first, last, fit.slope());
+}
+
+}  // namespace ideotype

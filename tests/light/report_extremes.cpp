@@ -1,0 +1,34 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "extremes.hpp"
+#include "light_report.hpp"
+
+namespace ideotype {
+
+void report_extremes() {
+    const std::vector<ExtremeCase> all = extreme_cases();
+    fmt::print(
+        "\n## Extremes\n\n**{} cases**; balance is the largest relative "
+        "error of the balance in any\nrandomisation, - where nothing is "
+        "traced.\n\n| case | expectation | balance | result "
+        "|\n|---|---|---|---|\n",
+        all.size());
+    for (const ExtremeCase& extreme : all) {
+        Findings findings;
+        extreme.run(findings);
+        const std::string balance =
+            findings.traces() > 0
+                ? fmt::format("{:.1e}", findings.balance_error())
+                : "-";
+        std::string result = findings.result();
+        if (!findings.failures().empty())
+            result = "FAILED: " + findings.failures().front();
+        fmt::print("| {} | {} | {} | {} |\n", extreme.name, extreme.expectation,
+                   balance, result);
+        std::fflush(stdout);
+    }
+}
+
+}  // namespace ideotype

@@ -1,0 +1,83 @@
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "extremes.hpp"
+#include "light_report.hpp"
+
+namespace ideotype {
+
+namespace {
+
+constexpr std::uint32_t runs = 1000;
+constexpr Sampling sampling{256, 32};
+
+using Figure = std::function<double(const Tally&)>;
+
+double total(const Tally& tally) {
+    double sum = 0;
+    for (const Budget& budget : tally.sources) sum += budget.leaves;
+    return sum;
+}
+
+//! The spread of the estimates of a figure over the root of their mean
+//! squared standard error.
+Estimate ratio(const std::vector<std::vector<Tally>>& all,
+               const Figure& figure) {
+    std::vector<double> means, variances;
+    for (const auto& tallies : all) {
+        std::vector<double> replicates;
+        for (const Tally& tally : tallies) replicates.push_back(figure(tally));
+        const Estimate e = estimate(replicates);
+        means.push_back(e.mean);
+        variances.push_back(e.standard_error * e.standard_error);
+    }
+    const double centre = estimate(means).mean;
+    std::vector<double> squares;
+    for (const double mean : means)
+        squares.push_back((mean - centre) * (mean - centre) * runs /
+                          (runs - 1));
+    const Estimate spread = estimate(squares), reported = estimate(variances);
+    const double value = std::sqrt(spread.mean / reported.mean);
+    return {value, value / 2 *
+                       std::hypot(spread.standard_error / spread.mean,
+                                  reported.standard_error / reported.mean)};
+}
+
+}  // namespace
+
+void report_honesty() {
+    const Mesh mesh = load_reference_mesh("maize1");
+    const Scene scene(widest_device(), mesh, own_cell.x, own_cell.y);
+    Illumination day = uniform_sky();
+    for (const double elevation : {10., 40., 65.})
+        day.sources.push_back(sun_from(elevation, 100).sources[0]);
+    std::vector<std::vector<Tally>> all;
+    for (std::uint32_t run = 0; run < runs; ++run)
+        all.push_back(simulate(scene, mesh.groups, par, day, sampling,
+                               {5000 + run, 0, 0}));
+    fmt::print(
+        "\n## Standard errors\n\nThe spread of the estimates of {} independent "
+        "runs of one scene (maize1, a\nuniform sky and suns at 10, 40, 65 deg, "
+        "{} x {} paths), divided by the standard\nerror that they report; 1 if "
+        "that is honest.\n\n| figure | spread / s.e. |\n|---|---|\n",
+        runs, sampling.randomisations, sampling.paths);
+    for (const auto& [name, figure] :
+         {std::pair<std::string, Figure>{"leaves in all", total},
+          {"leaf 6", [](const Tally& t) { return t.groups[5]; }},
+          {"leaves under the sun at 40 deg",
+           [](const Tally& t) { return t.sources[2].leaves; }},
+          {"soil", [](const Tally& t) {
+               double sum = 0;
+               for (const Budget& budget : t.sources) sum += budget.soil;
+               return sum;
+           }}}) {
+        const Estimate r = ratio(all, figure);
+        fmt::print("| {} | {:.3f} ± {:.3f} |\n", name, r.mean,
+                   r.standard_error);
+    }
+}
+
+}  // namespace ideotype

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ideotype/light/illumination.hpp"
+#include "reference.hpp"
+
+namespace ideotype {
+
+//! A mesh, how it repeats, and what lights it.
+struct Stand {
+    Mesh mesh;
+    Period period{};
+    Illumination light;
+};
+
+//! One of the ways in which the engine can be asked for the same answer.
+struct Setup {
+    std::string name;
+    std::string isa;         //!< which sets the width of the tree of boxes
+    std::uint64_t seed = 1;  //!< of the light's paths
+    //! More randomisations of fewer paths each, by this factor.
+    int split = 1;
+    //! Describes the same stand in another way.
+    void (*rewrite)(Stand&) = nullptr;
+};
+
+//! First the usual one: the widest instruction set and the mesh as it is.
+std::vector<Setup> setups();
+
+//! Every face as two triangles with the same surface.
+Mesh as_triangles(const Mesh& mesh);
+
+//! Every face cut along the sides of the cells and its parts moved into the
+//! cell at the origin.
+Mesh cut_and_wrapped(const Mesh& mesh, Period period);
+
+}  // namespace ideotype

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "handle.hpp"
@@ -18,6 +19,17 @@ Handle open_to_write(const std::string& path);
 //! Opens a live, closed or killed history. @throws Error (refused) if it is
 //! not a history.
 Handle open_to_read(const std::string& path);
+
+//! A file that may be shorter than it was.
+struct Remains {
+    Handle file;
+    std::uint64_t bytes = 0;    //!< that are there
+    std::uint64_t missing = 0;  //!< bytes at the end
+};
+
+//! Opens also a history that was cut short: it reads as zeros beyond its end.
+//! @throws Error (refused) if it is not a history or too little is left.
+Remains open_remains(const std::string& path);
 
 //! Hands all writes to the operating system: they survive SIGKILL.
 void flush(hid_t file);

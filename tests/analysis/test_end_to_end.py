@@ -211,7 +211,7 @@ def running(
     start: Start, tmp_path: Path
 ) -> Iterator[tuple[subprocess.Popen[str], Path]]:
     """A run that does not end by itself, and its history."""
-    run = start(tmp_path, 1_000_000)
+    run = start(tmp_path, 10_000)
     deadline = time.monotonic() + 60
     while not (found := list((tmp_path / "tiny").glob("*.h5"))):
         assert run.poll() is None, run.communicate()[0]

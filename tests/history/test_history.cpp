@@ -3,7 +3,6 @@
 #include <limits>
 
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
 #include "ideotype/core/error.hpp"
 #include "sample_history.hpp"
@@ -292,23 +291,6 @@ TEST_F(HistoryTest, ReaderDoesNotWrite) {
     EXPECT_THROW(reader.record(0, 0, sample_outcome(0, 0), 1, 1), Error);
     EXPECT_THROW(reader.finish("generations"), Error);
     EXPECT_EQ(reader.pending(0).size(), 4U);
-}
-
-TEST(History, StopsEarlyWithoutTakingRoom) {
-    const Folder folder;
-    HistoryHeader header = sample_header();
-    header.generations = 1000;
-    header.population = 1000;
-    const std::string path = folder / "large.h5";
-    {
-        History history = History::create(path, header);
-        history.propose(0, sample_candidates(0, 1000));
-    }
-    struct stat status {};
-    ASSERT_EQ(stat(path.c_str(), &status), 0);
-    constexpr int block = 512;
-    EXPECT_GT(status.st_size, 200'000'000);
-    EXPECT_LT(status.st_blocks * block, 4'000'000);
 }
 
 TEST_F(HistoryTest, OnlyValuesChange) {

@@ -182,6 +182,13 @@ int run_command_line(int argc, char** argv) {
                    : export_plant(export_options);
     });
 
+    std::vector<std::string> packed_paths;
+    auto* pack_verb = app.add_subcommand(
+        "pack",
+        "compress finished histories; each is checked before it is replaced");
+    pack_verb->add_option("files", packed_paths, "histories")->required();
+    on(pack_verb, [&] { return pack(packed_paths); });
+
     try {
         app.parse(argc, argv);
         return action();

@@ -108,13 +108,6 @@ void check_format(const std::string& path, hid_t file, bool is_exact) {
                                  is_exact ? own : major + "x"));
 }
 
-void synchronize_path(const std::filesystem::path& path) {
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) throw Error(path.string() + ": " + system_reason());
-    fsync(descriptor);
-    ::close(descriptor);
-}
-
 void write_everything(hid_t file, const HistoryHeader& header) {
     const auto population = static_cast<hsize_t>(header.population);
     const auto generations = static_cast<hsize_t>(header.generations);
@@ -163,9 +156,27 @@ void create_file(const std::string& path, const HistoryHeader& header) {
         std::filesystem::remove(unfinished, failure);
         throw;
     }
-    std::filesystem::rename(unfinished, path, failure);
-    if (failure) throw Error(path + ": " + failure.message());
-    synchronize_path(std::filesystem::absolute(path).parent_path());
+    put_in_place(unfinished, path);
+}
+
+Handle create_empty(const std::string& path) {
+    return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT,
+                      access_properties()),
+            H5Fclose, "create the file"};
+}
+
+void synchronize_path(const std::filesystem::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) throw Error(path.string() + ": " + system_reason());
+    fsync(descriptor);
+    ::close(descriptor);
+}
+
+void put_in_place(const std::string& from, const std::string& to) {
+    std::error_code failure;
+    std::filesystem::rename(from, to, failure);
+    if (failure) throw Error(to + ": " + failure.message());
+    synchronize_path(std::filesystem::absolute(to).parent_path());
 }
 
 Handle open_to_write(const std::string& path) {

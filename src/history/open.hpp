@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 
 #include "handle.hpp"
@@ -11,6 +12,16 @@ namespace ideotype {
 //! Creates a history with everything that it will ever contain. Under its own
 //! name it is complete or does not exist. @throws Error, Hdf5Error
 void create_file(const std::string& path, const HistoryHeader& header);
+
+//! A new file without anything in it.
+Handle create_empty(const std::string& path);
+
+//! Waits until the disk has a closed file or folder.
+void synchronize_path(const std::filesystem::path& path);
+
+//! Gives a complete file the name of another, which it replaces if it exists;
+//! at no time is there neither.
+void put_in_place(const std::string& from, const std::string& to);
 
 //! Opens as the only writer, whatever a killed writer left behind. The caller
 //! holds the FileLock. @throws Error (refused) if it is not a history.

@@ -72,6 +72,9 @@ struct ExportOptions {
 ExitCode export_plant(const ExportOptions& options);
 ExitCode export_generations(const ExportOptions& options);
 
+//! `pack FILE...`: compresses finished histories.
+ExitCode pack(const std::vector<std::string>& paths);
+
 //! Parses the command line, runs the verb, reports errors.
 int run_command_line(int argc, char** argv);
 

@@ -78,6 +78,10 @@ std::uint64_t History::missing_bytes() const {
 void History::begin_session(const SessionRecord& session) {
     file_->write([&] {
         file_->journal.add(session);
+        if (!file_->lock->is_exclusive())
+            file_->journal.add(
+                "this file system has no locks: see that no other host "
+                "resumes this case at the same time");
         flush(file_->id);
     });
 }

@@ -293,6 +293,22 @@ TEST_F(HistoryTest, ReaderDoesNotWrite) {
     EXPECT_EQ(reader.pending(0).size(), 4U);
 }
 
+TEST_F(HistoryTest, ClockThatJumpsDoesNoHarm) {
+    std::uint32_t g = 0;
+    for (const char* started :
+         {"2025-08-07T12:00:00Z", "1970-01-01T00:00:00Z",
+          "2125-08-07T12:00:00Z", "2025-08-07T12:00:01Z"}) {
+        history->begin_session({started, "node", "run", 1});
+        // Nor does a time that runs backwards.
+        history->set_wall_time(100.0 - g);
+        complete(*history, g++);
+        reopen();
+    }
+    EXPECT_EQ(history->next_generation(), 4U);
+    EXPECT_EQ(history->row(0, 1).outcome.status, Status::done);
+    EXPECT_EQ(history->wall_time(), 97.0);
+}
+
 TEST_F(HistoryTest, OnlyValuesChange) {
     // Were the file to grow, HDF5 would have to change its own structures,
     // and a kill could leave them unreadable.

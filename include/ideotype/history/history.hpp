@@ -54,7 +54,7 @@ enum class Writer {
 };
 
 //! Looks at the lock next to a history; never changes anything. Where the
-//! file system has no locks, a living writer looks killed.
+//! file system has no locks, a living writer on another host looks killed.
 Writer writer_of(const std::string& path);
 
 //! The file of one case: written by rank 0 as the evolution goes, in SWMR

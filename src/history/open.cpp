@@ -139,7 +139,9 @@ void write_file(const std::string& unfinished, const HistoryHeader& header,
         H5Fcreate(unfinished.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access),
         H5Fclose, "create the file");
     write_everything(file, header);
-    reserve_space(file, path);
+    reserve_space(file, path,
+                  "make room, choose another folder with --out, or ask for "
+                  "fewer stop.generations");
     flush(file);
     file.close("write the file");
     synchronize_path(unfinished);
@@ -190,7 +192,7 @@ Handle open_to_write(const std::string& path) {
         H5Fclose, "open the file to write");
     check_format(path, file, true);
     // A copy may have lost what was reserved for the original.
-    reserve_space(file, path);
+    reserve_space(file, path, "make room and resume again");
     return file;
 }
 

@@ -52,7 +52,8 @@ int allocate(int descriptor, std::uintmax_t size) {
 
 }  // namespace
 
-void reserve_space(hid_t file, const std::string& path) {
+void reserve_space(hid_t file, const std::string& path,
+                   const std::string& advice) {
     const std::string action = "reserve room";
     void* descriptor = nullptr;
     checked(H5Fget_vfd_handle(file, H5P_DEFAULT, &descriptor), action);
@@ -68,12 +69,10 @@ void reserve_space(hid_t file, const std::string& path) {
     if (failure == EOPNOTSUPP || failure == ENOSYS)
         failure = needed <= free ? 0 : ENOSPC;
     if (failure == 0) return;
-    throw Error(
-        fmt::format("{}: there is no room for this history ({}): {} in {}; "
-                    "make room, choose another folder with --out, or ask for "
-                    "fewer stop.generations",
-                    path, std::generic_category().message(failure),
-                    needed_and_free(needed, free), folder_of(path).string()));
+    throw Error(fmt::format(
+        "{}: there is no room for this history ({}): {} in {}; {}", path,
+        std::generic_category().message(failure), needed_and_free(needed, free),
+        folder_of(path).string(), advice));
 }
 
 std::string lacking_space(const std::string& path) {

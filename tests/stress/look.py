@@ -29,7 +29,10 @@ def values(rows: Rows) -> list[np.ndarray]:
 
 def main() -> int:
     whole_path, killed_path, reported = sys.argv[1:]
-    with open_history(whole_path) as whole, open_history(killed_path) as killed:
+    with (
+        open_history(whole_path) as whole,
+        open_history(killed_path) as killed,
+    ):
         expected, found = whole.evaluations(), killed.evaluations()
         population = whole.population
         committed = len(killed.generations())
@@ -37,7 +40,9 @@ def main() -> int:
         print(f"lost: {len(found)} rows, {reported} generations reported")
         return 4
     numbers = found.generation * population + found.slot
-    for a, b in zip(values(expected.take(numbers)), values(found), strict=True):
+    for a, b in zip(
+        values(expected.take(numbers)), values(found), strict=True
+    ):
         if a.tobytes() != b.tobytes():
             print("a row differs from that of the uninterrupted run")
             return 3

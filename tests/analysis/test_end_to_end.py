@@ -228,8 +228,11 @@ def test_a_run_is_followed_and_survives_its_kill(
     run, path = running
     seen = 0
     with open_history(path) as history:
-        assert str(history.state()) == "running"
         deadline = time.monotonic() + 60
+        # A new file has its name a moment before it is opened to write.
+        while str(history.state()) != "running":
+            assert time.monotonic() < deadline, str(history.state())
+            time.sleep(0.01)
         while seen < 20:
             assert time.monotonic() < deadline, f"only {seen} rows"
             rows = history.evaluations()

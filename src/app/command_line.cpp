@@ -1,3 +1,4 @@
+#include <csignal>
 #include <cstdio>
 #include <regex>
 
@@ -65,6 +66,8 @@ int run_with_session(const RunOptions& options) {
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
+    // A file beyond `ulimit -f` shall fail with a reason, not kill.
+    std::signal(SIGXFSZ, SIG_IGN);
     CLI::App app(
         "Designs crop canopies: evolves plants that make the best use of "
         "light.\nExit codes: 0 ok, 1 failed, 2 wrong usage, 3 invalid "
@@ -156,14 +159,35 @@ int run_command_line(int argc, char** argv) {
 
     ExportOptions export_options;
     auto* export_verb = app.add_subcommand(
-        "export", "write a plant of a history as OBJ (mesh) or CSV (traits)");
+        "export",
+        "write a plant of a history as OBJ (mesh) or CSV (traits), or all "
+        "complete generations as CSV");
     export_verb->add_option("file", export_options.path)->required();
     add_row_choice(*export_verb, export_options.row);
     export_verb->add_option("--to", export_options.to, "new file, .obj or .csv")
         ->required();
     export_verb->add_flag("--field", export_options.is_field,
                           "the whole field instead of one plant (.obj)");
-    on(export_verb, [&] { return export_plant(export_options); });
+    export_verb
+        ->add_flag("--generations", export_options.is_generations,
+                   "all candidates with their fitness instead of one plant "
+                   "(.csv), also of a file that was cut short")
+        ->excludes("--best")
+        ->excludes("--generation")
+        ->excludes("--slot")
+        ->excludes("--field");
+    on(export_verb, [&] {
+        return export_options.is_generations
+                   ? export_generations(export_options)
+                   : export_plant(export_options);
+    });
+
+    std::vector<std::string> packed_paths;
+    auto* pack_verb = app.add_subcommand(
+        "pack",
+        "compress finished histories; each is checked before it is replaced");
+    pack_verb->add_option("files", packed_paths, "histories")->required();
+    on(pack_verb, [&] { return pack(packed_paths); });
 
     try {
         app.parse(argc, argv);

@@ -94,7 +94,14 @@ History open_history(const RunOptions& options, const Campaign& campaign,
                      const Case& chosen, const std::string& isa) {
     const std::string path = path_of(options, campaign, chosen);
     if (fs::exists(path)) return History::resume(path);
-    fs::create_directories(fs::path(path).parent_path());
+    const fs::path folder = fs::path(path).parent_path();
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure)
+        throw Error(
+            fmt::format("{}: cannot create this folder: {}; choose "
+                        "another with --out",
+                        folder.string(), failure.message()));
     return History::create(path, header_of(campaign, chosen, isa));
 }
 

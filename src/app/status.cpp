@@ -46,14 +46,35 @@ std::string state_of(const History& history, const std::string& path) {
     return "";
 }
 
-std::string line_of(const std::string& path) {
-    const History history = History::read(path);
+//! One line, and whether the file is whole.
+struct Report {
+    std::string line;
+    ExitCode code = ExitCode::ok;
+};
+
+Report report_remains(const std::string& path, const History& history) {
+    const std::uint32_t count = history.next_generation();
+    std::string line = fmt::format(
+        "{}: truncated, {} bytes are missing at its end, {} of {} "
+        "complete generations can be read; copy it again",
+        path, history.missing_bytes(), count, history.summaries().size());
+    if (count > 0)
+        line += fmt::format(
+            ", or save these with: ideotype export {} --generations --to "
+            "NEW.csv",
+            path);
+    return {line, ExitCode::refused};
+}
+
+Report report_on(const std::string& path) {
+    const History history = History::salvage(path);
+    if (history.missing_bytes() > 0) return report_remains(path, history);
     const HistoryHeader& header = history.header();
     const auto summaries = history.summaries();
     std::string line = fmt::format("{}: {}, {} of {} generations", path,
                                    state_of(history, path), summaries.size(),
                                    header.generations);
-    if (summaries.empty()) return line;
+    if (summaries.empty()) return {line};
     const GenerationSummary& last = summaries.back();
     double failures = 0, evaluations = 0;
     for (const GenerationSummary& s : summaries) {
@@ -71,7 +92,18 @@ std::string line_of(const std::string& path) {
         line += fmt::format(", {} left",
                             format_duration((header.generations - generations) *
                                             last.wall_time / generations));
-    return line;
+    return {line};
+}
+
+ExitCode show(const std::string& path, bool only_resumable) {
+    if (only_resumable) {
+        if (!History::read(path).finished() && writer_of(path) != Writer::alive)
+            fmt::print("{}\n", path);
+        return ExitCode::ok;
+    }
+    const Report report = report_on(path);
+    fmt::print("{}\n", report.line);
+    return report.code;
 }
 
 }  // namespace
@@ -79,15 +111,11 @@ std::string line_of(const std::string& path) {
 ExitCode status(const StatusOptions& options) {
     ExitCode worst = ExitCode::ok;
     for (const std::string& path : histories_in(options.paths)) try {
-            if (!options.only_resumable)
-                fmt::print("{}\n", line_of(path));
-            else if (!History::read(path).finished() &&
-                     writer_of(path) != Writer::alive)
-                fmt::print("{}\n", path);
+            worst = std::max(worst, show(path, options.only_resumable));
         } catch (const Error& error) {
             // One unreadable file must not hide the others.
             fmt::print(stderr, "{}\n", error.what());
-            worst = error.exit_code();
+            worst = std::max(worst, error.exit_code());
         }
     return worst;
 }

@@ -1,5 +1,6 @@
 #include "columns.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "layout.hpp"
@@ -109,6 +110,7 @@ void Columns::create(hid_t file, const HistoryHeader& header,
     creator.add_numbers("genome", "traits", header.genes.size());
     creator.add("origin", origin_type(), "1");
     creator.add_parents();
+    creator.add("fitness", H5T_IEEE_F64LE, fitness_unit, &nan);
     creator.add_numbers("objectives", "objectives", schema.objectives.size());
     creator.add_numbers("objectives_standard_error", "objectives",
                         schema.objectives.size());
@@ -116,7 +118,6 @@ void Columns::create(hid_t file, const HistoryHeader& header,
                         schema.diagnostics.size());
     creator.add_numbers("diagnostics_standard_error", "diagnostics",
                         schema.diagnostics.size());
-    creator.add("fitness", H5T_IEEE_F64LE, fitness_unit, &nan);
     creator.add("attempt", H5T_STD_U32LE, "1");
     creator.add("seconds", H5T_IEEE_F64LE, "s", &nan);
     creator.add("worker", H5T_STD_I32LE, "1", &no_worker);
@@ -137,6 +138,14 @@ Columns::Columns(hid_t file, const std::string& group)
       seconds_(file, group + "/seconds"),
       worker_(file, group + "/worker"),
       message_(file, group + "/message") {}
+
+hsize_t Columns::rows_before(haddr_t end) const {
+    hsize_t count = rows();
+    for (const Dataset* column : {&status_, &genome_, &origin_, &parents_,
+                                  &fitness_, &objectives_, &objectives_error_})
+        count = std::min(count, column->rows_before(end));
+    return count;
+}
 
 std::vector<Status> Columns::statuses(hsize_t first, hsize_t count) const {
     return status_.read<Status>(first, count);

@@ -34,6 +34,10 @@ class Columns {
 
     hsize_t rows() const { return status_.rows(); }
 
+    //! Leading rows of which candidate, fitness and objectives lie before this
+    //! position in the file.
+    hsize_t rows_before(haddr_t end) const;
+
     std::vector<Status> statuses(hsize_t first, hsize_t count) const;
 
     //! Rows with NaN in everything that their status does not vouch for.

@@ -38,6 +38,14 @@ hsize_t Dataset::rows() const {
     return sizes.empty() ? 1 : sizes[0];
 }
 
+hsize_t Dataset::rows_before(haddr_t end) const {
+    const haddr_t begin = H5Dget_offset(id_);
+    const hsize_t count = rows();
+    if (begin == HADDR_UNDEF || end <= begin || count == 0) return 0;
+    const hsize_t row_size = H5Dget_storage_size(id_) / count;
+    return std::min<hsize_t>(count, (end - begin) / row_size);
+}
+
 void Dataset::write_text(hsize_t row, const std::string& text) {
     std::string padded = fitted(text, value_size_);
     padded.resize(value_size_, '\0');

@@ -24,6 +24,10 @@ class Dataset {
     //! Values in one row.
     std::size_t width() const { return width_; }
 
+    //! Whole rows that lie before this position in the file. None of a
+    //! compressed dataset has a position.
+    hsize_t rows_before(haddr_t end) const;
+
     //! Writes as many rows as there are values for. Value has the dataset's
     //! type in memory.
     template <class Value>

@@ -10,9 +10,12 @@ namespace ideotype {
 //! loses it; what remains of the file is harmless.
 class FileLock {
   public:
-    //! @throws Error (refused) naming the process that has the lock.
-    //! Where the file system has no locks, nobody is kept out.
+    //! @throws Error (refused) naming the process that has the lock. Where the
+    //! file system has no locks, only processes of this host are kept out.
     explicit FileLock(const std::string& file);
+
+    //! False where the file system has no locks.
+    bool is_exclusive() const { return is_exclusive_; }
 
     FileLock(FileLock&& other) noexcept;
     FileLock& operator=(FileLock&&) = delete;
@@ -21,6 +24,7 @@ class FileLock {
   private:
     std::string path_;
     int descriptor_ = -1;
+    bool is_exclusive_ = true;
 };
 
 }  // namespace ideotype

@@ -49,6 +49,19 @@ History History::read(const std::string& path) {
     });
 }
 
+History History::salvage(const std::string& path) {
+    initialize_hdf5();
+    return with_name_of(path, [&] {
+        Remains remains = open_remains(path);
+        auto file =
+            std::make_unique<File>(path, std::nullopt, std::move(remains.file));
+        file->missing_bytes = remains.missing;
+        file->intact_generations =
+            file->evaluations.rows_before(remains.bytes) / file->population();
+        return History(std::move(file));
+    });
+}
+
 std::string History::library_version() {
     return fmt::format("HDF5 {}.{}.{}", H5_VERS_MAJOR, H5_VERS_MINOR,
                        H5_VERS_RELEASE);
@@ -58,9 +71,17 @@ const HistoryHeader& History::header() const {
     return file_->header;
 }
 
+std::uint64_t History::missing_bytes() const {
+    return file_->missing_bytes;
+}
+
 void History::begin_session(const SessionRecord& session) {
     file_->write([&] {
         file_->journal.add(session);
+        if (!file_->lock->is_exclusive())
+            file_->journal.add(
+                "this file system has no locks: see that no other host "
+                "resumes this case at the same time");
         flush(file_->id);
     });
 }
@@ -68,7 +89,11 @@ void History::begin_session(const SessionRecord& session) {
 std::uint32_t History::next_generation() const {
     // A writer knows; under a reader the file goes on.
     if (file_->lock) return file_->next_generation;
-    return file_->read([&] { return file_->summaries.committed(); });
+    const std::uint32_t committed =
+        file_->read([&] { return file_->summaries.committed(); });
+    if (file_->missing_bytes == 0) return committed;
+    return static_cast<std::uint32_t>(
+        std::min<hsize_t>(committed, file_->intact_generations));
 }
 
 void History::propose(std::uint32_t generation,

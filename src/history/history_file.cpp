@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "open.hpp"
+#include "space.hpp"
 #include "verify.hpp"
 
 namespace ideotype {
@@ -85,6 +86,14 @@ void History::File::record(Columns& columns, const std::string& label,
         columns.set_statuses(row, {outcome.status});
         flush(id);
     });
+}
+
+void History::File::fail_to_write(const Hdf5Error& error) const {
+    const std::string lacking = lacking_space(path);
+    fail(
+        fmt::format("{}{}; all that was recorded before is safe; make room, "
+                    "then go on with --resume",
+                    error.what(), lacking.empty() ? "" : "; " + lacking));
 }
 
 void History::File::check(const std::string& label,

@@ -17,12 +17,11 @@ namespace ideotype {
 
 //! Runs what can fail in HDF5, and names the file if it does.
 template <class Action>
-auto with_name_of(const std::string& path, Action action,
-                  const std::string& advice = "") {
+auto with_name_of(const std::string& path, Action action) {
     try {
         return action();
     } catch (const Hdf5Error& error) {
-        throw Error(path + ": " + error.what() + advice);
+        throw Error(path + ": " + error.what());
     }
 }
 
@@ -54,9 +53,11 @@ struct History::File {
         if (is_broken) fail("an earlier write failed");
         // After a failed write HDF5 takes more data and stores zeros.
         is_broken = true;
-        with_name_of(path, std::move(action),
-                     "; all that was recorded before is safe, resume when "
-                     "the cause is gone");
+        try {
+            action();
+        } catch (const Hdf5Error& error) {
+            fail_to_write(error);
+        }
         is_broken = false;
     }
 
@@ -83,8 +84,11 @@ struct History::File {
     Journal journal;
     std::uint32_t next_generation = 0;
     bool is_broken = false;
+    std::uint64_t missing_bytes = 0;
+    hsize_t intact_generations = 0;  //!< if bytes are missing
 
   private:
+    [[noreturn]] void fail_to_write(const Hdf5Error& error) const;
     void check(const std::string& label, const Outcome& outcome) const;
 };
 

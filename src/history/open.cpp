@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -16,6 +17,7 @@
 #include "header.hpp"
 #include "ideotype/core/error.hpp"
 #include "journal.hpp"
+#include "space.hpp"
 #include "summaries.hpp"
 
 namespace ideotype {
@@ -47,9 +49,14 @@ Handle access_properties() {
     return access;
 }
 
+struct Length {
+    std::uint64_t present = 0;
+    std::uint64_t expected = 0;
+};
+
 // A file that was cut short opens, and reads as zeros beyond its end: the
 // length that HDF5 noted in its superblock (version 3) tells.
-void check_superblock(const std::string& path) {
+Length length_of(const std::string& path) {
     constexpr std::array<unsigned char, 9> start{0x89, 'H',  'D',  'F', '\r',
                                                  '\n', 0x1a, '\n', 3};
     constexpr std::size_t end_of_file_at = 28;
@@ -66,9 +73,26 @@ void check_superblock(const std::string& path) {
     std::uint64_t length = 0;
     for (std::size_t i = 8; i-- > 0;)
         length = length << 8U | block[end_of_file_at + i];
-    if (static_cast<std::uint64_t>(status.st_size) < length)
-        refuse(path, fmt::format("truncated: {} of {} bytes are there",
-                                 status.st_size, length));
+    return {static_cast<std::uint64_t>(status.st_size), length};
+}
+
+std::string truncation(const Length& length) {
+    return fmt::format("truncated: {} of {} bytes are there", length.present,
+                       length.expected);
+}
+
+void refuse_truncated(const std::string& path) {
+    const Length length = length_of(path);
+    if (length.present < length.expected)
+        refuse(path,
+               truncation(length) +
+                   "; copy it again, or save the generations that are left "
+                   "with: ideotype export FILE --generations --to NEW.csv");
+}
+
+Handle open_without_lock(const std::string& path, hid_t access) {
+    return {H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access),
+            H5Fclose, "open the file"};
 }
 
 void check_format(const std::string& path, hid_t file, bool is_exact) {
@@ -84,41 +108,43 @@ void check_format(const std::string& path, hid_t file, bool is_exact) {
                                  is_exact ? own : major + "x"));
 }
 
-void synchronize_path(const std::filesystem::path& path) {
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) throw Error(path.string() + ": " + system_reason());
-    fsync(descriptor);
-    ::close(descriptor);
-}
-
 void write_everything(hid_t file, const HistoryHeader& header) {
     const auto population = static_cast<hsize_t>(header.population);
     const auto generations = static_cast<hsize_t>(header.generations);
     write_header(file, header);
+    // The large comes last: it is what a file that is cut short loses.
+    Summaries::create(file, header);
+    Journal::create(file);
+    Columns::create(file, header,
+                    {.group = "final",
+                     .rows = static_cast<hsize_t>(header.finalists),
+                     .row_label = "finalist"});
     Columns::create(file, header,
                     {.group = "evaluations",
                      .rows = population * generations,
                      .room = Room::as_needed,
                      .row_label = "row"});
-    Columns::create(file, header,
-                    {.group = "final",
-                     .rows = static_cast<hsize_t>(header.finalists),
-                     .row_label = "finalist"});
-    Summaries::create(file, header);
-    Journal::create(file);
 }
 
-void write_file(const std::string& path, const HistoryHeader& header) {
+void write_file(const std::string& unfinished, const HistoryHeader& header,
+                const std::string& path) {
     const Handle access = access_properties();
     // A kill can cut a write in two where a page ends, but not within a number
     // at a multiple of its size.
     checked(H5Pset_alignment(access, 8, 8), "align the datasets");
-    Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access),
-                H5Fclose, "create the file");
+    // All that describes the data stands at the beginning, so that a file of
+    // which the end is lost can be opened.
+    checked(H5Pset_meta_block_size(access, 1 << 16), "place the descriptions");
+    Handle file(
+        H5Fcreate(unfinished.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access),
+        H5Fclose, "create the file");
     write_everything(file, header);
+    reserve_space(file, path,
+                  "make room, choose another folder with --out, or ask for "
+                  "fewer stop.generations");
     flush(file);
     file.close("write the file");
-    synchronize_path(path);
+    synchronize_path(unfinished);
 }
 
 }  // namespace
@@ -127,18 +153,36 @@ void create_file(const std::string& path, const HistoryHeader& header) {
     const std::string unfinished = path + ".new";
     std::error_code failure;
     try {
-        write_file(unfinished, header);
+        write_file(unfinished, header, path);
     } catch (...) {
         std::filesystem::remove(unfinished, failure);
         throw;
     }
-    std::filesystem::rename(unfinished, path, failure);
-    if (failure) throw Error(path + ": " + failure.message());
-    synchronize_path(std::filesystem::absolute(path).parent_path());
+    put_in_place(unfinished, path);
+}
+
+Handle create_empty(const std::string& path) {
+    return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT,
+                      access_properties()),
+            H5Fclose, "create the file"};
+}
+
+void synchronize_path(const std::filesystem::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) throw Error(path.string() + ": " + system_reason());
+    fsync(descriptor);
+    ::close(descriptor);
+}
+
+void put_in_place(const std::string& from, const std::string& to) {
+    std::error_code failure;
+    std::filesystem::rename(from, to, failure);
+    if (failure) throw Error(to + ": " + failure.message());
+    synchronize_path(std::filesystem::absolute(to).parent_path());
 }
 
 Handle open_to_write(const std::string& path) {
-    check_superblock(path);
+    refuse_truncated(path);
     const Handle access = access_properties();
     // What h5clear does: forget that a killed writer had the file open.
     const hbool_t yes = true;
@@ -147,16 +191,34 @@ Handle open_to_write(const std::string& path) {
         H5Fopen(path.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, access),
         H5Fclose, "open the file to write");
     check_format(path, file, true);
+    // A copy may have lost what was reserved for the original.
+    reserve_space(file, path, "make room and resume again");
     return file;
 }
 
 Handle open_to_read(const std::string& path) {
-    check_superblock(path);
-    Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ,
-                        access_properties()),
-                H5Fclose, "open the file");
+    refuse_truncated(path);
+    Handle file = open_without_lock(path, access_properties());
     check_format(path, file, false);
     return file;
+}
+
+Remains open_remains(const std::string& path) {
+    const Length length = length_of(path);
+    if (length.present >= length.expected)
+        return {open_to_read(path), length.present, 0};
+    try {
+        const Handle access = access_properties();
+        const hbool_t yes = true;
+        checked(H5Pset(access, "skip_eof_check", &yes), "skip the check");
+        Handle file = open_without_lock(path, access);
+        check_format(path, file, false);
+        return {std::move(file), length.present,
+                length.expected - length.present};
+    } catch (const Hdf5Error&) {
+        refuse(path,
+               truncation(length) + ", too few to read any; copy it again");
+    }
 }
 
 void flush(hid_t file) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
 #include <string>
 
 #include "handle.hpp"
@@ -11,6 +13,16 @@ namespace ideotype {
 //! name it is complete or does not exist. @throws Error, Hdf5Error
 void create_file(const std::string& path, const HistoryHeader& header);
 
+//! A new file without anything in it.
+Handle create_empty(const std::string& path);
+
+//! Waits until the disk has a closed file or folder.
+void synchronize_path(const std::filesystem::path& path);
+
+//! Gives a complete file the name of another, which it replaces if it exists;
+//! at no time is there neither.
+void put_in_place(const std::string& from, const std::string& to);
+
 //! Opens as the only writer, whatever a killed writer left behind. The caller
 //! holds the FileLock. @throws Error (refused) if it is not a history.
 Handle open_to_write(const std::string& path);
@@ -18,6 +30,17 @@ Handle open_to_write(const std::string& path);
 //! Opens a live, closed or killed history. @throws Error (refused) if it is
 //! not a history.
 Handle open_to_read(const std::string& path);
+
+//! A file that may be shorter than it was.
+struct Remains {
+    Handle file;
+    std::uint64_t bytes = 0;    //!< that are there
+    std::uint64_t missing = 0;  //!< bytes at the end
+};
+
+//! Opens also a history that was cut short: it reads as zeros beyond its end.
+//! @throws Error (refused) if it is not a history or too little is left.
+Remains open_remains(const std::string& path);
 
 //! Hands all writes to the operating system: they survive SIGKILL.
 void flush(hid_t file);

@@ -159,8 +159,10 @@ class Layout:
             [("started", _fixed(32)), ("host", _fixed(64))]
             + [("command", _fixed(512)), ("ranks", "i4")]
         )
-        self._make("sessions", (1,), session, None, "")
+        self._make("sessions", (3,), session, None, "")
         entry = (b"2025-08-07T12:00:00Z", b"node1", b"ideotype run", 3)
-        self._write("sessions", np.array([entry], session))
-        self._make("messages", (1,), _fixed(240), None, "")
-        self._write("messages", "Zeit f\u00fcr Licht".encode())
+        unused = (b"", b"", b"", 0)
+        entries = np.array([entry, unused, unused], session)
+        self._write("sessions", entries)
+        self._make("messages", (3,), _fixed(240), None, "")
+        self._write("messages", ["Zeit f\u00fcr Licht".encode(), b"", b""])

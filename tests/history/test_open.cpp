@@ -76,7 +76,7 @@ TEST(Open, FolderThatIsMissingIsNamed) {
     const Failure failure = failure_of(
         [&] { History::create(folder / "none/case.h5", sample_header()); });
     EXPECT_EQ(failure.exit_code, ExitCode::runtime);
-    EXPECT_NE(failure.message.find("none/case.h5"), std::string::npos);
+    EXPECT_NE(failure.message.find("/none: "), std::string::npos);
 }
 
 TEST(Open, RefusesWhatIsNotAHistory) {
@@ -100,6 +100,56 @@ TEST(Open, RefusesATruncatedFile) {
     expect_refused(path, "truncated");
     std::filesystem::resize_file(path, size / 2);
     expect_refused(path, "truncated");
+}
+
+TEST(Open, GenerationsBeforeTheCutAreSalvaged) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    const std::string cut = folder / "cut.h5";
+    HistoryHeader header = sample_header();
+    header.population = 500;
+    {
+        History history = History::create(path, header);
+        for (std::uint32_t g = 0; g < 4; ++g) {
+            history.propose(g, sample_candidates(g, 500));
+            record_pending(history, g);
+            history.commit(g, {});
+        }
+    }
+    const std::string whole = contents(path);
+    EXPECT_EQ(History::salvage(path).missing_bytes(), 0U);
+    EXPECT_EQ(History::salvage(path).next_generation(), 4U);
+    std::uint32_t left = 4;
+    bool is_partly_left = false;
+    for (std::size_t size = whole.size() - 1; size > 1'000'000;
+         size -= 10'000) {
+        write_contents(cut, whole.substr(0, size));
+        const History history = History::salvage(cut);
+        EXPECT_EQ(history.missing_bytes(), whole.size() - size);
+        EXPECT_LE(history.next_generation(), left);
+        left = history.next_generation();
+        is_partly_left = is_partly_left || (left > 0 && left < 4);
+        EXPECT_EQ(history.header().genes.size(), 3U);
+        EXPECT_EQ(history.summaries().size(), 4U);
+        for (std::uint32_t g = 0; g < left; ++g)
+            for (const std::uint32_t slot : {0U, 499U}) {
+                const Individual one = history.generation(g)[slot];
+                const Outcome outcome = sample_outcome(g, slot);
+                EXPECT_EQ(one.candidate.genome,
+                          sample_candidate(g, slot).genome);
+                EXPECT_EQ(one.fitness, outcome.objectives[0].mean);
+                EXPECT_EQ(one.standard_error,
+                          outcome.objectives[0].standard_error);
+            }
+        EXPECT_EQ(contents(cut), whole.substr(0, size)) << "it was changed";
+    }
+    EXPECT_TRUE(is_partly_left);
+    EXPECT_EQ(left, 0U);
+    write_contents(cut, whole.substr(0, 1000));
+    const Failure failure = failure_of([&] { History::salvage(cut); });
+    EXPECT_EQ(failure.exit_code, ExitCode::refused);
+    EXPECT_NE(failure.message.find("truncated: 1000 of"), std::string::npos)
+        << failure.message;
 }
 
 // Writes a string attribute as another program version would.

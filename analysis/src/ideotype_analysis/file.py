@@ -112,7 +112,8 @@ def _check_length(path: Path) -> None:
     between both looks at it, so that is left to whoever shows it."""
     if writer_of(path) is Writer.CLOSED and (missing := missing_bytes(path)):
         raise NotAHistory(
-            f"{path}: cut short, {missing} bytes are missing; copy it again"
+            f"{path}: cut short, {missing} bytes are missing; copy it again "
+            "(`ideotype status` tells what is left)"
         )
 
 

@@ -168,11 +168,12 @@ class History:
                 int(entry["ranks"]),
             )
             for entry in self._data.read("sessions")
+            if text(entry["started"])
         ]
 
     def messages(self) -> list[str]:
         """What the user should know, oldest first."""
-        return list(self._data.texts("messages"))
+        return [line for line in self._data.texts("messages") if line]
 
     def campaign(self, form: str = "source") -> str:
         """The campaign file, "source" as the user wrote it or "resolved"

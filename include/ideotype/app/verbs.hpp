@@ -60,13 +60,20 @@ struct EvaluateOptions {
 ExitCode evaluate(const EvaluateOptions& options);
 
 //! `export FILE --to X.obj|X.csv`: writes a plant or its field.
+//! `export FILE --generations --to X.csv`: writes the candidates of all
+//! complete generations, also of a file that was cut short.
 struct ExportOptions {
     std::string path;
     RowChoice row;
     std::string to;
     bool is_field = false;
+    bool is_generations = false;
 };
 ExitCode export_plant(const ExportOptions& options);
+ExitCode export_generations(const ExportOptions& options);
+
+//! `pack FILE...`: compresses finished histories.
+ExitCode pack(const std::vector<std::string>& paths);
 
 //! Parses the command line, runs the verb, reports errors.
 int run_command_line(int argc, char** argv);

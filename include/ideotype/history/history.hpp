@@ -54,7 +54,7 @@ enum class Writer {
 };
 
 //! Looks at the lock next to a history; never changes anything. Where the
-//! file system has no locks, a living writer looks killed.
+//! file system has no locks, a living writer on another host looks killed.
 Writer writer_of(const std::string& path);
 
 //! The file of one case: written by rank 0 as the evolution goes, in SWMR
@@ -74,6 +74,12 @@ class History {
     //! Opens to read only, also while another process writes.
     static History read(const std::string& path);
 
+    //! As read(), but opens also what is left of a file that was cut short.
+    //! Then only header(), next_generation(), generation() and summaries()
+    //! mean something: a generation counts if candidates, fitness and
+    //! objectives of its rows are left.
+    static History salvage(const std::string& path);
+
     History(History&&) noexcept;
     History& operator=(History&&) noexcept;
     ~History();
@@ -82,6 +88,9 @@ class History {
     static std::string library_version();
 
     const HistoryHeader& header() const;
+
+    //! Bytes that the end of the file lacks; 0 unless salvaged.
+    std::uint64_t missing_bytes() const;
 
     //! Adds an entry to /sessions. Once per start.
     void begin_session(const SessionRecord& session);

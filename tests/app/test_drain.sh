@@ -1,35 +1,11 @@
 #!/usr/bin/env bash
-# A run that is killed in the middle of a generation, again and again, and
-# resumed gives bitwise what an uninterrupted run gives. A drained one too.
+# A run that is drained and resumed gives bitwise what an uninterrupted run
+# gives; what would break the contract is refused. Kills: tests/stress.
 . "$(dirname "$0")/common.sh"
 
 write_campaign long 12 300
 "$ideotype" run campaigns/long.toml --out whole >/dev/null
 whole=$(history_of whole long)
-killed=$(history_of killed long)
-
-kills=0
-for delay in 0.9 1.0 1.2 0.8 1.1; do
-    mpirun -n 3 "$ideotype" run campaigns/long.toml --out killed --resume \
-        >/dev/null 2>&1 &
-    job=$!
-    sleep $delay
-    if pkill -KILL -f "run campaigns/long.toml --out killed"; then
-        kills=$((kills + 1))
-    fi
-    wait $job || true
-    # mpirun may be gone before the ranks are.
-    while pgrep -f "run campaigns/long.toml --out killed" >/dev/null; do
-        sleep 0.05
-    done
-    # The contract: the file can be read after any kill.
-    [ ! -e "$killed" ] || "$ideotype" status killed |
-        grep -E ": (dead|finished by generations), " ||
-        fail "a killed run does not look dead: $("$ideotype" status killed)"
-done
-[ $kills -ge 3 ] || fail "only $kills kills hit a run"
-mpirun -n 3 "$ideotype" run campaigns/long.toml --out killed --resume
-same_results "$whole" "$killed"
 
 # SIGUSR1 to mpirun drains: exit 0, a message with the command to go on.
 mpirun -n 3 "$ideotype" run campaigns/long.toml --out drained >drain.log &
@@ -40,13 +16,41 @@ for _ in $(seq 100); do
 done
 sleep 0.5
 "$ideotype" status drained | grep ": running, " || fail "does not look running"
+# Whoever else wants to write it is refused, and disturbs nothing.
+code=0
+"$ideotype" run campaigns/long.toml --out drained --resume 2>second.log || code=$?
+[ $code -eq 4 ] || fail "a second writer ended with $code: $(cat second.log)"
+grep -q "in use by process" second.log || fail "$(cat second.log)"
+code=0
+"$ideotype" pack "$(history_of drained long)" 2>pack.log || code=$?
+[ $code -eq 4 ] || fail "packing a live file ended with $code: $(cat pack.log)"
 kill -USR1 $job
 wait $job || fail "a drain must end with 0"
 "$ideotype" status drained | grep ": drained, " || fail "does not look drained"
 [ "$("$ideotype" status --resumable drained)" = "$(history_of drained long)" ] ||
     fail "a drained run is resumable"
 grep -q -- "--resume" drain.log || fail "no word about how to go on"
-"$ideotype" run campaigns/long.toml --out drained --resume >/dev/null
+code=0
+"$ideotype" pack "$(history_of drained long)" 2>pack.log || code=$?
+[ $code -eq 4 ] || fail "packing a part ended with $code: $(cat pack.log)"
+grep -q "is not finished" pack.log || fail "$(cat pack.log)"
+# Two resumes at once: one goes on, the other is refused.
+codes=()
+jobs=()
+for start in 1 2; do
+    "$ideotype" run campaigns/long.toml --out drained --resume \
+        >resume$start.log 2>&1 &
+    jobs+=($!)
+done
+for job in "${jobs[@]}"; do
+    code=0
+    wait "$job" || code=$?
+    codes+=("$code")
+done
+case "${codes[*]}" in
+"0 4" | "4 0") cat resume?.log | grep -q "in use by process" || fail "no reason" ;;
+*) fail "two resumes at once ended with ${codes[*]}: $(cat resume?.log)" ;;
+esac
 same_results "$whole" "$(history_of drained long)"
 
 # A run never overwrites, and another campaign is refused by name.

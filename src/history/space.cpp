@@ -1,0 +1,86 @@
+#include "space.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <fcntl.h>
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include "ideotype/core/error.hpp"
+
+namespace ideotype {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+double mebibytes(std::uintmax_t bytes) {
+    return static_cast<double>(bytes) / (1 << 20);
+}
+
+fs::path folder_of(const std::string& path) {
+    return fs::absolute(path).parent_path();
+}
+
+std::uintmax_t free_bytes(const std::string& path) {
+    std::error_code failure;
+    const fs::space_info space = fs::space(folder_of(path), failure);
+    return failure ? 0 : space.available;
+}
+
+// Bytes up to size that are holes of the file.
+std::uintmax_t missing_bytes(const struct stat& status, std::uintmax_t size) {
+    const auto present = static_cast<std::uintmax_t>(status.st_blocks) * 512;
+    return size - std::min(size, present);
+}
+
+std::string needed_and_free(std::uintmax_t needed, std::uintmax_t free) {
+    return fmt::format("{:.2f} MiB are needed and {:.2f} MiB are free",
+                       mebibytes(needed), mebibytes(free));
+}
+
+// Not posix_fallocate(): where the system can't, that writes to every block.
+int allocate(int descriptor, std::uintmax_t size) {
+    while (fallocate(descriptor, 0, 0, static_cast<off_t>(size)) != 0)
+        if (errno != EINTR) return errno;
+    return 0;
+}
+
+}  // namespace
+
+void reserve_space(hid_t file, const std::string& path,
+                   const std::string& advice) {
+    const std::string action = "reserve room";
+    void* descriptor = nullptr;
+    checked(H5Fget_vfd_handle(file, H5P_DEFAULT, &descriptor), action);
+    haddr_t size = 0;
+    checked(H5Fget_eoa(file, &size), action);
+    const int own = *static_cast<int*>(descriptor);
+    struct stat status {};
+    if (fstat(own, &status) != 0) throw_hdf5_error(action);
+    const std::uintmax_t needed = missing_bytes(status, size);
+    const std::uintmax_t free = free_bytes(path);
+
+    int failure = allocate(own, size);
+    if (failure == EOPNOTSUPP || failure == ENOSYS)
+        failure = needed <= free ? 0 : ENOSPC;
+    if (failure == 0) return;
+    throw Error(fmt::format(
+        "{}: there is no room for this history ({}): {} in {}; {}", path,
+        std::generic_category().message(failure), needed_and_free(needed, free),
+        folder_of(path).string(), advice));
+}
+
+std::string lacking_space(const std::string& path) {
+    struct stat status {};
+    if (stat(path.c_str(), &status) != 0) return "";
+    const std::uintmax_t needed =
+        missing_bytes(status, static_cast<std::uintmax_t>(status.st_size));
+    return needed == 0 ? "" : needed_and_free(needed, free_bytes(path));
+}
+
+}  // namespace ideotype

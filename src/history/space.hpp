@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "handle.hpp"
+
+namespace ideotype {
+
+//! Takes room on the disk for the whole file, so that no later write can meet
+//! a full one. Where the file system can't do that, looks whether there is
+//! enough. path names the file to the user. @throws Error saying how much is
+//! needed and how much is free, with this advice.
+void reserve_space(hid_t file, const std::string& path,
+                   const std::string& advice);
+
+//! "12.3 MiB are needed and 0.5 MiB are free", or empty if the file has all
+//! the room that it will ever need.
+std::string lacking_space(const std::string& path);
+
+}  // namespace ideotype

@@ -1,0 +1,134 @@
+#!/usr/bin/env bash
+# Disks that are too small, fill up or are read-only, and files that are cut
+# short: a clear message, nothing lost, and on with --resume.
+. "$(dirname "$0")/common.sh"
+
+disk=
+stop_all() {
+    [ -z "$disk" ] || umount -l "$disk" 2>/dev/null || true
+}
+trap stop_all EXIT
+
+# $1 the expected exit code, the rest a command; its output is in out.log.
+expect() {
+    local expected=$1 code=0
+    shift
+    "$@" >out.log 2>&1 || code=$?
+    [ $code -eq "$expected" ] ||
+        fail "'$*' ended with $code, not $expected: $(cat out.log)"
+    echo "\$ $*"
+    cat out.log
+}
+
+says() {
+    grep -q -- "$1" out.log || fail "no '$1' in: $(cat out.log)"
+}
+
+write_campaign disk 12 200
+run=("$ideotype" run campaigns/disk.toml)
+"${run[@]}" --out whole >/dev/null
+whole=$(history_of whole disk)
+
+# A limit on the size of files is met before the run begins. MPI needs some, too.
+write_campaign large 12 10000
+limited() {
+    (ulimit -f 50000 && exec "$@")
+}
+expect 1 limited "$ideotype" run campaigns/large.toml --out limited
+says "File too large"
+says "MiB are needed and .* MiB are free"
+[ -z "$(find limited -type f)" ] || fail "something is left: $(ls -R limited)"
+
+# One that comes in the middle, as a write error does: what was recorded is kept.
+"${run[@]}" --out cut >cut.log 2>&1 &
+job=$!
+until grep -qs "generation 3/" cut.log; do sleep 0.05; done
+prlimit --pid $job --fsize=4096
+code=0
+wait $job || code=$?
+[ $code -eq 1 ] || fail "a failed write ended with $code: $(cat cut.log)"
+grep "File too large; all that was recorded before is safe; make room" cut.log ||
+    fail "no word about the cause: $(cat cut.log)"
+expect 0 "${run[@]}" --out cut --resume
+same_results "$whole" "$(history_of cut disk)"
+
+# A folder that cannot be made.
+expect 1 "${run[@]}" --out /proc/none
+says "/proc/none.*choose another with --out"
+
+# HDF5's own locks are no hindrance if the environment asks for them.
+write_campaign locks 6 2
+export HDF5_USE_FILE_LOCKING=TRUE
+expect 0 "$ideotype" run campaigns/locks.toml --out locks
+expect 0 "$ideotype" run campaigns/locks.toml --out locks --resume
+expect 0 "$ideotype" status locks
+unset HDF5_USE_FILE_LOCKING
+
+# Cut short in copying: what is left can be saved, the rest is told.
+head -c -1000 "$whole" >short.h5
+expect 4 "$ideotype" export short.h5 --best --to best.csv
+says "truncated"
+expect 4 "$ideotype" status short.h5
+says "1000 bytes are missing at its end, 200 of 200 complete generations"
+expect 0 "$ideotype" export short.h5 --generations --to short.csv
+says "200 generations"
+expect 0 "$ideotype" export "$whole" --generations --to whole.csv
+cmp short.csv whole.csv || fail "saved generations differ"
+[ "$(wc -l <short.csv)" -eq $((1 + 12 * 200)) ] || fail "not one row each"
+head -c 200000 "$whole" >short.h5
+expect 1 "$ideotype" export short.h5 --generations --to none.csv
+says "no complete generation can be read"
+[ ! -e none.csv ] || fail "an empty file was written"
+
+# Packed, it is all as before.
+cp "$whole" packed.h5
+expect 0 "$ideotype" pack packed.h5
+expect 0 "$ideotype" status packed.h5
+says "finished by generations"
+expect 0 "$ideotype" evaluate packed.h5 --generation 7 --slot 3
+says "agrees bit for bit"
+expect 0 "$ideotype" export packed.h5 --generations --to packed.csv
+cmp packed.csv whole.csv || fail "packed generations differ"
+same_results "$whole" packed.h5
+cp packed.h5 "$(history_of cut disk)"
+expect 0 "${run[@]}" --out cut --resume
+says "gain"
+
+# A real full disk.
+mkdir small
+if ! mount -t tmpfs -o size=1m tmpfs small 2>/dev/null; then
+    echo "MOUNTING IS NOT PERMITTED: THE FULL DISK IS NOT TESTED" >&2
+    exit 0
+fi
+disk=$PWD/small
+expect 1 "${run[@]}" --out small
+says "No space left on device"
+says "MiB are needed and .* MiB are free"
+[ -z "$(find small -type f)" ] || fail "something is left: $(ls -R small)"
+
+# Once the run has begun, a disk that fills up does it no harm.
+mount -o remount,size=8m small
+expect 0 "${run[@]}" --out small --wall-time 00:00:01
+says "stopped before the end"
+head -c 16m /dev/zero >small/ballast 2>/dev/null || true
+expect 0 "${run[@]}" --out small --wall-time 00:00:01 --resume
+
+# A copy with holes has lost its room: it is refused before any work, and goes
+# on when there is room again.
+small=$(history_of small disk)
+cp --sparse=always "$small" sparse.h5
+rm "$small"
+cp --sparse=always sparse.h5 "$small"
+head -c 16m /dev/zero >>small/ballast 2>/dev/null || true
+expect 1 "${run[@]}" --out small --resume
+says "MiB are needed and .* MiB are free"
+expect 0 "$ideotype" status small
+rm small/ballast
+expect 0 "${run[@]}" --out small --resume
+same_results "$whole" "$small"
+
+# A file system that is read-only for everybody.
+mount -o remount,ro small
+expect 1 "${run[@]}" --out small/new
+says "Read-only file system.*choose another with --out"
+expect 0 "$ideotype" status small

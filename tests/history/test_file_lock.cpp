@@ -1,0 +1,128 @@
+#include <cerrno>
+#include <csignal>
+#include <functional>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+#include <hdf5.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+
+#include "ideotype/core/error.hpp"
+#include "sample_history.hpp"
+
+namespace {
+
+// How flock() fails on a file system without locks; 0: it does not.
+int flock_failure = 0;
+
+}  // namespace
+
+// In place of the C library's.
+extern "C" int flock(int descriptor, int operation) noexcept {
+    if (flock_failure != 0) {
+        errno = flock_failure;
+        return -1;
+    }
+    return static_cast<int>(syscall(SYS_flock, descriptor, operation));
+}
+
+namespace ideotype {
+namespace {
+
+int code_of(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return static_cast<int>(error.exit_code());
+    }
+    return 0;
+}
+
+constexpr int refused = static_cast<int>(ExitCode::refused);
+
+class WithoutLocks : public testing::TestWithParam<int> {
+  protected:
+    WithoutLocks() { flock_failure = GetParam(); }
+    ~WithoutLocks() override { flock_failure = 0; }
+
+    Folder folder;
+    std::string path = folder / "case.h5";
+};
+
+TEST_P(WithoutLocks, ASecondWriterOfThisHostIsRefused) {
+    const History history = History::create(path, sample_header());
+    EXPECT_EQ(in_other_process([&] {
+                  if (writer_of(path) != Writer::alive) return 1;
+                  return code_of([&] { History::resume(path); });
+              }),
+              refused);
+}
+
+TEST_P(WithoutLocks, AKilledRunIsResumedAndTheUserIsWarned) {
+    EXPECT_EQ(in_other_process([&] {
+                  History history = History::create(path, sample_header());
+                  complete(history, 0);
+                  return raise(SIGKILL);
+              }),
+              128 + SIGKILL);
+    EXPECT_EQ(writer_of(path), Writer::killed);
+    {
+        History history = History::resume(path);
+        history.begin_session({"2025-08-07T12:00:00Z", "node", "run", 1});
+        complete(history, 1);
+        EXPECT_EQ(history.next_generation(), 2U);
+    }
+    EXPECT_EQ(writer_of(path), Writer::closed);
+    flock_failure = 0;  // plain HDF5 needs locks
+    const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+    const hid_t messages = H5Dopen2(file, "messages", H5P_DEFAULT);
+    const hid_t type = H5Dget_type(messages);
+    std::vector<char> text(1000 * H5Tget_size(type));
+    EXPECT_GE(
+        H5Dread(messages, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), 0);
+    EXPECT_TRUE(std::string(text.data())
+                    .starts_with("this file system has no "
+                                 "locks"))
+        << text.data();
+    H5Tclose(type);
+    H5Dclose(messages);
+    H5Fclose(file);
+}
+
+INSTANTIATE_TEST_SUITE_P(FileLock, WithoutLocks,
+                         testing::Values(ENOLCK, EOPNOTSUPP, ENOSYS));
+
+TEST(FileLock, FolderThatCannotBeWrittenIsNamedWithARemedy) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    History::create(path, sample_header());
+    chmod((folder / "").c_str(), 0555);
+    const int code = in_other_process([&] {
+        // To root no folder is read-only.
+        if (geteuid() == 0 && setuid(65534) != 0) return 1;
+        if (History::read(path).next_generation() != 0) return 2;
+        for (const auto& open : std::vector<std::function<void()>>{
+                 [&] { History::resume(path); },
+                 [&] { History::create(path + "2", sample_header()); }}) {
+            try {
+                open();
+                return 3;
+            } catch (const Error& error) {
+                const std::string what = error.what();
+                if (error.exit_code() != ExitCode::runtime) return 4;
+                for (const std::string& part :
+                     {std::string("Permission denied"), std::string("--out"),
+                      std::filesystem::path(path).parent_path().string()})
+                    if (what.find(part) == std::string::npos) return 5;
+            }
+        }
+        return 0;
+    });
+    chmod((folder / "").c_str(), 0755);
+    EXPECT_EQ(code, 0);
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -1,0 +1,204 @@
+#!/usr/bin/env bash
+# Kills runs at random times, looks at what is left, resumes, and compares with
+# an uninterrupted run bit for bit: see README.md.
+# kill.sh IDEOTYPE [KILLS] [SEED]
+ideotype=$(readlink -f "$1")
+kills=${2:-100}
+seed=${3:-1}
+here=$(readlink -f "$(dirname "$0")")
+project=$(readlink -f "$here/../..")
+work=$(mktemp -d)
+set -- "$ideotype" "$project" "$work/test"
+. "$project/tests/app/common.sh"
+
+generations=$((kills > 20 ? 400 : 120))
+population=12
+RANDOM=$seed
+job=
+ranks=()
+
+stop_all() {
+    for process in $job "${ranks[@]}"; do
+        kill -KILL "$process" 2>/dev/null || true
+    done
+    cd /
+    rm -rf "$work"
+}
+trap stop_all EXIT
+
+# Python that can read histories, or nothing.
+python=
+for candidate in "${PYTHON:-}" "$project/.venv/bin/python" python3; do
+    if [ -n "$candidate" ] &&
+        "$candidate" -c "import h5py" >/dev/null 2>&1; then
+        python=$candidate
+        break
+    fi
+done
+[ -n "$python" ] ||
+    echo "NO PYTHON WITH h5py: FILES ARE READ BY ideotype status ALONE" >&2
+
+# Starts a run; sets job and log.
+start() {
+    log=run.$1.log
+    mpirun -n 3 "$ideotype" run campaigns/stress.toml --resume \
+        --out "round$round" >"$log" 2>&1 &
+    job=$!
+    disown $job  # no word of the shell about its end
+    ranks=()
+}
+
+# Process of a rank of the job, or nothing.
+rank_of() {
+    local process
+    for process in "${ranks[@]}"; do
+        if tr '\0' '\n' 2>/dev/null <"/proc/$process/environ" |
+            grep -qx "OMPI_COMM_WORLD_RANK=$1"; then
+            echo "$process"
+            return
+        fi
+    done
+}
+
+is_alive() {
+    grep -qs "^State:[[:space:]]*[^ZX[:space:]]" "/proc/$1/status"
+}
+
+# True once the process is gone, false if it is not within so many seconds.
+goes() {
+    for _ in $(seq $((20 * $2))); do
+        is_alive "$1" || return 0
+        sleep 0.05
+    done
+    return 1
+}
+
+# Waits for the end of a run, in whatever order its processes go.
+wait_for_end() {
+    local process
+    for process in "${ranks[@]}"; do
+        goes "$process" 30 ||
+            fail "rank $process is there 30 s after the kill of $target"
+    done
+    # Open MPI 4.1's mpirun sometimes waits for ever (in a futex) after it has
+    # reported a killed rank and all ranks are gone.
+    if ! goes "$job" 10; then
+        stuck=$((stuck + 1))
+        kill -KILL "$job"
+        goes "$job" 10 || fail "mpirun $job does not go"
+    fi
+}
+
+committed() {
+    [ -e "$1" ] || { echo 0; return; }
+    "$ideotype" status "$1" | sed -n 's/.*, \([0-9]*\) of [0-9]* generations.*/\1/p'
+}
+
+# Counts what is wrong with the file of a killed run.
+look() {
+    local text reported
+    [ -e "$history" ] || return 0
+    looks=$((looks + 1))
+    if ! text=$("$ideotype" status "$history" 2>&1); then
+        echo "unreadable: $text" >&2
+        unreadable=$((unreadable + 1))
+        return
+    fi
+    reported=$(sed -n "s/.*  generation \([0-9]*\)\/.*/\1/p" "$log" | tail -1)
+    if [ "$(committed "$history")" -lt "${reported:-0}" ]; then
+        echo "lost: the log had generation $reported; $text" >&2
+        lost=$((lost + 1))
+    fi
+    [ -n "$python" ] || return 0
+    local code=0
+    PYTHONPATH=$project/analysis/src "$python" "$here/look.py" "$whole" \
+        "$history" "${reported:-0}" || code=$?
+    case $code in
+    0) ;;
+    3) different=$((different + 1)) ;;
+    4) lost=$((lost + 1)) ;;
+    *) unreadable=$((unreadable + 1)) ;;
+    esac
+}
+
+finished() {
+    [ -e "$history" ] && "$ideotype" status "$history" | grep -q ": finished"
+}
+
+# A complete round is compared; the next begins with a new file.
+end_round() {
+    (same_results "$whole" "$history") >&2 || different=$((different + 1))
+    rounds=$((rounds + 1))
+    rm -rf "round$round"
+    round=$((round + 1))
+    history=$(history_of "round$round" stress)
+}
+
+write_campaign stress $population "$generations"
+"$ideotype" run campaigns/stress.toml --out whole >/dev/null
+whole=$(history_of whole stress)
+round=0
+history=$(history_of round0 stress)
+targets=(rank0 worker mpirun all)
+declare -A hits=([rank0]=0 [worker]=0 [mpirun]=0 [all]=0)
+declare -A places=([start]=0 [resume]=0 [generations]=0 [finals]=0)
+done_kills=0 looks=0 lost=0 unreadable=0 different=0 rounds=0 missed=0
+stuck=0
+
+while [ $done_kills -lt "$kills" ]; do
+    before=$(committed "$history")
+    target=${targets[RANDOM % 4]}
+    # [ms]; one in three while the ranks start and open the file.
+    delay=$((RANDOM % 3 == 0 ? 150 + RANDOM % 350 : 400 + RANDOM % 1000))
+    start $done_kills
+    sleep "$(printf '%d.%03d' $((delay / 1000)) $((delay % 1000)))"
+    mapfile -t ranks < <(pgrep -P $job || true)
+    case $target in
+    rank0) victims=$(rank_of 0) ;;
+    worker) victims=$(rank_of $((1 + RANDOM % 2))) ;;
+    mpirun) victims=$job ;;
+    all) victims="$job ${ranks[*]}" ;;
+    esac
+    # shellcheck disable=SC2086  # a list
+    if [ -z "$victims" ] || ! kill -KILL $victims 2>/dev/null; then
+        missed=$((missed + 1))
+        [ $missed -le $((kills + 20)) ] || fail "runs end before the kills"
+        wait_for_end
+    else
+        wait_for_end
+        after=$(committed "$history")
+        if [ ! -e "$history" ]; then
+            place=start
+        elif [ "$after" -eq "$generations" ]; then
+            place=finals
+        elif [ "$after" -eq "$before" ]; then
+            place=resume
+        else
+            place=generations
+        fi
+        places[$place]=$((places[$place] + 1))
+        hits[$target]=$((hits[$target] + 1))
+        done_kills=$((done_kills + 1))
+        look
+    fi
+    if finished; then end_round; fi
+    rm -f "$log"
+done
+if ! finished; then
+    mpirun -n 3 "$ideotype" run campaigns/stress.toml --resume \
+        --out "round$round" >last.log 2>&1 ||
+        fail "the last resume failed: $(cat last.log)"
+fi
+end_round
+
+echo "kills: $done_kills (rank 0 ${hits[rank0]}, a worker ${hits[worker]}," \
+    "mpirun ${hits[mpirun]}, all ${hits[all]}); seed $seed"
+echo "where: before the file ${places[start]}, before the first new" \
+    "generation ${places[resume]}, in later generations" \
+    "${places[generations]}, in the finals ${places[finals]}"
+echo "files looked at: $looks; complete runs compared: $rounds"
+echo "mpirun stuck after all its ranks were gone: $stuck"
+echo "generations lost: $lost"
+echo "files unreadable: $unreadable"
+echo "files with different rows: $different"
+[ $((lost + unreadable + different)) -eq 0 ] || fail "the contract is broken"

@@ -1,0 +1,52 @@
+"""Looks at the history of a killed run, as a reader of the analysis would.
+
+look.py WHOLE KILLED REPORTED: WHOLE is the history of an uninterrupted run and
+REPORTED the number of generations that the killed one's log reported.
+Exit codes: 0 all is well, 1 unreadable, 3 a row differs, 4 a row is lost."""
+
+from __future__ import annotations
+
+import sys
+
+import numpy as np
+from ideotype_analysis import Rows, open_history
+
+
+def values(rows: Rows) -> list[np.ndarray]:
+    """All numbers of complete rows that no kill may change."""
+    return [
+        rows.generation,
+        rows.slot,
+        rows.status,
+        rows.parents,
+        rows.traits.values,
+        rows.objectives.values,
+        rows.objectives.standard_error,
+        rows.diagnostics.values,
+        rows.diagnostics.standard_error,
+    ]
+
+
+def main() -> int:
+    whole_path, killed_path, reported = sys.argv[1:]
+    with (
+        open_history(whole_path) as whole,
+        open_history(killed_path) as killed,
+    ):
+        expected, found = whole.evaluations(), killed.evaluations()
+        population = whole.population
+        committed = len(killed.generations())
+    if len(found) < max(int(reported), committed) * population:
+        print(f"lost: {len(found)} rows, {reported} generations reported")
+        return 4
+    numbers = found.generation * population + found.slot
+    for a, b in zip(
+        values(expected.take(numbers)), values(found), strict=True
+    ):
+        if a.tobytes() != b.tobytes():
+            print("a row differs from that of the uninterrupted run")
+            return 3
+    return 0
+
+
+sys.exit(main())

@@ -1,5 +1,6 @@
 #include "ideotype/app/canopy.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -29,6 +30,15 @@ Draws draws_of(const Task& task, const Campaign& campaign, const Case& chosen) {
                 campaign.final_rule.sampling, Draws::Fields::each};
     return {chosen.seed, task.generation, campaign.sampling,
             Draws::Fields::one};
+}
+
+double final_effort(const Campaign& campaign) {
+    const auto paths = [](const Sampling& sampling) {
+        return static_cast<double>(sampling.paths) * sampling.randomisations;
+    };
+    const Sampling& final = campaign.final_rule.sampling;
+    return std::max<double>(paths(final) / paths(campaign.sampling),
+                            final.randomisations);
 }
 
 Mesh build_plant(const Campaign& campaign, const Genome& genome) {

@@ -64,24 +64,15 @@ Start prepare(const RunOptions& options, const Campaign& campaign) {
     return start;
 }
 
-//! An evaluation takes its time per path, and per field that is built.
-AnswerRules answer_rules(const Campaign& campaign) {
-    const Sampling& usual = campaign.sampling;
-    const Sampling& final = campaign.final_rule.sampling;
-    const double paths = static_cast<double>(final.paths) *
-                         final.randomisations / usual.paths /
-                         usual.randomisations;
-    return {campaign.answer_limits.deadline, campaign.answer_limits.attempts,
-            std::max<double>(paths, final.randomisations)};
-}
-
 //! Rank 0: evolves the cases, then lets the workers go.
 void direct(const RunOptions& options, const Campaign& campaign,
             const std::string& isa, CanopyEvaluator& evaluator,
             const Session& session, StopFlag& stop) {
     const std::vector<Case> chosen = chosen_cases(options, campaign);
-    const auto dispatcher =
-        make_dispatcher(session, evaluator, stop, answer_rules(campaign));
+    const auto dispatcher = make_dispatcher(
+        session, evaluator, stop,
+        {campaign.answer_limits.deadline, campaign.answer_limits.attempts,
+         final_effort(campaign)});
     std::optional<Error> failure;
     {
         Sweep sweep(options, campaign, chosen, isa, session.size(), stop);

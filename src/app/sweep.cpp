@@ -67,10 +67,7 @@ void Sweep::on_silence(const Task& task, const std::string& what) {
 void Sweep::on_stop(int in_flight) {
     has_said_how_to_go_on_ = true;
     const std::string pending =
-        in_flight > 0 ? fmt::format(
-                            "stopping: {} evaluations in flight are "
-                            "being finished; ",
-                            in_flight)
+        in_flight > 0 ? fmt::format("stopping; in flight: {}; ", in_flight)
                       : "";
     progress_.print(
         fmt::format("{}go on with\n  {}", pending, resume_command(options_)));

@@ -33,7 +33,7 @@ plant = 0.1524
 [plant]
 baseline = "plants/b73.toml"
 [light]
-paths = ${PATHS:-1024}
+paths = ${PATHS:-4096}
 [evolution]
 population = 24
 [stop]

@@ -222,6 +222,12 @@ void Dispatcher::give_up(const Seat& seat, Director& director) {
         director.on_silence(given.task, what + "; left for the next start");
         return;
     }
+    // With nobody left, the fault is hardly the candidate's: it stays pending.
+    if (std::all_of(seats_.begin(), seats_.end(),
+                    [](const Seat& each) { return each.is_late; })) {
+        director.on_silence(given.task, what);
+        return;
+    }
     const bool is_last =
         given.task.attempt >= static_cast<std::uint32_t>(rules_.attempts);
     director.on_silence(

@@ -126,7 +126,8 @@ TEST_F(DeadlineOnAllRanks, TheFirstAnswerCountsEvenIfLate) {
 }
 
 TEST_F(DeadlineOnAllRanks, EndsWithAnErrorWhenNobodyAnswers) {
-    command({0.1, 1000, 1}, [&](Dispatcher& dispatcher) {
+    // As many attempts as workers: still no failed row.
+    command({0.1, session().size() - 1, 1}, [&](Dispatcher& dispatcher) {
         director_.add(evaluate_slots(dispatcher, {slow}));
         try {
             dispatcher.run(director_);
@@ -135,6 +136,7 @@ TEST_F(DeadlineOnAllRanks, EndsWithAnErrorWhenNobodyAnswers) {
             EXPECT_NE(std::string(error.what()).find("parallel.deadline"),
                       std::string::npos);
         }
+        EXPECT_TRUE(answers_.empty());
         EXPECT_EQ(static_cast<int>(director_.silences.size()),
                   dispatcher.width());
         EXPECT_FALSE(dispatcher.dismiss());

@@ -33,7 +33,8 @@ struct AnswerRules {
     //! An evaluation is late after this time [s], or after 20 times what the
     //! longest took so far, whichever is longer.
     double deadline = 60;
-    //! After so many late attempts an evaluation has failed.
+    //! After so many late attempts an evaluation has failed, unless no worker
+    //! is left.
     int attempts = 3;
     //! How many times longer a final evaluation takes than another.
     double final_effort = 1;

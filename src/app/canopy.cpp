@@ -33,6 +33,15 @@ Draws draws_of(const Task& task, const Campaign& campaign, const Case& chosen) {
             Draws::Fields::one};
 }
 
+double final_effort(const Campaign& campaign) {
+    const auto paths = [](const Sampling& sampling) {
+        return static_cast<double>(sampling.paths) * sampling.randomisations;
+    };
+    const Sampling& final = campaign.final_rule.sampling;
+    return std::max<double>(paths(final) / paths(campaign.sampling),
+                            final.randomisations);
+}
+
 Mesh build_plant(const Campaign& campaign, const Genome& genome) {
     return build_plant(to_traits(genome), campaign.plant,
                        campaign.tessellation);

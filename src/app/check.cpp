@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <limits>
+
 #include <fmt/format.h>
 
 #include "ideotype/app/canopy.hpp"
@@ -11,13 +14,14 @@ namespace ideotype {
 namespace {
 
 //! Seconds that one evaluation of a case takes here on one core, measured on
-//! the baseline; the quicker of two, since the first warms up.
+//! the baseline; the quickest of a few, since the first warms up and others may
+//! use the core too.
 double measure_cost(const Campaign& campaign, const Case& chosen) {
     CanopyEvaluator evaluator(campaign, Device::supported_isas().back());
     Task task;
     task.case_index = static_cast<std::uint32_t>(chosen.index);
     double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < 4; ++i) {
         const double began = now();
         evaluator.evaluate(task, to_genome(campaign.baseline));
         least = std::min(least, now() - began);
@@ -25,17 +29,46 @@ double measure_cost(const Campaign& campaign, const Case& chosen) {
     return least;
 }
 
-long long evaluations(const Campaign& campaign) {
-    return static_cast<long long>(campaign.optimizer.population) *
-           campaign.stop.generations;
-}
+//! What a campaign costs if no stop rule ends it early.
+class Cost {
+  public:
+    //! seconds: of one evaluation.
+    Cost(const Campaign& campaign, double seconds)
+        : seconds_(seconds),
+          population_(campaign.optimizer.population),
+          generations_(campaign.stop.generations),
+          finalists_(1 + campaign.final_rule.candidates),
+          final_effort_(final_effort(campaign)) {}
 
-std::string cost_text(double seconds_each, long long count) {
-    return fmt::format(
-        "{} evaluations of {:.1f} ms: {} on one core", count,
-        seconds_each * 1e3,
-        format_duration(seconds_each * static_cast<double>(count)));
-}
+    //! Of one case [s]: the slowest worker of a generation counts.
+    double of_case(int workers) const {
+        const int rounds = (population_ + workers - 1) / workers;
+        const int final_rounds = (finalists_ + workers - 1) / workers;
+        return seconds_ * (static_cast<double>(generations_) * rounds +
+                           final_effort_ * final_rounds);
+    }
+
+    //! Of cases that share a job [s]: they fill each other's gaps.
+    double of_cases(std::size_t cases, int workers) const {
+        const double all = static_cast<double>(cases) * of_case(1) / workers;
+        return std::max(all, of_case(workers));
+    }
+
+    std::string text() const {
+        return fmt::format(
+            "{} x {} evaluations of {:.1f} ms and the finalists: {} on one "
+            "core",
+            generations_, population_, seconds_ * 1e3,
+            format_duration(of_case(1)));
+    }
+
+  private:
+    double seconds_;
+    int population_;
+    int generations_;
+    int finalists_;
+    double final_effort_;  //!< in evaluations of the usual effort
+};
 
 }  // namespace
 
@@ -48,7 +81,7 @@ ExitCode check(const std::string& campaign_path) {
     const Day day = clear_day(first.site, first.day, campaign.par_fraction);
     const Field field = build_field(campaign, first, baseline,
                                     draws_of({}, campaign, first), 0);
-    const double cost = measure_cost(campaign, first);
+    const Cost cost(campaign, measure_cost(campaign, first));
     int free_genes = 0;
     for (const Gene& gene : gene_space(campaign, first))
         free_genes += gene.is_free ? 1 : 0;
@@ -71,8 +104,7 @@ ExitCode check(const std::string& campaign_path) {
         day.steps.size(), day.incident() / 1e6,
         day.incident() > 0 ? 100 * day.diffuse() / day.incident() : 0);
     fmt::print("genes     {} of {} free\n", free_genes, baseline.size());
-    fmt::print("cost      {} per case\n",
-               cost_text(cost, evaluations(campaign)));
+    fmt::print("cost      {} per case\n", cost.text());
     return ExitCode::ok;
 }
 
@@ -83,14 +115,16 @@ ExitCode plan(const PlanOptions& options) {
         fmt::print("{}\n", all.size());
         return ExitCode::ok;
     }
-    const double cost = measure_cost(campaign, all.front());
-    fmt::print("{:>5}  {:<40}  {:>20}  {}\n", "index", "case", "seed", "cost");
+    const Cost cost(campaign, measure_cost(campaign, all.front()));
+    fmt::print("{:>5}  {:<40}  {:>20}\n", "index", "case", "seed");
     for (const Case& c : all)
-        fmt::print("{:>5}  {:<40}  {:>20}  {}\n", c.index, c.name, c.seed,
-                   cost_text(cost, evaluations(campaign)));
-    const auto total = static_cast<long long>(all.size());
-    fmt::print("all: {} (measured on the first case)\n",
-               cost_text(cost, total * evaluations(campaign)));
+        fmt::print("{:>5}  {:<40}  {:>20}\n", c.index, c.name, c.seed);
+    fmt::print("\neach case: {} (measured here on the first)\n", cost.text());
+    fmt::print("{:>7}  {:>12}  {:>12}\n", "workers", "one case", "all cases");
+    for (const int workers : {1, 2, 16, 128})
+        fmt::print("{:>7}  {:>12}  {:>12}\n", workers,
+                   format_duration(cost.of_case(workers)),
+                   format_duration(cost.of_cases(all.size(), workers)));
     return ExitCode::ok;
 }
 

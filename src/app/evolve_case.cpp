@@ -35,10 +35,10 @@ Progress progress_of(const History& history) {
 
 //! Evaluates what is pending of a proposed generation. Under common random
 //! numbers equal genomes have equal outcomes: they are evaluated once and
-//! copied (attempt 0).
-void evaluate_generation(const Evolution& evolution, History& history,
-                         std::uint32_t generation,
-                         const std::vector<Candidate>& candidates) {
+//! copied (attempt 0). False if a stop came first.
+Routine<bool> evaluate_generation(const Evolution& evolution, History& history,
+                                  std::uint32_t generation,
+                                  const std::vector<Candidate>& candidates) {
     const auto original_of = twins(candidates);
     std::vector<Work> work;
     for (const std::uint32_t slot : history.pending(generation))
@@ -50,12 +50,12 @@ void evaluate_generation(const Evolution& evolution, History& history,
             task.slot = slot;
             work.push_back({task, candidates[slot].genome});
         }
-    evolution.dispatcher.evaluate(
-        work, [&](const Work& done, const Outcome& outcome) {
-            history.record(generation, done.task.slot, outcome,
-                           fitness_of(outcome), done.task.attempt);
-            evolution.watcher.on_evaluation(generation);
-        });
+    const Record record = [&](const Work& done, const Outcome& outcome) {
+        history.record(generation, done.task.slot, outcome, fitness_of(outcome),
+                       done.task.attempt);
+        evolution.watcher.on_evaluation(generation);
+    };
+    co_await evolution.dispatcher.evaluate(std::move(work), record);
     const auto pending = history.pending(generation);
     const std::set<std::uint32_t> unknown(pending.begin(), pending.end());
     for (const auto& [slot, original] : original_of)
@@ -63,6 +63,7 @@ void evaluate_generation(const Evolution& evolution, History& history,
             const Row row = history.row(generation, original);
             history.record(generation, slot, row.outcome, row.fitness, 0);
         }
+    co_return history.pending(generation).empty();
 }
 
 void require_few_failures(const Evolution& evolution, History& history,
@@ -81,12 +82,12 @@ void require_few_failures(const Evolution& evolution, History& history,
         "stop.failed_fraction allows; the first reason: {}",
         summary.failures, population, generation, reason);
     history.message(message);
-    throw Error(message);
+    throw CaseError(message);
 }
 
 //! Evaluates the baseline and the best distinct genomes of the last
 //! generation anew; false if a stop came first.
-bool judge_finalists(const Evolution& evolution, History& history) {
+Routine<bool> judge_finalists(const Evolution& evolution, History& history) {
     const Population last = history.last_committed();
     std::vector<Candidate> finalists{
         {to_genome(evolution.campaign.baseline), Origin::baseline, {}}};
@@ -105,16 +106,16 @@ bool judge_finalists(const Evolution& evolution, History& history) {
         task.is_final = true;
         work.push_back({task, finalists[slot].genome});
     }
-    evolution.dispatcher.evaluate(
-        work, [&](const Work& done, const Outcome& outcome) {
-            history.record_final(done.task.slot, outcome, fitness_of(outcome));
-        });
-    return history.pending_final().empty();
+    const Record record = [&](const Work& done, const Outcome& outcome) {
+        history.record_final(done.task.slot, outcome, fitness_of(outcome));
+    };
+    co_await evolution.dispatcher.evaluate(std::move(work), record);
+    co_return history.pending_final().empty();
 }
 
 }  // namespace
 
-Ending evolve_case(const Evolution& evolution, History& history) {
+Routine<Ending> evolve_case(Evolution evolution, History& history) {
     const auto& [campaign, chosen, dispatcher, stop, watcher, elapsed] =
         evolution;
     const GeneSpace genes = gene_space(campaign, chosen);
@@ -128,9 +129,10 @@ Ending evolve_case(const Evolution& evolution, History& history) {
         const std::vector<Candidate> children =
             breed(campaign.optimizer, genes, baseline, chosen.seed, g, parents);
         history.propose(g, children);
-        evaluate_generation(evolution, history, g, children);
+        const bool is_complete =
+            co_await evaluate_generation(evolution, history, g, children);
         history.set_wall_time(spent_before + elapsed());
-        if (!history.pending(g).empty()) return Ending::drained;
+        if (!is_complete) co_return Ending::drained;
 
         parents = history.generation(g);
         GenerationSummary summary = summarize(parents, genes);
@@ -141,13 +143,14 @@ Ending evolve_case(const Evolution& evolution, History& history) {
         history.commit(g, summary);
         watcher.on_generation(g, summary);
         reason = finished(campaign.stop, progress_of(history));
-        if (!reason && stop.requested()) return Ending::drained;
+        if (!reason && stop.requested()) co_return Ending::drained;
     }
     watcher.on_final(*reason);
-    if (!judge_finalists(evolution, history)) return Ending::drained;
+    const bool is_judged = co_await judge_finalists(evolution, history);
     history.set_wall_time(spent_before + elapsed());
+    if (!is_judged) co_return Ending::drained;
     history.finish(*reason);
-    return Ending::finished;
+    co_return Ending::finished;
 }
 
 }  // namespace ideotype

@@ -51,61 +51,109 @@ bool is_watched() {
 
 }  // namespace
 
-ProgressLine::ProgressLine(const Campaign& campaign, const Case& chosen)
-    : campaign_(campaign),
-      name_(chosen.name),
-      is_terminal_(is_watched()),
-      started_(now()) {}
+//! Sees one case.
+class ProgressLog::CaseWatcher : public Watcher {
+  public:
+    CaseWatcher(ProgressLog& log, int index)
+        : log_(log),
+          entry_(log.in_flight_.at(index)),
+          to_evaluate_(log.to_evaluate_.at(index)) {}
 
-ProgressLine::~ProgressLine() {
-    if (is_terminal_ && shown_ > 0) std::puts("");
+    void on_evaluation(std::uint32_t generation) override {
+        entry_.generation = generation;
+        ++log_.evaluations_;
+        to_evaluate_ = std::max(0LL, to_evaluate_ - 1);
+        log_.show_live();
+    }
+
+    void on_generation(std::uint32_t generation,
+                       const GenerationSummary& summary) override {
+        entry_.generation = generation;
+        entry_.best = format({summary.best, summary.best_standard_error}) +
+                      " MJ m-2 day-1";
+        to_evaluate_ = log_.all_after(generation + 1);
+        std::string line = log_.text(entry_);
+        if (summary.failures > 0)
+            line += fmt::format("  {} failed", summary.failures);
+        if (!log_.is_terminal_) log_.print(line);
+        log_.show_live();
+    }
+
+    void on_final(const std::string& reason) override {
+        to_evaluate_ = 0;
+        log_.print(fmt::format(
+            "{}  ended by {}; evaluating the best anew with fresh random "
+            "numbers",
+            entry_.name, reason));
+    }
+
+  private:
+    ProgressLog& log_;
+    Entry& entry_;
+    long long& to_evaluate_;
+};
+
+ProgressLog::ProgressLog(const Campaign& campaign,
+                         const std::vector<Case>& chosen)
+    : campaign_(campaign),
+      is_terminal_(is_watched()),
+      started_(now()),
+      cases_(static_cast<int>(chosen.size())) {
+    for (const Case& each : chosen) to_evaluate_[each.index] = all_after(0);
 }
 
-std::string ProgressLine::text(std::uint32_t generation) const {
+ProgressLog::~ProgressLog() {
+    if (is_live_) std::puts("");
+}
+
+std::unique_ptr<Watcher> ProgressLog::watch(const Case& chosen,
+                                            std::uint32_t generation) {
+    in_flight_[chosen.index] = {chosen.name, generation, "-"};
+    to_evaluate_[chosen.index] = all_after(generation);
+    return std::make_unique<CaseWatcher>(*this, chosen.index);
+}
+
+void ProgressLog::end(const Case& chosen) {
+    ++ended_;
+    in_flight_.erase(chosen.index);
+    to_evaluate_[chosen.index] = 0;
+}
+
+void ProgressLog::print(const std::string& text) {
+    fmt::print("{}{}\n", is_live_ ? "\r\x1b[K" : "", text);
+    std::fflush(stdout);
+    is_live_ = false;
+}
+
+long long ProgressLog::all_after(std::uint32_t generation) const {
+    return (campaign_.stop.generations - static_cast<long long>(generation)) *
+           campaign_.optimizer.population;
+}
+
+std::string ProgressLog::text(const Entry& entry) const {
     const double seconds = std::max(now() - started_, 1e-3);
     const double rate = evaluations_ / seconds;
-    const int generations = campaign_.stop.generations;
-    const double left = (generations - static_cast<double>(generation)) *
-                            campaign_.optimizer.population -
-                        evaluations_generation_;
+    long long left = 0;
+    for (const auto& [index, count] : to_evaluate_) left += count;
     return fmt::format(
-        "{}  generation {}/{}  best {}  {:.1f} evaluations/s  {} left", name_,
-        generation + 1, generations, best_, rate,
-        rate > 0 ? format_duration(std::max(0.0, left) / rate) : "?");
+        "{}  generation {}/{}  best {}  {:.1f} evaluations/s  {} left",
+        entry.name, entry.generation + 1, campaign_.stop.generations,
+        entry.best, rate,
+        rate > 0 ? format_duration(static_cast<double>(left) / rate) : "?");
 }
 
-void ProgressLine::show(const std::string& line) {
-    if (is_terminal_)
-        fmt::print("\r\x1b[K{}", line);
-    else
-        fmt::print("{}\n", line);
+//! The case that comes first stands for those in flight.
+void ProgressLog::show_live() {
+    constexpr double calm = 0.1;
+    if (!is_terminal_ || in_flight_.empty() || now() - shown_ < calm) return;
+    const std::string cases =
+        cases_ == 1 ? ""
+                    : fmt::format("{} of {} cases done, {} in flight  ", ended_,
+                                  cases_, in_flight_.size());
+    fmt::print("\r\x1b[K{}{}", cases, text(in_flight_.begin()->second));
     std::fflush(stdout);
     shown_ = now();
-}
-
-void ProgressLine::on_evaluation(std::uint32_t generation) {
-    ++evaluations_;
-    ++evaluations_generation_;
-    if (is_terminal_ && now() - shown_ > 0.1) show(text(generation));
-}
-
-void ProgressLine::on_generation(std::uint32_t generation,
-                                 const GenerationSummary& summary) {
-    evaluations_generation_ = campaign_.optimizer.population;
-    best_ =
-        format({summary.best, summary.best_standard_error}) + " MJ m-2 day-1";
-    std::string line = text(generation);
-    if (summary.failures > 0)
-        line += fmt::format("  {} failed", summary.failures);
-    show(line);
-    evaluations_generation_ = 0;
-}
-
-void ProgressLine::on_final(const std::string& reason) {
-    show(
-        fmt::format("{}  ended by {}; evaluating the best anew with fresh "
-                    "random numbers",
-                    name_, reason));
+    is_live_ = true;
 }
 
 }  // namespace ideotype

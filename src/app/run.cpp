@@ -1,29 +1,20 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
-#include <sstream>
 
 #include <fmt/format.h>
 
 #include "ideotype/app/canopy.hpp"
-#include "ideotype/app/evolve_case.hpp"
-#include "ideotype/app/progress.hpp"
 #include "ideotype/app/provenance.hpp"
-#include "ideotype/app/summary.hpp"
 #include "ideotype/app/verbs.hpp"
 #include "ideotype/light/device.hpp"
+#include "sweep.hpp"
 
 namespace ideotype {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string path_of(const RunOptions& options, const Campaign& campaign,
-                    const Case& chosen) {
-    return (fs::path(options.out) / campaign.name / (chosen.name + ".h5"))
-        .string();
-}
 
 std::vector<Case> chosen_cases(const RunOptions& options,
                                const Campaign& campaign) {
@@ -73,73 +64,38 @@ Start prepare(const RunOptions& options, const Campaign& campaign) {
     return start;
 }
 
-//! Asks for a stop when this start has used up its time.
-class Deadline : public ProgressLine {
-  public:
-    Deadline(const Campaign& campaign, const Case& chosen, StopFlag& stop,
-             double end)
-        : ProgressLine(campaign, chosen), stop_(stop), end_(end) {}
-
-    void on_evaluation(std::uint32_t generation) override {
-        ProgressLine::on_evaluation(generation);
-        if (now() > end_) stop_.request();
-    }
-
-  private:
-    StopFlag& stop_;
-    double end_;
-};
-
-History open_history(const RunOptions& options, const Campaign& campaign,
-                     const Case& chosen, const std::string& isa) {
-    const std::string path = path_of(options, campaign, chosen);
-    if (fs::exists(path)) return History::resume(path);
-    const fs::path folder = fs::path(path).parent_path();
-    std::error_code failure;
-    fs::create_directories(folder, failure);
-    if (failure)
-        throw Error(
-            fmt::format("{}: cannot create this folder: {}; choose "
-                        "another with --out",
-                        folder.string(), failure.message()));
-    return History::create(path, header_of(campaign, chosen, isa));
-}
-
-//! Rank 0: evolves the chosen cases one after the other.
-void evolve_cases(const RunOptions& options, const Campaign& campaign,
-                  const std::string& isa, Dispatcher& dispatcher,
-                  const Session& session, StopFlag& stop) {
-    const double started = now();
-    const double end = options.wall_time
-                           ? started + *options.wall_time
-                           : std::numeric_limits<double>::infinity();
-    for (const Case& chosen : chosen_cases(options, campaign)) {
-        const std::string path = path_of(options, campaign, chosen);
-        History history = open_history(options, campaign, chosen, isa);
-        if (!history.finished()) {
-            history.begin_session(
-                session_record(options.command, session.size()));
-            Deadline watcher(campaign, chosen, stop, end);
-            const double began = now();
-            const Evolution evolution{
-                campaign, chosen,  dispatcher,
-                stop,     watcher, [began] { return now() - began; }};
-            if (evolve_case(evolution, history) == Ending::drained) {
-                fmt::print("{}\nstopped before the end; go on with\n  {}{}\n",
-                           path, options.command,
-                           options.is_resumed ? "" : " --resume");
-                return;
-            }
+//! Rank 0: evolves the cases, then lets the workers go.
+void direct(const RunOptions& options, const Campaign& campaign,
+            const std::string& isa, CanopyEvaluator& evaluator,
+            const Session& session, StopFlag& stop) {
+    const std::vector<Case> chosen = chosen_cases(options, campaign);
+    const auto dispatcher = make_dispatcher(
+        session, evaluator, stop,
+        {campaign.answer_limits.deadline, campaign.answer_limits.attempts,
+         final_effort(campaign)});
+    std::optional<Error> failure;
+    {
+        Sweep sweep(options, campaign, chosen, isa, session.size(), stop);
+        try {
+            sweep.evolve(*dispatcher);
+        } catch (const Error& error) {
+            failure = error;
         }
-        fmt::print("{}", final_summary(history, campaign));
-        fmt::print("history: {}\n", path);
     }
+    // All histories are closed. A worker that hangs would keep MPI from ending.
+    if (!dispatcher->dismiss()) {
+        if (failure) fmt::print(stderr, "ideotype: {}\n", failure->what());
+        session.abort(
+            static_cast<int>(failure ? failure->exit_code() : ExitCode::ok));
+    }
+    if (failure) throw Error(*failure);
 }
 
 }  // namespace
 
 ExitCode run(const RunOptions& options, const Session& session,
              StopFlag& stop) {
+    if (options.wall_time) stop.request_after(*options.wall_time);
     std::optional<Campaign> campaign;
     Start start;
     // Rank 0 alone looks at files. An empty text tells the others to leave.
@@ -175,8 +131,7 @@ ExitCode run(const RunOptions& options, const Session& session,
         serve(session, evaluator);
         return ExitCode::ok;
     }
-    const auto dispatcher = make_dispatcher(session, evaluator, stop);
-    evolve_cases(options, *campaign, isa, *dispatcher, session, stop);
+    direct(options, *campaign, isa, evaluator, session, stop);
     return ExitCode::ok;
 }
 

@@ -43,9 +43,10 @@ class DraftReader {
 
     void read(const toml::table& top) {
         Campaign& campaign = draft_.campaign;
-        tables_.read(top, top_section(campaign),
-                     {"site", "day", "spacing", "traits", "field", "plant",
-                      "optics", "light", "evolution", "stop", "final"});
+        tables_.read(
+            top, top_section(campaign),
+            {"site", "day", "spacing", "traits", "field", "plant", "optics",
+             "light", "evolution", "stop", "final", "parallel"});
         read_axes(top);
         tables_.read_child(top, "field", field_section(campaign.field));
         read_plant_choice(top);
@@ -55,6 +56,8 @@ class DraftReader {
                            evolution_section(campaign.optimizer));
         tables_.read_child(top, "stop", stop_section(campaign.stop));
         tables_.read_child(top, "final", final_section(campaign.final_rule));
+        tables_.read_child(top, "parallel",
+                           parallel_section(campaign.answer_limits));
     }
 
   private:

@@ -65,6 +65,7 @@ std::string resolved_text(Draft& draft) {
     append_table(text, "evolution", evolution_section(campaign.optimizer));
     append_table(text, "stop", stop_section(campaign.stop));
     append_table(text, "final", final_section(campaign.final_rule));
+    append_table(text, "parallel", parallel_section(campaign.answer_limits));
     return text;
 }
 

@@ -124,4 +124,24 @@ Section final_section(FinalRule& rule) {
     return section;
 }
 
+Section parallel_section(AnswerLimits& limits) {
+    return {"parallel",
+            {{.name = "deadline",
+              .value = &limits.deadline,
+              .notation = Notation::duration,
+              .unit = "s",
+              .lower = 0.001,
+              .upper = 1e9,
+              .example = "\"00:10:00\"",
+              .meaning = "after which an evaluation is given to another "
+                         "worker; at least 20 times what the longest took so "
+                         "far"},
+             {.name = "attempts",
+              .value = &limits.attempts,
+              .lower = 1,
+              .upper = 1000,
+              .meaning = "that may miss the deadline before an evaluation "
+                         "has failed"}}};
+}
+
 }  // namespace ideotype

@@ -71,6 +71,7 @@ Section light_section(Campaign& campaign);
 Section evolution_section(Optimizer& optimizer);
 Section stop_section(StopRules& stop);
 Section final_section(FinalRule& rule);
+Section parallel_section(AnswerLimits& limits);
 
 //! The sections of a plant file, or of [plant.baseline].
 Section plant_file_section(PlantForm& plant);

@@ -149,6 +149,7 @@ std::vector<KeyInfo> campaign_keys() {
           bounds_section(draft.bounds.table), optics_section(campaign),
           light_section(campaign), evolution_section(campaign.optimizer),
           stop_section(campaign.stop), final_section(campaign.final_rule),
+          parallel_section(campaign.answer_limits),
           plant_file_section(campaign.plant),
           stalk_section(campaign.plant.stalk),
           blade_section(campaign.plant.blade), leaf_section(leaf)})

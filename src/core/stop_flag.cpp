@@ -45,11 +45,17 @@ StopFlag::~StopFlag() {
 }
 
 bool StopFlag::requested() const {
-    return stop_requested.load();
+    return stop_requested.load() || std::chrono::steady_clock::now() >= end_;
 }
 
 void StopFlag::request() {
     stop_requested.store(true);
+}
+
+void StopFlag::request_after(double seconds) {
+    end_ = std::chrono::steady_clock::now() +
+           std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+               std::chrono::duration<double>(seconds));
 }
 
 int StopFlag::signal() const {

@@ -1,141 +1,285 @@
 #include "ideotype/parallel/dispatcher.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "guard.hpp"
+#include "crew.hpp"
 #include "ideotype/core/error.hpp"
-#include "mailbox.hpp"
 
 namespace ideotype {
 
 namespace {
 
-//! The only rank does all the work itself.
-class Soloist : public Dispatcher {
-  public:
-    Soloist(const Session& session, Evaluator& evaluator, const StopFlag& stop)
-        : session_(session), evaluator_(evaluator), stop_(stop) {}
+//! An evaluation is not late before it takes this many times the longest.
+constexpr double longest_factor = 20;
 
-    void evaluate(const std::vector<Work>& work,
-                  const Record& record) override {
-        for (const Work& item : work) {
-            if (stop_.requested()) return;
-            record(item, evaluate_guarded(evaluator_, item, session_.rank()));
-        }
-    }
+//! How soon a stop request or a passed deadline is noticed [s].
+constexpr double attention = 0.25;
 
-    int width() const override { return 1; }
+double steady_seconds() {
+    using Clock = std::chrono::steady_clock;
+    return std::chrono::duration<double>(Clock::now().time_since_epoch())
+        .count();
+}
 
-  private:
-    const Session& session_;
-    Evaluator& evaluator_;
-    const StopFlag& stop_;
-};
-
-//! Rank 0 of several, which keeps all other ranks busy.
-class Master : public Dispatcher {
-  public:
-    Master(const Session& session, const Evaluator& evaluator,
-           const StopFlag& stop)
-        : evaluator_(evaluator),
-          stop_(stop),
-          in_flight_(static_cast<std::size_t>(session.size())) {}
-
-    ~Master() override {
-        // The reply of a busy worker could not leave it if nobody took it.
-        discard_in_flight();
-        for (int rank = 1; rank <= width(); ++rank)
-            mailbox_.post(rank, Tag::stop, {});
-    }
-
-    Master(const Master&) = delete;
-    Master& operator=(const Master&) = delete;
-
-    void evaluate(const std::vector<Work>& work,
-                  const Record& record) override {
-        // An exception in record() may have ended an earlier call.
-        discard_in_flight();
-        auto next = work.begin();
-        for (;;) {
-            while (next != work.end() && !stop_.requested() && hand_out(*next))
-                ++next;
-            if (busy() == 0) return;
-            const auto [item, outcome] = collect();
-            record(item, outcome);
-        }
-    }
-
-    int width() const override {
-        return static_cast<int>(in_flight_.size()) - 1;
-    }
-
-  private:
-    struct Finished {
-        Work work;
-        Outcome outcome;
-    };
-
-    std::ptrdiff_t busy() const {
-        return std::count_if(in_flight_.begin(), in_flight_.end(),
-                             [](const auto& work) { return work.has_value(); });
-    }
-
-    //! Sends work to an idle worker, if there is one.
-    bool hand_out(const Work& work) {
-        const auto idle =
-            std::find(in_flight_.begin() + 1, in_flight_.end(), std::nullopt);
-        if (idle == in_flight_.end()) return false;
-        *idle = work;
-        mailbox_.post(static_cast<int>(idle - in_flight_.begin()), Tag::work,
-                      encode_work(work));
-        return true;
-    }
-
-    //! Waits for the next reply; its sender is idle from then on.
-    Finished collect() {
-        const Envelope letter = mailbox_.wait();
-        auto& assigned = in_flight_[static_cast<std::size_t>(letter.source)];
-        if (letter.tag != Tag::reply || !assigned)
-            throw Error(fmt::format(
-                "rank {} replied without having work; all ranks must run the "
-                "same ideotype",
-                letter.source));
-        Work work = *std::exchange(assigned, std::nullopt);
-        Reply reply = decode_reply(letter.bytes, evaluator_.schema(work.task));
-        if (reply.task != work.task)
-            throw Error(fmt::format(
-                "rank {} replied for generation {} slot {} but had "
-                "generation {} slot {}",
-                letter.source, reply.task.generation, reply.task.slot,
-                work.task.generation, work.task.slot));
-        return {std::move(work), std::move(reply.outcome)};
-    }
-
-    void discard_in_flight() {
-        while (busy() > 0) {
-            const Envelope letter = mailbox_.wait();
-            in_flight_[static_cast<std::size_t>(letter.source)].reset();
-        }
-    }
-
-    const Evaluator& evaluator_;
-    const StopFlag& stop_;
-    std::vector<std::optional<Work>> in_flight_;  //!< by rank
-    Mailbox mailbox_;
-};
+std::string name_of(const Task& task) {
+    return task.is_final ? fmt::format("finalist {}", task.slot)
+                         : fmt::format("generation {} slot {}", task.generation,
+                                       task.slot);
+}
 
 }  // namespace
 
+//! What a worker was given. Its batch may be gone since.
+struct Dispatcher::Assignment {
+    Precedence batch;
+    std::size_t item = 0;
+    Task task;
+    double began = 0;     //!< on the steady clock [s]
+    double deadline = 0;  //!< on the steady clock [s]
+};
+
+struct Dispatcher::Seat {
+    int worker = 0;
+    std::optional<Assignment> given;
+    bool is_late = false;
+};
+
+Dispatcher::Dispatcher(std::unique_ptr<Crew> crew, const StopFlag& stop,
+                       const AnswerRules& rules)
+    : crew_(std::move(crew)), stop_(stop), rules_(rules) {
+    for (int worker = 0; worker < crew_->width(); ++worker)
+        seats_.push_back({worker, std::nullopt, false});
+}
+
+Dispatcher::~Dispatcher() {
+    // The reply of a busy worker could not leave it if nobody took it.
+    if (dismiss()) return;
+    while (std::any_of(seats_.begin(), seats_.end(),
+                       [](const Seat& seat) { return seat.is_late; }))
+        drop_next();
+}
+
+int Dispatcher::width() const {
+    return crew_->width();
+}
+
+Batch Dispatcher::evaluate(std::vector<Work> work, Record record) {
+    return {*this, std::move(work), std::move(record)};
+}
+
+void Dispatcher::run(Director& director) {
+    bool has_next = true;
+    for (;;) {
+        if (stop_.requested() && !open_.empty() && !has_told_of_stop_) {
+            has_told_of_stop_ = true;
+            director.on_stop(busy_in_time());
+        }
+        // Before routines go on, since they take their time to breed.
+        while (hand_out()) continue;
+        resume_complete();
+        while (has_idle() && !stop_.requested())
+            if (!hand_out() && !(has_next = has_next && director.start_next()))
+                break;
+
+        if (busy_in_time() > 0)
+            receive(director);
+        else if (stop_.requested() && !open_.empty())
+            release_all();
+        else if (open_.empty() && (stop_.requested() || !has_next))
+            return;
+        else if (!has_idle())
+            throw Error(fmt::format(
+                "no worker answers any more; if evaluations take longer than "
+                "{:.4g} s, raise parallel.deadline",
+                rules_.deadline));
+    }
+}
+
+bool Dispatcher::dismiss() {
+    while (busy_in_time() > 0) drop_next();
+    if (!std::exchange(is_dismissed_, true)) crew_->dismiss();
+    return std::none_of(seats_.begin(), seats_.end(),
+                        [](const Seat& seat) { return seat.is_late; });
+}
+
+void Dispatcher::add(Batch& batch) {
+    batch.precedence_ = {batch.items_.front().work.task.case_index, batches_++};
+    open_.emplace(batch.precedence_, &batch);
+}
+
+void Dispatcher::remove(Batch& batch) {
+    const auto found = open_.find(batch.precedence_);
+    if (found != open_.end() && found->second == &batch) open_.erase(found);
+    std::erase(complete_, &batch);
+}
+
+bool Dispatcher::has_idle() const {
+    return std::any_of(seats_.begin(), seats_.end(),
+                       [](const Seat& seat) { return !seat.given; });
+}
+
+int Dispatcher::busy_in_time() const {
+    return static_cast<int>(std::count_if(
+        seats_.begin(), seats_.end(),
+        [](const Seat& seat) { return seat.given && !seat.is_late; }));
+}
+
+//! Sends the next work to an idle worker; false if there is none of either, or
+//! a stop is requested.
+bool Dispatcher::hand_out() {
+    if (stop_.requested()) return false;
+    const auto idle =
+        std::find_if(seats_.begin(), seats_.end(),
+                     [](const Seat& seat) { return !seat.given; });
+    if (idle == seats_.end()) return false;
+    for (const auto& [precedence, batch] : open_)
+        while (!batch->waiting_.empty()) {
+            const std::size_t index = batch->waiting_.back();
+            batch->waiting_.pop_back();
+            const Batch::Item& item = batch->items_[index];
+            if (item.is_answered) continue;
+            const Task& task = item.work.task;
+            const double now = steady_seconds();
+            idle->given = {
+                precedence, index, task, now,
+                now + std::max(rules_.deadline, longest_factor * longest_ *
+                                                    rules_.effort(task))};
+            crew_->give(idle->worker, item.work);
+            return true;
+        }
+    return false;
+}
+
+void Dispatcher::resume_complete() {
+    while (!complete_.empty()) {
+        Batch& batch = *complete_.front();
+        complete_.erase(complete_.begin());
+        batch.awaiting_.resume();
+    }
+}
+
+//! Lets all routines go on with what there is.
+void Dispatcher::release_all() {
+    for (const auto& [precedence, batch] : open_) complete_.push_back(batch);
+    open_.clear();
+}
+
+//! Waits until an answer arrives or a worker is late, but not for long.
+void Dispatcher::receive(Director& director) {
+    if (auto answer = crew_->wait(seconds_to_wait())) {
+        Seat& seat = seats_[static_cast<std::size_t>(answer->worker)];
+        const Assignment given = *std::exchange(seat.given, std::nullopt);
+        if (!std::exchange(seat.is_late, false))
+            longest_ = std::max(
+                longest_, answer->outcome.seconds / rules_.effort(given.task));
+        settle(given, answer->outcome);
+    }
+    const double now = steady_seconds();
+    for (Seat& seat : seats_)
+        if (seat.given && !seat.is_late && now > seat.given->deadline) {
+            seat.is_late = true;
+            give_up(seat, director);
+        }
+}
+
+//! Records an outcome, unless its batch is gone or another attempt was first.
+void Dispatcher::settle(const Assignment& given, const Outcome& outcome) {
+    const auto found = open_.find(given.batch);
+    if (found == open_.end()) return;
+    Batch& batch = *found->second;
+    Batch::Item& item = batch.items_[given.item];
+    if (std::exchange(item.is_answered, true)) return;
+    --batch.unanswered_;
+    item.work.task = given.task;
+    try {
+        batch.record_(item.work, outcome);
+    } catch (...) {
+        batch.failure_ = std::current_exception();
+    }
+    if (batch.unanswered_ > 0 && !batch.failure_) return;
+    open_.erase(found);
+    complete_.push_back(&batch);
+}
+
+//! What happens to the task of a worker that has become late.
+void Dispatcher::give_up(const Seat& seat, Director& director) {
+    const Assignment given = *seat.given;
+    std::string what =
+        fmt::format("no answer from rank {} within {:.3g} s for {}, attempt {}",
+                    crew_->rank(seat.worker), given.deadline - given.began,
+                    name_of(given.task), given.task.attempt);
+    const auto found = open_.find(given.batch);
+    if (found == open_.end()) {
+        director.on_silence(given.task, what);
+        return;
+    }
+    if (stop_.requested()) {
+        director.on_silence(given.task, what + "; left for the next start");
+        return;
+    }
+    // With nobody left, the fault is hardly the candidate's: it stays pending.
+    if (std::all_of(seats_.begin(), seats_.end(),
+                    [](const Seat& each) { return each.is_late; })) {
+        director.on_silence(given.task, what);
+        return;
+    }
+    const bool is_last =
+        given.task.attempt >= static_cast<std::uint32_t>(rules_.attempts);
+    director.on_silence(
+        given.task, what + (is_last ? "; it has failed" : "; trying again"));
+    if (is_last) {
+        const std::string reason =
+            fmt::format("no answer within {:.3g} s in {} attempts",
+                        given.deadline - given.began, given.task.attempt);
+        Outcome outcome = failed_outcome(crew_->schema(given.task), reason);
+        outcome.seconds = given.deadline - given.began;
+        outcome.worker = static_cast<std::uint32_t>(crew_->rank(seat.worker));
+        settle(given, outcome);
+    } else {
+        Batch& batch = *found->second;
+        ++batch.items_[given.item].work.task.attempt;
+        batch.waiting_.push_back(given.item);
+    }
+}
+
+double Dispatcher::seconds_to_wait() const {
+    const double now = steady_seconds();
+    double seconds = attention;
+    for (const Seat& seat : seats_)
+        if (seat.given && !seat.is_late)
+            seconds = std::min(seconds, seat.given->deadline - now);
+    return std::max(seconds, 0.0);
+}
+
+//! Takes an answer that nobody needs any more, or notices who is late.
+void Dispatcher::drop_next() {
+    if (const auto answer = crew_->wait(seconds_to_wait())) {
+        Seat& seat = seats_[static_cast<std::size_t>(answer->worker)];
+        seat.given.reset();
+        seat.is_late = false;
+    }
+    const double now = steady_seconds();
+    for (Seat& seat : seats_)
+        if (seat.given && now > seat.given->deadline) seat.is_late = true;
+}
+
+std::unique_ptr<Dispatcher> make_dispatcher(Evaluator& evaluator,
+                                            const StopFlag& stop) {
+    return std::make_unique<Dispatcher>(make_solo_crew(evaluator), stop);
+}
+
 std::unique_ptr<Dispatcher> make_dispatcher(const Session& session,
                                             Evaluator& evaluator,
-                                            const StopFlag& stop) {
-    if (session.size() == 1)
-        return std::make_unique<Soloist>(session, evaluator, stop);
-    return std::make_unique<Master>(session, evaluator, stop);
+                                            const StopFlag& stop,
+                                            const AnswerRules& rules) {
+    if (session.size() == 1) return make_dispatcher(evaluator, stop);
+    return std::make_unique<Dispatcher>(make_rank_crew(session, evaluator),
+                                        stop, rules);
 }
 
 }  // namespace ideotype

@@ -1,5 +1,6 @@
 #include "mailbox.hpp"
 
+#include <chrono>
 #include <list>
 
 #include <fmt/format.h>
@@ -45,6 +46,14 @@ void Mailbox::post(int rank, Tag tag, Bytes bytes) {
 }
 
 Envelope Mailbox::wait() {
+    constexpr double long_enough = 3600;
+    for (;;)
+        if (auto letter = wait(long_enough)) return *std::move(letter);
+}
+
+std::optional<Envelope> Mailbox::wait(double seconds) {
+    using Clock = std::chrono::steady_clock;
+    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
     Patience patience;
     MPI_Status status;
     for (;;) {
@@ -53,6 +62,7 @@ Envelope Mailbox::wait() {
         MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &arrived,
                    &status);
         if (arrived) break;
+        if (Clock::now() >= end) return std::nullopt;
         patience.rest();
     }
     int size = 0;
@@ -66,8 +76,8 @@ Envelope Mailbox::wait() {
             "unexpected MPI message with tag {} from rank {}; all ranks must "
             "run the same ideotype",
             status.MPI_TAG, status.MPI_SOURCE));
-    return {status.MPI_SOURCE, static_cast<Tag>(status.MPI_TAG),
-            std::move(bytes)};
+    return Envelope{status.MPI_SOURCE, static_cast<Tag>(status.MPI_TAG),
+                    std::move(bytes)};
 }
 
 }  // namespace ideotype

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "ideotype/parallel/messages.hpp"
 
@@ -28,6 +29,9 @@ class Mailbox {
     //! The next message of any rank; sleeps until there is one.
     //! @throws Error if its tag is unknown.
     Envelope wait();
+
+    //! The same, but none if there is none after this time [s].
+    std::optional<Envelope> wait(double seconds);
 
   private:
     //! Messages under way; MPI reads their bytes until they have left.

@@ -32,6 +32,7 @@ expect 0 "$ideotype" check campaigns/verbs.toml
 says "LAI 3.44"
 expect 0 "$ideotype" plan campaigns/verbs.toml
 says "ames_0807_762x152_all_r1"
+says "^ *128  *[0-9:]*  *[0-9:]*$"
 expect 0 "$ideotype" plan campaigns/verbs.toml --count
 says "^1$"
 

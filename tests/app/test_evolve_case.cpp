@@ -1,6 +1,7 @@
 #include <cmath>
 #include <filesystem>
 #include <unistd.h>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -12,38 +13,54 @@
 namespace ideotype {
 namespace {
 
-//! Evaluates here with the sum of the genes, fails where told, and counts.
-class FakeDispatcher : public Dispatcher {
+//! The sum of the genes; fails and stops where told, and counts.
+class SumEvaluator : public Evaluator {
   public:
-    FakeDispatcher(const OutcomeSchema& schema, StopFlag& stop)
+    SumEvaluator(const OutcomeSchema& schema, StopFlag& stop)
         : schema_(schema), stop_(stop) {}
 
-    void evaluate(const std::vector<Work>& work,
-                  const Record& record) override {
-        for (const Work& item : work) {
-            if (stop_.requested()) return;
-            if (count++ == stop_after) stop_.request();
-            Outcome outcome;
-            outcome.status = Status::done;
-            double sum = 0;
-            for (const double gene : item.genome) sum += gene;
-            outcome.objectives.assign(schema_.objectives.size(), {sum, 0.1});
-            outcome.diagnostics.assign(schema_.diagnostics.size(), {1, 0});
-            if (item.task.slot < failing_slots && !item.task.is_final)
-                outcome = failed_outcome(schema_, "the sun went out");
-            record(item, outcome);
-        }
+    const OutcomeSchema& schema(const Task&) const override { return schema_; }
+
+    Outcome evaluate(const Task& task, const Genome& genome) override {
+        if (++count == stop_at) stop_.request();
+        if (task.slot < failing_slots && !task.is_final)
+            return failed_outcome(schema_, "the sun went out");
+        Outcome outcome;
+        outcome.status = Status::done;
+        double sum = 0;
+        for (const double gene : genome) sum += gene;
+        outcome.objectives.assign(schema_.objectives.size(), {sum, 0.1});
+        outcome.diagnostics.assign(schema_.diagnostics.size(), {1, 0});
+        return outcome;
     }
 
-    int width() const override { return 1; }
-
     int count = 0;
-    int stop_after = -1;
+    int stop_at = -1;
     std::uint32_t failing_slots = 0;
 
   private:
     const OutcomeSchema& schema_;
     StopFlag& stop_;
+};
+
+//! Starts one routine and waits for its end.
+class Once : public Director {
+  public:
+    explicit Once(Routine<Ending> routine) : routine_(std::move(routine)) {}
+
+    bool start_next() override {
+        if (std::exchange(is_started_, true)) return false;
+        routine_.start();
+        return true;
+    }
+    void on_silence(const Task&, const std::string&) override {}
+    void on_stop(int) override {}
+
+    Ending result() { return routine_.result(); }
+
+  private:
+    Routine<Ending> routine_;
+    bool is_started_ = false;
 };
 
 class NoWatcher : public Watcher {
@@ -71,10 +88,13 @@ class EvolveCase : public ::testing::Test {
         return (folder / name).string();
     }
     HistoryHeader header() const { return header_of(campaign, chosen, "sse2"); }
-    Ending evolve(History& history, FakeDispatcher& dispatcher) {
-        return evolve_case(
-            {campaign, chosen, dispatcher, stop, watcher, [] { return 1.0; }},
-            history);
+    Ending evolve(History& history, SumEvaluator& evaluator) {
+        const auto dispatcher = make_dispatcher(evaluator, stop);
+        Once once(evolve_case(
+            {campaign, chosen, *dispatcher, stop, watcher, [] { return 1.0; }},
+            history));
+        dispatcher->run(once);
+        return once.result();
     }
 
     std::filesystem::path folder;
@@ -87,8 +107,8 @@ class EvolveCase : public ::testing::Test {
 TEST_F(EvolveCase, EndsWithJudgedFinalistsAndAReason) {
     const HistoryHeader h = header();
     History history = History::create(path("a.h5"), h);
-    FakeDispatcher dispatcher(h.schema, stop);
-    EXPECT_EQ(evolve(history, dispatcher), Ending::finished);
+    SumEvaluator evaluator(h.schema, stop);
+    EXPECT_EQ(evolve(history, evaluator), Ending::finished);
     EXPECT_EQ(history.finished(), "generations");
     const auto finalists = history.finalists();
     ASSERT_GE(finalists.size(), 2u);
@@ -99,21 +119,21 @@ TEST_F(EvolveCase, EndsWithJudgedFinalistsAndAReason) {
 TEST_F(EvolveCase, StopAndResumeGiveWhatAnUninterruptedRunGives) {
     const HistoryHeader h = header();
     History whole = History::create(path("whole.h5"), h);
-    FakeDispatcher dispatcher(h.schema, stop);
-    evolve(whole, dispatcher);
-    for (const int stop_after : {0, 7, 10, 31}) {
-        const std::string name = path("cut" + std::to_string(stop_after));
+    SumEvaluator evaluator(h.schema, stop);
+    evolve(whole, evaluator);
+    for (const int stop_at : {1, 7, 10, 31}) {
+        const std::string name = path("cut" + std::to_string(stop_at));
         {
             History cut = History::create(name, h);
-            FakeDispatcher interrupted(h.schema, stop);
-            interrupted.stop_after = stop_after;
+            SumEvaluator interrupted(h.schema, stop);
+            interrupted.stop_at = stop_at;
             EXPECT_EQ(evolve(cut, interrupted), Ending::drained);
         }
         // Only a new start takes a stop back.
         stop.~StopFlag();
         new (&stop) StopFlag;
         History resumed = History::resume(name);
-        FakeDispatcher rest(h.schema, stop);
+        SumEvaluator rest(h.schema, stop);
         EXPECT_EQ(evolve(resumed, rest), Ending::finished);
         for (std::uint32_t g = 0; g < 6; ++g)
             for (std::uint32_t s = 0; s < 10; ++s) {
@@ -129,14 +149,14 @@ TEST_F(EvolveCase, EqualGenomesAreEvaluatedOnce) {
     campaign.optimizer.crossover_probability = 0;
     const HistoryHeader h = header();
     History history = History::create(path("twins.h5"), h);
-    FakeDispatcher dispatcher(h.schema, stop);
-    evolve(history, dispatcher);
+    SumEvaluator evaluator(h.schema, stop);
+    evolve(history, evaluator);
     const auto summaries = history.summaries();
     std::uint32_t evaluations = 0;
     for (const auto& s : summaries) evaluations += s.evaluations;
     EXPECT_LT(summaries.back().evaluations, 10u);
     EXPECT_EQ(evaluations + history.finalists().size(),
-              static_cast<std::size_t>(dispatcher.count));
+              static_cast<std::size_t>(evaluator.count));
     for (std::uint32_t s = 0; s < 10; ++s)
         EXPECT_EQ(history.row(5, s).outcome.status, Status::done);
 }
@@ -144,9 +164,9 @@ TEST_F(EvolveCase, EqualGenomesAreEvaluatedOnce) {
 TEST_F(EvolveCase, AFewFailuresAreRowsWithAReason) {
     const HistoryHeader h = header();
     History history = History::create(path("few.h5"), h);
-    FakeDispatcher dispatcher(h.schema, stop);
-    dispatcher.failing_slots = 2;
-    EXPECT_EQ(evolve(history, dispatcher), Ending::finished);
+    SumEvaluator evaluator(h.schema, stop);
+    evaluator.failing_slots = 2;
+    EXPECT_EQ(evolve(history, evaluator), Ending::finished);
     const Row row = history.row(3, 1);
     EXPECT_EQ(row.outcome.status, Status::failed);
     EXPECT_EQ(row.outcome.message, "the sun went out");
@@ -156,12 +176,12 @@ TEST_F(EvolveCase, AFewFailuresAreRowsWithAReason) {
 TEST_F(EvolveCase, TooManyFailuresEndTheRunWithTheReason) {
     const HistoryHeader h = header();
     History history = History::create(path("many.h5"), h);
-    FakeDispatcher dispatcher(h.schema, stop);
-    dispatcher.failing_slots = 6;
+    SumEvaluator evaluator(h.schema, stop);
+    evaluator.failing_slots = 6;
     try {
-        evolve(history, dispatcher);
+        evolve(history, evaluator);
         FAIL() << "went on";
-    } catch (const Error& error) {
+    } catch (const CaseError& error) {
         EXPECT_NE(std::string(error.what()).find("the sun went out"),
                   std::string::npos);
     }

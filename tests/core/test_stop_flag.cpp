@@ -48,6 +48,16 @@ TEST(StopFlag, RisesOnRequestWithoutASignal) {
     EXPECT_EQ(stop.signal(), 0);
 }
 
+TEST(StopFlag, RisesWhenItsTimeIsOver) {
+    StopFlag stop;
+    stop.request_after(3600);
+    EXPECT_FALSE(stop.requested());
+    stop.request_after(0.01);
+    usleep(20'000);
+    EXPECT_TRUE(stop.requested());
+    EXPECT_EQ(stop.signal(), 0);
+}
+
 TEST_P(StopSignal, RaisesTheFlagAndIsRemembered) {
     const StopFlag stop;
     raise(GetParam());

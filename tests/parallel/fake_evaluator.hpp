@@ -22,18 +22,25 @@ class FakeEvaluator : public Evaluator {
     static constexpr std::uint32_t oddly_throwing_slot = 1002;
     static constexpr std::uint32_t not_a_number_slot = 1003;
 
-    explicit FakeEvaluator(std::chrono::milliseconds duration = {})
-        : duration_(duration) {}
+    //! Takes long at the first attempt only, and at any attempt.
+    static constexpr std::uint32_t slow_once_slot = 1004;
+    static constexpr std::uint32_t slow_slot = 1005;
+
+    explicit FakeEvaluator(std::chrono::milliseconds duration = {},
+                           std::chrono::milliseconds long_duration = {})
+        : duration_(duration), long_duration_(long_duration) {}
 
     const OutcomeSchema& schema(const Task&) const override { return schema_; }
 
     Outcome evaluate(const Task& task, const Genome& genome) override {
-        std::this_thread::sleep_for(duration_);
+        const bool is_slow = task.slot == slow_slot ||
+                             (task.slot == slow_once_slot && task.attempt == 1);
+        std::this_thread::sleep_for(is_slow ? long_duration_ : duration_);
         if (task.slot == throwing_slot)
             throw std::runtime_error("leaf 3 is longer than the row");
         if (task.slot == oddly_throwing_slot) throw 42;
 
-        RandomStream random(task.case_index + 10ull * task.attempt,
+        RandomStream random(task.case_index,
                             task.is_final ? Purpose::scramble : Purpose::jitter,
                             task.generation, task.slot);
         double sum = random.uniform();
@@ -50,6 +57,7 @@ class FakeEvaluator : public Evaluator {
 
   private:
     std::chrono::milliseconds duration_;
+    std::chrono::milliseconds long_duration_;
     OutcomeSchema schema_ = fake_schema();
 };
 

@@ -5,6 +5,7 @@
 
 #include <mpi.h>
 
+#include "fake_director.hpp"
 #include "fake_evaluator.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/parallel/dispatcher.hpp"
@@ -83,7 +84,7 @@ TEST_F(DispatcherOnAllRanks, HasOneSeatPerWorker) {
 TEST_F(DispatcherOnAllRanks, RecordsEveryTaskOnceWithTheSameNumbers) {
     command([&](Dispatcher& dispatcher) {
         const std::vector<Work> work = sample_work(203);
-        dispatcher.evaluate(work, keep());
+        evaluate(dispatcher, work, keep());
         ASSERT_EQ(outcomes_.size(), work.size());
         for (const Work& item : work)
             expect_right_numbers(item, outcomes_.at(item.task.slot));
@@ -95,7 +96,7 @@ TEST_F(DispatcherOnAllRanks, CarriesGenomesOfAnyLength) {
         for (const std::size_t genes : {0u, 1u, 20'000u}) {
             const std::vector<Work> work = sample_work(12, genes);
             outcomes_.clear();
-            dispatcher.evaluate(work, keep());
+            evaluate(dispatcher, work, keep());
             ASSERT_EQ(outcomes_.size(), work.size());
             for (const Work& item : work)
                 expect_right_numbers(item, outcomes_.at(item.task.slot));
@@ -105,9 +106,9 @@ TEST_F(DispatcherOnAllRanks, CarriesGenomesOfAnyLength) {
 
 TEST_F(DispatcherOnAllRanks, ManagesWithLessWorkThanRanks) {
     command([&](Dispatcher& dispatcher) {
-        dispatcher.evaluate({}, keep());
+        evaluate(dispatcher, {}, keep());
         EXPECT_TRUE(outcomes_.empty());
-        dispatcher.evaluate(sample_work(1), keep());
+        evaluate(dispatcher, sample_work(1), keep());
         EXPECT_EQ(outcomes_.size(), 1u);
     });
 }
@@ -115,7 +116,7 @@ TEST_F(DispatcherOnAllRanks, ManagesWithLessWorkThanRanks) {
 TEST_F(DispatcherOnAllRanks, GivesWorkToAllWorkers) {
     evaluations_take(milliseconds(5));
     command([&](Dispatcher& dispatcher) {
-        dispatcher.evaluate(sample_work(20), keep());
+        evaluate(dispatcher, sample_work(20), keep());
         std::set<std::uint32_t> workers;
         for (const auto& [slot, outcome] : outcomes_) {
             workers.insert(outcome.worker);
@@ -132,7 +133,7 @@ TEST_F(DispatcherOnAllRanks, PassesFailuresOnWithTheirReasons) {
         work[2].task.slot = FakeEvaluator::throwing_slot;
         work[5].task.slot = FakeEvaluator::oddly_throwing_slot;
         work[8].task.slot = FakeEvaluator::not_a_number_slot;
-        dispatcher.evaluate(work, keep());
+        evaluate(dispatcher, work, keep());
         ASSERT_EQ(outcomes_.size(), 10u);
         for (const auto& [slot, outcome] : outcomes_)
             EXPECT_EQ(outcome.status,
@@ -153,18 +154,18 @@ TEST_F(DispatcherOnAllRanks, FinishesOnlyWhatIsInFlightWhenToldToStop) {
     command([&](Dispatcher& dispatcher) {
         const std::vector<Work> work = sample_work(100);
         const Record keep_outcome = keep();
-        dispatcher.evaluate(work,
-                            [&](const Work& item, const Outcome& outcome) {
-                                keep_outcome(item, outcome);
-                                if (outcomes_.size() == 3) std::raise(SIGUSR1);
-                            });
+        evaluate(dispatcher, work,
+                 [&](const Work& item, const Outcome& outcome) {
+                     keep_outcome(item, outcome);
+                     if (outcomes_.size() == 3) std::raise(SIGUSR1);
+                 });
         // When the third arrives, at most the other workers are busy.
         EXPECT_EQ(static_cast<int>(outcomes_.size()),
                   3 + dispatcher.width() - 1);
         for (const auto& [slot, outcome] : outcomes_)
             expect_right_numbers(work[slot], outcome);
 
-        dispatcher.evaluate(sample_work(5), [](const Work&, const Outcome&) {
+        evaluate(dispatcher, sample_work(5), [](const Work&, const Outcome&) {
             ADD_FAILURE() << "new work after a stop was requested";
         });
     });
@@ -176,14 +177,14 @@ TEST_F(DispatcherOnAllRanks, SurvivesARecordThatThrows) {
         const auto disk_full = [](const Work&, const Outcome&) {
             throw Error("no space left on device");
         };
-        EXPECT_THROW(dispatcher.evaluate(sample_work(50), disk_full), Error);
+        EXPECT_THROW(evaluate(dispatcher, sample_work(50), disk_full), Error);
         // No late reply of the work above may turn up here.
         const std::vector<Work> work = sample_work(20, 3);
-        dispatcher.evaluate(work, keep());
+        evaluate(dispatcher, work, keep());
         ASSERT_EQ(outcomes_.size(), work.size());
         for (const Work& item : work)
             expect_right_numbers(item, outcomes_.at(item.task.slot));
-        EXPECT_THROW(dispatcher.evaluate(sample_work(50), disk_full), Error);
+        EXPECT_THROW(evaluate(dispatcher, sample_work(50), disk_full), Error);
     });
 }
 
@@ -191,7 +192,7 @@ TEST_F(DispatcherOnAllRanks, SleepsWhileItWaits) {
     evaluations_take(milliseconds(1000));
     const double before = cpu_seconds();
     command([&](Dispatcher& dispatcher) {
-        dispatcher.evaluate(sample_work(1), keep());
+        evaluate(dispatcher, sample_work(1), keep());
     });
     EXPECT_LT(cpu_seconds() - before, 0.25);
 }

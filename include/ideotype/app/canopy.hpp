@@ -27,6 +27,10 @@ struct Draws {
 //! finer ones for all finalists.
 Draws draws_of(const Task& task, const Campaign& campaign, const Case& chosen);
 
+//! How many times longer the evaluation of a finalist takes, about: it has
+//! more paths, and a field for each randomisation.
+double final_effort(const Campaign& campaign);
+
 //! genome -> plant.
 Mesh build_plant(const Campaign& campaign, const Genome& genome);
 

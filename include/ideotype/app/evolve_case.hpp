@@ -4,6 +4,8 @@
 #include <string>
 
 #include "ideotype/campaign/campaign.hpp"
+#include "ideotype/core/error.hpp"
+#include "ideotype/core/routine.hpp"
 #include "ideotype/core/stop_flag.hpp"
 #include "ideotype/history/history.hpp"
 #include "ideotype/parallel/dispatcher.hpp"
@@ -11,6 +13,12 @@
 namespace ideotype {
 
 enum class Ending { finished, drained };
+
+//! A case can't go on by itself; others can.
+class CaseError : public Error {
+  public:
+    using Error::Error;
+};
 
 //! Sees a case evolve; for progress lines.
 class Watcher {
@@ -40,8 +48,9 @@ struct Evolution {
 };
 
 //! The master's loop: evolves a case from where its history stands until a
-//! stop rule holds and the finalists are judged, or a stop is requested.
-//! @throws Error if too many evaluations of a generation fail.
-Ending evolve_case(const Evolution& evolution, History& history);
+//! stop rule holds and the finalists are judged, or a stop is requested. Pauses
+//! while evaluations are under way. The history must outlive it.
+//! @throws CaseError if too many evaluations of a generation fail.
+Routine<Ending> evolve_case(Evolution evolution, History& history);
 
 }  // namespace ideotype

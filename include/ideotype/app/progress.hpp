@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "ideotype/app/evolve_case.hpp"
 #include "ideotype/campaign/campaign.hpp"
@@ -9,30 +12,51 @@
 
 namespace ideotype {
 
-//! Tells how a case evolves: one live line on a terminal, one line per
-//! generation in a log file.
-class ProgressLine : public Watcher {
+//! Tells how the cases of a job evolve: one live line on a terminal for all
+//! that are in flight, one line per generation and case in a log file.
+class ProgressLog {
   public:
-    ProgressLine(const Campaign& campaign, const Case& chosen);
-    ~ProgressLine() override;
+    //! All must outlive it.
+    ProgressLog(const Campaign& campaign, const std::vector<Case>& chosen);
+    ~ProgressLog();
+    ProgressLog(const ProgressLog&) = delete;
+    ProgressLog& operator=(const ProgressLog&) = delete;
 
-    void on_evaluation(std::uint32_t generation) override;
-    void on_generation(std::uint32_t generation,
-                       const GenerationSummary& summary) override;
-    void on_final(const std::string& reason) override;
+    //! A case begins with this generation. The log must outlive the watcher.
+    std::unique_ptr<Watcher> watch(const Case& chosen,
+                                   std::uint32_t generation);
+
+    //! A case has ended, also if nobody watched it.
+    void end(const Case& chosen);
+
+    //! Lines that stay, above the live one.
+    void print(const std::string& text);
 
   private:
-    std::string text(std::uint32_t generation) const;
-    void show(const std::string& line);
+    class CaseWatcher;
+
+    //! A case in flight.
+    struct Entry {
+        std::string name;
+        std::uint32_t generation = 0;
+        std::string best = "-";
+    };
+
+    //! Evaluations of a case from this generation on, if no rule ends it.
+    long long all_after(std::uint32_t generation) const;
+    std::string text(const Entry& entry) const;
+    void show_live();
 
     const Campaign& campaign_;
-    std::string name_;
     bool is_terminal_;
+    bool is_live_ = false;  //!< the live line is on the terminal
     double started_;
     double shown_ = 0;
-    int evaluations_ = 0;             //!< of this session
-    int evaluations_generation_ = 0;  //!< of the current generation
-    std::string best_ = "-";
+    int evaluations_ = 0;                   //!< of this session
+    int cases_;                             //!< of this session
+    int ended_ = 0;                         //!< cases
+    std::map<int, Entry> in_flight_;        //!< by index of the case
+    std::map<int, long long> to_evaluate_;  //!< at most, by index of the case
 };
 
 //! "12.345 +- 0.006": as many digits as the standard error allows.

@@ -21,7 +21,7 @@ struct PlanOptions {
 };
 ExitCode plan(const PlanOptions& options);
 
-//! `run CAMPAIGN`: evolves one case, or all of them one after the other.
+//! `run CAMPAIGN`: evolves one case, or all of them in one job.
 struct RunOptions {
     std::string campaign_path;
     std::optional<int> case_index;

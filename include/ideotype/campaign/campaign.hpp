@@ -49,6 +49,13 @@ struct FinalRule {
     Sampling sampling{16384, 16};
 };
 
+//! How long workers may take. No part of what is studied: may differ when a
+//! case is resumed.
+struct AnswerLimits {
+    double deadline = 60;  //!< of an evaluation, at least [s]
+    int attempts = 3;
+};
+
 //! A whole study as written in a TOML file: immutable once read. Every key,
 //! its unit, range and default are listed in campaigns/README.md.
 struct Campaign {
@@ -78,6 +85,7 @@ struct Campaign {
     Optimizer optimizer;
     StopRules stop;
     FinalRule final_rule;
+    AnswerLimits answer_limits;
 };
 
 //! One point of the sweep: a single evolution with its own history.

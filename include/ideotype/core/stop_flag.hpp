@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <csignal>
 
 namespace ideotype {
@@ -15,16 +16,22 @@ class StopFlag {
     StopFlag(const StopFlag&) = delete;
     StopFlag& operator=(const StopFlag&) = delete;
 
-    //! True once a signal arrived or request() was called.
+    //! True once a signal arrived, request() was called or the time of
+    //! request_after() is over.
     bool requested() const;
 
     //! Ask to stop, as a signal would.
     void request();
 
+    //! Ask to stop after this time [s], which a set clock does not change.
+    void request_after(double seconds);
+
     //! The signal that asked first, 0 if none did.
     int signal() const;
 
   private:
+    std::chrono::steady_clock::time_point end_ =
+        std::chrono::steady_clock::time_point::max();
     struct sigaction former_[3];
 };
 

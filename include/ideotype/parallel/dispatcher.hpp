@@ -1,7 +1,13 @@
 #pragma once
 
+#include <coroutine>
+#include <cstdint>
+#include <exception>
 #include <functional>
+#include <map>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "ideotype/core/stop_flag.hpp"
@@ -19,32 +25,152 @@ struct Work {
 };
 
 //! Called on rank 0 for each outcome as it arrives; must make it durable
-//! before it returns.
+//! before it returns. The task says which attempt was answered.
 using Record = std::function<void(const Work&, const Outcome&)>;
 
-//! Hands work to evaluators on demand and gathers what they return.
-class Dispatcher {
-  public:
-    virtual ~Dispatcher() = default;
+//! How long to wait for an answer, and how often to try.
+struct AnswerRules {
+    //! An evaluation is late after this time [s], or after 20 times what the
+    //! longest took so far, whichever is longer.
+    double deadline = 60;
+    //! After so many late attempts an evaluation has failed, unless no worker
+    //! is left.
+    int attempts = 3;
+    //! How many times longer a final evaluation takes than another.
+    double final_effort = 1;
 
-    //! Evaluates all work, in any order. If a stop is requested, hands out
-    //! nothing more, waits for what is in flight, and returns. An exception
-    //! of record passes through; what was in flight is then lost.
-    virtual void evaluate(const std::vector<Work>& work,
-                          const Record& record) = 0;
-
-    //! How many evaluations can run at the same time.
-    virtual int width() const = 0;
+    double effort(const Task& task) const {
+        return task.is_final ? final_effort : 1;
+    }
 };
 
-//! With one rank: evaluates here, one after the other.
-//! With more: rank 0 sends work to idle workers and sleeps in between; its
-//! destruction tells the workers to leave serve(). All references must
-//! outlive the dispatcher. With more ranks, rank 0 asks the evaluator for its
-//! schema only.
+//! Decides what begins, and hears of all that is not an outcome.
+class Director {
+  public:
+    virtual ~Director() = default;
+
+    //! Workers have nothing to do: starts another routine that will await
+    //! evaluations, or returns false if there is none.
+    virtual bool start_next() = 0;
+
+    //! A worker did not answer in time; what says so for the user.
+    virtual void on_silence(const Task& task, const std::string& what) = 0;
+
+    //! A stop was requested; so many evaluations are in flight. Once.
+    virtual void on_stop(int in_flight) = 0;
+};
+
+class Batch;
+class Crew;
+
+//! Hands the work of several routines to evaluators on demand. Work of the
+//! lowest case comes first, so that few cases are in flight; the others fill
+//! the gaps at the ends of generations.
+class Dispatcher {
+  public:
+    Dispatcher(std::unique_ptr<Crew> crew, const StopFlag& stop,
+               const AnswerRules& rules = {});
+    //! dismiss(), and waits for ever for workers that are late.
+    ~Dispatcher();
+    Dispatcher(const Dispatcher&) = delete;
+    Dispatcher& operator=(const Dispatcher&) = delete;
+
+    //! For routines within run(): co_await evaluates all work, in any order;
+    //! the work has one case. If a stop is requested, hands out nothing more
+    //! and goes on when what is in flight has arrived or is late. Rethrows an
+    //! exception of record; what was in flight is then lost.
+    Batch evaluate(std::vector<Work> work, Record record);
+
+    //! Runs routines until all have ended. A late evaluation is given to
+    //! another worker, and the first answer counts. A late worker gets no
+    //! work until it answers.
+    //! @throws Error if no worker answers any more. Routines that still pause
+    //! must be destroyed before the dispatcher.
+    void run(Director& director);
+
+    //! How many evaluations can run at the same time.
+    int width() const;
+
+    //! Waits for what is in flight, but not beyond its deadline, drops it and
+    //! tells the workers to leave serve(). False if one does not answer; then
+    //! only Session::abort() can end the job.
+    [[nodiscard]] bool dismiss();
+
+  private:
+    friend Batch;
+    struct Assignment;
+    struct Seat;
+    //! Lowest case first, then oldest.
+    using Precedence = std::pair<std::uint32_t, std::uint64_t>;
+
+    void add(Batch& batch);
+    void remove(Batch& batch);
+    bool has_idle() const;
+    int busy_in_time() const;
+    bool hand_out();
+    void resume_complete();
+    void release_all();
+    void receive(Director& director);
+    void settle(const Assignment& given, const Outcome& outcome);
+    void give_up(const Seat& seat, Director& director);
+    double seconds_to_wait() const;
+    void drop_next();
+
+    std::unique_ptr<Crew> crew_;
+    const StopFlag& stop_;
+    AnswerRules rules_;
+    std::vector<Seat> seats_;  //!< by worker
+    std::map<Precedence, Batch*> open_;
+    std::vector<Batch*> complete_;  //!< to be resumed, in this order
+    std::uint64_t batches_ = 0;     //!< so far
+    //! What an evaluation of usual effort took at most [s]; late ones do not
+    //! count.
+    double longest_ = 0;
+    bool has_told_of_stop_ = false;
+    bool is_dismissed_ = false;
+};
+
+//! Work that a routine awaits; see Dispatcher::evaluate().
+class [[nodiscard]] Batch {
+  public:
+    Batch(Dispatcher& dispatcher, std::vector<Work> work, Record record);
+    ~Batch();
+    Batch(const Batch&) = delete;
+    Batch& operator=(const Batch&) = delete;
+
+    // What co_await asks for.
+    bool await_ready() const;
+    void await_suspend(std::coroutine_handle<> awaiting);
+    void await_resume() const;
+
+  private:
+    friend Dispatcher;
+    struct Item {
+        Work work;  //!< with the latest attempt
+        bool is_answered = false;
+    };
+
+    Dispatcher& dispatcher_;
+    std::vector<Item> items_;
+    std::vector<std::size_t> waiting_;  //!< items to hand out, the last first
+    std::size_t unanswered_;
+    Record record_;
+    Dispatcher::Precedence precedence_;
+    std::coroutine_handle<> awaiting_;
+    std::exception_ptr failure_;
+};
+
+//! Evaluates here, one after the other. The evaluator must outlive it.
+std::unique_ptr<Dispatcher> make_dispatcher(Evaluator& evaluator,
+                                            const StopFlag& stop);
+
+//! With one rank: evaluates here. With more: rank 0 sends work to idle
+//! workers, sleeps in between, and asks the evaluator for its schema only. All
+//! references must outlive the dispatcher.
 std::unique_ptr<Dispatcher> make_dispatcher(const Session& session,
                                             Evaluator& evaluator,
-                                            const StopFlag& stop);
+                                            const StopFlag& stop,
+                                            const AnswerRules& rules = {});
 
 //! The life of a worker rank: receives work, evaluates, replies, until rank 0
 //! says that there is no more. An exception in an evaluation becomes a failed

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <coroutine>
+#include <exception>
+#include <optional>
+#include <utility>
+
+namespace ideotype {
+
+//! A coroutine that returns a Result: a function that pauses where it awaits
+//! something and goes on once that is there. It begins with start(), or when
+//! another routine awaits it, which goes on when this one has returned. All on
+//! one thread. Arguments by reference must outlive it.
+template <class Result>
+class [[nodiscard]] Routine {
+  public:
+    struct promise_type;
+    using Handle = std::coroutine_handle<promise_type>;
+
+    Routine(Routine&& other) noexcept
+        : handle_(std::exchange(other.handle_, nullptr)) {}
+    Routine& operator=(Routine&& other) noexcept {
+        std::swap(handle_, other.handle_);
+        return *this;
+    }
+    //! A routine that pauses is ended there, as by an exception.
+    ~Routine() {
+        if (handle_) handle_.destroy();
+    }
+
+    //! Runs until it pauses or returns. Once.
+    void start() { handle_.resume(); }
+
+    bool has_ended() const { return handle_.done(); }
+
+    //! What it returned; rethrows what it threw. Once, after it has ended.
+    Result result() {
+        promise_type& promise = handle_.promise();
+        if (promise.failure) std::rethrow_exception(promise.failure);
+        return std::move(*promise.value);
+    }
+
+    // What co_await asks for.
+    bool await_ready() const noexcept { return false; }
+    Handle await_suspend(std::coroutine_handle<> awaiting) noexcept {
+        handle_.promise().awaiting = awaiting;
+        return handle_;
+    }
+    Result await_resume() { return result(); }
+
+  private:
+    explicit Routine(Handle handle) : handle_(handle) {}
+
+    Handle handle_;
+};
+
+//! What the compiler asks a coroutine's type for.
+template <class Result>
+struct Routine<Result>::promise_type {
+    //! At the end: go on with whoever awaits this routine.
+    struct Return {
+        bool await_ready() const noexcept { return false; }
+        std::coroutine_handle<> await_suspend(Handle handle) const noexcept {
+            return handle.promise().awaiting;
+        }
+        void await_resume() const noexcept {}
+    };
+
+    Routine get_return_object() { return Routine(Handle::from_promise(*this)); }
+    std::suspend_always initial_suspend() const noexcept { return {}; }
+    Return final_suspend() const noexcept { return {}; }
+    void return_value(Result result) { value.emplace(std::move(result)); }
+    void unhandled_exception() { failure = std::current_exception(); }
+
+    std::optional<Result> value;
+    std::exception_ptr failure;
+    std::coroutine_handle<> awaiting = std::noop_coroutine();
+};
+
+}  // namespace ideotype

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <exception>
+#include <list>
+#include <string>
+#include <vector>
+
+#include "ideotype/app/evolve_case.hpp"
+#include "ideotype/app/progress.hpp"
+#include "ideotype/app/verbs.hpp"
+
+namespace ideotype {
+
+//! Where the history of a case is.
+std::string path_of(const RunOptions& options, const Campaign& campaign,
+                    const Case& chosen);
+
+//! The command that goes on with a run.
+std::string resume_command(const RunOptions& options);
+
+//! The cases of one start of the program, evolved in one job. A case that
+//! fails by itself does not keep the others from going on; when the disk
+//! fails, the others are drained. All references must outlive it.
+class Sweep : public Director {
+  public:
+    Sweep(const RunOptions& options, const Campaign& campaign,
+          const std::vector<Case>& chosen, const std::string& isa, int ranks,
+          StopFlag& stop);
+
+    //! Evolves all cases until they have ended or a stop is requested.
+    //! @throws Error that names each case that failed.
+    void evolve(Dispatcher& dispatcher);
+
+    bool start_next() override;
+    void on_silence(const Task& task, const std::string& what) override;
+    void on_stop(int in_flight) override;
+
+  private:
+    struct Failure {
+        std::string name;
+        std::exception_ptr cause;
+    };
+
+    Routine<Ending> evolve_guarded(const Case& chosen);
+    Routine<Ending> evolve_one(const Case& chosen);
+    History open_history(const Case& chosen) const;
+    void note_failure(const Case& chosen);
+    void print_failure(const Case& chosen, const std::exception& error);
+    void report_failures() const;
+
+    const RunOptions& options_;
+    const Campaign& campaign_;
+    const std::vector<Case>& chosen_;
+    const std::string& isa_;
+    int ranks_;
+    StopFlag& stop_;
+    Dispatcher* dispatcher_ = nullptr;  //!< while evolving
+    ProgressLog progress_;
+    std::size_t next_ = 0;  //!< case to start
+    int finished_ = 0;      //!< cases
+    bool has_said_how_to_go_on_ = false;
+    std::vector<Failure> failures_;
+    std::list<Routine<Ending>> running_;
+};
+
+}  // namespace ideotype

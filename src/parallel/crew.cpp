@@ -1,0 +1,99 @@
+#include "crew.hpp"
+
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "guard.hpp"
+#include "ideotype/core/error.hpp"
+#include "mailbox.hpp"
+
+namespace ideotype {
+
+namespace {
+
+class SoloCrew : public Crew {
+  public:
+    explicit SoloCrew(Evaluator& evaluator) : evaluator_(evaluator) {}
+
+    int width() const override { return 1; }
+    int rank(int) const override { return 0; }
+    const OutcomeSchema& schema(const Task& task) const override {
+        return evaluator_.schema(task);
+    }
+    void give(int, const Work& work) override { work_ = work; }
+
+    std::optional<Answer> wait(double) override {
+        const Work work = *std::exchange(work_, std::nullopt);
+        return Answer{0, evaluate_guarded(evaluator_, work, 0)};
+    }
+
+    void dismiss() override {}
+
+  private:
+    Evaluator& evaluator_;
+    std::optional<Work> work_;
+};
+
+class RankCrew : public Crew {
+  public:
+    RankCrew(const Session& session, const Evaluator& evaluator)
+        : evaluator_(evaluator),
+          given_(static_cast<std::size_t>(session.size()) - 1) {}
+
+    int width() const override { return static_cast<int>(given_.size()); }
+    int rank(int worker) const override { return worker + 1; }
+    const OutcomeSchema& schema(const Task& task) const override {
+        return evaluator_.schema(task);
+    }
+
+    void give(int worker, const Work& work) override {
+        given_[static_cast<std::size_t>(worker)] = work.task;
+        mailbox_.post(rank(worker), Tag::work, encode_work(work));
+    }
+
+    std::optional<Answer> wait(double seconds) override {
+        const std::optional<Envelope> letter = mailbox_.wait(seconds);
+        if (!letter) return std::nullopt;
+        const int worker = letter->source - 1;
+        auto& given = given_.at(static_cast<std::size_t>(worker));
+        if (letter->tag != Tag::reply || !given)
+            throw Error(fmt::format(
+                "rank {} replied without having work; all ranks must run the "
+                "same ideotype",
+                letter->source));
+        const Task task = *std::exchange(given, std::nullopt);
+        Reply reply = decode_reply(letter->bytes, evaluator_.schema(task));
+        if (reply.task != task)
+            throw Error(
+                fmt::format("rank {} replied for generation {} slot {} but had "
+                            "generation {} slot {}",
+                            letter->source, reply.task.generation,
+                            reply.task.slot, task.generation, task.slot));
+        return Answer{worker, std::move(reply.outcome)};
+    }
+
+    void dismiss() override {
+        for (int worker = 0; worker < width(); ++worker)
+            mailbox_.post(rank(worker), Tag::stop, {});
+    }
+
+  private:
+    const Evaluator& evaluator_;
+    std::vector<std::optional<Task>> given_;  //!< by worker
+    Mailbox mailbox_;
+};
+
+}  // namespace
+
+std::unique_ptr<Crew> make_solo_crew(Evaluator& evaluator) {
+    return std::make_unique<SoloCrew>(evaluator);
+}
+
+std::unique_ptr<Crew> make_rank_crew(const Session& session,
+                                     const Evaluator& evaluator) {
+    return std::make_unique<RankCrew>(session, evaluator);
+}
+
+}  // namespace ideotype

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "ideotype/parallel/dispatcher.hpp"
+
+namespace ideotype {
+
+//! What a worker sent back.
+struct Answer {
+    int worker = 0;
+    Outcome outcome;
+};
+
+//! Those who evaluate: workers numbered from 0, each with one task at a time.
+class Crew {
+  public:
+    virtual ~Crew() = default;
+
+    virtual int width() const = 0;
+
+    //! The MPI rank of a worker.
+    virtual int rank(int worker) const = 0;
+
+    //! The columns of this task's outcome.
+    virtual const OutcomeSchema& schema(const Task& task) const = 0;
+
+    //! Gives work to a worker that has none. Returns at once.
+    virtual void give(int worker, const Work& work) = 0;
+
+    //! The next answer, or none after this time [s].
+    virtual std::optional<Answer> wait(double seconds) = 0;
+
+    //! Tells all workers that there will be no more work.
+    virtual void dismiss() = 0;
+};
+
+//! This process is the only worker; it evaluates while it waits.
+std::unique_ptr<Crew> make_solo_crew(Evaluator& evaluator);
+
+//! All ranks but rank 0.
+std::unique_ptr<Crew> make_rank_crew(const Session& session,
+                                     const Evaluator& evaluator);
+
+}  // namespace ideotype

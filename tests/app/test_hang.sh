@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# A worker that hangs, here one that is stopped, is passed over: the run goes
+# on without it and ends in order, with the results that it would have had.
+. "$(dirname "$0")/common.sh"
+
+write_campaign hang 12 60
+printf '[parallel]\ndeadline = 1\n' >>campaigns/hang.toml
+"$ideotype" run campaigns/hang.toml --out whole >/dev/null
+
+# Starts a run of three workers and waits until it has begun; $1 its folder.
+start() {
+    log=$1.log
+    mpirun -n 4 "$ideotype" run campaigns/hang.toml --out "$1" --resume \
+        >"$log" 2>&1 &
+    job=$!
+    for _ in $(seq 300); do
+        ! grep -q "generation 2/" "$log" || return 0
+        sleep 0.02
+    done
+    fail "it does not begin: $(cat "$log")"
+}
+
+# Stops these ranks of the job.
+freeze() {
+    local pid rank
+    for pid in $(pgrep -P $job); do
+        for rank in "$@"; do
+            if tr '\0' '\n' <"/proc/$pid/environ" |
+                grep -qx "OMPI_COMM_WORLD_RANK=$rank"; then
+                kill -STOP "$pid"
+            fi
+        done
+    done
+}
+
+# Waits until the log says $1 and all ranks are gone. With ranks to kill mpirun
+# 4.1 itself may crash or hang at its end, so its exit code is not looked at.
+await_end() {
+    for _ in $(seq 600); do
+        if grep -q -- "$1" "$log" && ! pgrep -P $job >/dev/null; then
+            kill -KILL $job 2>/dev/null || true
+            wait $job 2>/dev/null || true
+            return 0
+        fi
+        sleep 0.1
+    done
+    kill -KILL $job $(pgrep -P $job) || true
+    fail "it does not end with '$1': $(cat "$log")"
+}
+
+start one
+freeze 2
+await_end "^history: "
+grep -q "no answer from rank 2 within .*trying again" $log || fail "$(cat $log)"
+same_results "$(history_of whole hang)" "$(history_of one hang)"
+
+start drained
+freeze 1 3
+kill -USR1 $job
+await_end "stopped before the end"
+
+start all
+freeze 1 2 3
+await_end "no worker answers any more"
+grep -q "^  .* run .*--resume" $log || fail "no word about how to go on"
+
+# The deadline is no part of what is studied.
+sed -i 's/^deadline = 1/deadline = "00:01:00"/' campaigns/hang.toml
+for folder in drained all; do
+    "$ideotype" run campaigns/hang.toml --out $folder --resume >/dev/null
+    same_results "$(history_of whole hang)" "$(history_of $folder hang)"
+done

@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# Many cases in one job give bitwise what each gives alone, also when the job
+# is drained and resumed, and a case that fails does not stop the others.
+. "$(dirname "$0")/common.sh"
+
+write_campaign sweep 8 4
+sed -i 's/^seed = 7/seed = 7\nreplicates = 3/' campaigns/sweep.toml
+
+# $1 a folder of results
+same_as_alone() {
+    for r in 1 2 3; do
+        same_results "alone/sweep/ames_0807_762x152_all_r$r.h5" \
+            "$1/sweep/ames_0807_762x152_all_r$r.h5"
+    done
+}
+
+for index in 0 1 2; do
+    "$ideotype" run campaigns/sweep.toml --out alone --case $index
+done
+for ranks in 1 3 12; do
+    mpirun -n $ranks "$ideotype" run campaigns/sweep.toml --out ranks$ranks \
+        >ranks$ranks.log
+    same_as_alone ranks$ranks
+    [ "$(grep -c '^history: ' ranks$ranks.log)" -eq 3 ] ||
+        fail "not three summaries: $(cat ranks$ranks.log)"
+done
+
+# Time limits interrupt it wherever they do; the way on is told once.
+write_campaign cut 12 40
+sed -i 's/^seed = 7/seed = 7\nreplicates = 3/' campaigns/cut.toml
+mpirun -n 5 "$ideotype" run campaigns/cut.toml --out whole >/dev/null
+stops=0
+for start in $(seq 20); do
+    mpirun -n 5 "$ideotype" run campaigns/cut.toml --out drained --resume \
+        --wall-time 00:00:01 >"drain$start.log" || fail "a drain must end with 0"
+    grep -q "stopped before the end" "drain$start.log" || break
+    stops=$((stops + 1))
+    [ "$(grep -c -- "^  .* run .*--resume" "drain$start.log")" -eq 1 ] ||
+        fail "the way on is not told once: $(cat "drain$start.log")"
+done
+[ $stops -ge 1 ] || fail "no time limit hit the run"
+for r in 1 2 3; do
+    same_results "whole/cut/ames_0807_762x152_all_r$r.h5" \
+        "drained/cut/ames_0807_762x152_all_r$r.h5"
+done
+
+# One case is in use by somebody else.
+mkdir -p busy/sweep
+in_use=busy/sweep/ames_0807_762x152_all_r2.h5
+cp alone/sweep/ames_0807_762x152_all_r2.h5 $in_use
+exec 9>>$in_use.lock
+flock 9
+code=0
+mpirun -n 5 "$ideotype" run campaigns/sweep.toml --out busy --resume \
+    >busy.log 2>&1 || code=$?
+flock -u 9
+[ $code -eq 1 ] || fail "a failed case must end with 1, not $code"
+grep -q "1 of 3 cases failed, 2 finished" busy.log || fail "$(cat busy.log)"
+grep -q "^ames_0807_762x152_all_r2: .*$in_use" busy.log || fail "$(cat busy.log)"
+same_as_alone busy

@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <vector>
+
+#include "fake_director.hpp"
+#include "fake_evaluator.hpp"
+#include "ideotype/core/error.hpp"
+#include "mpi_fixture.hpp"
+
+namespace ideotype {
+
+using std::chrono::milliseconds;
+
+namespace {
+
+std::vector<Work> generation_of(std::uint32_t case_index,
+                                std::uint32_t generation,
+                                std::uint32_t population) {
+    std::vector<Work> work;
+    for (std::uint32_t slot = 0; slot < population; ++slot)
+        work.push_back({{case_index, generation, slot}, {1.0, 2.0}});
+    return work;
+}
+
+}  // namespace
+
+//! Several routines in one run, as cases of a sweep.
+class CasesOnAllRanks : public OnAllRanks {
+  protected:
+    template <class Command>
+    void command(Command give_orders) {
+        if (!is_master()) return serve(session(), evaluator_);
+        const auto dispatcher = make_dispatcher(session(), evaluator_, stop_);
+        give_orders(*dispatcher);
+    }
+
+    //! Awaits one generation after the other, and notes when what arrived.
+    Routine<bool> evolve(Dispatcher& dispatcher, std::uint32_t case_index,
+                         std::uint32_t generations, std::uint32_t population) {
+        for (std::uint32_t g = 0; g < generations; ++g) {
+            std::uint32_t arrived = 0;
+            const Record record = [&](const Work& work, const Outcome&) {
+                EXPECT_EQ(work.task.case_index, case_index);
+                EXPECT_EQ(work.task.generation, g);
+                order_.push_back(case_index);
+                ++arrived;
+            };
+            co_await dispatcher.evaluate(
+                generation_of(case_index, g, population), record);
+            if (stop_.requested()) co_return false;
+            EXPECT_EQ(arrived, population);
+        }
+        co_return true;
+    }
+
+    std::size_t count(std::uint32_t case_index) const {
+        return static_cast<std::size_t>(
+            std::count(order_.begin(), order_.end(), case_index));
+    }
+
+    FakeEvaluator evaluator_{milliseconds(2)};
+    StopFlag stop_;
+    FakeDirector director_;
+    std::vector<std::uint32_t> order_;  //!< cases of outcomes as they arrived
+};
+
+TEST_F(CasesOnAllRanks, AllAreEvaluatedCompletely) {
+    command([&](Dispatcher& dispatcher) {
+        for (std::uint32_t c = 0; c < 4; ++c)
+            director_.add(evolve(dispatcher, c, 3, 5 + c));
+        dispatcher.run(director_);
+        for (std::uint32_t c = 0; c < 4; ++c) EXPECT_EQ(count(c), 3 * (5 + c));
+        for (auto& routine : director_.started) EXPECT_TRUE(routine.result());
+    });
+}
+
+TEST_F(CasesOnAllRanks, StartWhenWorkersWouldBeIdleAndNotBefore) {
+    command([&](Dispatcher& dispatcher) {
+        const std::size_t width = static_cast<std::size_t>(dispatcher.width());
+        std::size_t started_at_first = 0;
+        const Record record = [&](const Work&, const Outcome&) {
+            if (started_at_first == 0)
+                started_at_first = director_.started.size();
+        };
+        // Each case keeps two workers busy.
+        for (std::uint32_t c = 0; c < 9; ++c)
+            director_.add(
+                batch_routine(dispatcher, generation_of(c, 0, 2), record));
+        dispatcher.run(director_);
+        EXPECT_EQ(started_at_first, (width + 1) / 2);
+        EXPECT_EQ(director_.started.size(), 9u);
+    });
+}
+
+TEST_F(CasesOnAllRanks, TheFirstCaseComesFirst) {
+    command([&](Dispatcher& dispatcher) {
+        for (std::uint32_t c = 0; c < 3; ++c)
+            director_.add(evolve(dispatcher, c, 4, 24));
+        dispatcher.run(director_);
+        // The others only fill its gaps.
+        const auto end_of_first =
+            std::find(order_.rbegin(), order_.rend(), 0u).base();
+        EXPECT_LT(std::count(order_.begin(), end_of_first, 2u), 24);
+        EXPECT_EQ(order_.front(), 0u);
+        const bool is_sorted = std::is_sorted(order_.begin(), order_.end());
+        EXPECT_EQ(is_sorted, dispatcher.width() == 1);
+    });
+}
+
+TEST_F(CasesOnAllRanks, AFailingOneLeavesTheOthersAlone) {
+    command([&](Dispatcher& dispatcher) {
+        const Record disk_full = [](const Work&, const Outcome&) {
+            throw Error("no space left on device");
+        };
+        director_.add(
+            batch_routine(dispatcher, generation_of(0, 0, 20), disk_full));
+        director_.add(evolve(dispatcher, 1, 2, 10));
+        dispatcher.run(director_);
+        EXPECT_EQ(count(1), 20u);
+        EXPECT_THROW(director_.started.front().result(), Error);
+        EXPECT_TRUE(director_.started.back().result());
+    });
+}
+
+TEST_F(CasesOnAllRanks, AStopIsToldOnceAndDrainsAll) {
+    command([&](Dispatcher& dispatcher) {
+        const Record stop_at_once = [&](const Work&, const Outcome&) {
+            stop_.request();
+        };
+        for (std::uint32_t c = 0; c < 3; ++c)
+            director_.add(batch_routine(dispatcher, generation_of(c, 0, 30),
+                                        stop_at_once));
+        dispatcher.run(director_);
+        EXPECT_EQ(director_.stops, std::vector{dispatcher.width() - 1});
+        for (auto& routine : director_.started)
+            EXPECT_TRUE(routine.has_ended());
+    });
+}
+
+}  // namespace ideotype

@@ -1,7 +1,6 @@
 #include "ideotype/app/mesh_study.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -21,6 +20,10 @@ constexpr std::uint64_t usual_randomisations = 32;
 
 //! Where a tolerance begins.
 constexpr std::uint64_t first_paths = 16384;
+
+//! A trial must stay this far below the tolerance, for its confirmation to be
+//! likely to meet it.
+constexpr double trial = 0.8;
 
 //! Layers of equal thickness up to the top of the canopy.
 constexpr std::size_t layers = 10;
@@ -103,8 +106,7 @@ Scene scene_of(const Device& device, const Stand& stand, Boundary boundary) {
 Sampling share(std::uint64_t paths) {
     const std::uint64_t randomisations =
         std::clamp<std::uint64_t>(paths, 2, usual_randomisations);
-    return {static_cast<int>(
-                std::bit_ceil((paths + randomisations - 1) / randomisations)),
+    return {static_cast<int>((paths + randomisations - 1) / randomisations),
             static_cast<int>(randomisations)};
 }
 
@@ -140,23 +142,30 @@ MeshReport study(const MeshOptions& options) {
     const Scene scene = scene_of(device, stand, options.boundary);
     canopy.layers = {scene.top() / layers, layers};
     const Optics optics{options.leaf, {}, options.soil_albedo};
-    const Randomness randomness{options.seed, 0, 0};
     const std::uint64_t least_paths =
         usual_randomisations * illumination.light.sources.size();
-    Sampling sampling;
-    for (std::uint64_t paths =
-             options.paths.value_or(std::max(first_paths, least_paths));
-         ; paths = 2 * result.paths) {
-        sampling = share(paths);
+    Sampling sampling =
+        share(options.paths.value_or(std::max(first_paths, least_paths)));
+    Randomness randomness{options.seed, 0, 0};
+    for (bool is_trial = !options.paths;;) {
         result.paths = paths_of(sampling);
         canopy.light = report(
             simulate(scene, stand.mesh.groups, optics, illumination.light,
                      sampling, randomness, canopy.layers),
             illumination, day);
         result.relative_error = relative_error(canopy.light.day);
-        if (options.paths || result.relative_error <= options.tolerance ||
-            2 * result.paths > most_tolerance_paths)
+        if (is_trial && result.relative_error <= trial * options.tolerance) {
+            is_trial = false;
+        } else if (options.paths ||
+                   (!is_trial && result.relative_error <= options.tolerance) ||
+                   2 * result.paths > most_tolerance_paths) {
             break;
+        } else {
+            is_trial = true;
+            sampling.paths *= 2;
+        }
+        randomness.first_randomisation +=
+            static_cast<std::uint32_t>(sampling.randomisations);
     }
     add_sunlit(canopy.light,
                sunlit_fractions(scene, stand.mesh, illumination.light,

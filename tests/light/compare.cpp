@@ -26,7 +26,7 @@ double part_of(const Tally& tally, std::size_t source, const Mesh& mesh,
 Sampling spare(const ReferenceScene& scene, const Setup& setup, int thrift) {
     Sampling sampling = scene.sampling;
     if (scene.kind == ReferenceScene::Kind::random) {
-        constexpr int least = 32;
+        constexpr int least = 128;
         const int fewer = std::min(thrift, sampling.randomisations / least);
         sampling.randomisations /= fewer;
         thrift /= fewer;

@@ -200,7 +200,7 @@ void add_turbid(std::vector<ReferenceScene>& scenes) {
          {{"turbid/sun90", sun(90, 0), known(.7499, .0167, .2334)},
           {"turbid/sun30", sun(30, 20), known(.9184, .0236, .0580)},
           {"turbid/uoc", sky(SkyModel::uniform), known(.8561, .0216, .1223)}},
-         {32768, 256}});
+         {32768, 512}});
 }
 
 void add_sheets(std::vector<ReferenceScene>& scenes) {
@@ -275,7 +275,7 @@ void add_furnace(std::vector<ReferenceScene>& scenes) {
 std::vector<ReferenceScene> reference_scenes() {
     std::vector<ReferenceScene> scenes;
     add_file(scenes, "maize1", {.76, .15}, 16384);
-    add_file(scenes, "poisson", square, 32768);
+    add_file(scenes, "poisson", square, 49152);
     add_beers_law(scenes);
     add_two_stream(scenes);
     add_turbid(scenes);

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import Field, dataclass, fields
 from enum import IntEnum
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .estimate import Estimate
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
+from .file import HistoryError
+from .table import Floats, Integers, Quantity, Table
 
 
 class Status(IntEnum):
@@ -35,16 +36,6 @@ class Origin(IntEnum):
 
 
 @dataclass(frozen=True)
-class Quantity:
-    """One column: a value per row, NaN where it is not known."""
-
-    name: str
-    unit: str
-    values: Floats
-    standard_error: Floats
-
-
-@dataclass(frozen=True)
 class HourProfile:
     """A diagnostic of one plant by local clock time [h]."""
 
@@ -56,46 +47,13 @@ class HourProfile:
 
 @dataclass(frozen=True)
 class LeafProfile:
-    """Something of one plant by leaf rank; leaf 1 is the lowest."""
+    """Something of one plant by leaf rank or height layer; 1 is the
+    lowest."""
 
     leaves: Integers
     unit: str
     values: Floats
     standard_error: Floats
-
-
-@dataclass(frozen=True)
-class Table:
-    """Columns of the same rows; values and standard errors are
-    [rows, columns]."""
-
-    names: tuple[str, ...]
-    units: tuple[str, ...]
-    values: Floats
-    standard_error: Floats
-
-    def __contains__(self, name: str) -> bool:
-        return name in self.names
-
-    def __getitem__(self, name: str) -> Quantity:
-        i = self.names.index(name)
-        return Quantity(
-            name, self.units[i], self.values[:, i], self.standard_error[:, i]
-        )
-
-    def take(self, index: NDArray) -> Table:
-        """The rows of a mask or of row numbers."""
-        return Table(
-            self.names,
-            self.units,
-            self.values[index],
-            self.standard_error[index],
-        )
-
-    def matching(self, pattern: str) -> list[tuple[re.Match[str], int]]:
-        """Columns whose whole name matches, with their numbers."""
-        found = [re.fullmatch(pattern, name) for name in self.names]
-        return [(match, i) for i, match in enumerate(found) if match]
 
 
 @dataclass(frozen=True)
@@ -142,9 +100,9 @@ class Rows:
             self.traits.take(index),
             self.objectives.take(index),
             self.diagnostics.take(index),
-            _take(self.fitness, index),
+            self.fitness.take(index),
             self.attempt[index],
-            _take(self.seconds, index),
+            self.seconds.take(index),
             self.worker[index],
             self.message[index],
         )
@@ -159,28 +117,61 @@ class Rows:
         """Only the failed ones; their message says why."""
         return self.take(self.status == Status.FAILED)
 
-    def top(self, count: int) -> Rows:
-        """The fittest with different genomes, best first; of equal genomes
-        the fittest. Fewer if there are not as many."""
-        done = self.done
-        order = np.argsort(-done.fitness.values, kind="stable")
+    def ranking(self, count: int) -> Integers:
+        """Row numbers of the fittest with different genomes, best first; of
+        equal genomes the fittest. Fewer if there are not as many."""
+        done = np.flatnonzero(self.status == Status.DONE)
+        fittest = np.argsort(-self.fitness.values[done], kind="stable")
+        order = done[fittest]
         _, first = np.unique(
-            done.traits.values[order], axis=0, return_index=True
+            self.traits.values[order], axis=0, return_index=True
         )
-        return done.take(order[np.sort(first)[:count]])
+        return order[np.sort(first)[:count]]
+
+    def top(self, count: int) -> Rows:
+        """The rows of ranking()."""
+        return self.take(self.ranking(count))
 
     def one(self, index: int, is_final: bool) -> Evaluation:
         """A single row; negative numbers count from the end."""
         return Evaluation(self.take(np.array([index])), is_final)
 
 
-def _take(quantity: Quantity, index: NDArray) -> Quantity:
-    return Quantity(
-        quantity.name,
-        quantity.unit,
-        quantity.values[index],
-        quantity.standard_error[index],
-    )
+def join(parts: Sequence[Rows]) -> Rows:
+    """Rows of several histories of the same columns, one after the other.
+
+    Raises HistoryError if their columns differ."""
+
+    def table(name: str) -> Table:
+        tables = [getattr(part, name) for part in parts]
+        first = tables[0]
+        if any(t.names != first.names for t in tables):
+            raise HistoryError(f"histories of one case differ in {name}")
+        return Table(
+            first.names,
+            first.units,
+            np.concatenate([t.values for t in tables]),
+            np.concatenate([t.standard_error for t in tables]),
+        )
+
+    def quantity(name: str) -> Quantity:
+        columns = [getattr(part, name) for part in parts]
+        return Quantity(
+            columns[0].name,
+            columns[0].unit,
+            np.concatenate([c.values for c in columns]),
+            np.concatenate([c.standard_error for c in columns]),
+        )
+
+    def joined(field: Field) -> Any:
+        values = [getattr(part, field.name) for part in parts]
+        if isinstance(values[0], Table):
+            return table(field.name)
+        if isinstance(values[0], Quantity):
+            return quantity(field.name)
+        return np.concatenate(values)
+
+    return Rows(**{field.name: joined(field) for field in fields(Rows)})
 
 
 @dataclass(frozen=True)
@@ -220,16 +211,22 @@ class Evaluation:
         and azimuth the trait, lowest leaf first; absorbed PAR comes in
         [MJ m-2 day-1] of ground."""
         name = re.escape(what)
-        for table, pattern in (
-            (self.row.traits, rf"leaf(\d+)_{name}"),
-            (self.row.diagnostics, rf"{name}_leaf(\d+)"),
-        ):
-            if found := table.matching(pattern):
-                break
-        leaves = np.array([int(m[1]) for m, _ in found], dtype=int)
-        order = np.argsort(leaves)
+        traits = self._by_number(self.row.traits, rf"leaf(\d+)_{name}")
+        if len(traits.leaves):
+            return traits
+        return self.by_number(rf"{name}_leaf(\d+)")
+
+    def by_number(self, pattern: str) -> LeafProfile:
+        """Diagnostics whose whole name matches, by the number that the first
+        group of the pattern finds: leaf ranks, height layers."""
+        return self._by_number(self.row.diagnostics, pattern)
+
+    def _by_number(self, table: Table, pattern: str) -> LeafProfile:
+        found = table.matching(pattern)
+        numbers = np.array([int(m[1]) for m, _ in found], dtype=int)
+        order = np.argsort(numbers)
         columns = np.array([i for _, i in found], dtype=int)[order]
-        return LeafProfile(leaves[order], *_profile(table, columns))
+        return LeafProfile(numbers[order], *_profile(table, columns))
 
 
 def _profile(table: Table, columns: NDArray) -> tuple[str, Floats, Floats]:

@@ -1,11 +1,13 @@
 #include "ideotype/app/canopy.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/hash.hpp"
+#include "ideotype/light/sunlit.hpp"
 
 namespace ideotype {
 
@@ -45,9 +47,23 @@ Field build_field(const Campaign& campaign, const Case& chosen,
                        draw_turns(form, draws.seed, draws.generation, draw));
 }
 
+Sampling sunlit_sampling(const Sampling& sampling) {
+    return {std::min(sampling.paths, 2048), sampling.randomisations};
+}
+
+Layers canopy_layers(const Campaign& campaign) {
+    double top = 0;
+    for (std::size_t i = 0; i < campaign.baseline.size(); ++i)
+        top = std::max(top, campaign.plant.leaves[i].insertion_height +
+                                std::max(campaign.baseline[i].length,
+                                         campaign.bounds[i].length.upper));
+    constexpr double thickness = 0.25;
+    return {thickness, static_cast<std::size_t>(std::ceil(top / thickness))};
+}
+
 CanopyReport study(const Campaign& campaign, const Case& chosen, const Day& day,
                    const Device& device, const Genome& genome,
-                   const Draws& draws) {
+                   const Draws& draws, Detail detail) {
     const DayIllumination illumination =
         illuminate(day, campaign.sky_model, campaign.field.row_direction);
     const bool is_one = draws.fields == Draws::Fields::one;
@@ -56,18 +72,29 @@ CanopyReport study(const Campaign& campaign, const Case& chosen, const Day& day,
     sampling.randomisations /= fields;
 
     CanopyReport result;
+    result.layers = canopy_layers(campaign);
     std::vector<Tally> tallies;
+    std::vector<std::vector<double>> sunlit;
+    const auto append = [](auto& all, auto more) {
+        all.insert(all.end(), more.begin(), more.end());
+    };
     for (std::uint32_t f = 0; f < static_cast<std::uint32_t>(fields); ++f) {
         const Field field = build_field(campaign, chosen, genome, draws, f);
         const Scene scene(device, field.mesh, field.period_x, field.period_y);
-        const auto more = simulate(scene, field.mesh.groups, campaign.optics,
-                                   illumination.light, sampling,
-                                   {draws.seed, draws.generation, f});
-        tallies.insert(tallies.end(), more.begin(), more.end());
+        const Randomness randomness{draws.seed, draws.generation, f};
+        append(tallies, simulate(scene, field.mesh.groups, campaign.optics,
+                                 illumination.light, sampling, randomness,
+                                 result.layers));
+        if (detail == Detail::full)
+            append(sunlit,
+                   sunlit_fractions(scene, field.mesh, illumination.light,
+                                    sunlit_sampling(sampling), randomness));
         result.groups = field.mesh.groups;
-        result.lai = leaf_area(field.mesh) / field.ground_area();
+        result.ground_area = field.ground_area();
+        result.lai = leaf_area(field.mesh) / result.ground_area;
     }
     result.light = report(tallies, illumination, day);
+    if (detail == Detail::full) add_sunlit(result.light, sunlit, illumination);
     if (!(result.light.balance_error < balance_tolerance))
         throw Error(fmt::format("the energy balance is off by {:.3g}",
                                 result.light.balance_error));
@@ -87,6 +114,16 @@ OutcomeSchema outcome_schema(const Campaign& campaign, const Day& day) {
     for (std::size_t leaf = 1; leaf <= campaign.baseline.size(); ++leaf)
         schema.diagnostics.push_back(
             {fmt::format("absorbed_leaf{:02}", leaf), "MJ m-2 day-1"});
+    const Layers layers = canopy_layers(campaign);
+    for (std::size_t l = 0; l < layers.count; ++l)
+        schema.diagnostics.push_back(
+            {fmt::format("absorbed_layer_{:03.0f}_{:03.0f}cm",
+                         100 * layers.thickness * static_cast<double>(l),
+                         100 * layers.thickness * static_cast<double>(l + 1)),
+             "MJ m-2 day-1"});
+    for (const char* part : {"beam", "sky", "scattered", "adaxial", "abaxial"})
+        schema.diagnostics.push_back(
+            {fmt::format("absorbed_{}", part), "MJ m-2 day-1"});
     for (const TimeStep& step : day.steps)
         schema.diagnostics.push_back(
             {"absorbed_hour_" + clock_name(step.hour), "W m-2"});
@@ -112,6 +149,12 @@ Outcome to_outcome(const CanopyReport& report) {
         if (report.groups[g].tissue == Tissue::leaf)
             outcome.diagnostics.push_back(
                 scaled(report.light.groups[g], to_mj));
+    for (const Estimate& layer : report.light.layers)
+        outcome.diagnostics.push_back(scaled(layer, to_mj));
+    for (const Estimate& part :
+         {day.leaves_beam, day.leaves_sky, day.leaves_scattered,
+          report.light.adaxial, report.light.abaxial})
+        outcome.diagnostics.push_back(scaled(part, to_mj));
     for (const StepReport& step : report.light.steps)
         outcome.diagnostics.push_back(step.budget.leaves);
     return outcome;
@@ -133,7 +176,8 @@ const OutcomeSchema& CanopyEvaluator::schema(const Task& task) const {
 Outcome CanopyEvaluator::evaluate(const Task& task, const Genome& genome) {
     const Case& chosen = cases_.at(task.case_index);
     return to_outcome(study(campaign_, chosen, days_[task.case_index], device_,
-                            genome, draws_of(task, campaign_, chosen)));
+                            genome, draws_of(task, campaign_, chosen),
+                            Detail::history));
 }
 
 }  // namespace ideotype

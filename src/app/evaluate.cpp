@@ -1,5 +1,4 @@
 #include <bit>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -9,78 +8,25 @@
 #include "ideotype/app/summary.hpp"
 #include "ideotype/app/verbs.hpp"
 #include "ideotype/light/device.hpp"
-#include "json.hpp"
+#include "light_output.hpp"
 
 namespace ideotype {
 
 namespace {
 
-Json to_json(const BudgetEstimate& budget) {
-    return {{"incident", budget.incident},
-            {"leaves", to_json(budget.leaves)},
-            {"stalks", to_json(budget.stalks)},
-            {"soil", to_json(budget.soil)},
-            {"reflected", to_json(budget.reflected)}};
-}
-
 Json to_json(const CanopyReport& report, const Case& chosen, double seconds) {
-    Json json{{"case", chosen.name},
-              {"lai", report.lai},
-              {"balance_error", report.light.balance_error},
-              {"seconds", seconds},
-              {"unit", "J m-2 day-1"},
-              {"day", to_json(report.light.day)}};
-    for (std::size_t g = 0; g < report.groups.size(); ++g)
-        json["groups"][report.groups[g].name] = to_json(report.light.groups[g]);
-    json["hours"] = Json::array();
-    for (const StepReport& step : report.light.steps) {
-        Json hour = to_json(step.budget);
-        hour["hour"] = step.hour;
-        hour["unit"] = "W m-2";
-        json["hours"].push_back(hour);
-    }
+    Json json{{"case", chosen.name}};
+    json.update(to_json(report, Span::day));
+    json["seconds"] = seconds;
     return json;
-}
-
-std::string clock(double hour) {
-    const int minutes = static_cast<int>(std::lround(hour * 60));
-    return fmt::format("{:02}:{:02}", minutes / 60, minutes % 60);
 }
 
 void print_report(const CanopyReport& report, const Case& chosen,
                   double seconds) {
-    const BudgetEstimate& day = report.light.day;
-    fmt::print("case {}, LAI {:.3f}, {:.0f} ms\n\n", chosen.name, report.lai,
-               seconds * 1e3);
-    fmt::print("{:<10} {:>24} {:>24}\n", "day", "MJ m-2 day-1", "fraction");
-    const double to_fraction = day.incident > 0 ? 1 / day.incident : 0;
-    const auto line = [&](const char* name, Estimate x) {
-        fmt::print("{:<10} {:>24} {:>24}\n", name, format(scaled(x, 1e-6)),
-                   format(scaled(x, to_fraction)));
-    };
-    fmt::print("{:<10} {:>24.9f} {:>24}\n", "incident", day.incident / 1e6,
-               day.incident > 0 ? "1" : "none (the sun stays down)");
-    line("leaves", day.leaves);
-    line("stalks", day.stalks);
-    line("soil", day.soil);
-    line("reflected", day.reflected);
-    const double sum =
-        day.leaves.mean + day.stalks.mean + day.soil.mean + day.reflected.mean;
-    fmt::print("{:<10} {:>24.9f} {:>24} (off by {:.1e} of the incident)\n",
-               "sum", sum / 1e6, "", report.light.balance_error);
-    fmt::print("leaves     {}\n\n", format_daily(scaled(day.leaves, 1e-6)));
-
-    fmt::print("{:<10} {:>24} {:>24}\n", "organ", "MJ m-2 day-1", "fraction");
-    for (std::size_t g = 0; g < report.groups.size(); ++g)
-        line(report.groups[g].name.c_str(), report.light.groups[g]);
-
-    fmt::print("\n{:<10} {:>10} {:>20} {:>20} {:>20} {:>20}   [W m-2]\n",
-               "hour", "incident", "leaves", "stalks", "soil", "reflected");
-    for (const StepReport& step : report.light.steps)
-        fmt::print("{:<10} {:>10.2f} {:>20} {:>20} {:>20} {:>20}\n",
-                   clock(step.hour), step.budget.incident,
-                   format(step.budget.leaves), format(step.budget.stalks),
-                   format(step.budget.soil), format(step.budget.reflected));
+    fmt::print("case {}, {:.0f} ms\n", chosen.name, seconds * 1e3);
+    print_light(report, Span::day);
+    fmt::print("\nleaves absorb {}\n",
+               format_daily(scaled(report.light.day.leaves, 1e-6)));
 }
 
 bool same_bits(const std::vector<Estimate>& a, const std::vector<Estimate>& b) {
@@ -105,7 +51,7 @@ Study timed_study(const Campaign& campaign, const Case& chosen,
     const Device device(isa);
     const double began = now();
     CanopyReport report = study(campaign, chosen, day, device, genome,
-                                draws_of(task, campaign, chosen));
+                                draws_of(task, campaign, chosen), Detail::full);
     return {std::move(report), now() - began};
 }
 

@@ -82,9 +82,8 @@ void add_ground(CLI::App& verb, MeshOptions& options, CLI::Option* mesh) {
                     "periodic (default): an endless stand; isolated: the mesh "
                     "alone on endless soil")
         ->transform(CLI::CheckedTransformer(
-            std::map<std::string, MeshOptions::Boundary>{
-                {"periodic", MeshOptions::Boundary::periodic},
-                {"isolated", MeshOptions::Boundary::isolated}}))
+            std::map<std::string, Boundary>{{"periodic", Boundary::periodic},
+                                            {"isolated", Boundary::isolated}}))
         ->needs(mesh);
     verb.add_option("--ground-area", options.ground_area,
                     "ground that fractions refer to [m2]; of a periodic stand "

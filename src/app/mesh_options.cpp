@@ -41,7 +41,7 @@ void check_ground(const MeshOptions& options) {
                 "--period: both lengths must be positive [m]");
     if (area)
         require(is_positive(*area), "--ground-area: must be positive [m2]");
-    if (options.boundary == MeshOptions::Boundary::isolated) {
+    if (options.boundary == Boundary::isolated) {
         require(area || options.field,
                 "--boundary isolated needs --ground-area, the area of ground "
                 "that fractions refer to");

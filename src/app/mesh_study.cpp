@@ -8,8 +8,7 @@
 
 #include "ideotype/app/progress.hpp"
 #include "ideotype/light/device.hpp"
-#include "ideotype/light/scene.hpp"
-#include "ideotype/light/transport.hpp"
+#include "ideotype/light/sunlit.hpp"
 #include "ideotype/plant/obj_reader.hpp"
 
 namespace ideotype {
@@ -20,6 +19,12 @@ namespace {
 //! to an eighth.
 constexpr std::uint64_t usual_randomisations = 32;
 
+//! Where a tolerance begins.
+constexpr std::uint64_t first_paths = 16384;
+
+//! Layers of equal thickness up to the top of the canopy.
+constexpr std::size_t layers = 10;
+
 //! A mesh on its ground.
 struct Stand {
     Mesh mesh;
@@ -28,24 +33,14 @@ struct Stand {
     double ground_area = 0;  //!< [m2]
 };
 
-//! The light, and the day that it belongs to; no steps for a single light.
-struct MeshLight {
-    DayIllumination illumination;
-    Day day;
-};
-
-MeshLight light_of(const MeshOptions& options) {
-    if (options.site) {
-        constexpr double par_fraction = 0.45;
-        const Day day =
-            clear_day(*options.site, {*options.date, 0, 24, 60}, par_fraction);
-        return {illuminate(day, options.sky.value_or(SkyModel::uniform), 0),
-                day};
-    }
-    const SunPosition sun = options.sun.value_or(SunPosition{});
-    if (options.sky)
-        return {{{{{std::nullopt, 1.0, {*options.sky, sun}}}}, {}, {}}, {}};
-    return {{{{{beam_direction(sun), 1.0, {}}}}, {}, {}}, {}};
+//! A single light is that of a second.
+Day day_of(const MeshOptions& options) {
+    constexpr double par_fraction = 0.45;
+    if (options.site)
+        return clear_day(*options.site, {*options.date, 0, 24, 60},
+                         par_fraction);
+    const Irradiance one = options.sky ? Irradiance{0, 1} : Irradiance{1, 0};
+    return {{{0, 1, options.sun.value_or(SunPosition{}), one}}};
 }
 
 //! Beyond this many faces a stand needs more memory than most computers have.
@@ -97,12 +92,9 @@ void check_images(const Stand& stand) {
             stand.period_x, stand.period_y, images, most_faces));
 }
 
-Scene scene_of(const Device& device, const Stand& stand,
-               MeshOptions::Boundary boundary) {
-    if (boundary == MeshOptions::Boundary::isolated)
-        throw Error(
-            "--boundary isolated is not yet supported; use --boundary "
-            "periodic");
+Scene scene_of(const Device& device, const Stand& stand, Boundary boundary) {
+    if (boundary == Boundary::isolated)
+        return Scene::isolated(device, stand.mesh, stand.ground_area);
     check_images(stand);
     return Scene(device, stand.mesh, stand.period_x, stand.period_y);
 }
@@ -131,35 +123,45 @@ double relative_error(const BudgetEstimate& budget) {
 MeshReport study(const MeshOptions& options) {
     check(options);
     const double began = now();
-    const MeshLight light = light_of(options);
-    const Illumination& sources = light.illumination.light;
+    const Day day = day_of(options);
+    const DayIllumination illumination =
+        illuminate(day, options.sky.value_or(SkyModel::uniform), 0);
     ObjMesh obj = read_obj(options.path);
     MeshReport result;
     result.warnings = std::move(obj.warnings);
     const Stand stand = stand_of(std::move(obj.mesh), options);
-    result.groups = stand.mesh.groups;
-    result.ground_area = stand.ground_area;
-    result.lai = leaf_area(stand.mesh) / stand.ground_area;
+    CanopyReport& canopy = result.canopy;
+    canopy.groups = stand.mesh.groups;
+    canopy.boundary = options.boundary;
+    canopy.ground_area = stand.ground_area;
+    canopy.lai = leaf_area(stand.mesh) / stand.ground_area;
 
     const Device device(Device::supported_isas().back());
     const Scene scene = scene_of(device, stand, options.boundary);
+    canopy.layers = {scene.top() / layers, layers};
     const Optics optics{options.leaf, {}, options.soil_albedo};
-    constexpr std::uint64_t first_paths = 16384;
+    const Randomness randomness{options.seed, 0, 0};
     const std::uint64_t least_paths =
-        usual_randomisations * sources.sources.size();
+        usual_randomisations * illumination.light.sources.size();
+    Sampling sampling;
     for (std::uint64_t paths =
              options.paths.value_or(std::max(first_paths, least_paths));
          ; paths = 2 * result.paths) {
-        const Sampling sampling = share(paths);
+        sampling = share(paths);
         result.paths = paths_of(sampling);
-        result.light = report(simulate(scene, stand.mesh.groups, optics,
-                                       sources, sampling, {options.seed, 0, 0}),
-                              light.illumination, light.day);
-        result.relative_error = relative_error(result.light.day);
+        canopy.light = report(
+            simulate(scene, stand.mesh.groups, optics, illumination.light,
+                     sampling, randomness, canopy.layers),
+            illumination, day);
+        result.relative_error = relative_error(canopy.light.day);
         if (options.paths || result.relative_error <= options.tolerance ||
             2 * result.paths > most_tolerance_paths)
             break;
     }
+    add_sunlit(canopy.light,
+               sunlit_fractions(scene, stand.mesh, illumination.light,
+                                sunlit_sampling(sampling), randomness),
+               illumination);
     result.seconds = now() - began;
     return result;
 }

@@ -21,11 +21,9 @@ double now() {
 std::string format(Estimate x) {
     const double error = std::abs(x.standard_error);
     if (!std::isfinite(error)) return fmt::format("{:.6g}", x.mean);
+    if (error == 0) return fmt::format("{:.9g}", x.mean);
     const int digits =
-        error > 0
-            ? std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0,
-                         12)
-            : 6;
+        std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 12);
     return fmt::format("{:.{}f} +- {:.{}f}", x.mean, digits, error, digits);
 }
 

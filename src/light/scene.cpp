@@ -45,15 +45,7 @@ Shifts shifts_into(const Extent& extent, double period) {
                 std::floor((period + margin - extent.lower) / period))};
 }
 
-}  // namespace
-
-Scene::Scene(const Device& device, const Mesh& mesh, double period_x,
-             double period_y)
-    : period_x_(period_x), period_y_(period_y) {
-    if (!(period_x > 0) || !(period_y > 0) || !std::isfinite(period_x) ||
-        !std::isfinite(period_y))
-        throw Error(fmt::format("the period {} x {} m is not positive",
-                                period_x, period_y));
+void check_vertices(const Mesh& mesh) {
     for (const Vec3& v : mesh.vertices)
         if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
             throw Error("a vertex of the canopy is not finite");
@@ -63,6 +55,44 @@ Scene::Scene(const Device& device, const Mesh& mesh, double period_x,
                 fmt::format("a vertex of the canopy is at {:.3g} {:.3g} {:.3g} "
                             "m, more than {:.0e} m away; the unit is metres",
                             v.x, v.y, v.z, farthest));
+}
+
+double wrapped_into(double x, double period) {
+    const double w = x - period * std::floor(x / period);
+    return w < period ? w : 0;
+}
+
+}  // namespace
+
+std::optional<Segment> clip(const Box& box, const Vec3& origin,
+                            const Vec3& direction) {
+    Segment inside{0, std::numeric_limits<double>::infinity()};
+    const auto cut = [&](double lower, double upper, double x, double dx) {
+        if (dx == 0) return lower <= x && x <= upper;
+        const double to_lower = (lower - x) / dx;
+        const double to_upper = (upper - x) / dx;
+        inside.first = std::max(inside.first, std::min(to_lower, to_upper));
+        inside.last = std::min(inside.last, std::max(to_lower, to_upper));
+        return true;
+    };
+    if (!cut(box.lower.x, box.upper.x, origin.x, direction.x) ||
+        !cut(box.lower.y, box.upper.y, origin.y, direction.y) ||
+        !cut(box.lower.z, box.upper.z, origin.z, direction.z) ||
+        inside.first > inside.last)
+        return std::nullopt;
+    return inside;
+}
+
+Scene::Scene(const Device& device, const Mesh& mesh, double period_x,
+             double period_y)
+    : ground_area_(period_x * period_y),
+      period_x_(period_x),
+      period_y_(period_y) {
+    if (!(period_x > 0) || !(period_y > 0) || !std::isfinite(period_x) ||
+        !std::isfinite(period_y))
+        throw Error(fmt::format("the period {} x {} m is not positive",
+                                period_x, period_y));
+    check_vertices(mesh);
     const std::vector<double> areas = face_areas(mesh);
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
         if (areas[f] > 0) add_images(mesh, f);
@@ -72,6 +102,59 @@ Scene::Scene(const Device& device, const Mesh& mesh, double period_x,
     commit(device);
 }
 
+Scene Scene::isolated(const Device& device, const Mesh& mesh,
+                      double ground_area) {
+    if (!(ground_area > 0) || !std::isfinite(ground_area))
+        throw Error(
+            fmt::format("the ground area {} m2 is not positive", ground_area));
+    check_vertices(mesh);
+    Scene scene;
+    scene.boundary_ = Boundary::isolated;
+    scene.ground_area_ = ground_area;
+    scene.add_plot(mesh, face_areas(mesh));
+    scene.top_ = scene.box_.upper.z + 1e-3;
+    scene.clearance_ =
+        4 * std::numeric_limits<float>::epsilon() *
+        std::max({scene.box_.upper.x, scene.box_.upper.y, scene.top_});
+    scene.commit(device);
+    return scene;
+}
+
+void Scene::add_plot(const Mesh& mesh, const std::vector<double>& areas) {
+    const auto is_there = [&](std::size_t f) {
+        const auto& face = mesh.faces[f];
+        return areas[f] > 0 &&
+               std::any_of(face.begin(), face.end(), [&](std::uint32_t v) {
+                   return mesh.vertices[v].z >= 0;
+               });
+    };
+    Extent x, y, z;
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        if (!is_there(f)) continue;
+        for (const std::uint32_t v : mesh.faces[f]) {
+            x.include(mesh.vertices[v].x);
+            y.include(mesh.vertices[v].y);
+            z.include(std::max(0.0, mesh.vertices[v].z));
+        }
+    }
+    if (!(x.lower <= x.upper)) return;
+    plot_corner_ = {x.lower, y.lower, 0};
+    box_ = {{0, 0, z.lower}, {x.upper - x.lower, y.upper - y.lower, z.upper}};
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+        if (is_there(f)) add_face(mesh, f, {-x.lower, -y.lower, 0});
+}
+
+Vec3 Scene::placed(const Vec3& point) const {
+    return wrapped(
+        {point.x - plot_corner_.x, point.y - plot_corner_.y, point.z});
+}
+
+Vec3 Scene::wrapped(const Vec3& point) const {
+    if (boundary_ == Boundary::isolated) return point;
+    return {wrapped_into(point.x, period_x_), wrapped_into(point.y, period_y_),
+            point.z};
+}
+
 Scene::~Scene() {
     if (handle_) rtcReleaseScene(handle_->scene);
 }
@@ -79,6 +162,10 @@ Scene::~Scene() {
 Scene::Scene(Scene&&) noexcept = default;
 
 Scene& Scene::operator=(Scene&& other) noexcept {
+    std::swap(boundary_, other.boundary_);
+    std::swap(box_, other.box_);
+    std::swap(plot_corner_, other.plot_corner_);
+    std::swap(ground_area_, other.ground_area_);
     std::swap(period_x_, other.period_x_);
     std::swap(period_y_, other.period_y_);
     std::swap(top_, other.top_);
@@ -108,18 +195,20 @@ void Scene::add_images(const Mesh& mesh, std::size_t face) {
             "faces count once for each period that they touch)",
             most_faces, period_x_, period_y_));
     for (long i = along_x.first; i <= along_x.last; ++i)
-        for (long j = along_y.first; j <= along_y.last; ++j) {
-            for (const std::uint32_t v : mesh.faces[face]) {
-                const Vec3& p = mesh.vertices[v];
-                corners_.push_back(
-                    {static_cast<float>(p.x +
-                                        static_cast<double>(i) * period_x_),
-                     static_cast<float>(p.y +
-                                        static_cast<double>(j) * period_y_),
-                     static_cast<float>(p.z), 0});
-            }
-            face_group_.push_back(mesh.face_group[face]);
-        }
+        for (long j = along_y.first; j <= along_y.last; ++j)
+            add_face(mesh, face,
+                     {static_cast<double>(i) * period_x_,
+                      static_cast<double>(j) * period_y_, 0});
+}
+
+void Scene::add_face(const Mesh& mesh, std::size_t face, const Vec3& shift) {
+    for (const std::uint32_t v : mesh.faces[face]) {
+        const Vec3& p = mesh.vertices[v];
+        corners_.push_back({static_cast<float>(p.x + shift.x),
+                            static_cast<float>(p.y + shift.y),
+                            static_cast<float>(p.z), 0});
+    }
+    face_group_.push_back(mesh.face_group[face]);
 }
 
 void Scene::commit(const Device& device) {

@@ -90,11 +90,11 @@ TEST(Canopy, InThePolarNightAllFiguresAreZero) {
         const Day day = clear_day(night.site, night.day, campaign.par_fraction);
         ASSERT_TRUE(day.steps.empty());
         const Device device(Device::supported_isas().back());
-        const Outcome outcome =
-            checked_outcome(outcome_schema(campaign, day),
-                            to_outcome(study(campaign, night, day, device,
-                                             to_genome(campaign.baseline),
-                                             draws_of({}, campaign, night))));
+        const Outcome outcome = checked_outcome(
+            outcome_schema(campaign, day),
+            to_outcome(study(campaign, night, day, device,
+                             to_genome(campaign.baseline),
+                             draws_of({}, campaign, night), Detail::history)));
         EXPECT_EQ(outcome.status, Status::done) << outcome.message;
         EXPECT_EQ(outcome.objectives[0].mean, 0);
         EXPECT_EQ(outcome.objectives[0].standard_error, 0);

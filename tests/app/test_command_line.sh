@@ -45,7 +45,7 @@ says "typo.toml:17:1"
 expect 0 "$ideotype" evaluate campaigns/verbs.toml
 says "incident"
 expect 0 "$ideotype" evaluate campaigns/verbs.toml --json
-says '"leaves"'
+says '"leaf_by_layer"'
 expect 2 "$ideotype" evaluate campaigns/verbs.toml --case 1
 
 expect 0 "$ideotype" run campaigns/verbs.toml

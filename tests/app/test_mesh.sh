@@ -23,8 +23,17 @@ for key in incident leaf soil reflected groups plant000_leaf10 lai \
 done
 expect 0 "reflected" "${maize[@]}" --sky uniform
 expect 0 '"hours"' "${maize[@]}" --site 42 -93.6 -5 --date 2025-08-07 --json
+for key in leaf_by_origin beam scattered leaf_by_face leaf_by_layer \
+    sunlit_leaf_area; do
+    grep -q "\"$key\"" out.log || fail "no $key in: $(cat out.log)"
+done
 expect 0 "1.026 m2" --mesh "$reference/maize1.obj" --field 3 3 .76 .15 \
     --jitter 10 --sun 40 90
+
+plot=(--mesh "$reference/maize1.obj" --boundary isolated --sun 40 90)
+expect 0 "can absorb more than 1" "${plot[@]}" --ground-area .114
+expect 0 '"entered"' "${plot[@]}" --ground-area .114 --json
+expect 2 "--ground-area" "${plot[@]}"
 
 expect 2 "--period X Y is missing" --mesh "$reference/maize1.obj" --sun 60 180
 expect 2 "the light is missing" "${maize[@]}"

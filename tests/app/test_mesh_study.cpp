@@ -43,12 +43,12 @@ TEST(MeshStudy, MaizeAgreesWithADoublePrecisionTracer) {
     MeshOptions options = maize(60, 180);
     options.tolerance = 1e-4;
     const MeshReport report = study(options);
-    const Estimate leaf = report.light.day.leaves;
+    const Estimate leaf = report.canopy.light.day.leaves;
     EXPECT_LE(leaf.standard_error, 1e-4 * leaf.mean);
     EXPECT_NEAR(leaf.mean, .9206372,
                 4 * std::hypot(leaf.standard_error, 3.39e-5));
-    EXPECT_NEAR(report.ground_area, .114, 1e-12);
-    EXPECT_LT(report.light.balance_error, 1e-12);
+    EXPECT_NEAR(report.canopy.ground_area, .114, 1e-12);
+    EXPECT_LT(report.canopy.light.balance_error, 1e-12);
 }
 
 TEST(MeshStudy, OneSheetOverSoilIsExact) {
@@ -56,7 +56,7 @@ TEST(MeshStudy, OneSheetOverSoilIsExact) {
     options.sky = SkyModel::uniform;
     options.soil_albedo = .2;
     options.tolerance = 1e-4;
-    const BudgetEstimate day = study(options).light.day;
+    const BudgetEstimate day = study(options).canopy.light.day;
     const auto expect = [](Estimate ours, double exact) {
         EXPECT_LT(ours.standard_error, 2e-4);
         EXPECT_NEAR(ours.mean, exact, 4 * ours.standard_error + 1e-7);
@@ -69,10 +69,11 @@ TEST(MeshStudy, OneSheetOverSoilIsExact) {
 TEST(MeshStudy, TheSameOptionsGiveTheSameBits) {
     const MeshReport a = study(lit_maize()), b = study(lit_maize());
     EXPECT_EQ(a.paths, b.paths);
-    EXPECT_EQ(a.light.day.leaves.mean, b.light.day.leaves.mean);
+    EXPECT_EQ(a.canopy.light.day.leaves.mean, b.canopy.light.day.leaves.mean);
     MeshOptions other = lit_maize();
     other.seed = 2;
-    EXPECT_NE(study(other).light.day.leaves.mean, a.light.day.leaves.mean);
+    EXPECT_NE(study(other).canopy.light.day.leaves.mean,
+              a.canopy.light.day.leaves.mean);
 }
 
 TEST(MeshStudy, ATighterToleranceTakesMorePathsAndIsMet) {
@@ -92,7 +93,8 @@ TEST(MeshStudy, AtLeastTheAskedPathsAreFollowed) {
         const MeshReport report = study(options);
         EXPECT_GE(report.paths, paths);
         EXPECT_LE(report.paths, 4 * paths);
-        EXPECT_TRUE(std::isfinite(report.light.day.leaves.standard_error));
+        EXPECT_TRUE(
+            std::isfinite(report.canopy.light.day.leaves.standard_error));
     }
 }
 
@@ -103,13 +105,14 @@ TEST(MeshStudy, AFieldOfUnturnedPlantsIsThePlantInItsCell) {
     field.period.reset();
     field.field = FieldForm{2, 3, {.76, .15}, 0, 0};
     const MeshReport stand = study(field);
-    EXPECT_NEAR(stand.ground_area, 6 * .76 * .15, 1e-12);
-    EXPECT_NEAR(stand.lai, plant.lai, 1e-9);
-    const Estimate a = plant.light.day.leaves, b = stand.light.day.leaves;
+    EXPECT_NEAR(stand.canopy.ground_area, 6 * .76 * .15, 1e-12);
+    EXPECT_NEAR(stand.canopy.lai, plant.canopy.lai, 1e-9);
+    const Estimate a = plant.canopy.light.day.leaves,
+                   b = stand.canopy.light.day.leaves;
     EXPECT_NEAR(a.mean, b.mean,
                 4 * std::hypot(a.standard_error, b.standard_error));
     field.field->jitter = 20;
-    EXPECT_NE(study(field).light.day.leaves.mean, b.mean);
+    EXPECT_NE(study(field).canopy.light.day.leaves.mean, b.mean);
 }
 
 TEST(MeshStudy, ADayHasHoursThatSumToIt) {
@@ -117,7 +120,7 @@ TEST(MeshStudy, ADayHasHoursThatSumToIt) {
     options.sun.reset();
     options.site = Site{"", 42, -93.6, -5};
     options.date = Date{2025, 8, 7};
-    const DayReport light = study(options).light;
+    const DayReport light = study(options).canopy.light;
     EXPECT_NEAR(light.day.incident / 12.2e6, 1, .05);
     double leaves = 0;
     for (const StepReport& step : light.steps)
@@ -126,14 +129,27 @@ TEST(MeshStudy, ADayHasHoursThatSumToIt) {
     EXPECT_LT(light.balance_error, 1e-12);
 }
 
+TEST(MeshStudy, AnIsolatedPlotAbsorbsMoreThanItsGroundReceives) {
+    MeshOptions options = maize(30, 90);
+    options.period.reset();
+    options.boundary = Boundary::isolated;
+    options.ground_area = .114;
+    const CanopyReport alone = study(options).canopy;
+    EXPECT_GT(alone.light.day.leaves.mean, 1.5);
+    EXPECT_GT(alone.light.day.entered.mean, alone.light.day.leaves.mean);
+    EXPECT_LT(alone.light.balance_error, 1e-12);
+    ASSERT_TRUE(alone.light.steps[0].sunlit);
+    EXPECT_GT(alone.light.steps[0].sunlit->mean, .3);
+}
+
 TEST(MeshStudy, PolarNightIsDarkAndFinite) {
     MeshOptions options = maize(1, 0);
     options.sun.reset();
     options.site = Site{"", 85, 0, 0};
     options.date = Date{2025, 12, 21};
     const MeshReport report = study(options);
-    EXPECT_EQ(report.light.day.incident, 0);
-    EXPECT_EQ(report.light.day.leaves.mean, 0);
+    EXPECT_EQ(report.canopy.light.day.incident, 0);
+    EXPECT_EQ(report.canopy.light.day.leaves.mean, 0);
 }
 
 TEST(MeshStudy, ContradictionsAreWrongUsage) {
@@ -148,7 +164,7 @@ TEST(MeshStudy, ContradictionsAreWrongUsage) {
     refuses([](auto& o) { o.period = {std::nan(""), 1}; });
     refuses([](auto& o) { o.field = FieldForm{1, 1, {1, 1}, 0, 0}; });
     refuses([](auto& o) { o.ground_area = 1; });
-    refuses([](auto& o) { o.boundary = MeshOptions::Boundary::isolated; });
+    refuses([](auto& o) { o.boundary = Boundary::isolated; });
     refuses([](auto& o) { o.sun.reset(); });
     refuses([](auto& o) { o.sun->zenith = 90; });
     refuses([](auto& o) { o.sun->zenith = -1; });

@@ -14,11 +14,13 @@ class MadeUpDay : public ::testing::Test {
         day.steps = {{8, 1800, {60, 90}, {100, 50}},
                      {9, 3600, {40, 120}, {0, 150}}};
         light = illuminate(day, SkyModel::uniform, 0);
-        tallies = {{{{90, 20, 30, 40}, {300, 0, 0, 330}}, {70, 320}},
-                   {{{100, 10, 30, 40}, {310, 0, 0, 320}}, {80, 330}}};
+        tallies = {
+            {{{90, 20, 30, 40, 180}, {300, 0, 0, 330, 630}}, {70, 320}},
+            {{{100, 10, 30, 40, 180}, {310, 0, 0, 320, 630}}, {80, 330}}};
         for (Tally& t : tallies) {
-            for (double Budget::*part : {&Budget::leaves, &Budget::stalks,
-                                         &Budget::soil, &Budget::reflected}) {
+            for (double Budget::*part :
+                 {&Budget::leaves, &Budget::stalks, &Budget::soil,
+                  &Budget::reflected, &Budget::incident}) {
                 t.sources[0].*part *= 1000;
                 t.sources[1].*part *= 1000;
             }

@@ -117,7 +117,7 @@ TEST(ClearDay, IsEmptyInThePolarNightAndFullInThePolarDay) {
 }
 
 TEST(ClearDay, IsPlausibleFromTheEquatorToThePoleAndOnALeapDay) {
-    for (const double latitude : {-42.0, 0.0, 66.6, 90.0})
+    for (const double latitude : {-90.0, -66.6, -42.0, 0.0, 66.6, 90.0})
         for (const Date& date :
              {Date{2024, 2, 29}, {2025, 6, 21}, {2025, 12, 21}}) {
             const Site site{"somewhere", latitude, 0.0, 0.0};
@@ -127,6 +127,12 @@ TEST(ClearDay, IsPlausibleFromTheEquatorToThePoleAndOnALeapDay) {
             EXPECT_GE(incident, 0) << latitude;
             EXPECT_LT(incident, 17e6) << latitude;
         }
+}
+
+TEST(ClearDay, SunrisesBetweenTwoStepsCostLessThanOnePercent) {
+    const Day fine = clear_day(ames, all_day(1), par_fraction);
+    const Day hourly = clear_day(ames, all_day(60), par_fraction);
+    EXPECT_NEAR(hourly.incident() / fine.incident(), 1, 0.01);
 }
 
 TEST(ClearDay, RefusesAStepThatDoesNotDivideTheSpan) {

@@ -34,17 +34,30 @@ Mesh build_plant(const Campaign& campaign, const Genome& genome);
 Field build_field(const Campaign& campaign, const Case& chosen,
                   const Genome& genome, const Draws& draws, std::uint32_t draw);
 
-//! What the light of a day does in the stand of one genome.
+//! What light does in one canopy.
 struct CanopyReport {
     DayReport light;
-    std::vector<Group> groups;  //!< of the plant: leaves, then the stalk
-    double lai = 0;             //!< one-sided leaf area over ground [m2 m-2]
+    std::vector<Group> groups;  //!< that light was counted for
+    Layers layers;
+    double lai = 0;          //!< one-sided leaf area over ground [m2 m-2]
+    double ground_area = 0;  //!< that all figures refer to [m2]
+    Boundary boundary = Boundary::periodic;
 };
+
+//! Enough points to know a sunlit fraction to some 0.2 %.
+Sampling sunlit_sampling(const Sampling& sampling);
+
+//! Layers of 0.25 m, up to what the highest leaf could reach.
+Layers canopy_layers(const Campaign& campaign);
+
+//! The sunlit leaf area costs more rays and changes no fitness: histories go
+//! without it.
+enum class Detail { history, full };
 
 //! field -> light -> report.
 CanopyReport study(const Campaign& campaign, const Case& chosen, const Day& day,
                    const Device& device, const Genome& genome,
-                   const Draws& draws);
+                   const Draws& draws, Detail detail);
 
 //! The columns of a case's outcomes.
 OutcomeSchema outcome_schema(const Campaign& campaign, const Day& day);

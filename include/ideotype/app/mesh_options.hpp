@@ -5,6 +5,7 @@
 #include <string>
 
 #include "ideotype/light/optics.hpp"
+#include "ideotype/light/scene.hpp"
 #include "ideotype/plant/field.hpp"
 #include "ideotype/sky/radiance.hpp"
 #include "ideotype/sky/site.hpp"
@@ -15,8 +16,6 @@ namespace ideotype {
 //! `evaluate --mesh FILE.obj`: the light in one canopy from any mesh; x is
 //! east, y is north, z is up.
 struct MeshOptions {
-    //! Whether the mesh repeats without end or stands alone.
-    enum class Boundary { periodic, isolated };
     struct Period {
         double x, y;  //!< [m]
     };

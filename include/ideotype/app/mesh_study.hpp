@@ -4,20 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "ideotype/app/canopy.hpp"
 #include "ideotype/app/mesh_options.hpp"
 #include "ideotype/core/error.hpp"
-#include "ideotype/core/mesh.hpp"
-#include "ideotype/light/report.hpp"
 
 namespace ideotype {
 
-//! What light does in one canopy.
+//! What light does in a mesh. Of single lights, level ground receives 1.
 struct MeshReport {
-    //! Of single lights the ground receives 1; of days [J m-2 day-1].
-    DayReport light;
-    std::vector<Group> groups;
-    double ground_area = 0;  //!< [m2]
-    double lai = 0;          //!< one-sided leaf area over ground [m2 m-2]
+    CanopyReport canopy;
     std::uint64_t paths = 0;
     //! Relative standard error of the leaves' total.
     double relative_error = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "ideotype/core/estimate.hpp"
@@ -11,23 +12,37 @@ namespace ideotype {
 
 //! Where light went, with standard errors, in the unit of `incident`.
 struct BudgetEstimate {
-    double incident = 0;
+    double incident = 0;  //!< on the ground area
+    //! The sum of all parts: of a periodic stand what is incident, of an
+    //! isolated plot what comes in through its bounding box from all sides.
+    Estimate entered;
     Estimate leaves;
     Estimate stalks;
     Estimate soil;
     Estimate reflected;
+
+    //! What leaves absorb, by where it came from at last: from the sun, from
+    //! the sky, or from another surface.
+    Estimate leaves_beam;
+    Estimate leaves_sky;
+    Estimate leaves_scattered;
 };
 
 //! One instant of the day.
 struct StepReport {
     double hour = 0;        //!< local clock [h]
     BudgetEstimate budget;  //!< [W m-2]
+    //! Part of the one-sided leaf area that the sun shines on, if it was asked
+    //! for.
+    std::optional<Estimate> sunlit;
 };
 
 //! The light of one day in one stand.
 struct DayReport {
     BudgetEstimate day;             //!< [J m-2 day-1]
     std::vector<Estimate> groups;   //!< absorbed per group [J m-2 day-1]
+    std::vector<Estimate> layers;   //!< by leaves, lowest first [J m-2 day-1]
+    Estimate adaxial, abaxial;      //!< by faces of leaves [J m-2 day-1]
     std::vector<StepReport> steps;  //!< all instants of the day
     //! Largest relative difference between incident light and the sum of its
     //! parts in any randomisation.
@@ -39,5 +54,11 @@ struct DayReport {
 //! are those of the mean of the tallies.
 DayReport report(const std::vector<Tally>& tallies,
                  const DayIllumination& illumination, const Day& day);
+
+//! Adds the sunlit leaf area to each instant; none without a sun.
+//! @param fractions as sunlit_fractions() gives them
+void add_sunlit(DayReport& report,
+                const std::vector<std::vector<double>>& fractions,
+                const DayIllumination& illumination);
 
 }  // namespace ideotype

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "ideotype/core/mesh.hpp"
@@ -15,16 +16,38 @@ namespace ideotype {
 //! Where light meets a face.
 struct Hit {
     Vec3 position;            //!< on the plane of the face [m]
-    Vec3 normal;              //!< unit length, on either side
+    Vec3 normal;              //!< unit length, on the adaxial side
     std::uint32_t group = 0;  //!< of the mesh
 };
 
-//! All surfaces inside one cell of an infinite periodic stand, ready to be
-//! traced. The cell spans [0, period_x] x [0, period_y]; its lattice is where
-//! the mesh says, so any shift of the mesh by whole periods is the same scene.
-//! A face that reaches over the cell's boundary is also there as its images
-//! from the neighbouring cells: nothing is cut off, nothing is doubled, since
-//! rays end where the cell does.
+//! How a canopy goes on beyond its mesh: in copies without end, or not at all,
+//! on an infinite plane of soil.
+enum class Boundary { periodic, isolated };
+
+//! A box along the axes [m].
+struct Box {
+    Vec3 lower, upper;
+};
+
+//! The part of a ray inside a box, in multiples of its direction.
+struct Segment {
+    double first, last;
+};
+
+//! Where a ray is inside a box, edges included; nothing if it misses it.
+std::optional<Segment> clip(const Box& box, const Vec3& origin,
+                            const Vec3& direction);
+
+//! All surfaces of a canopy, ready to be traced.
+//!
+//! A periodic scene holds one cell of an infinite stand. The cell spans [0,
+//! period_x] x [0, period_y]; its lattice is where the mesh says, so any shift
+//! of the mesh by whole periods is the same scene. A face that reaches over the
+//! cell's boundary is also there as its images from the neighbouring cells:
+//! nothing is cut off, nothing is doubled, since rays end where the cell does.
+//!
+//! An isolated scene holds a plot, moved so that the corner of its bounding
+//! box is above the origin.
 class Scene {
   public:
     //! Faces without area and faces below the soil are left out.
@@ -32,19 +55,35 @@ class Scene {
     //! positive, there are too many faces, or memory runs out.
     Scene(const Device& device, const Mesh& mesh, double period_x,
           double period_y);
+
+    //! A plot that stands alone.
+    //! @param ground_area that all figures refer to [m2]
+    //! @throws Error as above, with the ground area in place of the period.
+    static Scene isolated(const Device& device, const Mesh& mesh,
+                          double ground_area);
+
     ~Scene();
     Scene(Scene&&) noexcept;
     Scene& operator=(Scene&&) noexcept;
 
-    double period_x() const { return period_x_; }  //!< [m]
-    double period_y() const { return period_y_; }  //!< [m]
-    double top() const { return top_; }            //!< above all surfaces [m]
+    Boundary boundary() const { return boundary_; }
+    double period_x() const { return period_x_; }        //!< if periodic [m]
+    double period_y() const { return period_y_; }        //!< if periodic [m]
+    double ground_area() const { return ground_area_; }  //!< [m2]
+    const Box& box() const { return box_; }  //!< around the plot, if isolated
+    double top() const { return top_; }      //!< above all surfaces [m]
     std::size_t faces() const { return face_group_.size(); }
 
     //! The first face within a distance [m] of a point of the cell, along a
     //! unit direction; false if there is none.
     bool intersect(const Vec3& origin, const Vec3& direction, double distance,
                    Hit& hit) const;
+
+    //! Where a point of the mesh is in this scene.
+    Vec3 placed(const Vec3& point) const;
+
+    //! The same point of the stand inside the cell; a plot has only itself.
+    Vec3 wrapped(const Vec3& point) const;
 
     //! How far from a face light must restart so as not to meet it again: a
     //! few times the rounding error of single precision in this cell [m].
@@ -53,10 +92,17 @@ class Scene {
   private:
     struct Handle;
 
+    Scene() = default;
+    void add_plot(const Mesh& mesh, const std::vector<double>& areas);
+    void add_face(const Mesh& mesh, std::size_t face, const Vec3& shift);
     void add_images(const Mesh& mesh, std::size_t face);
     void commit(const Device& device);
     void attach_faces(RTCDeviceTy* embree);
 
+    Boundary boundary_ = Boundary::periodic;
+    Box box_;
+    Vec3 plot_corner_;  //!< in the axes of the mesh, if isolated
+    double ground_area_ = 0;
     double period_x_ = 0;
     double period_y_ = 0;
     double top_ = 0;

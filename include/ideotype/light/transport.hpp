@@ -6,24 +6,9 @@
 #include "ideotype/light/illumination.hpp"
 #include "ideotype/light/optics.hpp"
 #include "ideotype/light/scene.hpp"
+#include "ideotype/light/tally.hpp"
 
 namespace ideotype {
-
-//! Where the light of one source went [J m-2 of ground].
-struct Budget {
-    double leaves = 0;
-    double stalks = 0;
-    double soil = 0;
-    double reflected = 0;
-
-    double total() const { return leaves + stalks + soil + reflected; }
-};
-
-//! What one randomisation found [J m-2 of ground].
-struct Tally {
-    std::vector<Budget> sources;
-    std::vector<double> groups;  //!< absorbed, per group of the mesh
-};
 
 //! Which random numbers a simulation uses.
 struct Randomness {
@@ -36,20 +21,26 @@ struct Randomness {
 //! until leaves, stalks and soil have absorbed it or it has left upwards.
 //!
 //! Each source gets a share of the paths in proportion to its energy, at
-//! least one; its paths share its energy equally. At a surface light is
-//! absorbed, reflected or transmitted (Lambertian); see deposit() in the
-//! source for the unbiased rule that ends paths. In every randomisation the
-//! budget of every source sums to its energy, to rounding.
+//! least one; its paths share equally what enters of it, see Launcher. At a
+//! surface light is absorbed, reflected or transmitted (Lambertian); see
+//! deposit() in the source for the unbiased rule that ends paths. In every
+//! randomisation the budget of every source sums to what entered, to rounding:
+//! in a periodic stand its energy, in an isolated plot what came through its
+//! bounding box.
+//!
+//! Nothing is neglected around an isolated plot: the soil is infinite and lit,
+//! and light that leaves the box comes back by way of it. `soil` is then what
+//! soil anywhere absorbs, and `reflected` what goes to the sky, of the light
+//! that has been in the box.
 //!
 //! @param groups what each group of the scene's mesh is made of
+//! @param layers in which the light that leaves absorb is counted
 //! @return one tally per randomisation
 //! @throws Error if there are fewer paths than sources or paths is not a
 //! power of two.
-std::vector<Tally> simulate(const Scene& scene,
-                            const std::vector<Group>& groups,
-                            const Optics& optics,
-                            const Illumination& illumination,
-                            const Sampling& sampling,
-                            const Randomness& randomness);
+std::vector<Tally> simulate(
+    const Scene& scene, const std::vector<Group>& groups, const Optics& optics,
+    const Illumination& illumination, const Sampling& sampling,
+    const Randomness& randomness, const Layers& layers = {});
 
 }  // namespace ideotype

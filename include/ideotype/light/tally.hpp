@@ -1,0 +1,45 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace ideotype {
+
+//! Where the light of one source went [J m-2 of ground].
+struct Budget {
+    double leaves = 0;
+    double stalks = 0;
+    double soil = 0;
+    double reflected = 0;
+    double incident = 0;  //!< that entered: into a plot also from soil around
+    double unscattered = 0;  //!< of leaves: before it met anything else
+
+    double total() const { return leaves + stalks + soil + reflected; }
+};
+
+//! Layers of equal thickness from the soil up; the last one has no upper end.
+struct Layers {
+    double thickness = 1;  //!< [m]
+    std::size_t count = 1;
+
+    //! The layer of a height [m].
+    std::size_t at(double height) const {
+        const double last = static_cast<double>(count - 1);
+        return static_cast<std::size_t>(
+            std::clamp(height / thickness, 0.0, last));
+    }
+};
+
+//! What one randomisation found [J m-2 of ground].
+struct Tally {
+    std::vector<Budget> sources;
+    std::vector<double> groups;    //!< absorbed, per group of the mesh
+    std::vector<double> layers{};  //!< absorbed by leaves, lowest layer first
+    //! Absorbed through the faces of leaves: the adaxial (upper) one is that
+    //! from which the corners of a face are seen counter-clockwise.
+    double adaxial = 0;
+    double abaxial = 0;
+};
+
+}  // namespace ideotype

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "ideotype/app/canopy.hpp"
+#include "json.hpp"
+
+namespace ideotype {
+
+//! Whether the light is that of a day, in J m-2, with its hours, or a single
+//! one, of which level ground receives 1.
+enum class Span { day, single };
+
+//! `incident` and, as fractions of it, what became of it: in all, by group,
+//! by layer, by hour.
+Json to_json(const CanopyReport& report, Span span);
+
+//! The same as tables.
+void print_light(const CanopyReport& report, Span span);
+
+}  // namespace ideotype

@@ -1,0 +1,124 @@
+#include "launch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "directions.hpp"
+
+namespace ideotype {
+
+namespace {
+
+std::array<double, 3> as_array(const Vec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+}  // namespace
+
+Launcher::Launcher(const Scene& scene, const Source& source, double soil_albedo)
+    : scene_(scene), source_(source) {
+    if (!source.direction) sky_.emplace(source.sky);
+    if (scene.boundary() == Boundary::isolated) add_portals(soil_albedo);
+}
+
+void Launcher::add_portals(double soil_albedo) {
+    const auto [lower, upper] = scene_.box();
+    const double x = upper.x - lower.x;
+    const double y = upper.y - lower.y;
+    const double z = upper.z - lower.z;
+    portals_.push_back({2, true, From::source, x * y});
+    if (lower.z > 0)
+        portals_.push_back({2, false, From::soil, soil_albedo * x * y});
+    for (const int axis : {0, 1})
+        for (const bool is_upper : {false, true}) {
+            const double side = (axis == 0 ? y : x) * z;
+            // A vertical face sees half of a uniform sky, and half of what a
+            // horizontal one sees of a uniform soil.
+            double lit = 0.5;
+            if (source_.direction) {
+                const Vec3 d = not_level(*source_.direction);
+                const double along = axis == 0 ? d.x : d.y;
+                lit = std::max(0.0, (is_upper ? -along : along) / -d.z);
+            }
+            portals_.push_back({axis, is_upper, From::source, side * lit});
+            portals_.push_back(
+                {axis, is_upper, From::soil, soil_albedo * side / 2});
+        }
+    std::erase_if(portals_, [](const Portal& p) { return !(p.area > 0); });
+    double sum = 0;
+    for (const Portal& portal : portals_) sum += portal.area;
+    entering_ = sum / scene_.ground_area();
+}
+
+Bundle Launcher::launch(PathSampler& sampler, double energy) const {
+    if (scene_.boundary() == Boundary::periodic) {
+        const double x = sampler.next() * scene_.period_x();
+        const double y = sampler.next() * scene_.period_y();
+        return {{x, y, scene_.top()}, from_above(sampler), energy};
+    }
+    if (portals_.empty()) return {};
+    double left = sampler.next() * entering_ * scene_.ground_area();
+    std::size_t chosen = 0;
+    while (chosen + 1 < portals_.size() && left >= portals_[chosen].area)
+        left -= portals_[chosen++].area;
+    return enter(portals_[chosen], sampler, energy);
+}
+
+Bundle Launcher::enter(const Portal& portal, PathSampler& sampler,
+                       double energy) const {
+    const auto lower = as_array(scene_.box().lower);
+    const auto upper = as_array(scene_.box().upper);
+    std::array<double, 3> at{}, inwards{};
+    for (int i = 0; i < 3; ++i) {
+        const auto axis = static_cast<std::size_t>(i);
+        if (i == portal.axis)
+            at[axis] = portal.is_upper ? upper[axis] : lower[axis];
+        else
+            at[axis] =
+                lower[axis] + sampler.next() * (upper[axis] - lower[axis]);
+        inwards[axis] = i != portal.axis ? 0 : portal.is_upper ? -1 : 1;
+    }
+    const Vec3 p{at[0], at[1], at[2]};
+    const Vec3 n{inwards[0], inwards[1], inwards[2]};
+    Vec3 d;
+    if (portal.from == From::source && (!sky_ || portal.axis == 2)) {
+        d = from_above(sampler);
+    } else {
+        const double u = sampler.next();
+        d = lambertian(n, u, sampler.next());
+        d.z = std::copysign(d.z, portal.from == From::soil ? 1.0 : -1.0);
+        if (portal.from == From::source) {
+            energy *= relative_brightness(d);
+        } else {
+            const double t = p.z / d.z;
+            if (!is_lit({p.x - t * d.x, p.y - t * d.y, 0}, sampler)) return {};
+        }
+    }
+    // Start outside, where nothing is, so that a leaf in the face is met.
+    const double back =
+        scene_.clearance() / (d.x * n.x + d.y * n.y + d.z * n.z);
+    return {{p.x - back * d.x, p.y - back * d.y, p.z - back * d.z},
+            d,
+            energy,
+            portal.from == From::soil};
+}
+
+Vec3 Launcher::from_above(PathSampler& sampler) const {
+    if (!sky_) return not_level(*source_.direction);
+    const double u = sampler.next();
+    return not_level(sky_->sample(u, sampler.next()));
+}
+
+double Launcher::relative_brightness(const Vec3& direction) const {
+    return relative_radiance(source_.sky, direction) * std::numbers::pi /
+           sky_->horizontal_irradiance();
+}
+
+bool Launcher::is_lit(const Vec3& soil, PathSampler& sampler) const {
+    const Vec3 d = from_above(sampler);
+    return !clip(scene_.box(), soil, {-d.x, -d.y, -d.z});
+}
+
+}  // namespace ideotype

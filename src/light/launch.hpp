@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "ideotype/light/illumination.hpp"
+#include "ideotype/light/sampler.hpp"
+#include "ideotype/light/scene.hpp"
+#include "ideotype/sky/sky_sampler.hpp"
+#include "travel.hpp"
+
+namespace ideotype {
+
+//! How the light of one source enters a scene.
+//!
+//! A periodic stand is lit through the top of its cell. An isolated plot is
+//! lit through its bounding box, by two kinds of light that together are all
+//! there is, since light that has been in the box is followed until it is
+//! absorbed or lost to the sky, also by way of the soil outside:
+//! light straight from the source, through the top and the lit sides;
+//! light from the source by way of the infinite soil plane around, through
+//! the bottom and all sides, without that from soil in the box's own shadow.
+class Launcher {
+  public:
+    Launcher(const Scene& scene, const Source& source, double soil_albedo);
+
+    //! What all paths share, over the energy of the source. Paths from a sky
+    //! that is not uniform through the sides carry more or less than their
+    //! share, as the sky is brighter or darker there than on average.
+    double entering() const { return entering_; }
+
+    //! A bundle that enters; without energy if it comes from soil that the
+    //! box may shade.
+    Bundle launch(PathSampler& sampler, double energy) const;
+
+  private:
+    enum class From { source, soil };
+
+    //! A face of the box: at its lower or upper end along an axis.
+    struct Portal {
+        int axis;
+        bool is_upper;
+        From from;
+        double area;  //!< of horizontal ground with the same energy [m2]
+    };
+
+    void add_portals(double soil_albedo);
+    Bundle enter(const Portal& portal, PathSampler& sampler,
+                 double energy) const;
+    Vec3 from_above(PathSampler& sampler) const;
+    double relative_brightness(const Vec3& direction) const;
+    bool is_lit(const Vec3& soil, PathSampler& sampler) const;
+
+    const Scene& scene_;
+    const Source& source_;
+    std::optional<SkySampler> sky_;  //!< if the source has no direction
+    std::vector<Portal> portals_;    //!< empty for a periodic stand
+    double entering_ = 1;
+};
+
+}  // namespace ideotype

@@ -1,0 +1,129 @@
+#include "ideotype/light/sunlit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "directions.hpp"
+#include "ideotype/light/sampler.hpp"
+#include "travel.hpp"
+
+namespace ideotype {
+
+namespace {
+
+Vec3 difference(const Vec3& a, const Vec3& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+Vec3 cross(const Vec3& a, const Vec3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z,
+            a.x * b.y - a.y * b.x};
+}
+
+double dot(const Vec3& a, const Vec3& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+//! A flat part of a leaf.
+struct Triangle {
+    Vec3 corner, u, v;
+    Vec3 normal;  //!< unit length
+    double area;  //!< [m2]
+};
+
+//! All leaf surface, as the triangles that light meets, and points on it.
+class LeafArea {
+  public:
+    explicit LeafArea(const Mesh& mesh) {
+        for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+            if (mesh.groups[mesh.face_group[f]].tissue != Tissue::leaf)
+                continue;
+            const auto& [a, b, c, d] = mesh.faces[f];
+            add(mesh.vertices[a], mesh.vertices[b], mesh.vertices[d]);
+            add(mesh.vertices[c], mesh.vertices[d], mesh.vertices[b]);
+        }
+    }
+
+    double total() const { return ends_.empty() ? 0 : ends_.back(); }
+
+    struct Point {
+        Vec3 position, normal;
+    };
+
+    Point at(double share, double s, double t) const {
+        const auto found =
+            std::upper_bound(ends_.begin(), ends_.end() - 1, share * total());
+        const Triangle& triangle =
+            triangles_[static_cast<std::size_t>(found - ends_.begin())];
+        if (s + t > 1) {
+            s = 1 - s;
+            t = 1 - t;
+        }
+        const auto& [corner, u, v, normal, area] = triangle;
+        return {{corner.x + s * u.x + t * v.x, corner.y + s * u.y + t * v.y,
+                 corner.z + s * u.z + t * v.z},
+                normal};
+    }
+
+  private:
+    void add(const Vec3& a, const Vec3& b, const Vec3& c) {
+        const Vec3 u = difference(b, a), v = difference(c, a);
+        const Vec3 n = cross(u, v);
+        const double twice = std::sqrt(dot(n, n));
+        if (!(twice > 0)) return;
+        triangles_.push_back(
+            {a, u, v, {n.x / twice, n.y / twice, n.z / twice}, twice / 2});
+        ends_.push_back(total() + twice / 2);
+    }
+
+    std::vector<Triangle> triangles_;
+    std::vector<double> ends_;  //!< summed area up to and with each [m2]
+};
+
+bool sees(const Scene& scene, const LeafArea::Point& point, const Vec3& sun) {
+    if (point.position.z < 0) return false;
+    const double clear =
+        std::copysign(scene.clearance(), dot(point.normal, sun));
+    const Vec3 p = scene.placed(point.position);
+    Bundle bundle{
+        scene.wrapped(
+            {p.x + clear * point.normal.x, p.y + clear * point.normal.y,
+             std::clamp(p.z + clear * point.normal.z, 0.0, scene.top())}),
+        sun, 1};
+    Hit hit;
+    return travel(scene, bundle, hit) == Met::sky;
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> sunlit_fractions(
+    const Scene& scene, const Mesh& mesh, const Illumination& illumination,
+    const Sampling& sampling, const Randomness& randomness) {
+    const std::vector<Source>& sources = illumination.sources;
+    const LeafArea leaves(mesh);
+    const auto points = static_cast<std::uint32_t>(sampling.paths);
+    std::vector<std::vector<double>> result(
+        static_cast<std::size_t>(sampling.randomisations),
+        std::vector<double>(sources.size()));
+    if (!(leaves.total() > 0)) return result;
+    auto randomisation = randomness.first_randomisation;
+    for (std::vector<double>& fractions : result) {
+        PathSampler sampler(randomness.seed, randomness.generation,
+                            randomisation++, points);
+        for (std::uint32_t i = 0; i < points; ++i) {
+            sampler.begin(i);
+            const double share = sampler.next();
+            const double s = sampler.next();
+            const LeafArea::Point point = leaves.at(share, s, sampler.next());
+            for (std::size_t k = 0; k < sources.size(); ++k) {
+                if (!sources[k].direction) continue;
+                const Vec3 d = not_level(*sources[k].direction);
+                if (sees(scene, point, {-d.x, -d.y, -d.z}))
+                    fractions[k] += 1. / points;
+            }
+        }
+    }
+    return result;
+}
+
+}  // namespace ideotype

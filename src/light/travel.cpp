@@ -1,0 +1,75 @@
+#include "travel.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace ideotype {
+
+namespace {
+
+Met travel_periodic(const Scene& scene, Bundle& bundle, Hit& hit) {
+    constexpr double never = std::numeric_limits<double>::infinity();
+    // Rounding may hide a face at the very end of a segment or, as its image,
+    // at the very start of the next one. Both look a little over the seam.
+    const double seam = scene.clearance() / 2;
+    double before = 0;
+    Vec3& p = bundle.position;
+    const Vec3& d = bundle.direction;
+    const auto to_side = [](double x, double dx, double period) {
+        return dx > 0 ? (period - x) / dx : dx < 0 ? -x / dx : never;
+    };
+    for (;;) {
+        const double to_x = to_side(p.x, d.x, scene.period_x());
+        const double to_y = to_side(p.y, d.y, scene.period_y());
+        const double to_z =
+            std::max(0.0, d.z < 0 ? -p.z / d.z : (scene.top() - p.z) / d.z);
+        const double distance = std::max(0.0, std::min({to_x, to_y, to_z}));
+        const Vec3 from{p.x - before * d.x, p.y - before * d.y,
+                        p.z - before * d.z};
+        if (scene.intersect(from, d, before + distance + seam, hit))
+            return Met::face;
+        before = seam;
+        if (to_z <= to_x && to_z <= to_y) {
+            p = {p.x + to_z * d.x, p.y + to_z * d.y, d.z < 0 ? 0 : scene.top()};
+            return d.z < 0 ? Met::soil : Met::sky;
+        }
+        p = {p.x + distance * d.x, p.y + distance * d.y, p.z + distance * d.z};
+        if (to_x < to_y)
+            p.x = d.x > 0 ? 0 : scene.period_x();
+        else
+            p.y = d.y > 0 ? 0 : scene.period_y();
+    }
+}
+
+Met travel_isolated(const Scene& scene, Bundle& bundle, Hit& hit) {
+    Vec3& p = bundle.position;
+    const Vec3& d = bundle.direction;
+    const double margin = scene.clearance() / 2;
+    const auto [lower, upper] = scene.box();
+    const Box box{{lower.x - margin, lower.y - margin, lower.z - margin},
+                  {upper.x + margin, upper.y + margin, upper.z + margin}};
+    double to_soil = d.z < 0 ? std::max(0.0, -p.z / d.z)
+                             : std::numeric_limits<double>::infinity();
+    // From the soil far away the way to the box is long: single precision
+    // must begin only there.
+    if (const auto inside = clip(box, p, d)) {
+        const double first = inside->first;
+        const double last = std::min(inside->last, to_soil + margin);
+        const Vec3 from{p.x + first * d.x, p.y + first * d.y,
+                        p.z + first * d.z};
+        if (scene.intersect(from, d, last - first, hit)) return Met::face;
+    }
+    if (d.z > 0) return Met::sky;
+    p = {p.x + to_soil * d.x, p.y + to_soil * d.y, 0};
+    return Met::soil;
+}
+
+}  // namespace
+
+Met travel(const Scene& scene, Bundle& bundle, Hit& hit) {
+    return scene.boundary() == Boundary::periodic
+               ? travel_periodic(scene, bundle, hit)
+               : travel_isolated(scene, bundle, hit);
+}
+
+}  // namespace ideotype

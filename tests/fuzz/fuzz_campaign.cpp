@@ -1,0 +1,22 @@
+// Any text is either a campaign, whose resolved form reads back to itself, or
+// an InputError.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "ideotype/campaign/campaign.hpp"
+#include "ideotype/core/error.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
+                                      std::size_t size) {
+    using namespace ideotype;
+    const std::string text(data, data + size);
+    try {
+        const Campaign campaign = parse_campaign(text, "fuzz.toml");
+        const Campaign again = parse_campaign(campaign.resolved, "again.toml");
+        if (again.resolved != campaign.resolved) std::abort();
+    } catch (const InputError&) {
+    }
+    return 0;
+}

@@ -1,0 +1,134 @@
+// What of the light leaves absorb is told apart: by origin, face and layer, and
+// how much leaf area is sunlit.
+#include <cmath>
+
+#include "extremes.hpp"
+#include "ideotype/core/units.hpp"
+#include "ideotype/light/report.hpp"
+#include "ideotype/light/sunlit.hpp"
+
+namespace ideotype {
+namespace {
+
+//! An instant of one second with this much light of sun and sky.
+Day instant(SunPosition sun, double beam, double diffuse) {
+    return {{{12, 1, sun, {beam, diffuse}}}};
+}
+
+DayReport report_of(const Mesh& mesh, Period period, const Optics& optics,
+                    const Day& day, const Layers& layers = {},
+                    const Sampling& sampling = {4096, 16}) {
+    const Scene scene(widest_device(), mesh, period.x, period.y);
+    const DayIllumination light = illuminate(day, SkyModel::uniform, 0);
+    DayReport result = report(simulate(scene, mesh.groups, optics, light.light,
+                                       sampling, {1, 0, 0}, layers),
+                              light, day);
+    add_sunlit(result,
+               sunlit_fractions(scene, mesh, light.light, sampling, {2, 0, 0}),
+               light);
+    return result;
+}
+
+//! Horizontal sheets over the whole period at these heights, seen from above
+//! counter-clockwise.
+Mesh sheets(std::initializer_list<double> heights) {
+    Mesh mesh = leaves_only();
+    for (const double z : heights)
+        add_leaf(mesh, {0, 0, z}, {1, 0, 0}, {0, 1, 0});
+    return mesh;
+}
+
+const Optics black = leaf_optics(0, 0, 0);
+
+TEST(Parts, LightOfSunAndSkyIsToldFromWhatOtherSurfacesScatter) {
+    const double albedo = .5;
+    const DayReport r =
+        report_of(sheets({1}), {1, 1}, leaf_optics(0, .4, albedo),
+                  instant({40, 120}, 3, 1));
+    const double incident = 4, absorptance = .6;
+    EXPECT_NEAR(r.day.leaves_beam.mean, 3 * absorptance, 1e-2);
+    EXPECT_NEAR(r.day.leaves_sky.mean, 1 * absorptance, 1e-2);
+    // Soil sends albedo * .4 of all light back up; no leaf reflects.
+    expect_agreement(r.day.leaves_scattered,
+                     {incident * .4 * albedo * absorptance, 0}, 2e-2,
+                     "scattered");
+    EXPECT_NEAR(r.day.leaves_beam.mean + r.day.leaves_sky.mean +
+                    r.day.leaves_scattered.mean,
+                r.day.leaves.mean, 1e-12);
+}
+
+TEST(Parts, TheUpperFaceTakesTheSunAndTheLowerOneWhatTheSoilReflects) {
+    const DayReport r = report_of(sheets({1}), {1, 1}, leaf_optics(0, .4, .5),
+                                  instant({40, 120}, 1, 0));
+    EXPECT_NEAR(r.adaxial.mean, .6, 1e-2);
+    expect_agreement(r.abaxial, {.4 * .5 * .6, 0}, 1e-2, "lower faces");
+    EXPECT_NEAR(r.adaxial.mean + r.abaxial.mean, r.day.leaves.mean, 1e-12);
+}
+
+TEST(Parts, APlantsLeavesTurnTheirUpperFacesToTheZenith) {
+    const DayReport r = report_of(two_leaves(.8, .08, 45), {.76, .15}, black,
+                                  instant({0, 0}, 1, 0));
+    EXPECT_GT(r.adaxial.mean, .9 * r.day.leaves.mean);
+}
+
+TEST(Parts, EachSheetIsInItsLayerAndTheHighestLayerHasNoEnd) {
+    const DayReport r =
+        report_of(sheets({.1, .3, 5}), {1, 1}, leaf_optics(0, .5, 0),
+                  instant({0, 0}, 1, 0), {.25, 3});
+    ASSERT_EQ(r.layers.size(), 3u);
+    expect_agreement(r.layers[2], {.5, 0}, 1e-2, "top");
+    expect_agreement(r.layers[1], {.25, 0}, 1e-2, "middle");
+    expect_agreement(r.layers[0], {.125, 0}, 1e-2, "bottom");
+}
+
+TEST(Parts, OfTwoSheetsTheUpperOneIsSunlit) {
+    const DayReport r =
+        report_of(sheets({.4, .8}), {1, 1}, black, instant({70, 200}, 1, 1));
+    expect_agreement(*r.steps[0].sunlit, {.5, 0}, 1e-3, "sunlit");
+}
+
+TEST(Parts, LeafAreaBelowTheSoilIsShaded) {
+    Mesh mesh = leaves_only();
+    add_leaf(mesh, {0, .5, -1}, {.5, 0, 0}, {0, 0, 4});
+    const DayReport r =
+        report_of(mesh, {10, 10}, black, instant({60, 180}, 1, 0));
+    expect_agreement(*r.steps[0].sunlit, {.75, 0}, 1e-3, "sunlit");
+}
+
+TEST(Parts, SunlitAreaOfRandomHorizontalLeavesFollowsBeer) {
+    // Sunlit leaf area index (1 - exp(-L)) for any sun: Monsi and Saeki 1953
+    // (doi:10.1093/aob/mci052 in English).
+    const Mesh mesh = load_reference_mesh("poisson_horizontal_L3");
+    for (const double zenith : {0., 60.}) {
+        const DayReport r =
+            report_of(mesh, {1, 1}, black, instant({zenith, 77}, 1, 0));
+        // All light that black leaves take falls on sunlit area.
+        const double lai = leaf_area(mesh);
+        const Estimate sunlit = *r.steps[0].sunlit;
+        expect_agreement(
+            sunlit,
+            {r.day.leaves.mean / lai, r.day.leaves.standard_error / lai}, 2e-3,
+            "sunlit");
+        EXPECT_NEAR(sunlit.mean, (1 - std::exp(-lai)) / lai, .003);
+    }
+}
+
+TEST(Parts, WithoutASunNothingIsSunlit) {
+    const DayReport r =
+        report_of(sheets({1}), {1, 1}, black, instant({0, 0}, 0, 1));
+    EXPECT_EQ(r.steps[0].sunlit->mean, 0);
+}
+
+TEST(Parts, APlotIsSunlitWhereverItStands) {
+    Mesh mesh = leaves_only();
+    add_leaf(mesh, {500, -30, 1}, {1, 0, 0}, {0, 1, 0});
+    add_leaf(mesh, {500, -30, .5}, {1, 0, 0}, {0, 1, 0});
+    const Scene plot = Scene::isolated(widest_device(), mesh, 1);
+    // The lower sheet is shifted out of the shade by half its width.
+    const auto fractions =
+        sunlit_fractions(plot, mesh, sun_from(45, 90), {4096, 2}, {1, 0, 0});
+    EXPECT_NEAR(fractions[0][0], .75, 2e-3);
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -9,7 +9,12 @@ import pytest
 from conftest import SHIFTS
 from ideotype_analysis import HistoryError
 from ideotype_analysis.convergence import draw_convergence
-from ideotype_analysis.profiles import draw_hours, draw_layers, draw_leaves
+from ideotype_analysis.profiles import (
+    draw_hours,
+    draw_layers,
+    draw_leaves,
+    draw_parts,
+)
 from ideotype_analysis.shape import draw_azimuths, draw_traits
 from ideotype_analysis.study import open_study
 from ideotype_analysis.style import unit_label
@@ -173,16 +178,23 @@ def test_the_ten_fittest_come_from_all_seeds(sweep: Path) -> None:
     assert seeds == 1
 
 
-def test_light_is_drawn_by_rank_and_by_layer(sweep: Path) -> None:
+def test_light_is_drawn_by_rank_layer_and_origin(sweep: Path) -> None:
     with open_study(sweep) as study:
         case = study.cases()[0]
         total = case.best.objective.mean
         ranks, layers = draw_leaves(case), draw_layers(case)
+        parts = draw_parts(case)
     best, _ = horizontal_bars(ranks.axes[0], 1)
     assert best == pytest.approx([leaf_share(n) * total for n in range(1, 11)])
     best, error = horizontal_bars(layers.axes[0], 1)
     assert best == pytest.approx([total / 3] * 3)
     assert error == pytest.approx([ERROR / 4 / 3] * 3)
+    middle = layers.axes[0].lines[-1].get_ydata()
+    assert middle == pytest.approx([0.125, 0.375, 0.75])
+    best, _ = horizontal_bars(parts.axes[0], 1)
+    assert best == pytest.approx([0.75 * total, 0.25 * total])
+    words = [t.get_text() for t in parts.axes[0].get_yticklabels()]
+    assert words == ["beam", "sky"]
 
 
 def test_a_missing_column_is_named(finished: Path) -> None:

@@ -243,6 +243,7 @@ def test_what_is_missing_or_saturated_is_told(
     assert "name it with --ideotype PATH" in words
     assert "The plants are not shown" in words and "<canvas" not in text
     assert "the history has no figures by height layer" in words
+    assert "the history does not tell parts of the light" in words
     assert "needs a cross-evaluation (--cross)" in words
     assert "12 evaluated plants are too few" in words
 

@@ -142,7 +142,7 @@ def test_histories_with_other_columns_share_a_frame(
         frame = study.frame()
     lacks = frame["campaign"] == "made"
     assert lacks.sum() == 6 * POPULATION
-    assert frame.loc[lacks, "absorbed_layer01"].isna().all()
+    assert frame.loc[lacks, "absorbed_layer_000_025cm"].isna().all()
     assert frame.loc[~lacks & (frame["status"] == "done")].notna().all().all()
 
 

@@ -6,7 +6,7 @@ from .file import HistoryError, NotAHistory, UnsupportedVersion
 from .history import History, open_history
 from .interval import Interval
 from .pair import Pair
-from .rows import Evaluation, HourProfile, LeafProfile, Rows
+from .rows import Evaluation, HourProfile, LayerProfile, LeafProfile, Rows
 from .study import Study
 from .study import open_study as open
 from .table import Quantity
@@ -19,6 +19,7 @@ __all__ = [
     "HistoryError",
     "HourProfile",
     "Interval",
+    "LayerProfile",
     "LeafProfile",
     "NotAHistory",
     "Pair",

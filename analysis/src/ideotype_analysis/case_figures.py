@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from .case import Case
 from .convergence import draw_convergence
 from .plan import draw_roses
-from .profiles import draw_hours, draw_layers, draw_leaves
+from .profiles import draw_hours, draw_layers, draw_leaves, draw_parts
 from .sensitivity import draw_correlation, draw_sensitivity
 from .shape import draw_azimuths, draw_traits
 
@@ -47,6 +47,12 @@ CASE_FIGURES: dict[str, tuple[Callable[[Case], Figure], str]] = {
     "layers": (
         draw_layers,
         "Light by height layer. Error bars are standard errors.",
+    ),
+    "parts": (
+        draw_parts,
+        "Light by origin and face of the leaf. Beam comes straight from the "
+        "sun, scattered light from other surfaces; adaxial is the upper face. "
+        "Error bars are standard errors.",
     ),
     "sensitivity": (
         draw_sensitivity,

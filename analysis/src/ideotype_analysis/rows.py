@@ -47,10 +47,20 @@ class HourProfile:
 
 @dataclass(frozen=True)
 class LeafProfile:
-    """Something of one plant by leaf rank or height layer; 1 is the
-    lowest."""
+    """Something of one plant by leaf rank; leaf 1 is the lowest."""
 
     leaves: Integers
+    unit: str
+    values: Floats
+    standard_error: Floats
+
+
+@dataclass(frozen=True)
+class LayerProfile:
+    """Something of one plant by layer of height above the soil [m]."""
+
+    lower: Floats
+    upper: Floats
     unit: str
     values: Floats
     standard_error: Floats
@@ -211,22 +221,27 @@ class Evaluation:
         and azimuth the trait, lowest leaf first; absorbed PAR comes in
         [MJ m-2 day-1] of ground."""
         name = re.escape(what)
-        traits = self._by_number(self.row.traits, rf"leaf(\d+)_{name}")
-        if len(traits.leaves):
-            return traits
-        return self.by_number(rf"{name}_leaf(\d+)")
-
-    def by_number(self, pattern: str) -> LeafProfile:
-        """Diagnostics whose whole name matches, by the number that the first
-        group of the pattern finds: leaf ranks, height layers."""
-        return self._by_number(self.row.diagnostics, pattern)
-
-    def _by_number(self, table: Table, pattern: str) -> LeafProfile:
-        found = table.matching(pattern)
-        numbers = np.array([int(m[1]) for m, _ in found], dtype=int)
-        order = np.argsort(numbers)
+        for table, pattern in (
+            (self.row.traits, rf"leaf(\d+)_{name}"),
+            (self.row.diagnostics, rf"{name}_leaf(\d+)"),
+        ):
+            if found := table.matching(pattern):
+                break
+        leaves = np.array([int(m[1]) for m, _ in found], dtype=int)
+        order = np.argsort(leaves)
         columns = np.array([i for _, i in found], dtype=int)[order]
-        return LeafProfile(numbers[order], *_profile(table, columns))
+        return LeafProfile(leaves[order], *_profile(table, columns))
+
+    def by_layer(self, what: str = "absorbed") -> LayerProfile:
+        """Diagnostics named <what>_layer_LLL_UUUcm, lowest layer first."""
+        table = self.row.diagnostics
+        found = table.matching(rf"{re.escape(what)}_layer_(\d+)_(\d+)cm")
+        edges = np.array([(int(m[1]), int(m[2])) for m, _ in found]) / 100
+        edges = edges.reshape(-1, 2)
+        order = np.argsort(edges[:, 0])
+        columns = np.array([i for _, i in found], dtype=int)[order]
+        lower, upper = edges[order].T
+        return LayerProfile(lower, upper, *_profile(table, columns))
 
 
 def _profile(table: Table, columns: NDArray) -> tuple[str, Floats, Floats]:

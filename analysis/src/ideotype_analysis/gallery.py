@@ -16,8 +16,12 @@ from .blocks import Block, Note, Picture
 from .file import HistoryError
 from .style import RC
 
-_MANY = 80
-"""So many pictures fit into a page of less than 8 MB in the better size."""
+_BYTES = 5_000_000
+"""Of all pictures in a page: in base64, and with plants, less than 8 MB."""
+
+_SIZES = ((0.7, 80), (0.6, 75), (0.5, 65), (0.5, 40), (0.4, 30))
+"""Pixels of a picture in the page over those of the file, and quality; the
+first is sharp when enlarged, the last still legible."""
 
 
 class Gallery:
@@ -31,8 +35,7 @@ class Gallery:
         self.folder.mkdir(parents=True, exist_ok=True)
         self.paths: list[Path] = []
         self._step = step
-        # of the pixels of a file; the better is still sharp when enlarged
-        self._scale = 0.7 if count <= _MANY else 0.5
+        self._bytes = _BYTES / max(count, 1)
 
     def draw(
         self, name: str, caption: str, make: Callable[[], Figure]
@@ -53,7 +56,7 @@ class Gallery:
         png = self.folder / f"{name}.png"
         png.write_bytes(image.getvalue())
         self.paths += [png, pdf]
-        return Picture(name, caption, _small(image, self._scale))
+        return Picture(name, caption, _small(image, self._bytes))
 
 
 def file_name(name: str) -> str:
@@ -61,14 +64,16 @@ def file_name(name: str) -> str:
     return re.sub(r"[^\w-]+", "_", name)
 
 
-def _small(image: io.BytesIO, scale: float) -> str:
-    """For the page: fewer pixels, and a format made for it."""
-    with Image.open(image) as picture:
-        size = (
-            round(scale * picture.width),
-            round(scale * picture.height),
-        )
-        small = picture.convert("RGB").resize(size, Image.Resampling.LANCZOS)
-    data = io.BytesIO()
-    small.save(data, format="WEBP", quality=85)
+def _small(image: io.BytesIO, most: float) -> str:
+    """For the page: a format made for it, and as many pixels as fit into so
+    many bytes."""
+    with Image.open(image) as file:
+        full = file.convert("RGB")
+    for scale, quality in _SIZES:
+        size = round(scale * full.width), round(scale * full.height)
+        small = full.resize(size, Image.Resampling.LANCZOS)
+        data = io.BytesIO()
+        small.save(data, format="WEBP", quality=quality)
+        if data.tell() <= most:
+            break
     return base64.b64encode(data.getvalue()).decode("ascii")

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # From a fresh Debian 12 to an evolved canopy: installs what is missing,
-# builds, runs the quick Ames campaign on all cores, draws its figures.
+# builds, runs the quick Ames campaign on all cores, writes its report.
 # May be run again: finished parts are not repeated.
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -24,9 +24,10 @@ echo
 # One worker per core and a master that sleeps.
 mpirun -n $(($(nproc) + 1)) "$ideotype" run "$campaign" --out "$out" --resume
 
-for history in "$out"/ames_quick/*.h5; do
-    echo
-    .venv/bin/ideotype-summary "$history" -o "${history%.h5}_figures"
-done
+echo
+.venv/bin/ideotype-summary "$out/ames_quick"
+echo
+.venv/bin/ideotype-report "$out/ames_quick" -o "$out/ames_quick/report" \
+    --ideotype "$ideotype"
 echo
 echo "everything is in $(cd "$out/ames_quick" && pwd)"

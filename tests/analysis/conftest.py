@@ -76,3 +76,31 @@ def drained(tmp_path_factory: pytest.TempPathFactory) -> Path:
     made.fail(2, 4)
     made.close()
     return path
+
+
+SITES = {"ames": 42.0, "edmonton": 53.5}
+SHIFTS = (0.0, 0.1)
+"""Of the seeds of the sweep [MJ m-2 day-1]."""
+
+
+@pytest.fixture(scope="session")
+def sweep(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder of finished histories: two sites, two seeds each, with PAR in
+    three height layers, and by origin."""
+    folder = tmp_path_factory.mktemp("sweep")
+    names = [f"layer_{n}" for n in ("000_025cm", "025_050cm", "050_100cm")]
+    extra = [(f"absorbed_{n}", "MJ m-2 day-1", 1 / 3) for n in names]
+    extra += [("absorbed_beam", "MJ m-2 day-1", 0.75)]
+    extra += [("absorbed_sky", "MJ m-2 day-1", 0.25)]
+    for site, latitude in SITES.items():
+        for seed, shift in enumerate(SHIFTS, start=1):
+            name = f"{site}_0807_762x152_all_r{seed}"
+            place = {"campaign": "sweep", "case": name, "site": site}
+            place |= {"latitude": latitude, "replicate": float(seed)}
+            made = MadeHistory(
+                folder / f"{name}.h5", place=place, shift=shift, extra=extra
+            )
+            made.evolve(6)
+            made.finish()
+            made.close()
+    return folder

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import fcntl
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 import h5py
@@ -37,13 +38,21 @@ class MadeHistory:
         version: str = "1.0",
         kind: str = "ideotype-history",
         without: str | None = None,
+        place: dict[str, str | float] | None = None,
+        shift: float = 0.0,
+        extra: Sequence[tuple[str, str, float]] = (),
     ) -> None:
-        """Creates everything, empty, but the dataset `without`."""
+        """Creates everything, empty, but the dataset `without`. `place` are
+        root attributes, `shift` is added to what bred plants absorb, `extra`
+        are diagnostics: name, unit, part of the absorbed PAR."""
+        self._shift = shift
+        self._extra = np.array([part for _, _, part in extra])
         self._lock_path = Path(f"{path}.lock")
         self._lock = self._lock_path.open("w")
         fcntl.flock(self._lock, fcntl.LOCK_EX)
         self.file = h5py.File(path, "w", libver=("v110", "v110"))
-        Layout(self.file, without).create(kind, version)
+        layout = Layout(self.file, without, [(name, unit) for name, unit, _ in extra])
+        layout.create(kind, version, place or {})
         self.file.swmr_mode = True
 
     def propose(self, generation: int) -> None:
@@ -61,6 +70,8 @@ class MadeHistory:
     def record(self, generation: int, slot: int) -> None:
         """An outcome, status last."""
         total = absorbed(generation, slot)
+        if generation or slot:
+            total += self._shift
         row = generation * POPULATION + slot
         self._outcome("evaluations", row, total, ERROR)
 
@@ -72,11 +83,9 @@ class MadeHistory:
         rows["status"][row] = STATUS["failed"]
         self.file.flush()
 
-    def _outcome(
-        self, group: str, row: int, total: float, error: float
-    ) -> None:
+    def _outcome(self, group: str, row: int, total: float, error: float) -> None:
         rows = self.file[group]
-        values = diagnostics(total)
+        values = np.append(diagnostics(total), self._extra * total)
         rows["objectives"][row] = total
         rows["objectives_standard_error"][row] = error
         rows["diagnostics"][row] = values
@@ -134,7 +143,8 @@ class MadeHistory:
 
     def record_final(self, slot: int) -> None:
         """A final evaluation."""
-        self._outcome("final", slot, final_absorbed(slot), ERROR / 4)
+        total = final_absorbed(slot) + (self._shift if slot else 0.0)
+        self._outcome("final", slot, total, ERROR / 4)
 
     def finish(self, reason: str = "generations") -> None:
         """The finals, and the end."""

@@ -23,13 +23,19 @@ class Layout:
     """Creates what a file has before SWMR writing starts, but the dataset
     `without`."""
 
-    def __init__(self, file: h5py.File, without: str | None) -> None:
+    def __init__(
+        self,
+        file: h5py.File,
+        without: str | None,
+        extra: list[tuple[str, str]],
+    ) -> None:
         self.file = file
+        self._diagnostics = [*DIAGNOSTICS, *extra]
         self._without = without
 
-    def create(self, kind: str, version: str) -> None:
+    def create(self, kind: str, version: str, place: dict[str, str | float]) -> None:
         """All of it."""
-        self.attributes(kind, version)
+        self.attributes(kind, version, place)
         self.columns()
         for group, rows in (
             ("evaluations", GENERATIONS * POPULATION),
@@ -39,7 +45,9 @@ class Layout:
         self.generations()
         self.state()
 
-    def attributes(self, kind: str, version: str) -> None:
+    def attributes(
+        self, kind: str, version: str, place: dict[str, str | float]
+    ) -> None:
         texts = {
             "format": kind,
             "format_version": version,
@@ -55,18 +63,18 @@ class Layout:
             "spacing": "30x6",
             "trait_set": "all",
         }
+        texts |= {k: v for k, v in place.items() if isinstance(v, str)}
         for name, value in texts.items():
             self.file.attrs.create(
                 name, value.encode(), dtype=_fixed(len(value.encode()) + 1)
             )
         self.file.attrs["seed"] = np.uint64(2**63 + 1)
         sizes = (POPULATION, GENERATIONS, FINALISTS)
-        for name, size in zip(
-            ("population", "generations", "finalists"), sizes
-        ):
+        for name, size in zip(("population", "generations", "finalists"), sizes):
             self.file.attrs[name] = np.int32(size)
         places = {"latitude": 42.0, "longitude": -93.6}
         places |= {"row_spacing": 0.762, "plant_spacing": 0.1524}
+        places |= {k: v for k, v in place.items() if isinstance(v, float)}
         for name, value in places.items():
             self.file.attrs[name] = value
 
@@ -90,9 +98,7 @@ class Layout:
         for name in ("name", "unit"):
             self._make(f"traits/{name}", gene_count, _fixed(32), None, "")
         for name in ("lower", "upper"):
-            self._make(
-                f"traits/{name}", gene_count, "f8", np.nan, "/traits/unit"
-            )
+            self._make(f"traits/{name}", gene_count, "f8", np.nan, "/traits/unit")
         for name in ("is_circular", "is_free"):
             self._make(f"traits/{name}", gene_count, bool, False, "1")
         columns = zip(*TRAITS)
@@ -103,15 +109,11 @@ class Layout:
         self._write("traits/is_free", True)
         for group, entries in (
             ("objectives", [("absorbed_par", "MJ m-2 day-1")]),
-            ("diagnostics", DIAGNOSTICS),
+            ("diagnostics", self._diagnostics),
         ):
             for i, name in enumerate(("name", "unit")):
-                self._make(
-                    f"{group}/{name}", (len(entries),), _fixed(64), None, ""
-                )
-                self._write(
-                    f"{group}/{name}", [e[i].encode() for e in entries]
-                )
+                self._make(f"{group}/{name}", (len(entries),), _fixed(64), None, "")
+                self._write(f"{group}/{name}", [e[i].encode() for e in entries])
         for form in ("source", "resolved"):
             self._make(f"campaign/{form}", (), _fixed(64), None, "")
             self._write(f"campaign/{form}", f'name = "made" # {form}'.encode())
@@ -127,7 +129,7 @@ class Layout:
         self._make(f"{at}/genome", genes, "f8", np.nan, "/traits/unit")
         for name, count in (
             ("objectives", 1),
-            ("diagnostics", len(DIAGNOSTICS)),
+            ("diagnostics", len(self._diagnostics)),
         ):
             for end in ("", "_standard_error"):
                 unit = f"/{name}/unit"

@@ -16,7 +16,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from ideotype_analysis import HistoryError, Rows, open_history
-from ideotype_analysis.cli import main
+from ideotype_analysis.geometry import find_program
+from ideotype_analysis.scene import export_plants
+from ideotype_analysis.study import open_study
 
 ROOT = Path(__file__).parents[2]
 PLANT = ROOT / "campaigns" / "plants" / "b73.toml"
@@ -195,15 +197,21 @@ def test_hours_integrate_to_the_day(own: Path) -> None:
     assert joules / 1e6 == pytest.approx(best.objective.mean, rel=1e-9)
 
 
-def test_the_command_draws_everything(
-    sample: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert main([str(sample), "-o", str(tmp_path)]) == 0
-    printed = capsys.readouterr().out
-    assert "finished" in printed and "gain" in printed
-    assert "Provisional" not in printed and "not drawn" not in printed
-    names = {path.name for path in tmp_path.iterdir()}
-    assert len(names) == 8 and "hours.png" in names
+def test_the_program_exports_the_plants_of_a_report(own: Path) -> None:
+    with open_study(own) as study:
+        (case,) = study.cases()
+        plants = export_plants(case, find_program())
+        best, traits = case.best, case.traits
+    leaves = [f"leaf{leaf:02}" for leaf in range(1, 11)]
+    for mesh in (plants.baseline, plants.best):
+        assert list(dict.fromkeys(mesh.groups)) == [*leaves, "stalk"]
+    lengths = best.row.traits.values[0, traits.columns("length")]
+    widths = best.row.traits.values[0, traits.columns("width")]
+    for leaf, length, width in zip(leaves, lengths, widths):
+        part = plants.best.area(leaf) / (length * width)
+        # a blade fills some of its rectangle
+        assert 0.5 < part < 0.95
+    assert plants.baseline.area("leaf01") != plants.best.area("leaf01")
 
 
 @pytest.fixture
@@ -248,9 +256,7 @@ def test_a_run_is_followed_and_survives_its_kill(
         assert history.state().missing_bytes == 0
 
 
-def test_a_real_file_that_was_cut_short_is_refused(
-    own: Path, tmp_path: Path
-) -> None:
+def test_a_real_file_that_was_cut_short_is_refused(own: Path, tmp_path: Path) -> None:
     data = own.read_bytes()
     (tmp_path / "cut.h5").write_bytes(data[: len(data) // 2])
     with pytest.raises(HistoryError, match="cut short"):

@@ -6,16 +6,17 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import WriterProcess
-from ideotype_analysis import open_history
+from conftest import SHIFTS
+from ideotype_analysis import HistoryError
 from ideotype_analysis.convergence import draw_convergence
-from ideotype_analysis.figures import (
-    FIGURES,
-    default_folder,
-    draw_figures,
+from ideotype_analysis.profiles import (
+    draw_hours,
+    draw_layers,
+    draw_leaves,
+    draw_parts,
 )
-from ideotype_analysis.hours import draw_hours
 from ideotype_analysis.shape import draw_azimuths, draw_traits
+from ideotype_analysis.study import open_study
 from ideotype_analysis.style import unit_label
 from made_numbers import (
     BASELINE,
@@ -25,6 +26,7 @@ from made_numbers import (
     absorbed,
     final_absorbed,
     hour_par,
+    leaf_share,
 )
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -32,9 +34,7 @@ from matplotlib.figure import Figure
 
 def bars(axes: Axes, label: str) -> tuple[np.ndarray, np.ndarray]:
     """Values and half-lengths of the vertical bars of that label."""
-    (found,) = [
-        c for c in axes.containers if (c.get_label() or "_").startswith(label)
-    ]
+    (found,) = [c for c in axes.containers if (c.get_label() or "_").startswith(label)]
     line, _, (segments,) = found.lines
     ends = np.array(segments.get_segments())
     return line.get_ydata(), (ends[:, 1, 1] - ends[:, 0, 1]) / 2
@@ -49,23 +49,11 @@ def labels(figure: Figure) -> set[str]:
     return found
 
 
-def test_all_figures_are_files(finished: Path, tmp_path: Path) -> None:
-    with open_history(finished) as history:
-        drawn = draw_figures(history, tmp_path / "new" / "folder")
-    assert drawn.missing == {}
-    names = {f"{name}.{end}" for name in FIGURES for end in ("png", "pdf")}
-    assert {path.name for path in drawn.paths} == names
-    for path in drawn.paths:
-        start = b"\x89PNG" if path.suffix == ".png" else b"%PDF"
-        assert path.read_bytes().startswith(start)
-        assert path.stat().st_size > 5000
-
-
 def test_convergence_shows_best_mean_spread_and_baseline(
     finished: Path,
 ) -> None:
-    with open_history(finished) as history:
-        figure = draw_convergence(history)
+    with open_study(finished) as study:
+        figure = draw_convergence(study.cases()[0])
     axes = figure.axes[0]
     values, errors = bars(axes, "best of its generation")
     expected = [absorbed(g, POPULATION - 1) for g in range(6)]
@@ -82,9 +70,10 @@ def test_convergence_shows_best_mean_spread_and_baseline(
 
 
 def test_traits_show_ten_plants_and_bounds(finished: Path) -> None:
-    with open_history(finished) as history:
-        top = history.latest().top(10)
-        figure = draw_traits(history)
+    with open_study(finished) as study:
+        case = study.cases()[0]
+        top = case.top(10)
+        figure = draw_traits(case)
     length, width, inclination, azimuth = figure.axes
     values, _ = horizontal_bars(length)
     assert values == pytest.approx(top.traits.values[:, ::4].mean(0))
@@ -114,14 +103,12 @@ def horizontal_bars(axes: Axes, turn: int = 0) -> tuple[np.ndarray, ...]:
 def test_azimuths_are_polar_and_averaged_on_the_circle(
     finished: Path,
 ) -> None:
-    with open_history(finished) as history:
-        figure = draw_azimuths(history)
+    with open_study(finished) as study:
+        figure = draw_azimuths(study.cases()[0])
     (axes,) = figure.axes
     assert axes.name == "polar"
     (mean,) = [
-        line
-        for line in axes.lines
-        if line.get_label() == "circular mean ± deviation"
+        line for line in axes.lines if line.get_label() == "circular mean ± deviation"
     ]
     first = np.rad2deg(mean.get_xdata()[0])
     # slots 11 ... 6 and 4 ... 1 at 355 + slot deg
@@ -135,8 +122,8 @@ def test_azimuths_are_polar_and_averaged_on_the_circle(
 def test_hours_show_both_plants_and_their_difference(
     finished: Path,
 ) -> None:
-    with open_history(finished) as history:
-        figure = draw_hours(history)
+    with open_study(finished) as study:
+        figure = draw_hours(study.cases()[0])
     upper, lower = figure.axes
     best, error = bars(upper, "best")
     total = final_absorbed(2)
@@ -147,30 +134,7 @@ def test_hours_show_both_plants_and_their_difference(
     difference, difference_error = bars(lower, "_")
     assert difference == pytest.approx(best - baseline)
     assert difference_error == pytest.approx(np.hypot(error, baseline_error))
-    assert "1.500 ± 0.065 %" in upper.get_title()
-
-
-def test_a_young_history_lacks_figures_and_says_why(
-    writer: WriterProcess, tmp_path: Path
-) -> None:
-    with open_history(writer.path) as history:
-        drawn = draw_figures(history, tmp_path)
-    assert drawn.paths == []
-    assert drawn.missing["traits"] == "no plant is evaluated yet"
-    assert drawn.missing.keys() == FIGURES.keys()
-    writer.do("propose 0")
-    writer.do("record 0 0")
-    with open_history(writer.path) as history:
-        drawn = draw_figures(history, tmp_path)
-    assert drawn.missing == {"convergence": "no generation is complete yet"}
-
-
-def test_one_generation_is_enough(
-    writer: WriterProcess, tmp_path: Path
-) -> None:
-    writer.do("evolve 1")
-    with open_history(writer.path) as history:
-        assert draw_figures(history, tmp_path).missing == {}
+    assert "1.500 ± 0.065 %" in figure.get_suptitle()
 
 
 def test_units_are_printed_with_raised_exponents() -> None:
@@ -179,6 +143,61 @@ def test_units_are_printed_with_raised_exponents() -> None:
     assert unit_label("m2 m-2") == "m² m⁻²"
 
 
-def test_figures_lie_beside_the_history() -> None:
-    assert default_folder("a/case.r1.h5") == Path("a/case.r1_figures")
-    assert default_folder("a/case.r1") == Path("a/case.r1_figures")
+def test_seeds_are_a_band(sweep: Path) -> None:
+    with open_study(sweep) as study:
+        figure = draw_convergence(study.cases()[0])
+    axes = figure.axes[0]
+    lines = {line.get_label(): line.get_ydata() for line in axes.lines}
+    highest = np.array([absorbed(g, POPULATION - 1) for g in range(6)])
+    best = lines["best of its generation, mean of seeds"]
+    assert best == pytest.approx(highest + np.mean(SHIFTS))
+    (band,) = [
+        c
+        for c in axes.collections
+        if c.get_label() == "best of its generation, range of seeds"
+    ]
+    edges = band.get_paths()[0].vertices
+    at_start = edges[edges[:, 0] == 0, 1]
+    assert at_start.min() == pytest.approx(highest[0] + SHIFTS[0])
+    assert at_start.max() == pytest.approx(highest[0] + SHIFTS[1])
+    anew, _ = bars(axes, "best plant, evaluated anew")
+    expected = [final_absorbed(2) + shift for shift in SHIFTS]
+    assert anew == pytest.approx(expected)
+
+
+def test_the_ten_fittest_come_from_all_seeds(sweep: Path) -> None:
+    with open_study(sweep) as study:
+        case = study.cases()[0]
+        top, seeds = case.top(10), case.seeds_of_top(10)
+    # the same plants in both seeds, better by the shift in the second
+    expected = sorted(
+        (absorbed(5, s) + max(SHIFTS) for s in range(POPULATION) if s != 5),
+        reverse=True,
+    )
+    assert top.fitness.values == pytest.approx(expected[:10])
+    assert seeds == 1
+
+
+def test_light_is_drawn_by_rank_layer_and_origin(sweep: Path) -> None:
+    with open_study(sweep) as study:
+        case = study.cases()[0]
+        total = case.best.objective.mean
+        ranks, layers = draw_leaves(case), draw_layers(case)
+        parts = draw_parts(case)
+    best, _ = horizontal_bars(ranks.axes[0], 1)
+    assert best == pytest.approx([leaf_share(n) * total for n in range(1, 11)])
+    best, error = horizontal_bars(layers.axes[0], 1)
+    assert best == pytest.approx([total / 3] * 3)
+    assert error == pytest.approx([ERROR / 4 / 3] * 3)
+    middle = layers.axes[0].lines[-1].get_ydata()
+    assert middle == pytest.approx([0.125, 0.375, 0.75])
+    best, _ = horizontal_bars(parts.axes[0], 1)
+    assert best == pytest.approx([0.75 * total, 0.25 * total])
+    words = [t.get_text() for t in parts.axes[0].get_yticklabels()]
+    assert words == ["beam", "sky"]
+
+
+def test_a_missing_column_is_named(finished: Path) -> None:
+    with open_study(finished) as study:
+        with pytest.raises(HistoryError, match="by height layer"):
+            draw_layers(study.cases()[0])

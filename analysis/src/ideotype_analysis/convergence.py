@@ -9,59 +9,102 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike, NDArray
 
 from . import style
+from .case import Case
 from .estimate import DAILY_ENERGY, MWH_PER_ACRE_PER_MJ_PER_M2
 from .file import HistoryError
-from .history import History
-from .pair import Pair
+from .state import Generations
 
 
-def draw_convergence(history: History) -> Figure:
-    """Best of each generation with its standard error, mean with the spread
-    of the population, the baseline, and the best evaluated anew."""
-    generations = history.generations()
-    if not len(generations):
+def draw_convergence(case: Case) -> Figure:
+    """Fitness by generation against the baseline, and the best evaluated
+    anew. Of one seed: best with standard error, mean with the spread of the
+    population. Of several: means over seeds, with the range of seeds as a
+    band."""
+    runs = [history.generations() for history in case.histories]
+    runs = [run for run in runs if len(run)]
+    if not runs:
         raise HistoryError("no generation is complete yet")
     figure = style.new_figure(6.4, 4.2)
     axes = figure.add_subplot()
-    number = range(len(generations))
+    if len(runs) == 1:
+        _draw_seed(axes, runs[0])
+    else:
+        _draw_seeds(axes, runs)
+    count = max(map(len, runs))
+    if case.pairs:
+        _draw_pairs(axes, case, count)
+    objective = runs[0].best
+    name = case.best.row.objectives.names[0] if case.pairs else "fitness"
+    axes.set_ylabel(style.axis_label(name, objective.unit))
+    axes.set_xlabel("generation")
+    _set_ticks(axes, count, case.is_final)
+    seeds = f", {len(runs)} seeds" if len(runs) > 1 else ""
+    axes.set_title(f"{case.name}{seeds}")
+    axes.legend(loc="best", fontsize=8)
+    if objective.unit == DAILY_ENERGY:
+        _add_acre_axis(axes)
+    return figure
+
+
+def _draw_seed(axes: Axes, run: Generations) -> None:
+    number = range(len(run))
     axes.errorbar(
         number,
-        generations.best.values,
-        generations.best.standard_error,
+        run.best.values,
+        run.best.standard_error,
         color=style.BEST,
         marker="o",
         markersize=3,
         elinewidth=1,
         label="best of its generation ± standard error",
     )
-    mean, spread = generations.mean.values, generations.spread.values
+    mean, spread = run.mean.values, run.spread.values
     axes.plot(number, mean, color=style.MEAN, label="mean")
+    _fill(
+        axes, mean - spread, mean + spread, style.MEAN,
+        "mean ± standard deviation",
+    )  # fmt: skip
+
+
+def _draw_seeds(axes: Axes, runs: list[Generations]) -> None:
+    for what, color, label in (
+        ("best", style.BEST, "best of its generation"),
+        ("mean", style.MEAN, "mean of the population"),
+    ):
+        table = _by_generation([getattr(run, what).values for run in runs])
+        axes.plot(
+            range(table.shape[1]),
+            np.nanmean(table, axis=0),
+            color=color,
+            marker="o" if what == "best" else None,
+            markersize=3,
+            label=f"{label}, mean of seeds",
+        )
+        _fill(
+            axes, np.nanmin(table, axis=0), np.nanmax(table, axis=0), color,
+            f"{label}, range of seeds",
+        )  # fmt: skip
+
+
+def _by_generation(columns: list[NDArray]) -> NDArray:
+    """[seeds, generations]; NaN where a seed has not come so far."""
+    table = np.full((len(columns), max(map(len, columns))), np.nan)
+    for row, column in zip(table, columns):
+        row[: len(column)] = column
+    return table
+
+
+def _fill(
+    axes: Axes, lower: NDArray, upper: NDArray, color: str, label: str
+) -> None:
     axes.fill_between(
-        number,
-        mean - spread,
-        mean + spread,
-        color=style.MEAN,
-        alpha=0.2,
-        linewidth=0,
-        label="mean ± standard deviation",
-    )
-    pair = history.comparison()
-    has_final = pair is not None and pair.is_final
-    if pair is not None:
-        _draw_pair(axes, pair, len(generations))
-    objective = history.evaluations(0).objectives
-    axes.set_ylabel(style.axis_label(objective.names[0], objective.units[0]))
-    axes.set_xlabel("generation")
-    _set_ticks(axes, len(generations), has_final)
-    axes.set_title(str(history.attributes.get("case", history.path.stem)))
-    axes.legend(loc="best", fontsize=8)
-    if objective.units[0] == DAILY_ENERGY:
-        _add_acre_axis(axes)
-    return figure
+        range(len(lower)), lower, upper,
+        color=color, alpha=0.2, linewidth=0, label=label,
+    )  # fmt: skip
 
 
-def _draw_pair(axes: Axes, pair: Pair, end: int) -> None:
-    baseline = pair.baseline.objective
+def _draw_pairs(axes: Axes, case: Case, end: int) -> None:
+    baseline = case.baseline.objective
     axes.axhline(
         baseline.mean,
         color=style.BASELINE,
@@ -75,12 +118,12 @@ def _draw_pair(axes: Axes, pair: Pair, end: int) -> None:
         alpha=0.15,
         linewidth=0,
     )
-    if pair.is_final:
-        best = pair.best.objective
+    anew = [pair.best.objective for pair in case.pairs if pair.is_final]
+    if anew:
         axes.errorbar(
-            [end],
-            [best.mean],
-            [best.standard_error],
+            [end] * len(anew),
+            [best.mean for best in anew],
+            [best.standard_error for best in anew],
             color=style.ANEW,
             marker="D",
             linestyle="none",

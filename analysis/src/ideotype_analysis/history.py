@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 from .datasets import Datasets
 from .file import HistoryError, missing_bytes, text, writer_of
 from .pair import Pair
-from .rows import Evaluation, Origin, Quantity, Rows, Status, Table
+from .rows import Evaluation, Origin, Rows, Status
 from .state import Generations, Session, State
+from .table import Quantity, Table
 from .traits import Traits
 
 Columns = tuple[tuple[str, ...], tuple[str, ...]]

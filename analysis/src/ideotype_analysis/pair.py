@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from .estimate import Estimate, relative_gain
@@ -20,6 +21,17 @@ class Pair:
         """Both evaluated anew at the end. If not, the best is the best of
         many noisy figures and too high on average."""
         return self.baseline.is_final and self.best.is_final
+
+    @property
+    def difference(self) -> Estimate:
+        """By how much the first objective is higher, in its unit. The standard
+        error takes both as independent."""
+        best, baseline = self.best.objective, self.baseline.objective
+        return Estimate(
+            best.mean - baseline.mean,
+            math.hypot(best.standard_error, baseline.standard_error),
+            best.unit,
+        )
 
     @property
     def gain(self) -> Estimate:

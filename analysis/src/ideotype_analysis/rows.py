@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import Field, dataclass, fields
 from enum import IntEnum
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .estimate import Estimate
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
+from .file import HistoryError
+from .table import Floats, Integers, Quantity, Table
 
 
 class Status(IntEnum):
@@ -32,16 +33,6 @@ class Origin(IntEnum):
     RANDOM = 2
     ELITE = 3
     CHILD = 4
-
-
-@dataclass(frozen=True)
-class Quantity:
-    """One column: a value per row, NaN where it is not known."""
-
-    name: str
-    unit: str
-    values: Floats
-    standard_error: Floats
 
 
 @dataclass(frozen=True)
@@ -65,37 +56,14 @@ class LeafProfile:
 
 
 @dataclass(frozen=True)
-class Table:
-    """Columns of the same rows; values and standard errors are
-    [rows, columns]."""
+class LayerProfile:
+    """Something of one plant by layer of height above the soil [m]."""
 
-    names: tuple[str, ...]
-    units: tuple[str, ...]
+    lower: Floats
+    upper: Floats
+    unit: str
     values: Floats
     standard_error: Floats
-
-    def __contains__(self, name: str) -> bool:
-        return name in self.names
-
-    def __getitem__(self, name: str) -> Quantity:
-        i = self.names.index(name)
-        return Quantity(
-            name, self.units[i], self.values[:, i], self.standard_error[:, i]
-        )
-
-    def take(self, index: NDArray) -> Table:
-        """The rows of a mask or of row numbers."""
-        return Table(
-            self.names,
-            self.units,
-            self.values[index],
-            self.standard_error[index],
-        )
-
-    def matching(self, pattern: str) -> list[tuple[re.Match[str], int]]:
-        """Columns whose whole name matches, with their numbers."""
-        found = [re.fullmatch(pattern, name) for name in self.names]
-        return [(match, i) for i, match in enumerate(found) if match]
 
 
 @dataclass(frozen=True)
@@ -142,9 +110,9 @@ class Rows:
             self.traits.take(index),
             self.objectives.take(index),
             self.diagnostics.take(index),
-            _take(self.fitness, index),
+            self.fitness.take(index),
             self.attempt[index],
-            _take(self.seconds, index),
+            self.seconds.take(index),
             self.worker[index],
             self.message[index],
         )
@@ -159,28 +127,61 @@ class Rows:
         """Only the failed ones; their message says why."""
         return self.take(self.status == Status.FAILED)
 
-    def top(self, count: int) -> Rows:
-        """The fittest with different genomes, best first; of equal genomes
-        the fittest. Fewer if there are not as many."""
-        done = self.done
-        order = np.argsort(-done.fitness.values, kind="stable")
+    def ranking(self, count: int) -> Integers:
+        """Row numbers of the fittest with different genomes, best first; of
+        equal genomes the fittest. Fewer if there are not as many."""
+        done = np.flatnonzero(self.status == Status.DONE)
+        fittest = np.argsort(-self.fitness.values[done], kind="stable")
+        order = done[fittest]
         _, first = np.unique(
-            done.traits.values[order], axis=0, return_index=True
+            self.traits.values[order], axis=0, return_index=True
         )
-        return done.take(order[np.sort(first)[:count]])
+        return order[np.sort(first)[:count]]
+
+    def top(self, count: int) -> Rows:
+        """The rows of ranking()."""
+        return self.take(self.ranking(count))
 
     def one(self, index: int, is_final: bool) -> Evaluation:
         """A single row; negative numbers count from the end."""
         return Evaluation(self.take(np.array([index])), is_final)
 
 
-def _take(quantity: Quantity, index: NDArray) -> Quantity:
-    return Quantity(
-        quantity.name,
-        quantity.unit,
-        quantity.values[index],
-        quantity.standard_error[index],
-    )
+def join(parts: Sequence[Rows]) -> Rows:
+    """Rows of several histories of the same columns, one after the other.
+
+    Raises HistoryError if their columns differ."""
+
+    def table(name: str) -> Table:
+        tables = [getattr(part, name) for part in parts]
+        first = tables[0]
+        if any(t.names != first.names for t in tables):
+            raise HistoryError(f"histories of one case differ in {name}")
+        return Table(
+            first.names,
+            first.units,
+            np.concatenate([t.values for t in tables]),
+            np.concatenate([t.standard_error for t in tables]),
+        )
+
+    def quantity(name: str) -> Quantity:
+        columns = [getattr(part, name) for part in parts]
+        return Quantity(
+            columns[0].name,
+            columns[0].unit,
+            np.concatenate([c.values for c in columns]),
+            np.concatenate([c.standard_error for c in columns]),
+        )
+
+    def joined(field: Field) -> Any:
+        values = [getattr(part, field.name) for part in parts]
+        if isinstance(values[0], Table):
+            return table(field.name)
+        if isinstance(values[0], Quantity):
+            return quantity(field.name)
+        return np.concatenate(values)
+
+    return Rows(**{field.name: joined(field) for field in fields(Rows)})
 
 
 @dataclass(frozen=True)
@@ -230,6 +231,17 @@ class Evaluation:
         order = np.argsort(leaves)
         columns = np.array([i for _, i in found], dtype=int)[order]
         return LeafProfile(leaves[order], *_profile(table, columns))
+
+    def by_layer(self, what: str = "absorbed") -> LayerProfile:
+        """Diagnostics named <what>_layer_LLL_UUUcm, lowest layer first."""
+        table = self.row.diagnostics
+        found = table.matching(rf"{re.escape(what)}_layer_(\d+)_(\d+)cm")
+        edges = np.array([(int(m[1]), int(m[2])) for m, _ in found]) / 100
+        edges = edges.reshape(-1, 2)
+        order = np.argsort(edges[:, 0])
+        columns = np.array([i for _, i in found], dtype=int)[order]
+        lower, upper = edges[order].T
+        return LayerProfile(lower, upper, *_profile(table, columns))
 
 
 def _profile(table: Table, columns: NDArray) -> tuple[str, Floats, Floats]:

@@ -11,9 +11,9 @@ from matplotlib.projections.polar import PolarAxes
 from numpy.typing import NDArray
 
 from . import style
+from .case import Case
 from .circle import circular_deviation, circular_mean
 from .file import HistoryError
-from .history import History
 from .rows import Evaluation, Rows
 
 COUNT = 10
@@ -22,32 +22,33 @@ COUNT = 10
 _KINDS = ("length", "width", "inclination", "azimuth")
 
 
-def draw_traits(history: History) -> Figure:
+def draw_traits(case: Case) -> Figure:
     """Each trait by leaf rank: the fittest plants, their mean and standard
     deviation, the baseline, and the bounds."""
-    top = _top(history)
-    baseline = history.baseline()
+    top = case.top(COUNT)
+    baseline = case.baseline if case.pairs else None
     figure = style.new_figure(9.6, 4.4)
     panels = figure.subplots(1, len(_KINDS), sharey=True)
     for axes, kind in zip(panels, _KINDS):
-        _draw_trait(axes, history, kind, top, baseline)
+        _draw_trait(axes, case, kind, top, baseline)
     panels[0].set_ylabel("leaf rank (1 = lowest)")
     handles, labels = panels[0].get_legend_handles_labels()
+    _add_best_handle(case, panels[0], handles, labels)
     figure.legend(
         handles, labels, loc="outside lower center", ncols=4, fontsize=8
     )
-    figure.suptitle(_title(history, top), fontsize=10)
+    figure.suptitle(_title(case, top), fontsize=10)
     return figure
 
 
-def draw_azimuths(history: History) -> Figure:
+def draw_azimuths(case: Case) -> Figure:
     """Leaf azimuths from above, the lowest leaf innermost: the fittest
     plants, their circular mean and deviation, and the baseline."""
-    top = _top(history)
-    columns = history.traits.columns("azimuth")
+    top = case.top(COUNT)
+    columns = case.traits.columns("azimuth")
     if not len(columns):
         raise HistoryError("the plants have no azimuths")
-    leaves = history.traits.leaves("azimuth")
+    leaves = case.traits.leaves("azimuth")
     figure = style.new_figure(6.0, 6.4)
     axes = cast(PolarAxes, figure.add_subplot(projection="polar"))
     axes.set_theta_zero_location("N")
@@ -55,9 +56,11 @@ def draw_azimuths(history: History) -> Figure:
     for values, color in reversed(_colored(top, columns)):
         axes.plot(np.deg2rad(values), leaves, "o", color=color, alpha=0.8)
     _draw_arcs(axes, top.traits.values[:, columns], leaves)
-    if (baseline := history.baseline()) is not None:
-        values = baseline.row.traits.values[0, columns]
+    if case.pairs:
+        values = case.baseline.row.traits.values[0, columns]
         axes.plot(np.deg2rad(values), leaves, **_BASELINE_MARKER)
+    for values in _bests(case, columns):
+        axes.plot(np.deg2rad(values), leaves, **_BEST_MARKER)
     axes.plot([0, 0], [0, 1.1 * leaves.max()], color=style.QUIET, ls="--")
     axes.plot([np.pi] * 2, [0, 1.1 * leaves.max()], color=style.QUIET, ls="--")
     axes.set_rlim(0, leaves.max() + 0.9)
@@ -71,11 +74,12 @@ def draw_azimuths(history: History) -> Figure:
     )
     handles, labels = axes.get_legend_handles_labels()
     _add_top_handle(axes, handles, labels, len(top))
+    _add_best_handle(case, axes, handles, labels)
     figure.legend(
         handles, labels, loc="outside lower center", ncols=3, fontsize=8
     )
     figure.suptitle(
-        f"{_title(history, top)}\n"
+        f"{_title(case, top)}\n"
         "leaf azimuths from above; circles: leaf rank, lowest innermost",
         fontsize=10,
     )
@@ -92,6 +96,15 @@ _BASELINE_MARKER: dict[str, Any] = {
 }
 
 
+_BEST_MARKER: dict[str, Any] = {
+    "marker": "^",
+    "markersize": 6.5,
+    "markerfacecolor": "none",
+    "color": style.BEST,
+    "linestyle": "none",
+}
+
+
 _RANK_LABEL: dict[str, Any] = {
     "ha": "center",
     "va": "center",
@@ -101,17 +114,18 @@ _RANK_LABEL: dict[str, Any] = {
 }
 
 
-def _top(history: History) -> Rows:
-    top = history.latest().top(COUNT)
-    if not len(top):
-        raise HistoryError("no plant is evaluated yet")
-    return top
-
-
-def _title(history: History, top: Rows) -> str:
-    case = history.attributes.get("case", history.path.stem)
-    generation = int(top.generation.max())
-    return f"{case}: the {len(top)} fittest plants of generation {generation}"
+def _title(case: Case, top: Rows) -> str:
+    first, last = int(top.generation.min()), int(top.generation.max())
+    of = (
+        f"generation {last}"
+        if first == last
+        else f"generations {first}-{last}"
+    )
+    seeds = len(case.histories)
+    title = f"{case.name}: the {len(top)} fittest plants of {of}"
+    if seeds == 1:
+        return title
+    return f"{title}, from {case.seeds_of_top(COUNT)} of {seeds} seeds"
 
 
 def _colored(top: Rows, columns: NDArray) -> list[tuple[NDArray, NDArray]]:
@@ -119,6 +133,23 @@ def _colored(top: Rows, columns: NDArray) -> list[tuple[NDArray, NDArray]]:
     return list(
         zip(top.traits.values[:, columns], style.ranked_colors(len(top)))
     )
+
+
+def _bests(case: Case, columns: NDArray) -> list[NDArray]:
+    """Traits of the best of each seed, which shows whether seeds agree;
+    nothing for a single seed."""
+    if len(case.pairs) < 2:
+        return []
+    return [pair.best.row.traits.values[0, columns] for pair in case.pairs]
+
+
+def _add_best_handle(
+    case: Case, axes: Axes, handles: list, labels: list
+) -> None:
+    if len(case.pairs) > 1:
+        (handle,) = axes.plot([], [], **_BEST_MARKER)
+        handles.append(handle)
+        labels.append("best of each seed")
 
 
 def _add_top_handle(
@@ -133,12 +164,12 @@ def _add_top_handle(
 
 def _draw_trait(
     axes: Axes,
-    history: History,
+    case: Case,
     kind: str,
     top: Rows,
     baseline: Evaluation | None,
 ) -> None:
-    traits = history.traits
+    traits = case.traits
     columns, leaves = traits.columns(kind), traits.leaves(kind)
     if not len(columns):
         raise HistoryError(f"the plants have no {kind}")
@@ -163,6 +194,8 @@ def _draw_trait(
     if baseline is not None:
         plain = baseline.row.traits.values[0, columns]
         axes.plot(plain, leaves, **_BASELINE_MARKER)
+    for values in _bests(case, columns):
+        axes.plot(values, leaves, **_BEST_MARKER)
     lower, upper = traits.lower[columns].min(), traits.upper[columns].max()
     margin = 0.04 * (upper - lower)
     axes.set_xlim(lower - margin, upper + margin)

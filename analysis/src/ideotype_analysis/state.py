@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .file import Writer
-from .rows import Quantity
+from .table import Quantity
 
 
 @dataclass(frozen=True)

@@ -17,6 +17,12 @@ MEAN = "#009E73"
 ANEW = "#D55E00"
 QUIET = "#8C8C8C"
 
+_SERIES_COLORS = (
+    *("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"),
+    "#000000",
+)
+_SERIES_MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*")
+
 RC: dict[Any, Any] = {
     "font.size": 9.0,
     "axes.titlesize": 10.0,
@@ -54,6 +60,15 @@ def axis_label(name: str, unit: str) -> str:
     """ "absorbed PAR [MJ m⁻² day⁻¹]" of a column's name and unit."""
     words = re.sub(r"\bpar\b", "PAR", name.replace("_", " "))
     return words if unit == "1" else f"{words} [{unit_label(unit)}]"
+
+
+def series(index: int) -> tuple[str, str]:
+    """Colour and marker of a line among several; the marker tells apart
+    lines whose colours repeat."""
+    return (
+        _SERIES_COLORS[index % len(_SERIES_COLORS)],
+        _SERIES_MARKERS[index % len(_SERIES_MARKERS)],
+    )
 
 
 def ranked_colors(count: int) -> NDArray[np.float64]:

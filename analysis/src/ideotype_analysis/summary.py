@@ -25,7 +25,7 @@ def summarize(history: History) -> str:
         ("state", str(state)),
         ("generations", f"{len(generations)} of at most {has.get('generations', '?')}"),
         ("evaluations", f"{len(rows)} complete, {_count(len(rows.failed), 'failure')}"),
-        ("wall time", _duration(state.wall_time)),
+        ("wall time", duration(state.wall_time)),
     ]  # fmt: skip
     text = [_field(name, value) for name, value in lines]
     if len(rows.failed):
@@ -52,7 +52,8 @@ def _field(name: str, value: str) -> str:
     return f"{name:<{_INDENT}}{value}"
 
 
-def _duration(seconds: float) -> str:
+def duration(seconds: float) -> str:
+    """ "1:02:03", or "unknown" for NaN."""
     if not math.isfinite(seconds):
         return "unknown"
     return str(timedelta(seconds=round(seconds)))

@@ -1,21 +1,29 @@
-"""The command ideotype-summary, as a user starts it."""
+"""The commands, as a user starts them."""
 
 from __future__ import annotations
 
-import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 from conftest import WriterProcess
 
-COMMAND = Path(sys.executable).with_name("ideotype-summary")
+BIN = Path(sys.executable).parent
 
 
 def summary(*arguments: object) -> subprocess.CompletedProcess[str]:
     """Runs the installed command."""
+    return _run("ideotype-summary", *arguments)
+
+
+def report(*arguments: object) -> subprocess.CompletedProcess[str]:
+    """Runs the installed command."""
+    return _run("ideotype-report", *arguments)
+
+
+def _run(name: str, *arguments: object) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [str(COMMAND), *map(str, arguments)],
+        [str(BIN / name), *map(str, arguments)],
         capture_output=True,
         text=True,
         check=False,
@@ -23,7 +31,7 @@ def summary(*arguments: object) -> subprocess.CompletedProcess[str]:
 
 
 def test_a_finished_history_is_summarized(finished: Path) -> None:
-    done = summary(finished, "--no-figures")
+    done = summary(finished)
     assert (done.returncode, done.stderr) == (0, "")
     lines = {line[:13].strip(): line[13:] for line in done.stdout.split("\n")}
     assert lines["case"] == "ames-aug-30x6-all-r1 of campaign made"
@@ -43,39 +51,22 @@ def test_a_finished_history_is_summarized(finished: Path) -> None:
     assert "Provisional" not in done.stdout
 
 
-def test_figures_go_beside_the_history(finished: Path, tmp_path: Path) -> None:
-    shutil.copy(finished, tmp_path / "case.h5")
-    done = summary(tmp_path / "case.h5")
+def test_every_history_is_summarized(sweep: Path) -> None:
+    done = summary(sweep)
     assert done.returncode == 0
-    figures = sorted((tmp_path / "case_figures").iterdir())
-    assert len(figures) == 8
-    printed = [
-        p for p in done.stdout.split("\n") if p.endswith((".png", "pdf"))
-    ]
-    assert sorted(map(Path, printed)) == figures
+    cases = [x for x in done.stdout.split("\n") if x.startswith("case")]
+    assert len(cases) == 4 and "edmonton" in cases[-1]
 
 
-def test_figures_go_where_they_are_told(
-    finished: Path, tmp_path: Path
-) -> None:
-    assert summary(finished, "-o", tmp_path / "here").returncode == 0
-    assert len(list((tmp_path / "here").iterdir())) == 8
-    assert not finished.with_name("case_figures").exists()
-
-
-def test_a_live_history_is_provisional(
-    writer: WriterProcess, tmp_path: Path
-) -> None:
-    done = summary(writer.path, "--no-figures")
+def test_a_live_history_is_provisional(writer: WriterProcess) -> None:
+    done = summary(writer.path)
     assert "not evaluated yet" in done.stdout
     writer.do("evolve 2")
-    done = summary(writer.path, "-o", tmp_path / "figures")
-    assert done.returncode == 0
+    done = summary(writer.path)
     assert "state        running" in done.stdout
     assert "Provisional" in done.stdout
-    assert len(list((tmp_path / "figures").iterdir())) == 8
     writer.kill()
-    done = summary(writer.path, "--no-figures")
+    done = summary(writer.path)
     assert "state        interrupted" in done.stdout
 
 
@@ -84,21 +75,36 @@ def test_unusable_files_exit_with_1_and_a_reason(tmp_path: Path) -> None:
     for path, reason in (
         (tmp_path / "none.h5", "no such file"),
         (tmp_path / "text.h5", "not an HDF5 file"),
-        (tmp_path, "not a file"),
     ):
-        done = summary(path)
-        assert (done.returncode, done.stdout) == (1, "")
-        assert done.stderr == f"ideotype-summary: {path}: {reason}\n"
+        for command in (summary, report):
+            done = command(path)
+            assert (done.returncode, done.stdout) == (1, "")
+            name = f"ideotype-{command.__name__}"
+            assert done.stderr == f"{name}: {path}: {reason}\n"
 
 
 def test_a_wrong_command_line_exits_with_2(finished: Path) -> None:
-    assert summary().returncode == 2
-    assert summary(finished, "--colour").returncode == 2
+    for command in (summary, report):
+        assert command().returncode == 2
+        assert command(finished, "--colour").returncode == 2
 
 
-def test_a_closed_pipe_is_quiet(finished: Path, tmp_path: Path) -> None:
+def test_a_report_without_results_is_refused(
+    writer: WriterProcess, tmp_path: Path
+) -> None:
+    done = report(writer.path, "-o", tmp_path / "out")
+    assert done.returncode == 1
+    assert done.stderr.startswith(f"ideotype-report: {writer.path}: ")
+    assert "not evaluated yet; try again when" in done.stderr
+    assert not (tmp_path / "out").exists()
+    done = report(writer.path, "--ideotype", tmp_path / "gone")
+    assert done.returncode == 1
+    assert "gone: no program (--ideotype)" in done.stderr
+
+
+def test_a_closed_pipe_is_quiet(finished: Path) -> None:
     done = subprocess.run(
-        f"'{COMMAND}' '{finished}' -o '{tmp_path}' | head -n 1",
+        f"'{BIN}/ideotype-summary' '{finished}' | head -n 1",
         shell=True,
         capture_output=True,
         text=True,

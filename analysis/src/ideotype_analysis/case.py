@@ -1,0 +1,156 @@
+"""A case of a campaign with all its seeds."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .estimate import Estimate
+from .file import HistoryError
+from .history import History
+from .interval import Interval, interval
+from .pair import Pair
+from .rows import Evaluation, Rows, join
+
+_SMALL = 1e-12
+
+
+class Case:
+    """The replicates of one case: the same light, field and traits, other
+    random numbers. What is asked for once is remembered, so that all figures
+    show the same moment of a run."""
+
+    def __init__(self, name: str, histories: Sequence[History]) -> None:
+        self.name = name
+        self.histories = tuple(histories)
+        self.attributes = histories[0].attributes
+        self.traits = histories[0].traits
+
+    @cached_property
+    def _known(self) -> tuple[tuple[History, Pair], ...]:
+        found = ((h, h.comparison()) for h in self.histories)
+        return tuple((h, pair) for h, pair in found if pair is not None)
+
+    @property
+    def pairs(self) -> tuple[Pair, ...]:
+        """Baseline and best of each seed that has both."""
+        return tuple(pair for _, pair in self._known)
+
+    @property
+    def is_final(self) -> bool:
+        """All seeds have their final evaluations."""
+        return len(self.pairs) == len(self.histories) and all(
+            pair.is_final for pair in self.pairs
+        )
+
+    @cached_property
+    def _winner(self) -> tuple[History, Pair]:
+        self.need_pairs()
+        return max(self._known, key=lambda known: known[1].best.objective.mean)
+
+    @property
+    def best_history(self) -> History:
+        """The history that holds the best plant of all seeds."""
+        return self._winner[0]
+
+    @property
+    def best_pair(self) -> Pair:
+        """Baseline and best of that history."""
+        return self._winner[1]
+
+    @property
+    def best(self) -> Evaluation:
+        """The best plant of all seeds."""
+        return self.best_pair.best
+
+    @property
+    def baseline(self) -> Evaluation:
+        """The unbred plant, as evaluated beside the best."""
+        return self.best_pair.baseline
+
+    def need_pairs(self) -> None:
+        """Raises HistoryError if no seed has baseline and best."""
+        if not self.pairs:
+            raise HistoryError("baseline and best are not evaluated yet")
+
+    @cached_property
+    def _latest(self) -> tuple[Rows, NDArray[np.int64]]:
+        """Last complete generations, and the number of each row's history."""
+        parts = [history.latest().done for history in self.histories]
+        seed = np.repeat(np.arange(len(parts)), [len(p) for p in parts])
+        return join(parts), seed
+
+    def top(self, count: int) -> Rows:
+        """The fittest plants of the last complete generations of all seeds
+        together, best first.
+
+        Raises HistoryError if there is none."""
+        rows = self._latest[0].top(count)
+        if not len(rows):
+            raise HistoryError("no plant is evaluated yet")
+        return rows
+
+    def seeds_of_top(self, count: int) -> int:
+        """From how many seeds those plants come."""
+        rows, seed = self._latest
+        return len(set(seed[rows.ranking(count)]))
+
+    def gains(self) -> list[Estimate]:
+        """best - baseline of each seed, in the unit of the objective. The
+        standard error takes both as independent: an upper bound, since they
+        share random numbers."""
+        return [pair.difference for pair in self.pairs]
+
+    def gain(self) -> Interval:
+        """Mean over seeds of best - baseline."""
+        self.need_pairs()
+        return interval(self.gains())
+
+    def relative_gain(self) -> Interval:
+        """Mean over seeds of the gain [%]."""
+        self.need_pairs()
+        return interval([pair.gain for pair in self.pairs])
+
+    def mean(self, who: str, name: str | None = None) -> Interval:
+        """Mean over seeds of a column of "baseline" or "best", by default of
+        the objective.
+
+        Raises HistoryError if it is not known."""
+        self.need_pairs()
+        plants = [getattr(pair, who) for pair in self.pairs]
+        try:
+            figures = [
+                p.objective if name is None else p.estimate(name)
+                for p in plants
+            ]
+        except KeyError as error:
+            raise HistoryError(f"the history has no {name}") from error
+        return interval(figures)
+
+    def headroom(self) -> Estimate:
+        """How much more the leaves of the best plant could absorb if stalks
+        and soil took nothing: incident (1 - reflected) - absorbed. Reflected
+        light is lost to any canopy of these leaves.
+
+        Raises HistoryError if a column is missing."""
+        best = self.best
+        try:
+            incident = best.estimate("incident")
+            reflected = best.estimate("reflected_fraction")
+        except KeyError as error:
+            raise HistoryError(str(error.args[0])) from error
+        ceiling = incident.mean * (1 - reflected.mean)
+        return Estimate(
+            ceiling - best.objective.mean,
+            best.objective.standard_error,
+            best.objective.unit,
+        )
+
+    def is_saturated(self) -> bool:
+        """The best is within its standard error of the ceiling: nearly all
+        light is absorbed, and breeding can't gain more."""
+        room = self.headroom()
+        return room.mean <= max(room.standard_error, _SMALL)

@@ -1,0 +1,72 @@
+"""The figures of one case, and what to know when reading them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from matplotlib.figure import Figure
+
+from .case import Case
+from .convergence import draw_convergence
+from .plan import draw_roses
+from .profiles import draw_hours, draw_layers, draw_leaves, draw_parts
+from .sensitivity import draw_correlation, draw_sensitivity
+from .shape import draw_azimuths, draw_traits
+
+CASE_FIGURES: dict[str, tuple[Callable[[Case], Figure], str]] = {
+    "convergence": (
+        draw_convergence,
+        "Convergence. Error bars and the grey band are standard errors, "
+        "coloured bands the range of seeds or, of a single seed, the standard "
+        "deviation of the population.",
+    ),
+    "traits": (
+        draw_traits,
+        "Vertical profiles of the ten fittest plants of all seeds. Orange: "
+        "their mean and standard deviation, on the circle for azimuths.",
+    ),
+    "azimuths": (
+        draw_azimuths,
+        "Leaf azimuths of the ten fittest plants from above. Arcs are the "
+        "circular standard deviation.",
+    ),
+    "roses": (
+        draw_roses,
+        "Azimuth roses. The area of a wedge is the share of leaves that point "
+        "there.",
+    ),
+    "hours": (
+        draw_hours,
+        "PAR by hour. Error bars are standard errors; those of the difference "
+        "take baseline and best as independent.",
+    ),
+    "leaves": (
+        draw_leaves,
+        "Light by leaf rank. Error bars are standard errors.",
+    ),
+    "layers": (
+        draw_layers,
+        "Light by height layer. Error bars are standard errors.",
+    ),
+    "parts": (
+        draw_parts,
+        "Light by origin and face of the leaf. Beam comes straight from the "
+        "sun, scattered light from other surfaces; adaxial is the upper face. "
+        "Error bars are standard errors.",
+    ),
+    "sensitivity": (
+        draw_sensitivity,
+        "Which traits matter. Coefficients of a linear regression of the "
+        "objective on all free traits over all evaluated plants, each in its "
+        "standard deviations; azimuths enter as cosine and sine and show the "
+        "length of both coefficients. Bred plants are relatives, not a random "
+        "sample: read it as a ranking within this evolution.",
+    ),
+    "correlation": (
+        draw_correlation,
+        "Which traits go together. Spearman's rank correlation over all "
+        "evaluated plants, azimuths as cosine and sine; what evolution fixes "
+        "together correlates too.",
+    ),
+}
+"""What draws a figure of a case, and its caption."""

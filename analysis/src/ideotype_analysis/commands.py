@@ -1,0 +1,118 @@
+"""The commands ideotype-summary and ideotype-report."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shlex
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from .file import HistoryError
+from .progress import Progress
+from .study import open_study
+from .summary import summarize
+
+
+def summary(arguments: Sequence[str] | None = None) -> int:
+    """Prints summaries and returns the exit code: 0, 1 if a file can't be
+    used, 2 for a wrong command line."""
+    parser = argparse.ArgumentParser(
+        prog="ideotype-summary",
+        description="Prints a summary of each history, also while it is "
+        "being written.",
+    )
+    _add_results(parser)
+    return _guard(parser, arguments, _summarize)
+
+
+def report(arguments: Sequence[str] | None = None) -> int:
+    """Writes a report and returns the exit code, as summary does."""
+    parser = argparse.ArgumentParser(
+        prog="ideotype-report",
+        description="Writes one HTML page about all histories, which needs "
+        "nothing else to be viewed, and its figures as PNG and PDF; also "
+        "while they are being written.",
+    )
+    _add_results(parser)
+    parser.add_argument(
+        "-o",
+        "--output",
+        type=Path,
+        default=Path("report"),
+        metavar="DIR",
+        help="gets report.html and figures/ (default: report)",
+    )
+    parser.add_argument(
+        "--cross",
+        type=Path,
+        metavar="FILE",
+        help="a cross-evaluation, .json or .csv",
+    )
+    parser.add_argument(
+        "--ideotype",
+        metavar="PATH",
+        help="the program, which knows the shape of plants (default: "
+        "IDEOTYPE_EXECUTABLE, else ideotype on PATH)",
+    )
+    return _guard(parser, arguments, _report)
+
+
+def _add_results(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "results",
+        nargs="+",
+        metavar="RESULTS",
+        help="histories (.h5), folders of them, or patterns",
+    )
+
+
+def _guard(
+    parser: argparse.ArgumentParser,
+    arguments: Sequence[str] | None,
+    run: Callable[[argparse.Namespace], None],
+) -> int:
+    options = parser.parse_args(arguments)
+    try:
+        run(options)
+    except BrokenPipeError:
+        # Whoever read our output has seen enough; nothing is left to flush.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
+    except (HistoryError, OSError) as error:
+        print(f"{parser.prog}: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+def _summarize(options: argparse.Namespace) -> None:
+    with open_study(*options.results) as study:
+        print("\n\n".join(map(summarize, study)), flush=True)
+
+
+def _report(options: argparse.Namespace) -> None:
+    # Here, so that summaries and wrong command lines need not wait for the
+    # plotting library.
+    from .cross import read_cross
+    from .geometry import find_program
+    from .report import write_report
+
+    program = find_program(options.ideotype)
+    cross = read_cross(options.cross) if options.cross else None
+    with open_study(*options.results) as study:
+        written = write_report(
+            study,
+            options.output,
+            cross=cross,
+            program=program,
+            command=shlex.join(["ideotype-report", *sys.argv[1:]]),
+            progress=Progress(len(study.cases()) + 1),
+        )
+    size = written.page.stat().st_size / 1e6
+    print(f"{written.page} ({size:.1f} MB)")
+    print(
+        f"{len(written.figures)} figure files in "
+        f"{written.page.parent / 'figures'}",
+        flush=True,
+    )

@@ -1,0 +1,207 @@
+"""Cases against each other: gains, latitudes, spacings, energy."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from . import style
+from .case import Case
+from .cross import Cross
+from .file import HistoryError
+from .interval import Interval
+
+ELITE = "elite"
+"""What the elite plant is called in a cross-evaluation."""
+
+_PARTS = (
+    ("absorbed_fraction", "leaves", style.MEAN, ""),
+    ("stalk_fraction", "stalks", "#E69F00", "//"),
+    ("soil_fraction", "soil", "#CC79A7", ".."),
+    ("reflected_fraction", "reflected", "#56B4E9", "\\\\"),
+)
+
+
+def known_cases(cases: Sequence[Case]) -> list[Case]:
+    """Those with baseline and best. Raises HistoryError if there is none."""
+    known = [case for case in cases if case.pairs]
+    if not known:
+        raise HistoryError("baseline and best are not evaluated yet")
+    return known
+
+
+def draw_gains(cases: Sequence[Case], cross: Cross | None = None) -> Figure:
+    """Best minus baseline, and minus the elite plant where a cross-evaluation
+    has it, in % by case: mean of seeds with its 95 % confidence interval, and
+    the seeds."""
+    known = known_cases(cases)
+    figure = style.new_figure(7.2, 1.4 + 0.42 * len(known))
+    axes = figure.add_subplot()
+    for y, case in enumerate(known):
+        seeds = [pair.gain.mean for pair in case.pairs]
+        axes.plot(
+            seeds, [y] * len(seeds), "|", color=style.QUIET, markersize=9,
+            label="one seed" if y == 0 else None,
+        )  # fmt: skip
+        _draw_interval(
+            axes, case.relative_gain(), y, style.BEST, "o",
+            "over the baseline, 95 % confidence" if y == 0 else None,
+        )  # fmt: skip
+    elite = [
+        (y, gain)
+        for y, case in enumerate(known)
+        if cross and (gain := cross.relative_gain(case, ELITE))
+    ]
+    for i, (y, gain) in enumerate(elite):
+        _draw_interval(
+            axes, gain, y + 0.2, style.ANEW, "s",
+            "over the elite plant, 95 % confidence" if i == 0 else None,
+        )  # fmt: skip
+    axes.axvline(0, color=style.BASELINE, linewidth=1, linestyle="--")
+    axes.set_yticks(range(len(known)), [case.name for case in known])
+    axes.set_ylim(len(known) - 0.5, -0.5)
+    axes.set_xlabel("gain in absorbed PAR [%]")
+    figure.legend(loc="outside lower center", ncols=3, fontsize=8)
+    return figure
+
+
+def _draw_interval(
+    axes: Axes, x: Interval, y: float, color: str, marker: str,
+    label: str | None,
+) -> None:  # fmt: skip
+    axes.errorbar(
+        [x.mean], [y], xerr=[np.nan_to_num(x.half_width)],
+        color=color, marker=marker, linestyle="none", label=label,
+    )  # fmt: skip
+
+
+def draw_latitudes(cases: Sequence[Case]) -> Figure:
+    """Absorbed PAR and gain against latitude, a line for each combination of
+    the other axes. Raises HistoryError unless there are two latitudes."""
+
+    def latitude(case: Case) -> float:
+        return float(case.attributes["latitude"])
+
+    return _draw_against(
+        cases, latitude, ("site",), "latitude [°N]", "latitude"
+    )
+
+
+def draw_spacings(cases: Sequence[Case]) -> Figure:
+    """The same against plants per area."""
+
+    def density(case: Case) -> float:
+        return 1 / (
+            float(case.attributes["row_spacing"])
+            * float(case.attributes["plant_spacing"])
+        )
+
+    return _draw_against(
+        cases, density, ("spacing",), "plants m⁻²", "plant density"
+    )
+
+
+def _draw_against(
+    cases: Sequence[Case],
+    position: Callable[[Case], float],
+    axis: tuple[str, ...],
+    label: str,
+    what: str,
+) -> Figure:
+    lines: dict[str, list[Case]] = {}
+    try:
+        for case in known_cases(cases):
+            lines.setdefault(_without(case, axis), []).append(case)
+            position(case)
+    except (KeyError, ZeroDivisionError) as error:
+        raise HistoryError(f"the histories do not say their {what}") from error
+    lines = {
+        name: sorted(members, key=position)
+        for name, members in lines.items()
+        if len({round(position(case), 6) for case in members}) > 1
+    }
+    if not lines:
+        raise HistoryError(f"all cases have the same {what}")
+    figure = style.new_figure(8.4, 4.4)
+    left, right = figure.subplots(1, 2)
+    for i, (name, members) in enumerate(lines.items()):
+        color, marker = style.series(i)
+        x = [position(case) for case in members]
+        for who, line in (("baseline", "--"), ("best", "-")):
+            _draw_line(
+                left, x, [case.mean(who) for case in members], color, marker,
+                line, f"{name}, {who}",
+            )  # fmt: skip
+        gains = [case.relative_gain() for case in members]
+        _draw_line(right, x, gains, color, marker, "-", name)
+    objective = members[0].best.row.objectives
+    left.set_ylabel(style.axis_label(objective.names[0], objective.units[0]))
+    right.set_ylabel("gain over the baseline [%]")
+    for axes in (left, right):
+        axes.set_xlabel(label)
+    handles, labels = left.get_legend_handles_labels()
+    figure.legend(
+        handles, labels, loc="outside lower center", ncols=2, fontsize=8
+    )
+    return figure
+
+
+def _without(case: Case, axis: tuple[str, ...]) -> str:
+    """The case's place on all axes but those of the comparison."""
+    has = case.attributes
+    words = str(case.name).lower()
+    for name in axis:
+        words = words.replace(str(has.get(name, "")).lower(), "", 1)
+    return words.replace("__", "_").strip("_ ")
+
+
+def _draw_line(
+    axes: Axes, x: Sequence[float], y: Sequence[Interval], color: str,
+    marker: str, line: str, label: str,
+) -> None:  # fmt: skip
+    axes.errorbar(
+        x,
+        [each.mean for each in y],
+        np.nan_to_num([each.half_width for each in y]),
+        color=color,
+        marker=marker,
+        markersize=4.5,
+        linestyle=line,
+        label=label,
+    )
+
+
+def draw_energy(cases: Sequence[Case]) -> Figure:
+    """Where the incident PAR goes, baseline and best of each case, with the
+    95 % confidence interval of each part."""
+    known = known_cases(cases)
+    figure = style.new_figure(7.2, 1.6 + 0.6 * len(known))
+    axes = figure.add_subplot()
+    ticks: list[float] = []
+    labels: list[str] = []
+    for i, case in enumerate(known):
+        for j, who in enumerate(("baseline", "best")):
+            y = i + 0.4 * j
+            start = 0.0
+            for name, part, color, hatch in _PARTS:
+                share = case.mean(who, name)
+                axes.barh(
+                    y, share.mean, 0.34, left=start, color=color, hatch=hatch,
+                    edgecolor="white", linewidth=0.5,
+                    xerr=np.nan_to_num(share.half_width),
+                    error_kw={"elinewidth": 1, "capsize": 2},
+                    label=part if not labels else None,
+                )  # fmt: skip
+                start += share.mean
+            ticks.append(y)
+            labels.append(f"{case.name} {who}")
+    axes.set_yticks(ticks, labels)
+    axes.set_ylim(len(known) - 0.4, -0.4)
+    axes.set_xlim(0, 1.02)
+    axes.set_xlabel("part of the incident PAR")
+    axes.grid(axis="y", visible=False)
+    figure.legend(loc="outside lower center", ncols=4, fontsize=8)
+    return figure

@@ -1,0 +1,119 @@
+"""Plants from above."""
+
+from __future__ import annotations
+
+from typing import cast
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.collections import PolyCollection
+from matplotlib.colors import BoundaryNorm
+from matplotlib.figure import Figure
+from matplotlib.projections.polar import PolarAxes
+
+from . import style
+from .case import Case
+from .file import HistoryError
+from .geometry import Mesh
+from .shape import COUNT
+
+_BINS = 24
+
+
+def draw_roses(case: Case) -> Figure:
+    """How many leaves point where: the baseline, and the fittest plants of
+    all seeds. The area of a wedge is the share of leaves."""
+    columns = case.traits.columns("azimuth")
+    if not len(columns):
+        raise HistoryError("the plants have no azimuths")
+    top = case.top(COUNT)
+    plants = {f"the {len(top)} fittest": top.traits.values[:, columns]}
+    if case.pairs:
+        baseline = case.baseline.row.traits.values[:, columns]
+        plants = {"baseline": baseline} | plants
+    figure = style.new_figure(3.6 * len(plants), 4.2)
+    for i, (label, values) in enumerate(plants.items(), start=1):
+        axes = cast(
+            PolarAxes,
+            figure.add_subplot(1, len(plants), i, projection="polar"),
+        )
+        axes.set_theta_zero_location("N")
+        axes.set_theta_direction(-1)
+        edges = np.linspace(0, 360, _BINS + 1) - 180 / _BINS
+        turned = (values.ravel() - edges[0]) % 360 + edges[0]
+        counts, _ = np.histogram(turned, edges)
+        axes.bar(
+            np.deg2rad(edges[:-1] + 180 / _BINS),
+            np.sqrt(counts / counts.sum()),
+            width=2 * np.pi / _BINS,
+            color=style.BASELINE if label == "baseline" else style.BEST,
+            alpha=0.75,
+            edgecolor="white",
+            linewidth=0.5,
+        )
+        axes.set_yticklabels([])
+        axes.set_thetagrids(
+            np.arange(0, 360, 45),
+            ["0° (row)"] + [f"{a}°" for a in range(45, 360, 45)],
+        )
+        axes.set_title(f"{label}, {values.size} leaves")
+    figure.suptitle(case.name, fontsize=10)
+    return figure
+
+
+def draw_plan(case: Case, baseline: Mesh, best: Mesh) -> Figure:
+    """Baseline and best plant from above among their neighbours, all turned
+    alike; colours tell leaf ranks."""
+    figure = style.new_figure(8.4, 4.0)
+    panels = figure.subplots(1, 2, sharex=True, sharey=True)
+    ranks = sorted({g for g in best.groups if g.startswith("leaf")})
+    norm = BoundaryNorm(np.arange(0.5, len(ranks) + 1), 256)
+    for axes, mesh, label in zip(
+        panels, (baseline, best), ("baseline", "best")
+    ):
+        _draw_field(axes, case, mesh, norm)
+        axes.set_title(label)
+        axes.set_xlabel("across the rows [m]")
+    panels[0].set_ylabel("along the rows [m]")
+    figure.colorbar(
+        ScalarMappable(norm, colormaps["viridis"]),
+        ax=panels,
+        ticks=range(1, len(ranks) + 1),
+        label="leaf rank (1 = lowest)",
+    )
+    figure.suptitle(case.name, fontsize=10)
+    return figure
+
+
+def _draw_field(
+    axes: Axes, case: Case, mesh: Mesh, norm: BoundaryNorm
+) -> None:
+    row = float(case.attributes.get("row_spacing", 0))
+    plant = float(case.attributes.get("plant_spacing", 0))
+    places = [
+        np.array([row * i, plant * j])
+        for i in (-1, 0, 1)
+        for j in (-1, 0, 1)
+        if (row or not i) and (plant or not j)
+    ]
+    # Upper leaves hide lower ones, as seen from the sun at its highest.
+    height = [mesh.vertices[list(face), 2].mean() for face in mesh.faces]
+    order = np.argsort(height)
+    polygons, colors = [], []
+    for i in order:
+        outline = mesh.vertices[list(mesh.faces[i]), :2]
+        group = mesh.groups[i]
+        is_leaf = group.startswith("leaf")
+        color = colormaps["viridis"](norm(int(group[4:]))) if is_leaf else "k"
+        for place in places:
+            polygons.append(outline + place)
+            colors.append(color)
+    axes.add_collection(
+        PolyCollection(polygons, facecolors=colors, edgecolors="none")
+    )
+    for x in sorted({place[0] for place in places}):
+        axes.axvline(x, color=style.QUIET, linewidth=0.8, linestyle="--")
+    axes.set_aspect("equal")
+    axes.autoscale_view()

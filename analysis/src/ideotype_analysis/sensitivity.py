@@ -1,0 +1,205 @@
+"""Which traits matter, and which go together."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from . import style
+from .case import Case
+from .file import HistoryError
+from .rows import Rows, join
+from .traits import Traits
+
+_ROWS_PER_PREDICTOR = 2
+_SHOWN = 12
+
+
+@dataclass(frozen=True)
+class Sensitivity:
+    """Standardised regression of the objective on the free traits: by how
+    many of its standard deviations it moves when a trait moves by one of its
+    own and the others stay. A circular trait enters as cosine and sine, and
+    its effect is the length of both coefficients, without a sign."""
+
+    traits: tuple[str, ...]
+    effect: NDArray[np.float64]
+    standard_error: NDArray[np.float64]
+    """Of ordinary least squares; takes plants as independent, though bred
+    plants are relatives."""
+    explained: float
+    """R2, the part of the objective's variance that the regression takes."""
+    plants: int
+
+
+def evaluated(case: Case) -> Rows:
+    """All evaluated plants of all seeds."""
+    rows = join([history.evaluations().done for history in case.histories])
+    if not len(rows):
+        raise HistoryError("no plant is evaluated yet")
+    return rows
+
+
+def predictors(traits: Traits, rows: Rows) -> tuple[list[str], NDArray]:
+    """Names and values [rows, columns] of the free traits that vary: in
+    their unit, circular ones as cosine and sine, "cos leaf01_azimuth"."""
+    names: list[str] = []
+    columns: list[NDArray] = []
+    for i in np.flatnonzero(traits.is_free):
+        name, values = traits.names[i], rows.traits.values[:, i]
+        if traits.is_circular[i]:
+            # The bounds are one point of the circle: their distance is a turn.
+            turn = traits.upper[i] - traits.lower[i]
+            angle = 2 * np.pi * values / turn
+            names += [f"cos {name}", f"sin {name}"]
+            columns += [np.cos(angle), np.sin(angle)]
+        else:
+            names.append(name)
+            columns.append(values)
+    varies = [i for i, column in enumerate(columns) if np.ptp(column) > 1e-9]
+    return [names[i] for i in varies], np.array([columns[i] for i in varies]).T
+
+
+def sensitivity(case: Case) -> Sensitivity:
+    """Of all evaluated plants. Raises HistoryError as regress does."""
+    rows = evaluated(case)
+    names, x = predictors(case.traits, rows)
+    return regress(names, x, rows.objectives.values[:, 0])
+
+
+def regress(names: Sequence[str], x: NDArray, y: NDArray) -> Sensitivity:
+    """Of y [plants] on the columns of x [plants, names], named as predictors
+    names them.
+
+    Raises HistoryError if there are too few plants, or none differs."""
+    if not names or len(y) < _ROWS_PER_PREDICTOR * (len(names) + 1):
+        raise HistoryError(
+            f"{len(y)} evaluated plants are too few for a regression on "
+            f"{len(names)} columns of traits"
+        )
+    if np.ptp(y) == 0:
+        raise HistoryError("all plants absorb the same")
+    x = (x - x.mean(0)) / x.std(0)
+    y = (y - y.mean()) / y.std()
+    beta, *_ = np.linalg.lstsq(x, y, rcond=None)
+    rest = y - x @ beta
+    variance = rest @ rest / (len(y) - len(names) - 1)
+    error = np.sqrt(variance * np.diag(np.linalg.pinv(x.T @ x)))
+    parts: dict[str, list[int]] = {}
+    for i, name in enumerate(names):
+        parts.setdefault(name.split(" ")[-1], []).append(i)
+    # A single coefficient keeps its sign.
+    effect = [
+        beta[at[0]] if len(at) == 1 else np.linalg.norm(beta[at])
+        for at in parts.values()
+    ]
+    return Sensitivity(
+        tuple(parts),
+        np.array(effect),
+        np.array([np.linalg.norm(error[at]) for at in parts.values()]),
+        float(1 - rest @ rest / (y @ y)),
+        len(y),
+    )
+
+
+def draw_sensitivity(case: Case) -> Figure:
+    """The strongest effects with 95 % confidence intervals, and all of them
+    by leaf rank and kind of trait."""
+    found = sensitivity(case)
+    figure = style.new_figure(8.4, 4.4)
+    left, right = figure.subplots(1, 2)
+    order = np.argsort(-np.abs(found.effect))[:_SHOWN][::-1]
+    left.errorbar(
+        found.effect[order],
+        range(len(order)),
+        xerr=1.96 * found.standard_error[order],
+        color=style.BEST,
+        marker="o",
+        linestyle="none",
+    )
+    left.axvline(0, color=style.BASELINE, linewidth=1, linestyle="--")
+    left.set_yticks(
+        range(len(order)), [_words(found.traits[i]) for i in order]
+    )
+    left.set_xlabel("effect in standard deviations, 95 % confidence")
+    _draw_by_rank(figure, right, found)
+    figure.suptitle(
+        f"{case.name}: {found.plants} plants, R² = {found.explained:.2f}",
+        fontsize=10,
+    )
+    return figure
+
+
+def _words(trait: str) -> str:
+    """ "azimuth of leaf 3" of "leaf03_azimuth"."""
+    match = re.fullmatch(r"leaf(\d+)_(.+)", trait)
+    return f"{match[2]} of leaf {int(match[1])}" if match else trait
+
+
+def _draw_by_rank(figure: Figure, axes: Axes, found: Sensitivity) -> None:
+    effects = dict(zip(found.traits, found.effect))
+    places = [re.fullmatch(r"leaf(\d+)_(.+)", name) for name in found.traits]
+    kinds = list(dict.fromkeys(m[2] for m in places if m))
+    ranks = sorted({int(m[1]) for m in places if m})
+    table = np.array(
+        [
+            [effects.get(f"leaf{rank:02}_{kind}", np.nan) for kind in kinds]
+            for rank in ranks
+        ]
+    )
+    limit = np.nanmax(np.abs(table))
+    image = axes.imshow(
+        table, cmap="PuOr", vmin=-limit, vmax=limit, origin="lower",
+        aspect="auto",
+    )  # fmt: skip
+    axes.grid(visible=False)
+    axes.set_xticks(range(len(kinds)), kinds)
+    axes.set_yticks(range(len(ranks)), [str(rank) for rank in ranks])
+    axes.set_ylabel("leaf rank (1 = lowest)")
+    figure.colorbar(image, label="effect (azimuth: size only)")
+
+
+def draw_correlation(case: Case) -> Figure:
+    """Spearman's rank correlation between the free traits of all evaluated
+    plants; azimuths as cosine and sine."""
+    names, x = predictors(case.traits, evaluated(case))
+    if len(names) < 2:
+        raise HistoryError("fewer than two traits vary")
+    ranks = np.argsort(np.argsort(x, axis=0, kind="stable"), axis=0)
+    order = _by_kind(names)
+    table = np.corrcoef(ranks[:, order].T)
+    figure = style.new_figure(6.4, 5.6)
+    axes = figure.add_subplot()
+    image = axes.imshow(table, cmap="PuOr", vmin=-1, vmax=1)
+    axes.grid(visible=False)
+    kinds = [_kind(names[i]) for i in order]
+    starts = [i for i, k in enumerate(kinds) if i == 0 or kinds[i - 1] != k]
+    for start in starts[1:]:
+        axes.axhline(start - 0.5, color=style.BASELINE, linewidth=0.8)
+        axes.axvline(start - 0.5, color=style.BASELINE, linewidth=0.8)
+    ends = [*starts[1:], len(kinds)]
+    middles = [(a + b - 1) / 2 for a, b in zip(starts, ends)]
+    labels = [kinds[start] for start in starts]
+    axes.set_xticks(middles, labels, rotation=20)
+    axes.set_yticks(middles, labels)
+    axes.set_title(f"{case.name}: within each block the lowest leaf first")
+    figure.colorbar(image, label="rank correlation")
+    return figure
+
+
+def _kind(name: str) -> str:
+    """ "cos azimuth" of "cos leaf01_azimuth"."""
+    return re.sub(r"leaf\d+_", "", name)
+
+
+def _by_kind(names: Sequence[str]) -> list[int]:
+    kinds = list(dict.fromkeys(_kind(name) for name in names))
+    return sorted(
+        range(len(names)), key=lambda i: (kinds.index(_kind(names[i])), i)
+    )

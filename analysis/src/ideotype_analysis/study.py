@@ -1,0 +1,125 @@
+"""Many histories together: the cases of campaigns and their replicates."""
+
+from __future__ import annotations
+
+import glob
+import os
+import re
+from collections.abc import Iterator
+from contextlib import ExitStack
+from pathlib import Path
+from types import TracebackType
+from typing import TYPE_CHECKING, Self
+
+from .case import Case
+from .file import HistoryError
+from .history import History, open_history
+
+if TYPE_CHECKING:
+    import pandas
+
+Place = str | os.PathLike[str]
+
+
+def open_study(*places: Place) -> Study:
+    """Opens histories: files, folders (looked through to any depth) and glob
+    patterns, in the order of their names and each only once.
+
+    Raises FileNotFoundError or HistoryError, naming what can't be used and
+    what to do about it."""
+    return Study(find_histories(*places))
+
+
+def find_histories(*places: Place) -> list[Path]:
+    """The files that places stand for. Raises as open_study."""
+    if not places:
+        raise HistoryError("no file, folder or pattern is given")
+    found: dict[Path, Path] = {}
+    for place in places:
+        for path in _histories_of(place):
+            found.setdefault(path.resolve(), path)
+    return list(found.values())
+
+
+def _histories_of(place: Place) -> list[Path]:
+    path = Path(place)
+    if path.is_dir():
+        files = sorted(path.rglob("*.h5"))
+        if not files:
+            raise HistoryError(
+                f"{path}: no history (.h5) in this folder; give the one that "
+                "`ideotype run --out` wrote to"
+            )
+        return files
+    if not path.exists() and glob.has_magic(str(place)):
+        matches = sorted(glob.glob(str(place), recursive=True))
+        if not matches:
+            raise HistoryError(f"{place}: no file matches this pattern")
+        return [file for match in matches for file in _histories_of(match)]
+    return [path]
+
+
+class Study:
+    """A context manager, and a sequence of its histories."""
+
+    def __init__(self, paths: list[Path]) -> None:
+        self._stack = ExitStack()
+        self._histories: list[History] = []
+        try:
+            for path in paths:
+                history = self._stack.enter_context(open_history(path))
+                self._histories.append(history)
+        except BaseException:
+            self._stack.close()
+            raise
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Lets go of all files."""
+        self._stack.close()
+
+    def __len__(self) -> int:
+        return len(self._histories)
+
+    def __iter__(self) -> Iterator[History]:
+        return iter(self._histories)
+
+    def __getitem__(self, index: int) -> History:
+        return self._histories[index]
+
+    def cases(self) -> list[Case]:
+        """Replicates put together, in the order of the files. Of the same
+        name in several campaigns, each campaign has its own case."""
+        members: dict[tuple[str, str], list[History]] = {}
+        for history in self._histories:
+            campaign = str(history.attributes.get("campaign", ""))
+            key = campaign, name_without_replicate(history)
+            members.setdefault(key, []).append(history)
+        campaigns = {campaign for campaign, _ in members}
+        return [
+            Case(f"{campaign}: {name}" if len(campaigns) > 1 else name, each)
+            for (campaign, name), each in members.items()
+        ]
+
+    def frame(self) -> pandas.DataFrame:
+        """All complete evaluations of all histories, one a row; the unit of
+        a column is .attrs["units"][column]."""
+        from .frame import frame_of
+
+        return frame_of(self._histories)
+
+
+def name_without_replicate(history: History) -> str:
+    """ "ames_0807_762x152_all" of "ames_0807_762x152_all_r2"."""
+    name = str(history.attributes.get("case", history.path.stem))
+    return re.sub(r"[_-]r\d+$", "", name)

@@ -1,0 +1,200 @@
+"""The tables of a report."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from .blocks import Block, Listing, Note, Table
+from .case import Case
+from .comparison import ELITE
+from .cross import Cross
+from .file import HistoryError
+from .history import History
+from .interval import Interval
+from .style import unit_label
+from .summary import duration
+
+_UNKNOWN = "–"
+
+_GAINS = (
+    *("case", "seeds", "baseline", "best", "gain", "gain [%]"),
+    *("over elite [%]", "left to the ceiling [%]"),
+)
+
+
+def gains(cases: Sequence[Case], cross: Cross | None) -> list[Block]:
+    """What each case gains, and what should be known about it."""
+    rows = [_gain_row(case, cross) for case in cases]
+    blocks: list[Block] = [
+        Table(
+            _GAINS,
+            rows,
+            "Means over seeds ± half of the 95 % confidence interval, in "
+            f"{_unit(cases)}, of plants evaluated anew after the evolution.",
+        )
+    ]
+    blocks += [Note(text) for text in _remarks(cases, cross)]
+    return blocks
+
+
+def _unit(cases: Sequence[Case]) -> str:
+    units = {c.best.objective.unit for c in cases if c.pairs}
+    return " or ".join(sorted(map(unit_label, units))) or "no unit yet"
+
+
+def _gain_row(case: Case, cross: Cross | None) -> list[str]:
+    seeds = str(len(case.histories))
+    if not case.pairs:
+        return [case.name, seeds, *[_UNKNOWN] * 6]
+    elite = cross.relative_gain(case, ELITE) if cross else None
+    return [
+        case.name,
+        seeds,
+        _bare(case.mean("baseline")),
+        _bare(case.mean("best")),
+        _bare(case.gain()),
+        _bare(case.relative_gain()),
+        _bare(elite) if elite else _UNKNOWN,
+        _room(case),
+    ]
+
+
+def _bare(figure: Interval) -> str:
+    # kept on one line by the browser
+    return str(replace(figure, unit="1")).replace(" ", "\u00a0")
+
+
+def _room(case: Case) -> str:
+    try:
+        room = case.headroom()
+    except HistoryError:
+        return _UNKNOWN
+    ceiling = room.mean + case.best.objective.mean
+    error = 100 * room.standard_error / ceiling
+    return f"{100 * room.mean / ceiling:.2f} ± {1.96 * error:.2f}".replace(
+        " ", "\u00a0"
+    )
+
+
+def _remarks(cases: Sequence[Case], cross: Cross | None) -> list[str]:
+    remarks = [
+        "The interval is Student's t over the scatter of the seeds, or that "
+        "of their standard errors where it is wider; with a single seed it "
+        "knows nothing of how seeds differ. Baseline and best share random "
+        "numbers but are taken as independent, so that errors of gains are "
+        "upper bounds.",
+        "The ceiling is what leaves would absorb if stalks and soil took "
+        "nothing: incident light less what the best plant's canopy reflects.",
+    ]
+    if cross is None or ELITE not in cross.plants:
+        remarks.append(
+            "The gain over the elite plant is not known: it needs a "
+            f"cross-evaluation (--cross) with a plant called {ELITE}."
+        )
+    for case in cases:
+        if not case.pairs:
+            remarks.append(f"{case.name}: nothing to compare yet.")
+            continue
+        if not case.is_final:
+            remarks.append(
+                f"{case.name} is provisional: not all seeds have their final "
+                "evaluation, and the best of many noisy figures is too high "
+                "on average."
+            )
+        try:
+            if case.is_saturated():
+                remarks.append(
+                    f"{case.name} is saturated: its best is within its "
+                    "standard error of the ceiling, so absorption can't tell "
+                    "better plants any more."
+                )
+        except HistoryError as reason:
+            remarks.append(f"{case.name}: the ceiling is unknown, {reason}.")
+    return remarks
+
+
+def balance(cases: Sequence[Case]) -> Note:
+    """How well the energy balance closes."""
+    errors = [
+        abs(pair_member.estimate("balance_error").mean)
+        for case in cases
+        for pair in case.pairs
+        for pair_member in (pair.baseline, pair.best)
+        if "balance_error" in pair_member.row.diagnostics
+    ]
+    if not errors:
+        return Note("The histories do not say how well the balance closes.")
+    return Note(
+        "Leaves, stalks, soil and reflected light add up to the incident "
+        f"light; the largest deviation of all plants shown is "
+        f"{np.max(errors):.1g} of it."
+    )
+
+
+_PROVENANCE = (
+    ("campaign", "campaign"),
+    ("campaign hash", "campaign_sha256"),
+    ("seed", "seed"),
+    ("program", "program_version"),
+    ("commit", "git_sha"),
+    ("changed since", "git_dirty"),
+    ("ISA", "isa"),
+    ("compiler", "compiler"),
+    ("Embree", "embree_version"),
+    ("created", "created"),
+)
+_DIGITS = 12
+"""Shown of a hash."""
+
+
+def provenance(cases: Sequence[Case]) -> list[Block]:
+    """Where the figures come from: a row per history, the commands, and the
+    campaigns with all defaults."""
+    histories = [h for case in cases for h in case.histories]
+    header = (
+        "file",
+        "state",
+        *[title for title, _ in _PROVENANCE],
+        "wall time",
+    )
+    rows = [_provenance_row(history) for history in histories]
+    starts = [
+        (h.path.name, s.started, s.host, str(s.ranks), s.command)
+        for h in histories
+        for s in h.sessions()
+    ]
+    blocks: list[Block] = [
+        Table(header, rows, "Histories"),
+        Table(
+            ("file", "started (UTC)", "host", "ranks", "command"),
+            starts,
+            "Starts of the program",
+        ),
+    ]
+    shown: set[str] = set()
+    for history in histories:
+        name = str(history.attributes.get("campaign", history.path.stem))
+        text = history.campaign("resolved")
+        if text not in shown:
+            shown.add(text)
+            title = f"campaign {name}, every default written out"
+            blocks.append(Listing(title, text))
+    return blocks
+
+
+def _provenance_row(history: History) -> list[str]:
+    has = history.attributes
+    cells = [str(has.get(key, _UNKNOWN)) for _, key in _PROVENANCE]
+    state = history.state()
+    return [
+        history.path.name,
+        str(state),
+        *[
+            cell[:_DIGITS] if key in ("campaign_sha256", "git_sha") else cell
+            for cell, (_, key) in zip(cells, _PROVENANCE)
+        ],
+        duration(state.wall_time),
+    ]

@@ -1,0 +1,325 @@
+"""The report: what the page says and shows, and that a browser shows it."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import json
+import re
+import shutil
+import stat
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+from browser import run_in_browser
+from ideotype_analysis import HistoryError
+from ideotype_analysis.case_figures import CASE_FIGURES
+from ideotype_analysis.commands import report
+from ideotype_analysis.cross import read_cross
+from ideotype_analysis.geometry import export_plant, find_program
+from ideotype_analysis.progress import Progress
+from ideotype_analysis.study import open_study
+from ideotype_analysis.tables import gains
+from made_history import MadeHistory
+from made_numbers import final_absorbed
+from made_program import AREA, FACES
+
+CASES = ("ames_0807_762x152_all", "edmonton_0807_762x152_all")
+ELITE = 11.08
+"""Absorbed PAR of the elite plant of the cross-evaluation."""
+
+
+@dataclass(frozen=True)
+class Made:
+    """A report as the command leaves it."""
+
+    folder: Path
+    log: str
+
+    @property
+    def page(self) -> Path:
+        return self.folder / "report.html"
+
+    @property
+    def text(self) -> str:
+        return self.page.read_text(encoding="utf-8")
+
+
+@pytest.fixture(scope="session")
+def program(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """An executable that exports plants."""
+    path = tmp_path_factory.mktemp("bin") / "ideotype"
+    script = Path(__file__).with_name("made_program.py")
+    path.write_text(f'#!/bin/sh\nexec "{sys.executable}" "{script}" "$@"\n')
+    path.chmod(path.stat().st_mode | stat.S_IXUSR)
+    return path
+
+
+@pytest.fixture(scope="session")
+def cross(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Two plants under both cases; edmonton has no elite."""
+    path = tmp_path_factory.mktemp("cross") / "cross.json"
+    data = {
+        "plants": ["elite", "best of ames"],
+        "cases": CASES,
+        "mean": [[ELITE, None], [11.16, 11.05]],
+        "standard_error": [[0.005, None], [0.005, 0.006]],
+    }
+    path.write_text(json.dumps(data))
+    return path
+
+
+@pytest.fixture(scope="session")
+def made(
+    sweep: Path,
+    program: Path,
+    cross: Path,
+    tmp_path_factory: pytest.TempPathFactory,
+) -> Made:
+    """The report of the sweep."""
+    folder = tmp_path_factory.mktemp("report")
+    arguments = [sweep, "-o", folder, "--cross", cross]
+    arguments += ["--ideotype", program]
+    with pytest.MonkeyPatch.context() as patch:
+        log = folder / "log"
+        with log.open("w") as stream:
+            patch.setattr(sys, "stderr", stream)
+            assert report([str(a) for a in arguments]) == 0
+    return Made(folder, log.read_text())
+
+
+def plain(text: str) -> str:
+    """The words of a page, without marks."""
+    text = re.sub(r"(?s)<(script|style).*?</\1>", "", text)
+    return re.sub(r"\s+", " ", re.sub(r"<[^>]*>", " ", text))
+
+
+def test_every_figure_is_a_file_and_in_the_page(made: Made) -> None:
+    names = {"gains", "energy", "latitudes", "cross"}
+    names |= {f"{case}_{name}" for case in CASES for name in CASE_FIGURES}
+    names |= {f"{case}_plan" for case in CASES}
+    files = {path.name for path in (made.folder / "figures").iterdir()}
+    assert files == {f"{n}.{end}" for n in names for end in ("png", "pdf")}
+    for path in (made.folder / "figures").iterdir():
+        start = b"\x89PNG" if path.suffix == ".png" else b"%PDF"
+        assert path.read_bytes().startswith(start)
+    assert set(re.findall(r"\((\S+)\.png, \.pdf\)", made.text)) == names
+
+
+def test_the_page_needs_nothing_else(made: Made) -> None:
+    assert made.page.stat().st_size < 8e6
+    loads = re.findall(r'(?:src|href)="([^"#]*)', made.text)
+    assert {load.split(",")[0] for load in loads if load} == {
+        "data:image/webp;base64",
+        "data:",
+    }
+    assert "default-src 'none'" in made.text
+    assert not list(made.folder.glob("*.part"))
+
+
+def test_the_page_says_what_was_gained(made: Made) -> None:
+    words = plain(made.text).replace("\u00a0", " ")
+    # two seeds, 1.5 % over 11 and 0.1 more in the second
+    assert "ames_0807_762x152_all 2 11.0000 ± 0.0069" in words
+    assert re.search(r"0\.2[12] ± 0\.64 ", words)
+    over_elite = [100 * ((final_absorbed(2) + shift) / ELITE - 1) for shift in (0, 0.1)]
+    assert f"{sum(over_elite) / 2:.1f} ± 5.7" in words
+
+
+def test_missing_things_are_plain_sentences(made: Made) -> None:
+    words = plain(made.text)
+    assert (
+        "Spacings compared: not drawn, all cases have the same plant density." in words
+    )
+    assert "saturated" not in words and "provisional" not in words
+
+
+def test_provenance_is_told(made: Made) -> None:
+    words = plain(made.text)
+    for told in (
+        *("0123456789ab", "avx2", str(2**63 + 1), "ideotype run", "node1"),
+        *("This page was made by: ideotype-report", "# resolved"),
+        *(f"{case}_r{seed}.h5" for case in CASES for seed in (1, 2)),
+    ):
+        assert told in words
+
+
+def test_a_log_gets_a_line_for_each_part(made: Made) -> None:
+    assert made.log.split("\n") == [
+        *(f"[{i}/3] {case}" for i, case in enumerate(CASES, start=1)),
+        *("[3/3] all cases together", ""),
+    ]
+
+
+def test_a_browser_shows_the_page(made: Made, tmp_path: Path) -> None:
+    script = """
+      const view = document.getElementById("view");
+      const { data } = view.getContext("2d")
+        .getImageData(0, 0, view.width, view.height);
+      const look = () => view.toDataURL();
+      const press = (key) =>
+        view.dispatchEvent(new KeyboardEvent("keydown", { key }));
+      const cases = document.getElementById("view-case");
+      const quantity = document.getElementById("view-quantity");
+      const choose = (list, i) => {
+        list.selectedIndex = i;
+        list.dispatchEvent(new Event("change"));
+      };
+      const first = look();
+      press("ArrowLeft");
+      const turned = look();
+      view.dispatchEvent(new PointerEvent("pointermove",
+        { buttons: 1, movementX: 40, movementY: 10 }));
+      const dragged = look();
+      view.dispatchEvent(new WheelEvent("wheel", { deltaY: -200 }));
+      const zoomed = look();
+      press("Home");
+      const home = look();
+      choose(quantity, 1);
+      const area = look();
+      choose(cases, 1);
+      const other = look();
+      const states = [first, turned, dragged, zoomed, area, other];
+      return {
+        colors: new Set(new Uint32Array(data.buffer)).size,
+        faces: Number(view.dataset.faces),
+        cases: [...cases.options].map((option) => option.text),
+        quantities: quantity.options.length,
+        states: new Set(states).size,
+        isHome: home === first,
+        pictures: [...document.images].map((image) => image.naturalWidth),
+        wide: document.documentElement.scrollWidth <= innerWidth,
+      };
+    """
+    shown, errors = run_in_browser(made.page, script, tmp_path)
+    assert errors == []
+    assert shown["faces"] == 2 * FACES
+    # ten leaves in two plants, and a scale of viridis
+    assert shown["colors"] > 100
+    assert shown["states"] == 6 and shown["isHome"]
+    assert shown["cases"] == list(CASES) and shown["quantities"] == 2
+    assert len(shown["pictures"]) == 4 + 2 * (len(CASE_FIGURES) + 1)
+    assert min(shown["pictures"]) > 200
+    assert shown["wide"]
+
+
+def test_the_browser_test_sees_errors(tmp_path: Path) -> None:
+    page = tmp_path / "bad.html"
+    page.write_text("<html><head></head><body><script>missing()</script></body></html>")
+    _, errors = run_in_browser(page, "return 1;", tmp_path)
+    assert any("missing is not defined" in error for error in errors)
+
+
+def test_leaf_colours_are_per_ground_and_per_leaf_area(made: Made) -> None:
+    (text,) = re.findall(r'(?s)id="scene">(.*?)</script>', made.text)
+    first = json.loads(text)["cases"][0]
+    ground, leaf = (q["values"] for q in first["quantities"])
+    plants = zip(first["plants"], ground, leaf, (AREA, 2 * AREA))
+    for plant, by_ground, by_leaf, area in plants:
+        assert plant["groups"][-1] == "stalk"
+        assert by_ground[-1] is by_leaf[-1] is None
+        # all that the plant's leaves take, on its part of the ground
+        taken = sum(by_leaf[:-1]) * area
+        assert taken == pytest.approx(sum(by_ground[:-1]) * 0.762 * 0.1524)
+
+
+def test_what_is_missing_or_saturated_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("IDEOTYPE_EXECUTABLE", raising=False)
+    monkeypatch.setenv("PATH", "")
+    path = tmp_path / "<full>.h5"
+    made = MadeHistory(path, shift=12.2 - 0.001 - final_absorbed(2))
+    made.evolve(1)
+    made.finish()
+    made.close()
+    assert report([str(path), "-o", str(tmp_path / "out")]) == 0
+    text = (tmp_path / "out" / "report.html").read_text()
+    assert "&lt;full&gt;.h5" in text and "<full>" not in text
+    words = plain(text)
+    assert "ames-aug-30x6-all is saturated: its best is within" in words
+    assert "name it with --ideotype PATH" in words
+    assert "The plants are not shown" in words and "<canvas" not in text
+    assert "the history has no figures by height layer" in words
+    assert "the history does not tell parts of the light" in words
+    assert "needs a cross-evaluation (--cross)" in words
+    assert "12 evaluated plants are too few" in words
+
+
+def test_an_unfinished_run_is_provisional(drained: Path) -> None:
+    with open_study(drained) as study:
+        notes = [b.text for b in gains(study.cases(), None)[1:]]
+    assert any("ames-aug-30x6-all is provisional" in note for note in notes)
+
+
+def test_a_terminal_sees_one_live_line() -> None:
+    class Terminal(io.StringIO):
+        def isatty(self) -> bool:
+            return True
+
+    terminal = Terminal()
+    progress = Progress(2, terminal)
+    progress.part("ames")
+    progress.step("hours")
+    progress.done()
+    assert "\n" not in terminal.getvalue()
+    assert terminal.getvalue().split("\r\x1b[K")[1:] == [
+        *("[1/2] ames", "[1/2] ames hours", ""),
+    ]
+
+
+def test_a_failed_export_says_what_the_program_said(
+    program: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with pytest.raises(HistoryError, match="this history is broken"):
+        export_plant(program, "broken.h5", ["--best"])
+    monkeypatch.setenv("IDEOTYPE_EXECUTABLE", str(program))
+    assert find_program() == program
+    with pytest.raises(HistoryError, match=r"gone: no program \(--ideotype"):
+        find_program(tmp_path / "gone")
+
+
+def test_a_cross_evaluation_is_json_or_csv(
+    cross: Path, sweep: Path, tmp_path: Path
+) -> None:
+    table = tmp_path / "cross.csv"
+    table.write_text(
+        "plant,case,mean,standard_error\n"
+        f"elite,{CASES[0]},{ELITE},0.005\n"
+        f"best of ames,{CASES[0]},11.16,0.005\n"
+        f"best of ames,{CASES[1]},11.05,0.006\n"
+    )
+    for path in (cross, table):
+        found = read_cross(path)
+        assert found.plants == ("elite", "best of ames")
+        assert found.cases == CASES
+        best = found.estimate("best of ames", CASES[1])
+        assert best is not None and best.mean == 11.05
+        assert found.estimate("elite", CASES[1]) is None
+        with open_study(sweep) as study:
+            elite = [found.relative_gain(c, "elite") for c in study.cases()]
+        assert elite[0] is not None and elite[1] is None
+    table.write_text("plant,case\nelite,ames\n")
+    with pytest.raises(HistoryError, match="cross.csv: not a cross-evalua"):
+        read_cross(table)
+
+
+def test_the_examples_of_the_guide_run(
+    sweep: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    guide = Path(__file__).parents[2] / "analysis" / "README.md"
+    examples = re.findall(r"(?s)```python\n(.*?)```", guide.read_text())
+    assert len(examples) == 3
+    (tmp_path / "results").mkdir()
+    name = f"{CASES[0]}_r1.h5"
+    shutil.copy(sweep / name, tmp_path / "results" / "CASE.h5")
+    monkeypatch.chdir(tmp_path)
+    output = io.StringIO()
+    with contextlib.redirect_stdout(output):
+        exec("\n".join(examples), {})
+    printed = output.getvalue().split("\n")
+    assert printed[0].startswith(f"{CASES[0]} 0.165 ± 0.014 MJ m-2 day-1")
+    assert "MJ m-2 day-1" in printed
+    assert re.fullmatch(r"report/report\.html \d+", printed[-2])

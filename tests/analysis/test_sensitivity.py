@@ -1,0 +1,76 @@
+"""Which traits matter."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from ideotype_analysis import HistoryError, open_history
+from ideotype_analysis.sensitivity import predictors, regress
+from made_numbers import LEAVES
+
+PLANTS = 2000
+NOISE = 0.5
+NAMES = ("leaf01_length", "leaf02_length", "leaf03_width")
+ANGLES = ("cos leaf01_azimuth", "sin leaf01_azimuth")
+
+
+@pytest.fixture(scope="module")
+def plants() -> tuple[np.ndarray, np.ndarray]:
+    """Traits and an objective that is 2 length_1 - length_2 plus a wave that
+    is highest at an azimuth of 30 deg; the width does nothing."""
+    draw = np.random.default_rng(7)
+    x = draw.normal(size=(PLANTS, 3))
+    azimuth = draw.uniform(0, 2 * np.pi, PLANTS)
+    y = 2 * x[:, 0] - x[:, 1] + np.cos(azimuth - np.pi / 6)
+    y += NOISE * draw.normal(size=PLANTS)
+    angles = np.array([np.cos(azimuth), np.sin(azimuth)]).T
+    return np.hstack([x, angles]), 40 + 3 * y
+
+
+def test_effects_are_found_with_their_errors(
+    plants: tuple[np.ndarray, np.ndarray],
+) -> None:
+    found = regress([*NAMES, *ANGLES], *plants)
+    assert found.traits == (*NAMES, "leaf01_azimuth")
+    variance = 4 + 1 + 0.5 + NOISE**2
+    expected = np.array([2, -1, 0, np.sqrt(0.5)]) / np.sqrt(variance)
+    assert np.all(np.abs(found.effect - expected) < 4 * found.standard_error)
+    error = NOISE / np.sqrt(variance * PLANTS)
+    assert found.standard_error[:3] == pytest.approx([error] * 3, rel=0.1)
+    assert found.explained == pytest.approx(1 - NOISE**2 / variance, abs=0.01)
+    assert found.plants == PLANTS
+
+
+def test_the_unit_of_a_trait_does_not_matter(
+    plants: tuple[np.ndarray, np.ndarray],
+) -> None:
+    x, y = plants
+    names = [*NAMES, *ANGLES]
+    in_millimetres = x * np.array([1000, 1000, 1000, 1, 1])
+    found = regress(names, in_millimetres, y)
+    assert found.effect == pytest.approx(regress(names, x, y).effect)
+
+
+def test_too_few_or_equal_plants_are_refused(
+    plants: tuple[np.ndarray, np.ndarray],
+) -> None:
+    x, y = plants
+    with pytest.raises(HistoryError, match="11 evaluated plants are too few"):
+        regress([*NAMES, *ANGLES], x[:11], y[:11])
+    with pytest.raises(HistoryError, match="absorb the same"):
+        regress([*NAMES, *ANGLES], x, 0 * y)
+
+
+def test_azimuths_enter_as_cosine_and_sine(finished: Path) -> None:
+    with open_history(finished) as history:
+        rows = history.evaluations().done
+        names, x = predictors(history.traits, rows)
+    assert len(names) == x.shape[1] == LEAVES * 5
+    at = names.index("cos leaf01_azimuth")
+    assert names[at + 1] == "sin leaf01_azimuth"
+    azimuth = np.deg2rad(rows["leaf01_azimuth"].values)
+    assert x[:, at] == pytest.approx(np.cos(azimuth))
+    assert x[:, at + 1] == pytest.approx(np.sin(azimuth))
+    assert x[:, 0] == pytest.approx(rows["leaf01_length"].values)

@@ -1,0 +1,158 @@
+"""Many histories together."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import ideotype_analysis
+import numpy as np
+import pytest
+from conftest import SHIFTS, WriterProcess
+from ideotype_analysis import Estimate, HistoryError
+from ideotype_analysis.interval import interval
+from made_history import MadeHistory
+from made_numbers import BASELINE, POPULATION, absorbed, final_absorbed
+
+
+@pytest.mark.parametrize("pattern", ["", "*.h5", "ames*_r?.h5"])
+def test_a_folder_or_a_pattern_is_opened(sweep: Path, pattern: str) -> None:
+    with ideotype_analysis.open(sweep / pattern) as study:
+        names = [history.path.name for history in study]
+    assert names == sorted(names)
+    assert len(names) == (2 if pattern.startswith("ames") else 4)
+
+
+def test_a_file_that_is_named_twice_is_opened_once(sweep: Path) -> None:
+    first = sorted(sweep.iterdir())[0]
+    with ideotype_analysis.open(first, str(sweep)) as study:
+        assert len(study) == 4
+        assert study[0].path == first
+
+
+def test_what_cannot_be_opened_is_named_with_a_remedy(
+    sweep: Path, tmp_path: Path
+) -> None:
+    with pytest.raises(HistoryError, match=r"no history .*--out"):
+        ideotype_analysis.open(tmp_path)
+    with pytest.raises(HistoryError, match=r"none\*\.h5: no file matches"):
+        ideotype_analysis.open(tmp_path / "none*.h5")
+    with pytest.raises(FileNotFoundError, match="none.h5: no such file"):
+        ideotype_analysis.open(tmp_path / "none.h5")
+    good = sorted(sweep.iterdir())[0]
+    shutil.copy(good, tmp_path / "good.h5")
+    data = good.read_bytes()
+    (tmp_path / "short.h5").write_bytes(data[: len(data) // 2])
+    with pytest.raises(HistoryError, match=r"short\.h5: cut short"):
+        ideotype_analysis.open(tmp_path)
+
+
+def test_replicates_make_a_case(sweep: Path) -> None:
+    with ideotype_analysis.open(sweep) as study:
+        cases = study.cases()
+        assert [case.name for case in cases] == [
+            "ames_0807_762x152_all",
+            "edmonton_0807_762x152_all",
+        ]
+        assert [len(case.histories) for case in cases] == [2, 2]
+        best = cases[0].best_history.attributes["replicate"]
+    assert best == 1 + np.argmax(SHIFTS)
+
+
+def test_cases_of_different_campaigns_stay_apart(tmp_path: Path) -> None:
+    for campaign in ("one", "two"):
+        place = {"campaign": campaign}
+        MadeHistory(tmp_path / f"{campaign}.h5", place=place).close()
+    with ideotype_analysis.open(tmp_path) as study:
+        names = [case.name for case in study.cases()]
+    assert names == [f"{c}: ames-aug-30x6-all" for c in ("one", "two")]
+
+
+def test_the_gain_has_the_interval_of_its_seeds(sweep: Path) -> None:
+    with ideotype_analysis.open(sweep) as study:
+        gain = study.cases()[0].gain()
+    seeds = np.array([final_absorbed(2) - BASELINE + s for s in SHIFTS])
+    assert gain.mean == pytest.approx(seeds.mean())
+    # Student's t of one degree of freedom
+    half = 12.706 * seeds.std(ddof=1) / np.sqrt(2)
+    assert gain.half_width == pytest.approx(half)
+    assert (gain.unit, gain.seeds) == ("MJ m-2 day-1", 2)
+
+
+def test_seeds_that_agree_by_chance_keep_their_measured_error() -> None:
+    same = [Estimate(1.0, 0.1)] * 4
+    assert interval(same).half_width == pytest.approx(1.96 * 0.1 / 2)
+    assert interval(same[:1]).half_width == pytest.approx(1.96 * 0.1)
+
+
+def test_intervals_cover_the_truth_as_often_as_they_say() -> None:
+    draw = np.random.default_rng(1)
+    runs = 4000
+    hits = 0
+    for _ in range(runs):
+        seeds = [Estimate(x, 0.0) for x in draw.normal(size=3)]
+        found = interval(seeds)
+        hits += abs(found.mean) <= found.half_width
+    # four standard errors of a share of 0.95
+    assert abs(hits / runs - 0.95) < 4 * np.sqrt(0.95 * 0.05 / runs)
+
+
+def test_saturation_is_told_from_room(sweep: Path, tmp_path: Path) -> None:
+    with ideotype_analysis.open(sweep) as study:
+        case = study.cases()[0]
+        room = case.headroom()
+        stalk, soil, incident = (
+            case.best.estimate(name).mean
+            for name in ("stalk_fraction", "soil_fraction", "incident")
+        )
+        assert not case.is_saturated()
+    assert room.mean == pytest.approx(incident * (stalk + soil))
+    # so much that less than the standard error is left to stalks and soil
+    path = tmp_path / "full.h5"
+    made = MadeHistory(path, shift=12.2 - 0.001 - final_absorbed(2))
+    made.evolve(1)
+    made.finish()
+    made.close()
+    with ideotype_analysis.open(path) as study:
+        assert study.cases()[0].is_saturated()
+
+
+def test_the_frame_holds_every_evaluation_with_units(sweep: Path) -> None:
+    with ideotype_analysis.open(sweep) as study:
+        frame = study.frame()
+    assert len(frame) == 4 * 6 * POPULATION
+    units = frame.attrs["units"]
+    assert units["absorbed_par"] == "MJ m-2 day-1"
+    assert units["absorbed_par_standard_error"] == "MJ m-2 day-1"
+    assert units["leaf03_azimuth"] == "deg" and units["latitude"] == "deg"
+    assert set(units) == set(frame.columns)
+    row = frame.query(
+        "site == 'edmonton' and replicate == 2 and generation == 3 and slot == 7"
+    )
+    assert row["absorbed_par"].item() == absorbed(3, 7) + SHIFTS[1]
+    failed = frame[frame["status"] == "failed"]
+    assert len(failed) == 4 * 3
+    assert failed["absorbed_par"].isna().all()
+
+
+def test_histories_with_other_columns_share_a_frame(
+    sweep: Path, finished: Path
+) -> None:
+    with ideotype_analysis.open(sweep, finished) as study:
+        frame = study.frame()
+    lacks = frame["campaign"] == "made"
+    assert lacks.sum() == 6 * POPULATION
+    assert frame.loc[lacks, "absorbed_layer_000_025cm"].isna().all()
+    assert frame.loc[~lacks & (frame["status"] == "done")].notna().all().all()
+
+
+def test_a_live_study_is_provisional(writer: WriterProcess) -> None:
+    with ideotype_analysis.open(writer.path) as study:
+        (case,) = study.cases()
+        assert case.pairs == ()
+        with pytest.raises(HistoryError, match="not evaluated yet"):
+            case.gain()
+    writer.do("evolve 1")
+    with ideotype_analysis.open(writer.path) as study:
+        (case,) = study.cases()
+        assert len(case.pairs) == 1 and not case.is_final

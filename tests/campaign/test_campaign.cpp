@@ -1,3 +1,5 @@
+#include <filesystem>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -94,6 +96,29 @@ TEST(Campaign, ElitePlantIsLargerAndInsideThePaperBounds) {
         EXPECT_EQ(elite.plant.leaves[i].insertion_height,
                   b73.plant.leaves[i].insertion_height);
     }
+}
+
+TEST(Campaign, EveryCampaignOfTheProjectIsValidAndItsSize) {
+    const std::map<std::string, std::size_t> sizes{
+        {"ames", 3},       {"ames_quick", 1},     {"isolated_plot", 12},
+        {"latitudes", 15}, {"row_direction", 12}, {"same_leaf_area", 3},
+        {"spacings", 18},  {"trait_sets", 12}};
+    std::size_t found = 0;
+    for (const auto& file :
+         std::filesystem::directory_iterator(IDEOTYPE_CAMPAIGNS)) {
+        if (file.path().extension() != ".toml") continue;
+        ++found;
+        const Campaign campaign = read_campaign(file.path().string());
+        EXPECT_EQ(campaign.name, file.path().stem());
+        ASSERT_TRUE(sizes.contains(campaign.name)) << campaign.name;
+        EXPECT_EQ(cases(campaign).size(), sizes.at(campaign.name));
+        const auto& [low, high] = campaign.constraints.lai;
+        EXPECT_EQ(violation(campaign.constraints, campaign.baseline,
+                            (low + high) / 2),
+                  0)
+            << campaign.name << ": the baseline fails its constraints";
+    }
+    EXPECT_EQ(found, sizes.size());
 }
 
 TEST(Campaign, ResolvedTextReadsBackToItself) {

@@ -52,6 +52,12 @@ expect 2 "$ideotype" evaluate campaigns/verbs.toml --case 1
 expect 0 "$ideotype" run campaigns/verbs.toml
 says "gain"
 history=$(history_of results verbs)
+expect 0 "$ideotype" evaluate "$history" campaigns/verbs.toml \
+    --under campaigns/verbs.toml --json
+says '"plants"'
+says '"standard_error"'
+expect 2 "$ideotype" evaluate "$history" campaigns/verbs.toml
+says "need --under"
 expect 0 "$ideotype" status "$history"
 says "2 of 2 generations"
 says "finished by generations"

@@ -59,6 +59,17 @@ struct EvaluateOptions {
 };
 ExitCode evaluate(const EvaluateOptions& options);
 
+//! `evaluate PLANT... --under CAMPAIGN`: every plant in the light of every case
+//! of the campaign, whatever it was bred for. All plants of a case share their
+//! random numbers.
+struct CrossOptions {
+    //! Histories, for the best plant, and campaigns, for their baseline.
+    std::vector<std::string> plants;
+    std::string under;
+    bool is_json = false;
+};
+ExitCode cross_evaluate(const CrossOptions& options);
+
 //! `export FILE --to X.obj|X.csv`: writes a plant or its field.
 //! `export FILE --generations --to X.csv`: writes the candidates of all
 //! complete generations, also of a file that was cut short.

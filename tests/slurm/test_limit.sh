@@ -17,12 +17,12 @@ submit here --site here.sh --out out --lead 50 campaigns/limit.toml \
 wait_for_file "$(history_of out limit)"
 worker=$(worker_of "$job")
 kill -STOP "$worker"
-"$ideotype" run campaigns/limit.toml --out local >/dev/null
 for _ in $(seq 500); do
     ! grep -q "time is up" ideotype-*.log || break
     sleep 0.1
 done
 kill -CONT "$worker"
+"$ideotype" run campaigns/limit.toml --out local >/dev/null
 wait_for_jobs 200 || fail "jobs are still there: $(cat ideotype-*.log)"
 show_jobs
 for replicate in 1 2; do

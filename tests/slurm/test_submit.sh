@@ -17,7 +17,7 @@ says() {
 
 # A machine without SLURM has everything but its commands.
 mkdir bin
-for command in bash basename dirname readlink realpath cut cat id grep wc \
+for command in bash chmod cp basename dirname readlink realpath cut cat id grep wc \
     ls sed awk; do
     ln -s "$(command -v $command)" bin/$command
 done
@@ -48,6 +48,7 @@ says "IDEOTYPE"
 IDEOTYPE=$ideotype
 
 expect 0 --dry-run campaigns/sweep.toml
+says "^queue     out of reach"
 says "^cases     3: 0 finished, 0 queued, 3 to submit"
 says "'--signal=B:USR1@120' .*/campaign.sbatch'"
 expect 0 --dry-run --form sweep --throttle 2 --lead 60 campaigns/sweep.toml \
@@ -56,3 +57,11 @@ says "'--requeue' .*'--signal=B:USR1@60' .*'--array=0,1,2%2' .*'--time=7' .*/swe
 PATH=$full_path "$ideotype" run campaigns/sweep.toml --case 1 >/dev/null
 expect 0 --dry-run --form sweep campaigns/sweep.toml
 says "'--array=0,2'"
+
+# Nor is anything submitted while the controller does not answer.
+printf '#!%s/bash\necho no controller >&2\nexit 1\n' "$folder/bin" >squeue
+chmod +x squeue
+cp squeue bin/squeue
+cp squeue bin/sbatch
+expect 1 campaigns/sweep.toml
+says "the queue cannot be read: .*no controller"

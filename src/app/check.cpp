@@ -112,7 +112,7 @@ ExitCode check(const std::string& campaign_path) {
         "field     {} x {} plants, period {:.4g} x {:.4g} m, LAI {:.2f}"
         ", {} faces\n",
         campaign.field.rows, campaign.field.plants, field.period_x,
-        field.period_y, leaf_area(field.mesh) / field.ground_area(),
+        field.period_y, leaf_area(field.mesh) / field.ground_area,
         field.mesh.faces.size());
     fmt::print(
         "light     {} instants with the sun up, {:.3f} MJ m-2 day-1 of "

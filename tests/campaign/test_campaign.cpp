@@ -108,7 +108,9 @@ TEST(Campaign, ResolvedTextReadsBackToItself) {
 TEST(Campaign, ResolvedTextKeepsUnusualValues) {
     const Campaign campaign = sample(
         "seed = 9223372036854775807\n",
-        "[field]\njitter = -0.0\nrow_direction = 0.1\n"
+        "[field]\njitter = -0.0\nboundary = \"isolated\"\ncut = 1\n"
+        "[constraints]\nlai = [0.1, 3.3]\nerect_top = true\n"
+        "[objective]\nmaximise = \"absorbed_par_per_leaf_area\"\n"
         "[[traits]]\nname = \"t\"\nfree = [\"azimuth\", \"length\"]\n"
         "[stop]\nwall_time = \"01:30:05\"\ntarget = 1e-7\n",
         "{length = [0.1, 1], width = [0.05, 0.14], inclination = [-0.0, 80]}");
@@ -117,7 +119,11 @@ TEST(Campaign, ResolvedTextKeepsUnusualValues) {
     EXPECT_EQ(again.seed, 9223372036854775807u);
     EXPECT_EQ(again.stop.wall_time, 5405);
     EXPECT_EQ(again.stop.target, 1e-7);
-    EXPECT_EQ(again.field.row_direction, 0.1);
+    EXPECT_EQ(again.field.boundary, Boundary::isolated);
+    EXPECT_EQ(again.field.cut, 1);
+    EXPECT_EQ(again.constraints.lai.lower, 0.1);
+    EXPECT_TRUE(again.constraints.erect_top);
+    EXPECT_EQ(again.objective, Objective::absorbed_par_per_leaf_area);
     EXPECT_FALSE(again.trait_sets[0].value.width);
     EXPECT_EQ(again.bounds[0].length.lower, 0.1);
 }

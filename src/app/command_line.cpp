@@ -95,6 +95,15 @@ int run_command_line(int argc, char** argv) {
     plan_verb->add_option("campaign", plan_options.campaign_path)->required();
     plan_verb->add_flag("--count", plan_options.only_count,
                         "print only how many cases there are");
+    plan_verb
+        ->add_flag("--left", plan_options.only_left,
+                   "print only the cases that are not finished: index and "
+                   "evaluations done")
+        ->excludes("--count");
+    plan_verb
+        ->add_option("--out", plan_options.out,
+                     "folder in which --left looks for histories")
+        ->capture_default_str();
     on(plan_verb, [&] { return plan(plan_options); });
 
     RunOptions run_options;

@@ -17,9 +17,10 @@ load_site() {
 
 # The program: $IDEOTYPE, a build in this folder, or one on the PATH.
 find_program() {
-    local candidate
-    for candidate in "${IDEOTYPE:-}" "$here/../build/release/src/ideotype" \
-        "$(command -v ideotype || true)"; do
+    local candidate candidates=("$here/../build/release/src/ideotype"
+        "$(command -v ideotype || true)")
+    [ -z "${IDEOTYPE:-}" ] || candidates=("$IDEOTYPE")
+    for candidate in "${candidates[@]}"; do
         if [ -x "$candidate" ]; then
             ideotype=$(readlink -f "$candidate")
             return

@@ -18,7 +18,7 @@ struct Combination {
     Draws::Fields fields = Draws::Fields::one;
     Estimate bias;
     double standard_error = 0;  //!< of one evaluation
-    Cost cost;                  //!< of one evaluation; path: of all paths [s]
+    Cost cost;                  //!< of one evaluation; path: of all light [s]
 
     //! Root mean square, counting what is not known of the bias against it.
     double error() const;

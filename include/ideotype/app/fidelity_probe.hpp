@@ -11,7 +11,7 @@
 
 namespace ideotype {
 
-//! What one field costs [s]; light is that of one path.
+//! What one field costs [s], and one path on average of all draws' paths.
 struct Cost {
     double geometry = 0;
     double scene = 0;

@@ -259,11 +259,11 @@ Check check_combination(const Trade& trade, const Combination& combination,
                           static_cast<std::uint32_t>(found.size()),
                           combination.sampling, combination.fields};
         const auto leaves = [&](const Genome& genome) {
-            const double began = now();
+            const double began = processor_seconds();
             const CanopyReport report =
                 study(variant.campaign, chosen, day, device, genome, draws,
                       Detail::history);
-            seconds.push_back(now() - began);
+            seconds.push_back(processor_seconds() - began);
             return report.light.day.leaves.mean;
         };
         const double value = leaves(trade.rivals[0]);

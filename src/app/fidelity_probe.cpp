@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <ctime>
 
 #include "ideotype/app/canopy.hpp"
-#include "ideotype/app/progress.hpp"
 #include "ideotype/core/hash.hpp"
 #include "ideotype/light/transport.hpp"
 
@@ -27,6 +26,13 @@ Estimate root(double square, double standard_error) {
 }
 
 }  // namespace
+
+double processor_seconds() {
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) +
+           1e-9 * static_cast<double>(time.tv_nsec);
+}
 
 double median(std::vector<double> x) {
     if (x.empty()) return 0;
@@ -93,13 +99,13 @@ void Probe::arrange(const DayIllumination& day) {
 
 Probe::Randomised Probe::evaluate(const Genome& genome, std::uint32_t draw) {
     const std::uint64_t seed = derive_seed(case_.seed, "fidelity");
-    const double began = now();
+    const double began = processor_seconds();
     const Field field =
         build_field(variant_.campaign, case_, genome,
                     {seed, draw, variant_.campaign.sampling}, 0);
-    const double built = now();
+    const double built = processor_seconds();
     const Scene scene(device_, field.mesh, field.period_x, field.period_y);
-    const double committed = now();
+    const double committed = processor_seconds();
     Randomised result{};
     int traced = 0;
     for (std::size_t i = 0; i < lights_.size(); ++i) {
@@ -111,7 +117,7 @@ Probe::Randomised Probe::evaluate(const Genome& genome, std::uint32_t draw) {
         result.second += leaves(tallies[1]);
         traced += 2 * sampling.paths;
     }
-    const double ended = now();
+    const double ended = processor_seconds();
     geometry_.push_back(built - began);
     scene_.push_back(committed - built);
     path_.push_back((ended - committed) / traced);

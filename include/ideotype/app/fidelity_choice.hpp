@@ -57,7 +57,7 @@ std::vector<PastedKey> keys_of(const Campaign& campaign);
 struct Check {
     Estimate bias;            //!< in parts of the baseline's light
     Estimate standard_error;  //!< of one evaluation, from their spread
-    double seconds = 0;       //!< of one evaluation, median
+    double seconds = 0;       //!< of one evaluation, as cost, median
 };
 
 //! Evaluates for a time [s], but a few times at least.

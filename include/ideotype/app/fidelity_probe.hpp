@@ -11,7 +11,8 @@
 
 namespace ideotype {
 
-//! What one field costs [s], and one path on average of all draws' paths.
+//! What one field costs [s of the processor], and one path on average of all
+//! draws' paths.
 struct Cost {
     double geometry = 0;
     double scene = 0;
@@ -35,6 +36,10 @@ Rivals rivals(const Campaign& campaign, const Case& chosen);
 //! What is estimated of two plants: the light that the first one's leaves
 //! absorb, and by how much the second's absorb more [J m-2 day-1].
 enum class Goal { value, difference };
+
+//! Time of the processor that this process has used [s]; unlike that of a
+//! clock it does not count what others do on a shared machine.
+double processor_seconds();
 
 //! Middle of the values; 0 if there are none.
 double median(std::vector<double> x);
@@ -60,7 +65,7 @@ class Probe {
 
     Scatter scatter(Goal goal) const;
 
-    //! The median over draws: others may use the processor too.
+    //! The median over draws: what else the machine does disturbs some.
     Cost cost() const;
 
     //! Of all draws together [s].

@@ -125,8 +125,11 @@ Model model_of(const Trade& trade, const std::vector<std::size_t>& values,
         const double of_light = ratio(point.cost.path, own.cost.path);
         model.cost.path *= of_light;
         model.set_light *= of_light;
+        // What is not known of it counts against it, as with biases.
         if (&each == &cell)
-            model.field_variance = squared(inaccuracy.scatter.field.mean);
+            model.field_variance =
+                squared(inaccuracy.scatter.field.mean) +
+                squared(inaccuracy.scatter.field.standard_error);
     }
     model.bias.standard_error = std::sqrt(bias_variance);
     return model;

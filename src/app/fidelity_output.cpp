@@ -98,8 +98,8 @@ void print_trade(const Trade& trade) {
     fmt::print(
         "baseline: leaves absorb {} MJ m-2 day-1; the other plant {} more\n\n"
         "In % of that: bias against the converged value (>), and standard "
-        "error of one\nevaluation with {} x {} paths in one field; ms of that "
-        "evaluation (*: the campaign).\n\n{:<13} {:<22} {:>16} {:>6} {:>17} "
+        "error of one\nevaluation with {} x {} paths in one field; ms of the "
+        "processor (*: the campaign).\n\n{:<13} {:<22} {:>16} {:>6} {:>17} "
         "{:>6} {:>6} {:>6} {:>6} {:>6}\n",
         format(scaled(trade.value, 1e-6)),
         format(scaled(trade.difference, 1e-6)), campaign.sampling.paths,

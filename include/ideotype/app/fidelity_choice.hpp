@@ -20,7 +20,7 @@ struct Combination {
     double standard_error = 0;  //!< of one evaluation
     Cost cost;                  //!< of one evaluation; path: of all light [s]
 
-    //! Root mean square, counting what is not known of the bias against it.
+    //! Root mean square, counting what is not known of it against it.
     double error() const;
     double seconds() const { return cost.geometry + cost.scene + cost.path; }
 };

@@ -11,6 +11,6 @@ cmake --build --preset dev
 rm -f build-dev.log
 install_analysis test
 
-ctest --preset dev --timeout 600 "$@"
+ctest --preset dev --timeout 600 --parallel "$(nproc)" "$@"
 IDEOTYPE_EXECUTABLE=$PWD/build/dev/src/ideotype \
     .venv/bin/python -m pytest -q tests/analysis

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -14,6 +15,7 @@ namespace ideotype {
 namespace {
 
 constexpr double joule_per_megajoule = 1e6;
+constexpr auto violation_column = "violation";
 
 //! The part of a randomised day that a relative error of rounding may reach.
 constexpr double balance_tolerance = 1e-9;
@@ -74,7 +76,7 @@ CanopyReport study(const Campaign& campaign, const Case& chosen, const Day& day,
                    const Device& device, const Genome& genome,
                    const Draws& draws, Detail detail) {
     const DayIllumination illumination =
-        illuminate(day, campaign.sky_model, campaign.field.row_direction);
+        illuminate(day, campaign.sky_model, chosen.spacing.row_direction);
     const bool is_one = draws.fields == Draws::Fields::one;
     const int fields = is_one ? 1 : draws.sampling.randomisations;
     Sampling sampling = draws.sampling;
@@ -89,7 +91,7 @@ CanopyReport study(const Campaign& campaign, const Case& chosen, const Day& day,
     };
     for (std::uint32_t f = 0; f < static_cast<std::uint32_t>(fields); ++f) {
         const Field field = build_field(campaign, chosen, genome, draws, f);
-        const Scene scene(device, field.mesh, field.period_x, field.period_y);
+        const Scene scene = Scene::of(device, field);
         const Randomness randomness{draws.seed, draws.generation, f};
         append(tallies, simulate(scene, field.mesh.groups, campaign.optics,
                                  illumination.light, sampling, randomness,
@@ -99,7 +101,8 @@ CanopyReport study(const Campaign& campaign, const Case& chosen, const Day& day,
                    sunlit_fractions(scene, field.mesh, illumination.light,
                                     sunlit_sampling(sampling), randomness));
         result.groups = field.mesh.groups;
-        result.ground_area = field.ground_area();
+        result.boundary = field.boundary;
+        result.ground_area = field.ground_area;
         result.lai = leaf_area(field.mesh) / result.ground_area;
     }
     result.light = report(tallies, illumination, day);
@@ -112,14 +115,18 @@ CanopyReport study(const Campaign& campaign, const Case& chosen, const Day& day,
 
 OutcomeSchema outcome_schema(const Campaign& campaign, const Day& day) {
     OutcomeSchema schema;
-    schema.objectives = {{"absorbed_par", "MJ m-2 day-1"}};
+    schema.objectives = {
+        campaign.objective == Objective::absorbed_par
+            ? Quantity{"absorbed_par", "MJ m-2 day-1"}
+            : Quantity{"absorbed_par_per_leaf_area", "MJ m-2 day-1"}};
     schema.diagnostics = {{"incident", "MJ m-2 day-1"},
                           {"absorbed_fraction", "1"},
                           {"stalk_fraction", "1"},
                           {"soil_fraction", "1"},
                           {"reflected_fraction", "1"},
                           {"balance_error", "1"},
-                          {"lai", "m2 m-2"}};
+                          {"lai", "m2 m-2"},
+                          {violation_column, "1"}};
     for (std::size_t leaf = 1; leaf <= campaign.baseline.size(); ++leaf)
         schema.diagnostics.push_back(
             {fmt::format("absorbed_leaf{:02}", leaf), "MJ m-2 day-1"});
@@ -139,21 +146,27 @@ OutcomeSchema outcome_schema(const Campaign& campaign, const Day& day) {
     return schema;
 }
 
-Outcome to_outcome(const CanopyReport& report) {
+Outcome to_outcome(const Campaign& campaign, const Genome& genome,
+                   const CanopyReport& report) {
     const BudgetEstimate& day = report.light.day;
     const double to_mj = 1 / joule_per_megajoule;
     // On a day without light nothing is absorbed, of nothing.
     const double to_fraction = day.incident > 0 ? 1 / day.incident : 0;
     Outcome outcome;
     outcome.status = Status::done;
-    outcome.objectives = {scaled(day.leaves, to_mj)};
-    outcome.diagnostics = {{day.incident * to_mj, 0},
-                           scaled(day.leaves, to_fraction),
-                           scaled(day.stalks, to_fraction),
-                           scaled(day.soil, to_fraction),
-                           scaled(day.reflected, to_fraction),
-                           {report.light.balance_error, 0},
-                           {report.lai, 0}};
+    outcome.objectives = {
+        scaled(day.leaves, campaign.objective == Objective::absorbed_par
+                               ? to_mj
+                               : to_mj / report.lai)};
+    outcome.diagnostics = {
+        {day.incident * to_mj, 0},
+        scaled(day.leaves, to_fraction),
+        scaled(day.stalks, to_fraction),
+        scaled(day.soil, to_fraction),
+        scaled(day.reflected, to_fraction),
+        {report.light.balance_error, 0},
+        {report.lai, 0},
+        {violation(campaign.constraints, to_traits(genome), report.lai), 0}};
     for (std::size_t g = 0; g < report.groups.size(); ++g)
         if (report.groups[g].tissue == Tissue::leaf)
             outcome.diagnostics.push_back(
@@ -167,6 +180,22 @@ Outcome to_outcome(const CanopyReport& report) {
     for (const StepReport& step : report.light.steps)
         outcome.diagnostics.push_back(step.budget.leaves);
     return outcome;
+}
+
+double fitness_of(const Outcome& outcome, const OutcomeSchema& schema) {
+    if (outcome.status != Status::done)
+        return -std::numeric_limits<double>::infinity();
+    const auto column = std::find_if(
+        schema.diagnostics.begin(), schema.diagnostics.end(),
+        [](const Quantity& q) { return q.name == violation_column; });
+    if (column != schema.diagnostics.end()) {
+        const double violation = outcome
+                                     .diagnostics[static_cast<std::size_t>(
+                                         column - schema.diagnostics.begin())]
+                                     .mean;
+        if (violation > 0) return -violation;
+    }
+    return outcome.objectives.front().mean;
 }
 
 CanopyEvaluator::CanopyEvaluator(const Campaign& campaign,
@@ -184,9 +213,10 @@ const OutcomeSchema& CanopyEvaluator::schema(const Task& task) const {
 
 Outcome CanopyEvaluator::evaluate(const Task& task, const Genome& genome) {
     const Case& chosen = cases_.at(task.case_index);
-    return to_outcome(study(campaign_, chosen, days_[task.case_index], device_,
-                            genome, draws_of(task, campaign_, chosen),
-                            Detail::history));
+    return to_outcome(
+        campaign_, genome,
+        study(campaign_, chosen, days_[task.case_index], device_, genome,
+              draws_of(task, campaign_, chosen), Detail::history));
 }
 
 }  // namespace ideotype

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 
 #include <fmt/format.h>
@@ -6,6 +7,7 @@
 #include "ideotype/app/canopy.hpp"
 #include "ideotype/app/progress.hpp"
 #include "ideotype/app/verbs.hpp"
+#include "ideotype/history/history.hpp"
 #include "ideotype/light/device.hpp"
 #include "ideotype/light/scene.hpp"
 
@@ -70,6 +72,20 @@ class Cost {
     double final_effort_;  //!< in evaluations of the usual effort
 };
 
+ExitCode list_left(const PlanOptions& options, const Campaign& campaign) {
+    for (const Case& each : cases(campaign)) {
+        const std::string path = path_of(options.out, campaign, each);
+        std::uint64_t evaluated = 0;
+        if (std::filesystem::exists(path)) {
+            const History history = History::read(path);
+            if (history.finished()) continue;
+            evaluated = history.evaluated();
+        }
+        fmt::print("{}\t{}\n", each.index, evaluated);
+    }
+    return ExitCode::ok;
+}
+
 }  // namespace
 
 ExitCode check(const std::string& campaign_path) {
@@ -96,7 +112,7 @@ ExitCode check(const std::string& campaign_path) {
         "field     {} x {} plants, period {:.4g} x {:.4g} m, LAI {:.2f}"
         ", {} faces\n",
         campaign.field.rows, campaign.field.plants, field.period_x,
-        field.period_y, leaf_area(field.mesh) / field.ground_area(),
+        field.period_y, leaf_area(field.mesh) / field.ground_area,
         field.mesh.faces.size());
     fmt::print(
         "light     {} instants with the sun up, {:.3f} MJ m-2 day-1 of "
@@ -110,6 +126,7 @@ ExitCode check(const std::string& campaign_path) {
 
 ExitCode plan(const PlanOptions& options) {
     const Campaign campaign = read_campaign(options.campaign_path);
+    if (options.only_left) return list_left(options, campaign);
     const std::vector<Case> all = cases(campaign);
     if (options.only_count) {
         fmt::print("{}\n", all.size());

@@ -95,6 +95,15 @@ int run_command_line(int argc, char** argv) {
     plan_verb->add_option("campaign", plan_options.campaign_path)->required();
     plan_verb->add_flag("--count", plan_options.only_count,
                         "print only how many cases there are");
+    plan_verb
+        ->add_flag("--left", plan_options.only_left,
+                   "print only the cases that are not finished: index and "
+                   "evaluations done")
+        ->excludes("--count");
+    plan_verb
+        ->add_option("--out", plan_options.out,
+                     "folder in which --left looks for histories")
+        ->capture_default_str();
     on(plan_verb, [&] { return plan(plan_options); });
 
     RunOptions run_options;
@@ -134,9 +143,18 @@ int run_command_line(int argc, char** argv) {
     auto* evaluate_verb = app.add_subcommand(
         "evaluate",
         "the light in one canopy: a campaign's baseline, or a row of a "
-        "history, which is recomputed and compared bit for bit, or any mesh");
+        "history, which is recomputed and compared bit for bit, or any mesh, "
+        "or many plants under the cases of a campaign");
+    CrossOptions cross_options;
     auto* evaluate_path = evaluate_verb->add_option(
-        "path", evaluate_options.path, "campaign (.toml) or history (.h5)");
+        "paths", cross_options.plants,
+        "campaign (.toml: its baseline) or history (.h5); several with "
+        "--under");
+    auto* under = evaluate_verb->add_option(
+        "--under", cross_options.under,
+        "campaign in whose cases all plants are evaluated, the best of each "
+        "history");
+    under->needs(evaluate_path);
     evaluate_verb
         ->add_option("--case", evaluate_options.case_index,
                      "case of the campaign")
@@ -151,10 +169,19 @@ int run_command_line(int argc, char** argv) {
         ->excludes("--best")
         ->excludes("--generation")
         ->excludes("--slot");
+    for (const char* other :
+         {"--mesh", "--case", "--best", "--generation", "--slot"})
+        under->excludes(other);
     on(evaluate_verb, [&] {
-        if (mesh_options.path.empty()) return evaluate(evaluate_options);
-        mesh_options.is_json = evaluate_options.is_json;
-        return evaluate_mesh(mesh_options);
+        mesh_options.is_json = cross_options.is_json = evaluate_options.is_json;
+        if (!mesh_options.path.empty()) return evaluate_mesh(mesh_options);
+        if (!cross_options.under.empty()) return cross_evaluate(cross_options);
+        if (cross_options.plants.size() > 1)
+            throw Error("evaluate: several plants need --under CAMPAIGN",
+                        ExitCode::usage);
+        if (!cross_options.plants.empty())
+            evaluate_options.path = cross_options.plants.front();
+        return evaluate(evaluate_options);
     });
 
     FidelityOptions fidelity_options;

@@ -86,7 +86,7 @@ ExitCode evaluate_row(const EvaluateOptions& options) {
     const auto [task, row] = choose_row(history, options.row, chosen);
     const auto [report, seconds] = timed_study(
         campaign, chosen, row.candidate.genome, task, header.text.at("isa"));
-    const Outcome again = to_outcome(report);
+    const Outcome again = to_outcome(campaign, row.candidate.genome, report);
     const bool is_done = row.outcome.status == Status::done;
     const bool agrees = is_done &&
                         same_bits(again.objectives, row.outcome.objectives) &&

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/app/canopy.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/evolve/breed.hpp"
 #include "ideotype/evolve/rank.hpp"
@@ -15,12 +16,6 @@
 namespace ideotype {
 
 namespace {
-
-double fitness_of(const Outcome& outcome) {
-    return outcome.status == Status::done
-               ? outcome.objectives.front().mean
-               : -std::numeric_limits<double>::infinity();
-}
 
 Progress progress_of(const History& history) {
     Progress progress;
@@ -51,7 +46,8 @@ Routine<bool> evaluate_generation(const Evolution& evolution, History& history,
             work.push_back({task, candidates[slot].genome});
         }
     const Record record = [&](const Work& done, const Outcome& outcome) {
-        history.record(generation, done.task.slot, outcome, fitness_of(outcome),
+        history.record(generation, done.task.slot, outcome,
+                       fitness_of(outcome, history.header().schema),
                        done.task.attempt);
         evolution.watcher.on_evaluation(generation);
     };
@@ -107,7 +103,8 @@ Routine<bool> judge_finalists(const Evolution& evolution, History& history) {
         work.push_back({task, finalists[slot].genome});
     }
     const Record record = [&](const Work& done, const Outcome& outcome) {
-        history.record_final(done.task.slot, outcome, fitness_of(outcome));
+        history.record_final(done.task.slot, outcome,
+                             fitness_of(outcome, history.header().schema));
     };
     co_await evolution.dispatcher.evaluate(std::move(work), record);
     co_return history.pending_final().empty();

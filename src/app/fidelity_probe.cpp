@@ -65,7 +65,7 @@ Probe::Probe(Variant variant, std::size_t case_index, const Device& device,
     const Campaign& campaign = variant_.campaign;
     const Day day = clear_day(case_.site, case_.day, campaign.par_fraction);
     DayIllumination light =
-        illuminate(day, campaign.sky_model, campaign.field.row_direction);
+        illuminate(day, campaign.sky_model, case_.spacing.row_direction);
     if (variant_.skies == Variant::Skies::each) {
         std::vector<Source>& sources = light.light.sources;
         std::erase_if(sources,

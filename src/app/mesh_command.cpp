@@ -29,7 +29,6 @@ Date to_date(const std::string& text) {
 FieldForm& field_of(MeshOptions& options) {
     if (!options.field) {
         options.field.emplace();
-        options.field->row_direction = 0;
         options.field->jitter = 0;
     }
     return *options.field;

@@ -28,14 +28,6 @@ constexpr double trial = 0.8;
 //! Layers of equal thickness up to the top of the canopy.
 constexpr std::size_t layers = 10;
 
-//! A mesh on its ground.
-struct Stand {
-    Mesh mesh;
-    double period_x = 0;     //!< [m]; 0 if it does not repeat
-    double period_y = 0;     //!< [m]
-    double ground_area = 0;  //!< [m2]
-};
-
 //! A single light is that of a second.
 Day day_of(const MeshOptions& options) {
     constexpr double par_fraction = 0.45;
@@ -49,8 +41,8 @@ Day day_of(const MeshOptions& options) {
 //! Beyond this many faces a stand needs more memory than most computers have.
 constexpr double most_faces = 2e7;
 
-Stand stand_of(Mesh mesh, const MeshOptions& options) {
-    Stand stand;
+Field field_of(Mesh mesh, const MeshOptions& options) {
+    Field field;
     if (options.field) {
         const FieldForm& form = *options.field;
         const double plants = 1.0 * form.rows * form.plants;
@@ -59,47 +51,40 @@ Stand stand_of(Mesh mesh, const MeshOptions& options) {
                 fmt::format("a field of {} plants of {} faces is too "
                             "large (at most {:.0e} faces)",
                             plants, mesh.faces.size(), most_faces));
-        Field field =
-            build_field(mesh, form, draw_turns(form, options.seed, 0, 0));
-        stand = {std::move(field.mesh), field.period_x, field.period_y,
-                 field.ground_area()};
+        field = build_field(mesh, form, draw_turns(form, options.seed, 0, 0));
     } else {
-        stand.mesh = std::move(mesh);
-        if (options.period)
-            stand = {std::move(stand.mesh), options.period->x,
-                     options.period->y, options.period->x * options.period->y};
+        field.mesh = std::move(mesh);
+        if (options.period) {
+            field.period_x = options.period->x;
+            field.period_y = options.period->y;
+            field.ground_area = field.period_x * field.period_y;
+        }
     }
-    if (options.ground_area) stand.ground_area = *options.ground_area;
-    return stand;
+    field.boundary = options.boundary;
+    if (options.ground_area) field.ground_area = *options.ground_area;
+    return field;
 }
 
 //! Faces much larger than the period have very many images in the cell.
-void check_images(const Stand& stand) {
+void check_images(const Field& field) {
     double images = 0;
-    for (const auto& face : stand.mesh.faces) {
+    for (const auto& face : field.mesh.faces) {
         const auto count = [&](double Vec3::*axis, double period) {
             const auto [least, largest] =
-                std::minmax({stand.mesh.vertices[face[0]].*axis,
-                             stand.mesh.vertices[face[1]].*axis,
-                             stand.mesh.vertices[face[2]].*axis,
-                             stand.mesh.vertices[face[3]].*axis});
+                std::minmax({field.mesh.vertices[face[0]].*axis,
+                             field.mesh.vertices[face[1]].*axis,
+                             field.mesh.vertices[face[2]].*axis,
+                             field.mesh.vertices[face[3]].*axis});
             return 1 + (largest - least) / period;
         };
         images +=
-            count(&Vec3::x, stand.period_x) * count(&Vec3::y, stand.period_y);
+            count(&Vec3::x, field.period_x) * count(&Vec3::y, field.period_y);
     }
     if (!(images <= most_faces))
         throw Error(fmt::format(
             "the mesh covers its period of {} x {} m so often that {:.1e} "
             "faces would be needed (at most {:.0e}); is it in metres?",
-            stand.period_x, stand.period_y, images, most_faces));
-}
-
-Scene scene_of(const Device& device, const Stand& stand, Boundary boundary) {
-    if (boundary == Boundary::isolated)
-        return Scene::isolated(device, stand.mesh, stand.ground_area);
-    check_images(stand);
-    return Scene(device, stand.mesh, stand.period_x, stand.period_y);
+            field.period_x, field.period_y, images, most_faces));
 }
 
 //! At least this many paths in all.
@@ -131,15 +116,16 @@ MeshReport study(const MeshOptions& options) {
     ObjMesh obj = read_obj(options.path);
     MeshReport result;
     result.warnings = std::move(obj.warnings);
-    const Stand stand = stand_of(std::move(obj.mesh), options);
+    const Field field = field_of(std::move(obj.mesh), options);
     CanopyReport& canopy = result.canopy;
-    canopy.groups = stand.mesh.groups;
+    canopy.groups = field.mesh.groups;
     canopy.boundary = options.boundary;
-    canopy.ground_area = stand.ground_area;
-    canopy.lai = leaf_area(stand.mesh) / stand.ground_area;
+    canopy.ground_area = field.ground_area;
+    canopy.lai = leaf_area(field.mesh) / field.ground_area;
 
     const Device device(Device::supported_isas().back());
-    const Scene scene = scene_of(device, stand, options.boundary);
+    if (field.boundary == Boundary::periodic) check_images(field);
+    const Scene scene = Scene::of(device, field);
     canopy.layers = {scene.top() / layers, layers};
     const Optics optics{options.leaf, {}, options.soil_albedo};
     const std::uint64_t least_paths =
@@ -150,7 +136,7 @@ MeshReport study(const MeshOptions& options) {
     for (bool is_trial = !options.paths;;) {
         result.paths = paths_of(sampling);
         canopy.light = report(
-            simulate(scene, stand.mesh.groups, optics, illumination.light,
+            simulate(scene, field.mesh.groups, optics, illumination.light,
                      sampling, randomness, canopy.layers),
             illumination, day);
         result.relative_error = relative_error(canopy.light.day);
@@ -168,7 +154,7 @@ MeshReport study(const MeshOptions& options) {
             static_cast<std::uint32_t>(sampling.randomisations);
     }
     add_sunlit(canopy.light,
-               sunlit_fractions(scene, stand.mesh, illumination.light,
+               sunlit_fractions(scene, field.mesh, illumination.light,
                                 sunlit_sampling(sampling), randomness),
                illumination);
     result.seconds = now() - began;

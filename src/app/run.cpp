@@ -41,7 +41,7 @@ Start prepare(const RunOptions& options, const Campaign& campaign) {
     Start start{Device::supported_isas().back(), campaign.resolved};
     bool is_pinned = false;
     for (const Case& chosen : chosen_cases(options, campaign)) {
-        const std::string path = path_of(options, campaign, chosen);
+        const std::string path = path_of(options.out, campaign, chosen);
         if (!fs::exists(path)) continue;
         if (!options.is_resumed)
             throw Error(fmt::format("{}: exists already and a run never "

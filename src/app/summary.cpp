@@ -36,10 +36,40 @@ Estimate diagnostic(const History& history, const Row& row,
 }
 
 std::string described(const History& history, const Row& row) {
-    return fmt::format("{}\n            {} of the incident light, LAI {:.2f}",
-                       format_daily(row.outcome.objectives.front()),
-                       format(diagnostic(history, row, "absorbed_fraction")),
-                       diagnostic(history, row, "lai").mean);
+    const Quantity& objective = history.header().schema.objectives.front();
+    const Estimate value = row.outcome.objectives.front();
+    std::string text =
+        objective.name == "absorbed_par"
+            ? format_daily(value)
+            : fmt::format("{} {}", format(value), objective.unit);
+    text += fmt::format("\n            {} of the incident light, LAI {:.2f}",
+                        format(diagnostic(history, row, "absorbed_fraction")),
+                        diagnostic(history, row, "lai").mean);
+    const double violation = diagnostic(history, row, "violation").mean;
+    if (violation > 0)
+        text += fmt::format("; FAILS ITS CONSTRAINTS by {:.3g}", violation);
+    return text;
+}
+
+//! Plain absorption in an endless stand has a ceiling: a word of warning.
+std::string left_to_gain(const History& history, const Campaign& campaign,
+                         const Row& best) {
+    if (campaign.objective != Objective::absorbed_par ||
+        campaign.field.boundary != Boundary::periodic)
+        return "";
+    const Estimate stalks = diagnostic(history, best, "stalk_fraction");
+    const Estimate soil = diagnostic(history, best, "soil_fraction");
+    const Estimate left{stalks.mean + soil.mean,
+                        std::hypot(stalks.standard_error, soil.standard_error)};
+    const bool is_saturated =
+        left.mean <=
+        diagnostic(history, best, "absorbed_fraction").standard_error;
+    return fmt::format(
+        "  left      at most {} of the incident light{}\n", format(left),
+        is_saturated ? ", within the standard error: leaves cannot take more, "
+                       "and what evolved beyond is luck; see [objective] and "
+                       "[constraints]"
+                     : ", which stalks and soil take");
 }
 
 }  // namespace
@@ -65,10 +95,11 @@ std::string final_summary(const History& history, const Campaign& campaign) {
         "absorbed by leaves, {} of {} paths with a new field each:\n"
         "  baseline  {}\n"
         "  best      {}\n"
-        "  gain      {} MJ m-2 day-1 = {} %\n",
+        "  gain      {} MJ m-2 day-1 = {} %\n{}",
         campaign.final_rule.sampling.randomisations,
         campaign.final_rule.sampling.paths, described(history, finalists[0]),
-        described(history, finalists[best]), format(gain), format(percent));
+        described(history, finalists[best]), format(gain), format(percent),
+        left_to_gain(history, campaign, finalists[best]));
 }
 
 }  // namespace ideotype

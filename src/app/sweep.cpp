@@ -11,10 +11,9 @@ namespace ideotype {
 
 namespace fs = std::filesystem;
 
-std::string path_of(const RunOptions& options, const Campaign& campaign,
+std::string path_of(const std::string& out, const Campaign& campaign,
                     const Case& chosen) {
-    return (fs::path(options.out) / campaign.name / (chosen.name + ".h5"))
-        .string();
+    return (fs::path(out) / campaign.name / (chosen.name + ".h5")).string();
 }
 
 std::string resume_command(const RunOptions& options) {
@@ -98,12 +97,12 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
     progress_.end(chosen);
     progress_.print(fmt::format("{}history: {}",
                                 final_summary(history, campaign_),
-                                path_of(options_, campaign_, chosen)));
+                                path_of(options_.out, campaign_, chosen)));
     co_return Ending::finished;
 }
 
 History Sweep::open_history(const Case& chosen) const {
-    const std::string path = path_of(options_, campaign_, chosen);
+    const std::string path = path_of(options_.out, campaign_, chosen);
     if (fs::exists(path)) return History::resume(path);
     const fs::path folder = fs::path(path).parent_path();
     std::error_code failure;

@@ -11,10 +11,6 @@
 
 namespace ideotype {
 
-//! Where the history of a case is.
-std::string path_of(const RunOptions& options, const Campaign& campaign,
-                    const Case& chosen);
-
 //! The command that goes on with a run.
 std::string resume_command(const RunOptions& options);
 

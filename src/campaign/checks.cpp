@@ -147,6 +147,28 @@ void check_leaves(const Draft& draft, Report& report) {
     }
 }
 
+void check_field(const FieldForm& field, Report& report) {
+    if (!report.usable({&field.rows, &field.plants, &field.cut})) return;
+    if (field.cut == 0) return;
+    if (field.boundary == Boundary::periodic)
+        report.add(&field.cut,
+                   "field.cut is not 0 (a field that repeats without end has "
+                   "no edges) add boundary = \"isolated\" or leave it out");
+    else if (2 * field.cut >= std::min(field.rows, field.plants))
+        report.add(&field.cut,
+                   fmt::format("field.cut is {} (nothing is left of {} x {} "
+                               "plants) use {} or less",
+                               field.cut, field.rows, field.plants,
+                               (std::min(field.rows, field.plants) - 1) / 2));
+}
+
+void check_constraints(const Constraints& constraints, Report& report) {
+    if (report.usable({&constraints.lai}) && constraints.lai.upper <= 0)
+        report.add(&constraints.lai,
+                   "constraints.lai allows no leaves (its upper bound is 0) "
+                   "write [lower, upper]");
+}
+
 void check_blade(const BladeForm& blade, Report& report) {
     const std::vector<double>& controls = blade.width_controls;
     if (report.usable({&controls}) &&
@@ -212,6 +234,8 @@ void check_draft(const Draft& draft, Report& report) {
         check_day(day.value, report);
     check_surface("leaf", campaign.optics.leaf, report);
     check_surface("stalk", campaign.optics.stalk, report);
+    check_field(campaign.field, report);
+    check_constraints(campaign.constraints, report);
     check_evolution(campaign, report);
     check_blade(campaign.plant.blade, report);
     check_leaves(draft, report);

@@ -43,15 +43,18 @@ class DraftReader {
 
     void read(const toml::table& top) {
         Campaign& campaign = draft_.campaign;
-        tables_.read(
-            top, top_section(campaign),
-            {"site", "day", "spacing", "traits", "field", "plant", "optics",
-             "light", "evolution", "stop", "final", "parallel"});
+        tables_.read(top, top_section(campaign),
+                     {"site", "day", "spacing", "traits", "field", "plant",
+                      "optics", "light", "objective", "constraints",
+                      "evolution", "stop", "final", "parallel"});
         read_axes(top);
         tables_.read_child(top, "field", field_section(campaign.field));
         read_plant_choice(top);
         tables_.read_child(top, "optics", optics_section(campaign));
         tables_.read_child(top, "light", light_section(campaign));
+        tables_.read_child(top, "objective", objective_section(campaign));
+        tables_.read_child(top, "constraints",
+                           constraints_section(campaign.constraints));
         tables_.read_child(top, "evolution",
                            evolution_section(campaign.optimizer));
         tables_.read_child(top, "stop", stop_section(campaign.stop));

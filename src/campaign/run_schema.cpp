@@ -24,14 +24,51 @@ std::vector<Key> sampling_keys(Sampling& sampling) {
 
 Section light_section(Campaign& campaign) {
     Section section{"light", sampling_keys(campaign.sampling)};
-    Key sky{.name = "sky",
-            .value = &campaign.sky_model,
-            .meaning =
-                "how the radiance of diffuse light is distributed: "
-                "evenly, or as CIE overcast or clear skies"};
-    for (const SkyName& each : sky_names) sky.choices.push_back(each.name);
-    section.keys.push_back(sky);
+    section.keys.push_back({.name = "sky",
+                            .value = &campaign.sky_model,
+                            .choices = {"uniform", "overcast", "clear"},
+                            .meaning = "how the radiance of diffuse light is "
+                                       "distributed: evenly, or as CIE "
+                                       "overcast or clear skies"});
     return section;
+}
+
+Section objective_section(Campaign& campaign) {
+    return {"objective",
+            {{.name = "maximise",
+              .value = &campaign.objective,
+              .choices = {"absorbed_par", "absorbed_par_per_leaf_area"},
+              .meaning = "light that leaves absorb in a day, per area of "
+                         "ground or of leaf"}}};
+}
+
+Section constraints_section(Constraints& constraints) {
+    const auto step = [](const std::string& trait, double& value,
+                         const std::string& unit, double most) {
+        return Key{.name = trait + "_step",
+                   .value = &value,
+                   .unit = unit,
+                   .lower = 0,
+                   .upper = most,
+                   .meaning = "largest difference of " + trait +
+                              " between neighbouring leaves; 0: any"};
+    };
+    return {"constraints",
+            {{.name = "lai",
+              .value = &constraints.lai,
+              .unit = "m2 m-2",
+              .lower = 0,
+              .upper = 1000,
+              .example = "[3.4, 3.5]",
+              .meaning = "leaf area over ground area; a narrow range fixes "
+                         "it"},
+             step("length", constraints.length_step, "m", 3),
+             step("width", constraints.width_step, "m", 0.5),
+             step("inclination", constraints.inclination_step, "deg", 90),
+             {.name = "erect_top",
+              .value = &constraints.erect_top,
+              .meaning = "whether no leaf may be flatter than the one below "
+                         "it"}}};
 }
 
 Section evolution_section(Optimizer& optimizer) {

@@ -142,7 +142,13 @@ Section spacing_section(Named<Spacing>& spacing) {
               .lower = 0.02,
               .upper = 10,
               .example = "0.1524",
-              .meaning = "between neighbours in a row"}}};
+              .meaning = "between neighbours in a row"},
+             {.name = "row_direction",
+              .value = &spacing.value.row_direction,
+              .unit = "deg",
+              .lower = 0,
+              .upper = 360,
+              .meaning = "clockwise from north; 90 is east-west"}}};
 }
 
 Section traits_section(Named<TraitSet>& traits) {
@@ -163,18 +169,23 @@ Section field_section(FieldForm& field) {
               .value = &field.rows,
               .lower = 1,
               .upper = 100,
-              .meaning = "of the plot that repeats without end"},
+              .meaning = "of the field"},
              {.name = "plants",
               .value = &field.plants,
               .lower = 1,
               .upper = 100,
-              .meaning = "per row of the plot"},
-             {.name = "row_direction",
-              .value = &field.row_direction,
-              .unit = "deg",
+              .meaning = "per row"},
+             {.name = "boundary",
+              .value = &field.boundary,
+              .choices = {"periodic", "isolated"},
+              .meaning = "whether the field repeats without end or is a plot "
+                         "alone on endless soil, lit from all sides"},
+             {.name = "cut",
+              .value = &field.cut,
               .lower = 0,
-              .upper = 360,
-              .meaning = "clockwise from north; 90 is east-west"},
+              .upper = 49,
+              .meaning = "rows, and plants of each row, that are cut away on "
+                         "all sides of an isolated plot"},
              {.name = "jitter",
               .value = &field.jitter,
               .unit = "deg",

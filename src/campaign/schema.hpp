@@ -12,9 +12,10 @@ namespace ideotype {
 
 //! Where the value of a key is kept, which also fixes its type. None: the
 //! value has a form of its own and is read and written by hand.
-using Target = std::variant<std::monostate, std::string*, std::uint64_t*, int*,
-                            long long*, double*, bool*, Date*, Range*,
-                            std::vector<double>*, TraitSet*, SkyModel*>;
+using Target =
+    std::variant<std::monostate, std::string*, std::uint64_t*, int*, long long*,
+                 double*, bool*, Date*, Range*, std::vector<double>*, TraitSet*,
+                 SkyModel*, Boundary*, Objective*>;
 
 //! The address behind a target, which identifies the value in a Report.
 const void* address(const Target& target);
@@ -39,8 +40,10 @@ struct Key {
     double lower = 0;
     double upper = 0;       //!< of numbers; lower == upper: none
     std::size_t count = 0;  //!< of the numbers of a list
-    std::vector<std::string> choices = {};  //!< of a text; none: any name
-    std::string example = "";               //!< as TOML, shown in messages
+    //! Of a text, none: any name. Of an enumeration, the names of its values in
+    //! their order.
+    std::vector<std::string> choices = {};
+    std::string example = "";  //!< as TOML, shown in messages
     //! Words for the documentation that can't be had from the above.
     std::string type = "";
     std::string range = "";
@@ -68,6 +71,8 @@ Section plant_section(Draft& draft);
 Section bounds_section(LeafBounds& bounds);
 Section optics_section(Campaign& campaign);
 Section light_section(Campaign& campaign);
+Section objective_section(Campaign& campaign);
+Section constraints_section(Constraints& constraints);
 Section evolution_section(Optimizer& optimizer);
 Section stop_section(StopRules& stop);
 Section final_section(FinalRule& rule);
@@ -91,16 +96,6 @@ inline constexpr std::array<TraitName, 4> trait_names{
      {"width", &TraitSet::width},
      {"inclination", &TraitSet::inclination},
      {"azimuth", &TraitSet::azimuth}}};
-
-//! Names of the sky models as they are written in a campaign.
-struct SkyName {
-    const char* name;
-    SkyModel model;
-};
-inline constexpr std::array<SkyName, 3> sky_names{
-    {{"uniform", SkyModel::uniform},
-     {"overcast", SkyModel::overcast},
-     {"clear", SkyModel::clear}}};
 
 //! The value of a key as canonical TOML: shortest text that reads back to
 //! the same value.

@@ -38,15 +38,13 @@ struct Writer {
             if (set->*member) names.push_back(fmt::format("\"{}\"", name));
         return fmt::format("[{}]", fmt::join(names, ", "));
     }
-    std::string operator()(const SkyModel* model) const {
-        std::string text;
-        for (const SkyName& each : sky_names)
-            if (each.model == *model) text = each.name;
-        return fmt::format("\"{}\"", text);
-    }
     template <class Plain>
     std::string operator()(const Plain* value) const {
-        return fmt::format("{}", *value);
+        if constexpr (std::is_enum_v<Plain>)
+            return fmt::format("\"{}\"",
+                               key.choices[static_cast<std::size_t>(*value)]);
+        else
+            return fmt::format("{}", *value);
     }
 };
 
@@ -67,10 +65,9 @@ struct TypeName {
         return fmt::format("list of {} numbers", key.count);
     }
     std::string operator()(const TraitSet*) const { return "list of texts"; }
-    std::string operator()(const SkyModel*) const { return "text"; }
-    template <class Integer>
-    std::string operator()(const Integer*) const {
-        return "integer";
+    template <class Plain>
+    std::string operator()(const Plain*) const {
+        return std::is_enum_v<Plain> ? "text" : "integer";
     }
 };
 
@@ -142,17 +139,26 @@ std::vector<KeyInfo> campaign_keys() {
     Named<TraitSet> traits;
     LeafEntry leaf;
     std::vector<KeyInfo> keys;
-    for (const Section& section :
-         {top_section(campaign), site_section(site), day_section(day),
-          spacing_section(spacing), traits_section(traits),
-          field_section(campaign.field), plant_section(draft),
-          bounds_section(draft.bounds.table), optics_section(campaign),
-          light_section(campaign), evolution_section(campaign.optimizer),
-          stop_section(campaign.stop), final_section(campaign.final_rule),
-          parallel_section(campaign.answer_limits),
-          plant_file_section(campaign.plant),
-          stalk_section(campaign.plant.stalk),
-          blade_section(campaign.plant.blade), leaf_section(leaf)})
+    for (const Section& section : {top_section(campaign),
+                                   site_section(site),
+                                   day_section(day),
+                                   spacing_section(spacing),
+                                   traits_section(traits),
+                                   field_section(campaign.field),
+                                   plant_section(draft),
+                                   bounds_section(draft.bounds.table),
+                                   optics_section(campaign),
+                                   light_section(campaign),
+                                   objective_section(campaign),
+                                   constraints_section(campaign.constraints),
+                                   evolution_section(campaign.optimizer),
+                                   stop_section(campaign.stop),
+                                   final_section(campaign.final_rule),
+                                   parallel_section(campaign.answer_limits),
+                                   plant_file_section(campaign.plant),
+                                   stalk_section(campaign.plant.stalk),
+                                   blade_section(campaign.plant.blade),
+                                   leaf_section(leaf)})
         for (const Key& key : section.keys)
             keys.push_back(describe(section, key));
     return keys;

@@ -99,13 +99,19 @@ struct Reader {
         return false;
     }
 
-    void operator()(SkyModel* value) const {
+    template <class Enum>
+    void read_choice(Enum* value) const {
         const auto text = node.value<std::string>();
         if (!text) return fail_type(node);
         if (!is_choice(*text)) return;
-        for (const SkyName& each : sky_names)
-            if (each.name == *text) *value = each.model;
+        const auto& names = key.choices;
+        *value = static_cast<Enum>(
+            std::find(names.begin(), names.end(), *text) - names.begin());
     }
+
+    void operator()(SkyModel* value) const { read_choice(value); }
+    void operator()(Boundary* value) const { read_choice(value); }
+    void operator()(Objective* value) const { read_choice(value); }
 
     void operator()(std::string* value) const {
         const auto text = node.value<std::string>();

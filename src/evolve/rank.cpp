@@ -101,6 +101,9 @@ GenerationSummary summarize(const Population& population,
     summary.best_slot = best_distinct(population, 1).front();
     summary.best = population[summary.best_slot].fitness;
     summary.best_standard_error = population[summary.best_slot].standard_error;
+    // Negative: how far a constraint is failed, no amount of the objective.
+    if (summary.best >= 0)
+        std::erase_if(fitness, [](double f) { return f < 0; });
     summary.mean = mean_of(fitness);
     summary.spread = standard_deviation(fitness, summary.mean);
     std::vector<double> spreads;

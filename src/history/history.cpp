@@ -86,6 +86,20 @@ void History::begin_session(const SessionRecord& session) {
     });
 }
 
+std::optional<SessionRecord> History::last_session() const {
+    return file_->read([&] { return file_->journal.last_session(); });
+}
+
+std::uint64_t History::evaluated() const {
+    const auto recorded = [&](const Columns& columns) {
+        const auto statuses =
+            file_->read([&] { return columns.statuses(0, columns.rows()); });
+        return std::count_if(statuses.begin(), statuses.end(), is_recorded);
+    };
+    return static_cast<std::uint64_t>(recorded(file_->evaluations) +
+                                      recorded(file_->finals));
+}
+
 std::uint32_t History::next_generation() const {
     // A writer knows; under a reader the file goes on.
     if (file_->lock) return file_->next_generation;

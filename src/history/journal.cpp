@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include "layout.hpp"
 #include "types.hpp"
@@ -20,7 +21,7 @@ constexpr hsize_t most_messages = 1000;
 struct StoredSession {
     char started[32] = {};
     char host[64] = {};
-    char command[512] = {};
+    char command[longest_command] = {};
     std::int32_t ranks = 0;
 };
 
@@ -28,6 +29,11 @@ template <std::size_t size>
 void store(char (&field)[size], const std::string& text) {
     const std::string start = fitted(text, size);
     std::copy(start.begin(), start.end(), field);
+}
+
+template <std::size_t size>
+std::string stored_text(const char (&field)[size]) {
+    return {field, strnlen(field, size)};
 }
 
 Handle session_type() {
@@ -113,6 +119,13 @@ void Journal::add(const SessionRecord& session) {
 void Journal::add(const std::string& message) {
     if (message.empty() || messages_used_ == messages_.rows()) return;
     messages_.write_text(messages_used_++, message);
+}
+
+std::optional<SessionRecord> Journal::last_session() const {
+    if (sessions_used_ == 0) return std::nullopt;
+    const auto row = sessions_.read<StoredSession>(sessions_used_ - 1, 1)[0];
+    return SessionRecord{stored_text(row.started), stored_text(row.host),
+                         stored_text(row.command), row.ranks};
 }
 
 double Journal::wall_time() const {

@@ -20,6 +20,9 @@ class Journal {
     void add(const SessionRecord& session);
     void add(const std::string& message);
 
+    //! None if there was none yet.
+    std::optional<SessionRecord> last_session() const;
+
     double wall_time() const;
     void set_wall_time(double seconds);
 

@@ -19,6 +19,40 @@ std::vector<double> draw_turns(const FieldForm& form, std::uint64_t seed,
     return turns;
 }
 
+namespace {
+
+//! Keeps the faces whose centre is above the ground of the inner plants.
+void cut_out(Field& field, const FieldForm& form) {
+    const double x = form.cut * form.spacing.row;
+    const double y = form.cut * form.spacing.plant;
+    const double width = field.period_x - 2 * x;
+    const double depth = field.period_y - 2 * y;
+    if (form.rows <= 2 * form.cut || form.plants <= 2 * form.cut)
+        throw Error(
+            fmt::format("nothing is left of a plot of {} x {} plants "
+                        "with {} cut away on each side",
+                        form.rows, form.plants, form.cut));
+    Mesh& mesh = field.mesh;
+    std::size_t kept = 0;
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        Vec3 centre;
+        for (const std::uint32_t v : mesh.faces[f]) {
+            centre.x += mesh.vertices[v].x / 4;
+            centre.y += mesh.vertices[v].y / 4;
+        }
+        if (centre.x < x || centre.x > x + width || centre.y < y ||
+            centre.y > y + depth)
+            continue;
+        mesh.faces[kept] = mesh.faces[f];
+        mesh.face_group[kept++] = mesh.face_group[f];
+    }
+    mesh.faces.resize(kept);
+    mesh.face_group.resize(kept);
+    field.ground_area = width * depth;
+}
+
+}  // namespace
+
 Field build_field(const Mesh& plant, const FieldForm& form,
                   const std::vector<double>& turns) {
     const auto count = static_cast<std::size_t>(form.rows) *
@@ -28,9 +62,10 @@ Field build_field(const Mesh& plant, const FieldForm& form,
             fmt::format("a field of {} plants needs as many turns, not {}",
                         count, turns.size()));
     Field field;
+    field.boundary = form.boundary;
     field.period_x = form.rows * form.spacing.row;
     field.period_y = form.plants * form.spacing.plant;
-    field.row_direction = form.row_direction;
+    field.ground_area = field.period_x * field.period_y;
     Mesh& mesh = field.mesh;
     mesh.groups = plant.groups;
     mesh.vertices.reserve(count * plant.vertices.size());
@@ -54,6 +89,7 @@ Field build_field(const Mesh& plant, const FieldForm& form,
         mesh.face_group.insert(mesh.face_group.end(), plant.face_group.begin(),
                                plant.face_group.end());
     }
+    if (form.cut > 0) cut_out(field, form);
     return field;
 }
 

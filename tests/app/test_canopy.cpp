@@ -80,6 +80,43 @@ TEST_F(Ames, TheElitePlantAbsorbsMoreThanTheBaseline) {
               4 * std::hypot(b.standard_error, w.standard_error));
 }
 
+TEST_F(Ames, ConstraintsComeBeforeTheObjective) {
+    const OutcomeSchema schema = outcome_schema(campaign, day);
+    const Outcome feasible = evaluator.evaluate({}, baseline);
+    EXPECT_EQ(fitness_of(feasible, schema), feasible.objectives[0].mean);
+
+    Campaign strict = campaign;
+    strict.constraints.lai = {1, 2};
+    CanopyEvaluator strict_evaluator(strict, Device::supported_isas().back());
+    const Outcome outcome = strict_evaluator.evaluate({}, baseline);
+    EXPECT_EQ(outcome.objectives[0].mean, feasible.objectives[0].mean);
+    EXPECT_NEAR(fitness_of(outcome, schema), -(3.435 - 2) / 2, .01);
+    EXPECT_LT(fitness_of(failed_outcome(schema, "why"), schema), -1e300);
+}
+
+TEST_F(Ames, LightPerLeafAreaIsThatOfTheGroundOverLai) {
+    Campaign thrifty = campaign;
+    thrifty.objective = Objective::absorbed_par_per_leaf_area;
+    CanopyEvaluator other(thrifty, Device::supported_isas().back());
+    const Outcome a = evaluator.evaluate({}, baseline);
+    const Outcome b = other.evaluate({}, baseline);
+    EXPECT_NEAR(b.objectives[0].mean * diagnostic(b, "lai"),
+                a.objectives[0].mean, 1e-9);
+    EXPECT_EQ(outcome_schema(thrifty, day).objectives[0].name,
+              "absorbed_par_per_leaf_area");
+}
+
+TEST_F(Ames, APlotAloneTakesMoreThanItsGroundReceives) {
+    Campaign alone = campaign;
+    alone.field.boundary = Boundary::isolated;
+    alone.field.cut = 1;
+    CanopyEvaluator plot(alone, Device::supported_isas().back());
+    const Outcome outcome = plot.evaluate({}, baseline);
+    ASSERT_EQ(outcome.status, Status::done) << outcome.message;
+    EXPECT_GT(diagnostic(outcome, "absorbed_fraction"), 1);
+    EXPECT_LT(diagnostic(outcome, "balance_error"), 1e-12);
+}
+
 TEST(Canopy, InThePolarNightAllFiguresAreZero) {
     Campaign campaign =
         read_campaign(std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml");
@@ -92,7 +129,8 @@ TEST(Canopy, InThePolarNightAllFiguresAreZero) {
         const Device device(Device::supported_isas().back());
         const Outcome outcome = checked_outcome(
             outcome_schema(campaign, day),
-            to_outcome(study(campaign, night, day, device,
+            to_outcome(campaign, to_genome(campaign.baseline),
+                       study(campaign, night, day, device,
                              to_genome(campaign.baseline),
                              draws_of({}, campaign, night), Detail::history)));
         EXPECT_EQ(outcome.status, Status::done) << outcome.message;

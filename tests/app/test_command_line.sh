@@ -35,6 +35,9 @@ says "ames_0807_762x152_all_r1"
 says "^ *128  *[0-9:]*  *[0-9:]*$"
 expect 0 "$ideotype" plan campaigns/verbs.toml --count
 says "^1$"
+expect 0 "$ideotype" plan campaigns/verbs.toml --left
+[ "$(cat out.log)" = "0	0" ] || fail "a case to begin is left: $(cat out.log)"
+expect 2 "$ideotype" plan campaigns/verbs.toml --left --count
 
 sed 's/plants = 3/plnats = 3/' campaigns/verbs.toml >campaigns/typo.toml
 expect 3 "$ideotype" check campaigns/typo.toml
@@ -52,11 +55,21 @@ expect 2 "$ideotype" evaluate campaigns/verbs.toml --case 1
 expect 0 "$ideotype" run campaigns/verbs.toml
 says "gain"
 history=$(history_of results verbs)
+expect 0 "$ideotype" evaluate "$history" campaigns/verbs.toml \
+    --under campaigns/verbs.toml --json
+says '"plants"'
+says '"standard_error"'
+expect 2 "$ideotype" evaluate "$history" campaigns/verbs.toml
+says "need --under"
 expect 0 "$ideotype" status "$history"
 says "2 of 2 generations"
 says "finished by generations"
 expect 0 "$ideotype" status "$history" --resumable
 [ ! -s out.log ] || fail "a finished history is not resumable"
+expect 0 "$ideotype" plan campaigns/verbs.toml --left
+[ ! -s out.log ] || fail "a finished case is not left"
+expect 0 "$ideotype" plan campaigns/verbs.toml --left --out elsewhere
+says "^0"
 for slot in 0 3 5; do
     expect 0 "$ideotype" evaluate "$history" --generation 1 --slot $slot
     says "agrees bit for bit"

@@ -26,9 +26,16 @@ code=0
 [ $code -eq 4 ] || fail "packing a live file ended with $code: $(cat pack.log)"
 kill -USR1 $job
 wait $job || fail "a drain must end with 0"
-"$ideotype" status drained | grep ": drained, " || fail "does not look drained"
+"$ideotype" status drained >status.log
+grep ": drained, " status.log || fail "does not look drained"
+grep -qx "  mpirun -n 3 $ideotype run campaigns/long.toml --out drained --resume" \
+    status.log || fail "no way to go on: $(cat status.log)"
 [ "$("$ideotype" status --resumable drained)" = "$(history_of drained long)" ] ||
     fail "a drained run is resumable"
+[ "$("$ideotype" plan campaigns/long.toml --left --out drained | cut -f 1)" = 0 ] ||
+    fail "a drained case is left"
+[ "$("$ideotype" plan campaigns/long.toml --left --out drained | cut -f 2)" -gt 0 ] ||
+    fail "no evaluation of a drained case counts"
 grep -q -- "--resume" drain.log || fail "no word about how to go on"
 code=0
 "$ideotype" pack "$(history_of drained long)" 2>pack.log || code=$?

@@ -30,7 +30,7 @@ class SumEvaluator : public Evaluator {
         double sum = 0;
         for (const double gene : genome) sum += gene;
         outcome.objectives.assign(schema_.objectives.size(), {sum, 0.1});
-        outcome.diagnostics.assign(schema_.diagnostics.size(), {1, 0});
+        outcome.diagnostics.assign(schema_.diagnostics.size(), {0, 0});
         return outcome;
     }
 

@@ -103,7 +103,7 @@ TEST(MeshStudy, AFieldOfUnturnedPlantsIsThePlantInItsCell) {
     field.tolerance = 2e-4;
     const MeshReport plant = study(field);
     field.period.reset();
-    field.field = FieldForm{2, 3, {.76, .15}, 0, 0};
+    field.field = FieldForm{2, 3, {.76, .15}, 0};
     const MeshReport stand = study(field);
     EXPECT_NEAR(stand.canopy.ground_area, 6 * .76 * .15, 1e-12);
     EXPECT_NEAR(stand.canopy.lai, plant.canopy.lai, 1e-9);
@@ -162,7 +162,7 @@ TEST(MeshStudy, ContradictionsAreWrongUsage) {
     refuses([](auto& o) { o.period.reset(); });
     refuses([](auto& o) { o.period = {0, 1}; });
     refuses([](auto& o) { o.period = {std::nan(""), 1}; });
-    refuses([](auto& o) { o.field = FieldForm{1, 1, {1, 1}, 0, 0}; });
+    refuses([](auto& o) { o.field = FieldForm{1, 1, {1, 1}, 0}; });
     refuses([](auto& o) { o.ground_area = 1; });
     refuses([](auto& o) { o.boundary = Boundary::isolated; });
     refuses([](auto& o) { o.sun.reset(); });

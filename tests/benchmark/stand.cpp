@@ -11,7 +11,7 @@ Stand::Stand(Campaign changed)
       chosen(cases(campaign).front()),
       day(clear_day(chosen.site, chosen.day, campaign.par_fraction)),
       illumination(
-          illuminate(day, campaign.sky_model, campaign.field.row_direction)),
+          illuminate(day, campaign.sky_model, chosen.spacing.row_direction)),
       baseline(to_genome(campaign.baseline)),
       device(Device::supported_isas().back()) {}
 

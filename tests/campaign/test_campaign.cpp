@@ -1,3 +1,5 @@
+#include <filesystem>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -96,6 +98,29 @@ TEST(Campaign, ElitePlantIsLargerAndInsideThePaperBounds) {
     }
 }
 
+TEST(Campaign, EveryCampaignOfTheProjectIsValidAndItsSize) {
+    const std::map<std::string, std::size_t> sizes{
+        {"ames", 3},       {"ames_quick", 1},     {"isolated_plot", 12},
+        {"latitudes", 15}, {"row_direction", 12}, {"same_leaf_area", 3},
+        {"spacings", 18},  {"trait_sets", 12}};
+    std::size_t found = 0;
+    for (const auto& file :
+         std::filesystem::directory_iterator(IDEOTYPE_CAMPAIGNS)) {
+        if (file.path().extension() != ".toml") continue;
+        ++found;
+        const Campaign campaign = read_campaign(file.path().string());
+        EXPECT_EQ(campaign.name, file.path().stem());
+        ASSERT_TRUE(sizes.contains(campaign.name)) << campaign.name;
+        EXPECT_EQ(cases(campaign).size(), sizes.at(campaign.name));
+        const auto& [low, high] = campaign.constraints.lai;
+        EXPECT_EQ(violation(campaign.constraints, campaign.baseline,
+                            (low + high) / 2),
+                  0)
+            << campaign.name << ": the baseline fails its constraints";
+    }
+    EXPECT_EQ(found, sizes.size());
+}
+
 TEST(Campaign, ResolvedTextReadsBackToItself) {
     const Campaign campaign = ames();
     const Campaign again = parse_campaign(campaign.resolved, "resolved");
@@ -108,7 +133,9 @@ TEST(Campaign, ResolvedTextReadsBackToItself) {
 TEST(Campaign, ResolvedTextKeepsUnusualValues) {
     const Campaign campaign = sample(
         "seed = 9223372036854775807\n",
-        "[field]\njitter = -0.0\nrow_direction = 0.1\n"
+        "[field]\njitter = -0.0\nboundary = \"isolated\"\ncut = 1\n"
+        "[constraints]\nlai = [0.1, 3.3]\nerect_top = true\n"
+        "[objective]\nmaximise = \"absorbed_par_per_leaf_area\"\n"
         "[[traits]]\nname = \"t\"\nfree = [\"azimuth\", \"length\"]\n"
         "[stop]\nwall_time = \"01:30:05\"\ntarget = 1e-7\n",
         "{length = [0.1, 1], width = [0.05, 0.14], inclination = [-0.0, 80]}");
@@ -117,7 +144,11 @@ TEST(Campaign, ResolvedTextKeepsUnusualValues) {
     EXPECT_EQ(again.seed, 9223372036854775807u);
     EXPECT_EQ(again.stop.wall_time, 5405);
     EXPECT_EQ(again.stop.target, 1e-7);
-    EXPECT_EQ(again.field.row_direction, 0.1);
+    EXPECT_EQ(again.field.boundary, Boundary::isolated);
+    EXPECT_EQ(again.field.cut, 1);
+    EXPECT_EQ(again.constraints.lai.lower, 0.1);
+    EXPECT_TRUE(again.constraints.erect_top);
+    EXPECT_EQ(again.objective, Objective::absorbed_par_per_leaf_area);
     EXPECT_FALSE(again.trait_sets[0].value.width);
     EXPECT_EQ(again.bounds[0].length.lower, 0.1);
 }

@@ -39,7 +39,8 @@ TEST(Differences, AddedAndRemovedEntriesAreAbsentOnOneSide) {
     EXPECT_EQ(differences(was, is),
               (Lines{"spacing[1].name was absent, is \"381x152\"",
                      "spacing[1].row was absent, is 0.381",
-                     "spacing[1].plant was absent, is 0.1524"}));
+                     "spacing[1].plant was absent, is 0.1524",
+                     "spacing[1].row_direction was absent, is 90"}));
     EXPECT_EQ(differences(is, was)[1], "spacing[1].row was 0.381, is absent");
 }
 

@@ -55,6 +55,14 @@ TEST(Rank, SummaryDescribesWhatDidNotFail) {
     EXPECT_NEAR(s.diversity, (0.1 + 1 / 360.) / 2, 1e-12);
 }
 
+TEST(Rank, TheMeanIsOfPlantsThatKeepToTheirConstraints) {
+    const Population mixed{individual({1}, -3), individual({2}, 4),
+                           individual({3}, 6)};
+    EXPECT_DOUBLE_EQ(summarize(mixed, {}).mean, 5);
+    const Population none{individual({1}, -3), individual({2}, -1)};
+    EXPECT_DOUBLE_EQ(summarize(none, {}).mean, -2);
+}
+
 TEST(Rank, SummaryOfNothingButFailuresIsNotANumber) {
     const GenerationSummary s =
         summarize({individual({1}, 1, Status::failed)}, {});

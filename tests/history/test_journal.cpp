@@ -61,6 +61,24 @@ TEST(Journal, KeepsSessionsOfAllStarts) {
     EXPECT_EQ(text(rows[2].started), "");
 }
 
+TEST(Journal, TellsTheLastStart) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    {
+        History history = History::create(path, sample_header());
+        EXPECT_FALSE(history.last_session());
+        history.begin_session({"2025-08-07T12:00:00Z", "node1", "first", 4});
+    }
+    History::resume(path).begin_session(
+        {"2025-08-08T12:00:00Z", "node2", "second", 8});
+    const auto last = History::read(path).last_session();
+    ASSERT_TRUE(last);
+    EXPECT_EQ(last->started, "2025-08-08T12:00:00Z");
+    EXPECT_EQ(last->host, "node2");
+    EXPECT_EQ(last->command, "second");
+    EXPECT_EQ(last->ranks, 8);
+}
+
 TEST(Journal, KeepsMessagesInOrder) {
     const Folder folder;
     const std::string path = folder / "case.h5";

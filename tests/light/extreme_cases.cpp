@@ -131,7 +131,7 @@ void closed_mirror(Findings& findings) {
 }
 
 Estimate leaves_of_field(Findings& findings, int n, Sampling sampling) {
-    const FieldForm form{n, n, {.76, .15}, 90, 0};
+    const FieldForm form{n, n, {.76, .15}, 0};
     const Field field =
         build_field(two_leaves(.7, .08, 40), form,
                     std::vector<double>(static_cast<std::size_t>(n * n), 0.));
@@ -149,7 +149,7 @@ void many_plants(Findings& findings) {
 
 void one_centimetre_apart(Findings& findings) {
     const Field field =
-        build_field(two_leaves(.7, .08, 40), {1, 1, {.01, .01}, 90, 0}, {0});
+        build_field(two_leaves(.7, .08, 40), {1, 1, {.01, .01}, 0}, {0});
     for (const double elevation : {90., 1., .01}) {
         const Fractions f = findings.closing(field.mesh, {.01, .01}, par,
                                              sun_from(elevation, 10));
@@ -163,8 +163,7 @@ void fifty_metres_apart(Findings& findings) {
     // area; so do four of them in a field of two rows.
     Mesh mesh = leaves_only();
     add_leaf(mesh, {-2, -2, .4}, {4, 0, 0}, {0, 4, 1});
-    const Field field =
-        build_field(mesh, {2, 2, {50, 50}, 90, 0}, {0, 0, 0, 0});
+    const Field field = build_field(mesh, {2, 2, {50, 50}, 0}, {0, 0, 0, 0});
     const Fractions f = findings.closing(field.mesh, {100, 100}, black,
                                          sun_from(90, 0), {65536, 16});
     findings.require_agreement(f.leaves, {16. / 2500, 0}, 5e-5, "plant");

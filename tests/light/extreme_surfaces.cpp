@@ -30,7 +30,7 @@ void vertical_leaves(Findings& findings) {
 
 void upright_plant(Findings& findings) {
     const Field field =
-        build_field(two_leaves(.7, .08, 0), {1, 1, {.76, .15}, 90, 0}, {0});
+        build_field(two_leaves(.7, .08, 0), {1, 1, {.76, .15}, 0}, {0});
     for (const double elevation : {90., 30., 1.})
         findings.closing(field.mesh, own_cell, par, sun_from(elevation, 20));
     findings.closing(field.mesh, own_cell, par, uniform_sky());
@@ -61,7 +61,7 @@ void horizontal_leaves(Findings& findings) {
 
 void leaves_of_a_millimetre(Findings& findings) {
     const Field field =
-        build_field(two_leaves(1e-3, 1e-4, 90), {1, 1, {.01, .01}, 0, 0}, {0});
+        build_field(two_leaves(1e-3, 1e-4, 90), {1, 1, {.01, .01}, 0}, {0});
     const Fractions f = findings.closing(field.mesh, {.01, .01}, black,
                                          uniform_sky(), {16384, 16});
     // At most both faces of all area; the leaves hardly shade each other.
@@ -72,7 +72,7 @@ void leaves_of_a_millimetre(Findings& findings) {
 
 void leaves_of_three_metres(Findings& findings) {
     const Field field =
-        build_field(two_leaves(3, .14, 40), {1, 1, {.76, .15}, 90, 0}, {0});
+        build_field(two_leaves(3, .14, 40), {1, 1, {.76, .15}, 0}, {0});
     const Fractions f =
         findings.closing(field.mesh, own_cell, par, uniform_sky());
     findings.require(f.leaves.mean > .9, "leaves take more than .9");

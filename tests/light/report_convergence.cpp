@@ -21,7 +21,7 @@ struct Baseline {
           chosen(cases(campaign).front()),
           day(clear_day(chosen.site, chosen.day, campaign.par_fraction)),
           illumination(illuminate(day, campaign.sky_model,
-                                  campaign.field.row_direction)),
+                                  chosen.spacing.row_direction)),
           field(build_field(campaign, chosen, to_genome(campaign.baseline),
                             {chosen.seed, 0, {}, Draws::Fields::one}, 0)),
           device(Device::supported_isas().back()),

@@ -74,7 +74,7 @@ TEST(Symmetry, LeavesCutAtTheCellAndWrappedAreTheSameLeaves) {
 
 TEST(Symmetry, TheOrderOfPlantsIsOfNoMatter) {
     const Mesh plant = two_leaves(.7, .08, 40);
-    const FieldForm form{1, 3, {.76, .15}, 90, 0};
+    const FieldForm form{1, 3, {.76, .15}, 0};
     const auto with = [&](const std::vector<double>& turns) {
         const Field field = build_field(plant, form, turns);
         return closing(field.mesh, {field.period_x, field.period_y}, nir,

@@ -12,7 +12,7 @@
 namespace ideotype {
 namespace {
 
-const FieldForm form{6, 4, {0.762, 0.1524}, 90, 10};
+const FieldForm form{6, 4, {0.762, 0.1524}, 10};
 
 TEST(Field, PeriodIsSpacingTimesNumberWhateverTheLeavesReach) {
     const SamplePlant sample;
@@ -36,7 +36,7 @@ TEST(Field, EveryPlantIsTurnedByItsOwnDraw) {
 
 TEST(Field, TurningByAnAngleEqualsChangingTheLeafAzimuths) {
     SamplePlant sample;
-    const FieldForm single{1, 1, {0.76, 0.15}, 90, 10};
+    const FieldForm single{1, 1, {0.76, 0.15}, 10};
     const Field turned =
         build_field(build_plant(sample.traits, sample.form, {}), single, {7.5});
     for (LeafTraits& traits : sample.traits) traits.azimuth += 7.5;
@@ -49,6 +49,37 @@ TEST(Field, TurningByAnAngleEqualsChangingTheLeafAzimuths) {
         EXPECT_NEAR(turned.mesh.vertices[v].y, changed.mesh.vertices[v].y,
                     1e-12);
     }
+}
+
+TEST(Field, APlotHasTheGroundOfItsPlants) {
+    const SamplePlant sample;
+    FieldForm plot = form;
+    plot.boundary = Boundary::isolated;
+    const Mesh plant = build_plant(sample.traits, sample.form, {});
+    const Field field = build_field(plant, plot, draw_turns(plot, 1, 0, 0));
+    EXPECT_EQ(field.boundary, Boundary::isolated);
+    EXPECT_NEAR(field.ground_area, 24 * 0.762 * 0.1524, 1e-12);
+    EXPECT_EQ(field.mesh.faces.size(), 24 * plant.faces.size());
+}
+
+TEST(Field, ACutPlotEndsAtItsEdge) {
+    const SamplePlant sample;
+    FieldForm plot = form;
+    plot.boundary = Boundary::isolated;
+    plot.cut = 1;
+    const Mesh plant = build_plant(sample.traits, sample.form, {});
+    const Field field = build_field(plant, plot, draw_turns(plot, 1, 0, 0));
+    EXPECT_NEAR(field.ground_area, 4 * 2 * 0.762 * 0.1524, 1e-12);
+    // What is cut off its plants, its neighbours hang over the edge.
+    EXPECT_NEAR(leaf_area(field.mesh) / (8 * leaf_area(plant)), 1, .2);
+    const double half_a_face = 0.1;
+    for (const auto& face : field.mesh.faces)
+        for (const std::uint32_t v : face) {
+            EXPECT_GT(field.mesh.vertices[v].x, 0.762 - half_a_face);
+            EXPECT_LT(field.mesh.vertices[v].x, 5 * 0.762 + half_a_face);
+        }
+    plot.cut = 2;
+    EXPECT_THROW(build_field(plant, plot, draw_turns(plot, 1, 0, 0)), Error);
 }
 
 TEST(Field, RefusesAWrongNumberOfTurns) {

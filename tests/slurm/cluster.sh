@@ -5,7 +5,9 @@
 start_cluster() {
     cluster=$(mkdir -p "$1" && cd "$1" && pwd)
     local nodes=$2 port host node
-    port=$((20000 + $$ % 20000))
+    # Below the ports that the kernel hands out, and apart from those of a
+    # cluster that is started at the same time.
+    port=$((20000 + $$ % 1500 * 8))
     host=$(hostname -s)
     mkdir -p "$cluster"/{state,log,run/tmp}
     for node in $(seq "$nodes"); do
@@ -62,6 +64,7 @@ CONF
 stop_cluster() {
     local file
     scancel --user="$(id -un)" 2>/dev/null || true
+    wait_for_jobs 15 2>/dev/null || true
     for file in "$cluster"/run/*.pid; do
         [ ! -e "$file" ] || kill "$(cat "$file")" 2>/dev/null || true
     done
@@ -77,4 +80,59 @@ wait_for_jobs() {
         fi
         sleep 0.5
     done
+}
+
+# What a site's file would say: $1 a name, the rest the launcher. Nodes that
+# share one machine cannot share memory by node.
+write_site() {
+    cat >"$1.sh" <<SITE
+sbatch_options=(--ntasks=3 --time=10)
+launcher=(${*:2})
+export OMPI_MCA_btl=tcp,self
+SITE
+}
+
+# Submits, shows and keeps what that says; sets job. $1 a name for the log.
+submit() {
+    "$project/slurm/submit" "${@:2}" >"submit-$1.log" 2>&1 ||
+        fail "submit: $(cat "submit-$1.log")"
+    job=$(sed -n 's/^job  *\([0-9]*\);.*/\1/p' "submit-$1.log")
+}
+
+# Waits until $1 exists.
+wait_for_file() {
+    for _ in $(seq 300); do
+        [ ! -e "$1" ] || return 0
+        sleep 0.1
+    done
+    squeue >&2
+    tail -n 20 ideotype-*.log >&2 || true
+    fail "there is no $1"
+}
+
+# Process of rank 1 of job $1. Other clusters on this machine have jobs of the
+# same number.
+worker_of() {
+    local process environment
+    for process in $(pgrep -x ideotype); do
+        environment=$(tr '\0' '\n' 2>/dev/null <"/proc/$process/environ" || true)
+        if grep -qx "SLURM_JOB_ID=$1" <<<"$environment" &&
+            grep -qx "SLURM_CONF=$SLURM_CONF" <<<"$environment" &&
+            grep -qx "\(OMPI_COMM_WORLD_RANK\|SLURM_PROCID\)=1" \
+                <<<"$environment"; then
+            echo "$process"
+            return
+        fi
+    done
+    fail "job $1 has no worker"
+}
+
+# Everything that the controller tells of the jobs, for the reader of a log.
+show_jobs() {
+    echo "--- $(basename "$0" .sh): sacct -c"
+    sacct -c --format=JobID,JobName%18,NodeList,State,Start,End 2>/dev/null
+    grep -hiE "requeu|time limit|signal=10|nodes? .*down" \
+        "$cluster/log/slurmctld.log" | cut -c 1-150 || true
+    echo "--- what the jobs said"
+    grep -h " job [0-9]*: " ideotype-*.log | sort -s -k 1,2
 }

@@ -67,7 +67,15 @@ CanopyReport study(const Campaign& campaign, const Case& chosen, const Day& day,
 OutcomeSchema outcome_schema(const Campaign& campaign, const Day& day);
 
 //! The columns' values, in their order.
-Outcome to_outcome(const CanopyReport& report);
+Outcome to_outcome(const Campaign& campaign, const Genome& genome,
+                   const CanopyReport& report);
+
+//! What evolution selects by: the objective, or, of a plant that fails its
+//! constraints, how far it does, as a negative number. Objectives are never
+//! negative, so this is the feasibility rule of Deb 2000
+//! (doi:10.1016/S0045-7825(99)00389-8), without weights to tune. Minus infinity
+//! if the evaluation failed.
+double fitness_of(const Outcome& outcome, const OutcomeSchema& schema);
 
 //! Evaluates candidates of all cases of a campaign.
 class CanopyEvaluator : public Evaluator {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ideotype/campaign/campaign.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/stop_flag.hpp"
 #include "ideotype/parallel/session.hpp"
@@ -14,12 +15,19 @@ namespace ideotype {
 //! `check CAMPAIGN`: validates, builds one plant, reports size and cost.
 ExitCode check(const std::string& campaign_path);
 
-//! `plan CAMPAIGN`: lists the cases with index, seed and cost.
+//! `plan CAMPAIGN`: lists the cases with index, seed and cost, or only those
+//! that are left to do.
 struct PlanOptions {
     std::string campaign_path;
     bool only_count = false;
+    bool only_left = false;  //!< the cases that are not finished in `out`
+    std::string out = "results";
 };
 ExitCode plan(const PlanOptions& options);
+
+//! Where `run` keeps the history of a case.
+std::string path_of(const std::string& out, const Campaign& campaign,
+                    const Case& chosen);
 
 //! `run CAMPAIGN`: evolves one case, or all of them in one job.
 struct RunOptions {
@@ -35,7 +43,7 @@ struct RunOptions {
 ExitCode run(const RunOptions& options, const Session& session, StopFlag& stop);
 
 //! `status PATH...`: one line per history or history in a folder, also of live
-//! ones.
+//! ones, and how to go on with what stopped.
 struct StatusOptions {
     std::vector<std::string> paths;
     bool only_resumable = false;  //!< print only files to be resumed
@@ -58,6 +66,17 @@ struct EvaluateOptions {
     bool is_json = false;
 };
 ExitCode evaluate(const EvaluateOptions& options);
+
+//! `evaluate PLANT... --under CAMPAIGN`: every plant in the light of every case
+//! of the campaign, whatever it was bred for. All plants of a case share their
+//! random numbers.
+struct CrossOptions {
+    //! Histories, for the best plant, and campaigns, for their baseline.
+    std::vector<std::string> plants;
+    std::string under;
+    bool is_json = false;
+};
+ExitCode cross_evaluate(const CrossOptions& options);
 
 //! `fidelity CAMPAIGN`: measures what accuracy costs.
 struct FidelityOptions {

@@ -43,6 +43,25 @@ struct LeafBounds {
     Range inclination;  //!< [deg]
 };
 
+//! What evolution makes as large as it can.
+enum class Objective { absorbed_par, absorbed_par_per_leaf_area };
+
+//! What a plant must keep to. A plant that does not is worse than any that
+//! does, and the worse the more it fails: see violation().
+struct Constraints {
+    Range lai{0, 1000};           //!< one-sided [m2 m-2]
+    double length_step = 0;       //!< between neighbouring leaves [m]; 0: any
+    double width_step = 0;        //!< [m]; 0: any
+    double inclination_step = 0;  //!< [deg]; 0: any
+    bool erect_top = false;       //!< inclination must not rise upwards
+};
+
+//! How far a plant fails its constraints: the sum of what each is exceeded by,
+//! relative to its limit; 0 if all are met.
+//! @param lai of the plant in its stand
+double violation(const Constraints& constraints,
+                 const std::vector<LeafTraits>& leaves, double lai);
+
 //! How the best candidates are judged at the end.
 struct FinalRule {
     int candidates = 5;
@@ -82,6 +101,8 @@ struct Campaign {
     double par_fraction = 0.45;
     SkyModel sky_model = SkyModel::uniform;  //!< of diffuse light
     Sampling sampling;
+    Objective objective = Objective::absorbed_par;
+    Constraints constraints;
     Optimizer optimizer;
     StopRules stop;
     FinalRule final_rule;

@@ -26,7 +26,9 @@ struct GenerationSummary {
     std::uint32_t best_slot = 0;
     double best = 0;
     double best_standard_error = 0;
-    double mean = 0;       //!< fitness of all that did not fail
+    //! Fitness of all that did not fail and, once any does, keep to their
+    //! constraints.
+    double mean = 0;
     double spread = 0;     //!< standard deviation of the fitness
     double diversity = 0;  //!< mean over free genes of the standard deviation
                            //!< over the range; circular for circular genes,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -37,6 +38,9 @@ struct Row {
     double fitness = 0;
     std::uint32_t attempt = 0;
 };
+
+//! Characters of a command that a history keeps.
+inline constexpr std::size_t longest_command = 512;
 
 //! One start of the program on this history.
 struct SessionRecord {
@@ -94,6 +98,13 @@ class History {
 
     //! Adds an entry to /sessions. Once per start.
     void begin_session(const SessionRecord& session);
+
+    //! The last start of the program; none for a new file.
+    std::optional<SessionRecord> last_session() const;
+
+    //! Evaluations that are recorded, finalists and incomplete generations
+    //! included.
+    std::uint64_t evaluated() const;
 
     //! The next generation to breed or complete: 0 for a new file.
     std::uint32_t next_generation() const;

@@ -8,6 +8,7 @@
 
 #include "ideotype/core/mesh.hpp"
 #include "ideotype/light/device.hpp"
+#include "ideotype/plant/field.hpp"
 
 struct RTCDeviceTy;
 
@@ -19,10 +20,6 @@ struct Hit {
     Vec3 normal;              //!< unit length, on the adaxial side
     std::uint32_t group = 0;  //!< of the mesh
 };
-
-//! How a canopy goes on beyond its mesh: in copies without end, or not at all,
-//! on an infinite plane of soil.
-enum class Boundary { periodic, isolated };
 
 //! A box along the axes [m].
 struct Box {
@@ -55,6 +52,9 @@ class Scene {
     //! positive, there are too many faces, or memory runs out.
     Scene(const Device& device, const Mesh& mesh, double period_x,
           double period_y);
+
+    //! The field as its boundary says.
+    static Scene of(const Device& device, const Field& field);
 
     //! A plot that stands alone.
     //! @param ground_area that all figures refer to [m2]

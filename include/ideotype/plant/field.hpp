@@ -7,31 +7,38 @@
 
 namespace ideotype {
 
-//! Distance between neighbours.
+//! How a canopy goes on beyond its mesh: in copies without end, or not at all,
+//! on an infinite plane of soil.
+enum class Boundary { periodic, isolated };
+
+//! How a lattice of plants lies on the ground.
 struct Spacing {
     double row = 0;    //!< between rows [m]
     double plant = 0;  //!< between plants of a row [m]
+    //! Direction of the rows [deg], clockwise from north; 90 is east-west.
+    double row_direction = 90;
 };
 
-//! A lattice of plants that repeats without end.
+//! A lattice of plants, which repeats without end or is a plot alone.
 struct FieldForm {
     int rows = 6;
     int plants = 6;  //!< per row
     Spacing spacing;
-    //! Direction of the rows [deg], clockwise from north; 90 is east-west.
-    double row_direction = 90;
     double jitter = 10;  //!< largest random turn of a plant [deg]
+    Boundary boundary = Boundary::periodic;
+    //! Rows, and plants of each row, that are cut away on all sides of an
+    //! isolated plot, with whatever of the others hangs over its edge.
+    int cut = 0;
 };
 
-//! One period of an infinite stand, in its own axes: x across the rows, y
-//! along the rows, z up, soil at z = 0. The mesh may reach beyond the period.
+//! Plants on the ground, in axes of their own: x across the rows, y along the
+//! rows, z up, soil at z = 0. The mesh may reach beyond the period.
 struct Field {
     Mesh mesh;
-    double period_x = 0;       //!< rows x row spacing [m]
-    double period_y = 0;       //!< plants x plant spacing [m]
-    double row_direction = 0;  //!< of the y axis, clockwise from north [deg]
-
-    double ground_area() const { return period_x * period_y; }  //!< [m2]
+    Boundary boundary = Boundary::periodic;
+    double period_x = 0;     //!< rows x row spacing, if periodic [m]
+    double period_y = 0;     //!< plants x plant spacing, if periodic [m]
+    double ground_area = 0;  //!< that belongs to the plants [m2]
 };
 
 //! The turn of each plant [deg], row by row: independent and uniform in
@@ -41,7 +48,8 @@ std::vector<double> draw_turns(const FieldForm& form, std::uint64_t seed,
 
 //! Places a turned copy of the plant at every lattice point. turns has one
 //! entry per plant. Groups are those of the plant.
-//! @throws Error if the number of turns is not rows x plants.
+//! @throws Error if the number of turns is not rows x plants, or nothing is
+//! left of a plot.
 Field build_field(const Mesh& plant, const FieldForm& form,
                   const std::vector<double>& turns);
 

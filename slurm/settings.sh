@@ -1,0 +1,32 @@
+# Sourced by slurm/submit and by slurm/job.sh, with `here` the folder slurm.
+# Sets what the site says, and the program `ideotype`.
+
+# $1 a name in slurm/sites or a file
+load_site() {
+    site=$1
+    [ -e "$site" ] || site=$here/sites/$1.sh
+    if [ ! -e "$site" ]; then
+        echo "there is no site '$1': neither a file nor one of" \
+            "$(cd "$here/sites" && echo *.sh)" >&2
+        return 2
+    fi
+    site=$(readlink -f "$site")
+    sbatch_options=() launcher=(mpirun) out=results throttle='' lead=120
+    . "$site"
+}
+
+# The program: $IDEOTYPE, a build in this folder, or one on the PATH.
+find_program() {
+    local candidate
+    for candidate in "${IDEOTYPE:-}" "$here/../build/release/src/ideotype" \
+        "$(command -v ideotype || true)"; do
+        if [ -x "$candidate" ]; then
+            ideotype=$(readlink -f "$candidate")
+            return
+        fi
+    done
+    echo "there is no program ${IDEOTYPE:-ideotype}: build it with" \
+        "'cmake --preset release && cmake --build --preset release'," \
+        "or set IDEOTYPE to its path" >&2
+    return 1
+}

@@ -4,7 +4,7 @@ set -euo pipefail
 cd "$(dirname "$0")"
 . .ci/install
 
-install_packages libgtest-dev libgmock-dev hdf5-tools \
+install_packages libgtest-dev libgmock-dev libbenchmark-dev hdf5-tools \
     slurmctld slurmd slurm-client munge procps chromium
 cmake --preset dev >build-dev.log 2>&1 || { cat build-dev.log; exit 1; }
 cmake --build --preset dev

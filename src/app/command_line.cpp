@@ -184,6 +184,29 @@ int run_command_line(int argc, char** argv) {
         return evaluate(evaluate_options);
     });
 
+    FidelityOptions fidelity_options;
+    auto* fidelity_verb = app.add_subcommand(
+        "fidelity",
+        "measure what accuracy costs here: error and time of every setting "
+        "that trades one for the other, and the cheapest that will do");
+    fidelity_verb->add_option("campaign", fidelity_options.campaign_path)
+        ->required();
+    fidelity_verb->add_option("--case", fidelity_options.case_index)
+        ->capture_default_str();
+    fidelity_verb
+        ->add_option("--tolerance", fidelity_options.tolerance,
+                     "relative error of one evaluation that will do")
+        ->check(CLI::Range(1e-5, 0.05))
+        ->capture_default_str();
+    fidelity_verb
+        ->add_option("--seconds", fidelity_options.seconds,
+                     "to measure, about; at least what a few draws take")
+        ->check(CLI::Range(0.0, 1e6))
+        ->capture_default_str();
+    fidelity_verb->add_option("--json", fidelity_options.json_path,
+                              "also write everything to this file");
+    on(fidelity_verb, [&] { return fidelity(fidelity_options); });
+
     ExportOptions export_options;
     auto* export_verb = app.add_subcommand(
         "export",

@@ -12,6 +12,13 @@
 
 namespace ideotype {
 
+namespace {
+
+//! Between two live lines [s].
+constexpr double calm = 0.1;
+
+}  // namespace
+
 double now() {
     using Clock = std::chrono::steady_clock;
     return std::chrono::duration<double>(Clock::now().time_since_epoch())
@@ -32,6 +39,18 @@ std::string format_duration(double seconds) {
     if (s >= 3600)
         return fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
     return fmt::format("{}:{:02}", s / 60, s % 60);
+}
+
+LiveLine::LiveLine() : is_terminal_(isatty(STDERR_FILENO) == 1) {}
+
+LiveLine::~LiveLine() {
+    if (shown_ > 0) fmt::print(stderr, "\r\x1b[K");
+}
+
+void LiveLine::show(const std::string& text) {
+    if (!is_terminal_ || now() - shown_ < calm) return;
+    fmt::print(stderr, "\r\x1b[K{}", text);
+    shown_ = now();
 }
 
 namespace {
@@ -144,7 +163,6 @@ std::string ProgressLog::text(const Entry& entry) const {
 
 //! The case that comes first stands for those in flight.
 void ProgressLog::show_live() {
-    constexpr double calm = 0.1;
     if (!is_terminal_ || in_flight_.empty() || now() - shown_ < calm) return;
     const std::string cases =
         cases_ == 1 ? ""

@@ -9,8 +9,9 @@ namespace {
 double triangle_area(const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 u{b.x - a.x, b.y - a.y, b.z - a.z};
     const Vec3 v{c.x - a.x, c.y - a.y, c.z - a.z};
-    return 0.5 * std::hypot(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z,
-                            u.x * v.y - u.y * v.x);
+    const Vec3 n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z,
+                 u.x * v.y - u.y * v.x};
+    return 0.5 * std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
 }
 
 }  // namespace

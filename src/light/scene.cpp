@@ -94,6 +94,12 @@ Scene::Scene(const Device& device, const Mesh& mesh, double period_x,
                                 period_x, period_y));
     check_vertices(mesh);
     const std::vector<double> areas = face_areas(mesh);
+    // Room for the faces that reach over the edge, as a rule.
+    constexpr double images = 1.5;
+    const auto expected = static_cast<std::size_t>(
+        images * static_cast<double>(mesh.faces.size()));
+    corners_.reserve(4 * expected);
+    face_group_.reserve(expected);
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
         if (areas[f] > 0) add_images(mesh, f);
     top_ += 1e-3;

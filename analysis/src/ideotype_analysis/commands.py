@@ -51,6 +51,12 @@ def report(arguments: Sequence[str] | None = None) -> int:
         help="a cross-evaluation, .json or .csv",
     )
     parser.add_argument(
+        "--fidelity",
+        type=Path,
+        metavar="FILE",
+        help="what ideotype fidelity --json has written",
+    )
+    parser.add_argument(
         "--ideotype",
         metavar="PATH",
         help="the program, which knows the shape of plants (default: "
@@ -95,16 +101,19 @@ def _report(options: argparse.Namespace) -> None:
     # Here, so that summaries and wrong command lines need not wait for the
     # plotting library.
     from .cross import read_cross
+    from .fidelity import read_fidelity
     from .geometry import find_program
     from .report import write_report
 
     program = find_program(options.ideotype)
     cross = read_cross(options.cross) if options.cross else None
+    fidelity = read_fidelity(options.fidelity) if options.fidelity else None
     with open_study(*options.results) as study:
         written = write_report(
             study,
             options.output,
             cross=cross,
+            fidelity=fidelity,
             program=program,
             command=shlex.join(["ideotype-report", *sys.argv[1:]]),
             progress=Progress(len(study.cases()) + 1),

@@ -19,6 +19,7 @@ from .comparison import (
     draw_spacings,
 )
 from .cross import Cross, draw_cross
+from .fidelity import Fidelity, draw_fidelity
 from .file import HistoryError
 from .gallery import Gallery
 from .page import render
@@ -56,6 +57,7 @@ def write_report(
     folder: str | Path,
     *,
     cross: Cross | None = None,
+    fidelity: Fidelity | None = None,
     program: Path | None = None,
     command: str = "",
     progress: Progress | None = None,
@@ -87,6 +89,7 @@ def write_report(
         _places(cases, cross, gallery),
         _view(shapes),
         *each,
+        *_trade(fidelity, gallery),
         _provenance(cases, command),
     ]
     progress.done()
@@ -209,6 +212,23 @@ def _plan(
         _PLAN,
         partial(draw_plan, case, plants.baseline, plants.best),
     )
+
+
+def _trade(fidelity: Fidelity | None, gallery: Gallery) -> list[Section]:
+    if fidelity is None:
+        return []
+    section = Section("Speed for accuracy")
+    section.blocks.append(
+        gallery.draw(
+            "fidelity",
+            f"Speed for accuracy in {fidelity.case}. Lines: the cheapest "
+            "settings for each error, as predicted; points: some of them "
+            "evaluated anew, with standard errors. One field serves all "
+            "randomisations of a generation; finalists have a field each.",
+            partial(draw_fidelity, fidelity),
+        )
+    )
+    return [section]
 
 
 def _provenance(cases: Sequence[Case], command: str) -> Section:

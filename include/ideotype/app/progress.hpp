@@ -59,6 +59,23 @@ class ProgressLog {
     std::map<int, long long> to_evaluate_;  //!< at most, by index of the case
 };
 
+//! One line on standard error that is written over and over, if that is a
+//! terminal, and gone at the end.
+class LiveLine {
+  public:
+    LiveLine();
+    ~LiveLine();
+    LiveLine(const LiveLine&) = delete;
+    LiveLine& operator=(const LiveLine&) = delete;
+
+    //! Not more often than can be read.
+    void show(const std::string& text);
+
+  private:
+    bool is_terminal_;
+    double shown_ = 0;
+};
+
 //! "12.345 +- 0.006": as many digits as the standard error allows.
 std::string format(Estimate x);
 

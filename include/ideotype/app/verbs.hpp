@@ -78,6 +78,16 @@ struct CrossOptions {
 };
 ExitCode cross_evaluate(const CrossOptions& options);
 
+//! `fidelity CAMPAIGN`: measures what accuracy costs.
+struct FidelityOptions {
+    std::string campaign_path;
+    int case_index = 0;
+    double tolerance = 1e-3;  //!< of one evaluation, relative
+    double seconds = 80;      //!< to measure, about
+    std::string json_path;    //!< empty: none
+};
+ExitCode fidelity(const FidelityOptions& options);
+
 //! `export FILE --to X.obj|X.csv`: writes a plant or its field.
 //! `export FILE --generations --to X.csv`: writes the candidates of all
 //! complete generations, also of a file that was cut short.

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ideotype/campaign/campaign.hpp"
+
+namespace ideotype {
+
+//! A campaign, and how its light is arranged: all that trades speed for
+//! accuracy.
+struct Variant {
+    Campaign campaign;
+    //! Whether a sky that keeps its shape is traced once for all hours.
+    enum class Skies { shared, each } skies = Skies::shared;
+    //! Paths of the diffuse light over those in proportion to its energy.
+    double sky_effort = 1;
+};
+
+//! One position of a knob.
+struct KnobValue {
+    std::string name;
+    std::function<void(Variant&)> apply;
+};
+
+//! One thing that trades speed for accuracy.
+struct Knob {
+    //! How finely the same is computed; what is left out; how often it is
+    //! sampled; how the same work is arranged.
+    enum class Kind { fineness, omission, paths, arrangement };
+
+    std::string name;
+    Kind kind = Kind::fineness;
+    std::vector<KnobValue> values;
+    std::size_t reference = 0;  //!< the value that counts as converged
+    std::size_t own = 0;        //!< the campaign's value
+    //! In what surroundings the values are compared.
+    Variant base;
+
+    //! The surroundings with one of the values.
+    Variant at(std::size_t value) const;
+};
+
+//! The knobs of a case. Those that compare leaves, stalks, hours or optics do
+//! so in a cell of 2 x 2 plants with all else converged, where draws are cheap
+//! and share their random numbers; cells are compared as the campaign has them.
+//! Where there is nothing to trade, as with the scattering of black surfaces, a
+//! knob is left out.
+std::vector<Knob> knobs(const Campaign& campaign, std::size_t case_index);
+
+//! The case of a variant's campaign.
+Case case_of(const Variant& variant, std::size_t case_index);
+
+}  // namespace ideotype

@@ -1,0 +1,117 @@
+//! The parts of an evaluation, whole evaluations to a tolerance, a generation.
+#include <cmath>
+
+#include <benchmark/benchmark.h>
+#include <sys/resource.h>
+
+#include "ideotype/light/transport.hpp"
+#include "stand.hpp"
+
+namespace ideotype {
+
+namespace {
+
+void geometry(benchmark::State& state) {
+    const Stand stand(Stand::ames());
+    for (auto _ : state) benchmark::DoNotOptimize(stand.field(stand.baseline));
+}
+BENCHMARK(geometry)->Unit(benchmark::kMillisecond);
+
+void scene(benchmark::State& state) {
+    const Stand stand(Stand::ames());
+    const Field field = stand.field(stand.baseline);
+    std::size_t faces = 0;
+    for (auto _ : state) faces = stand.scene(field).faces();
+    state.counters["faces"] = static_cast<double>(faces);
+}
+BENCHMARK(scene)->Unit(benchmark::kMillisecond);
+
+void light(benchmark::State& state) {
+    const Stand stand(Stand::ames());
+    const Field field = stand.field(stand.baseline);
+    const Scene traced = stand.scene(field);
+    const Sampling sampling = stand.campaign.sampling;
+    for (auto _ : state)
+        benchmark::DoNotOptimize(simulate(
+            traced, field.mesh.groups, stand.campaign.optics,
+            stand.illumination.light, sampling, {stand.chosen.seed, 0, 0}));
+    state.counters["paths"] =
+        benchmark::Counter(1.0 * sampling.paths * sampling.randomisations,
+                           benchmark::Counter::kIsIterationInvariantRate);
+}
+BENCHMARK(light)->Unit(benchmark::kMillisecond);
+
+CanopyReport evaluate(const Stand& stand, const Sampling& sampling) {
+    return study(stand.campaign, stand.chosen, stand.day, stand.device,
+                 stand.baseline, {stand.chosen.seed, 0, sampling},
+                 Detail::history);
+}
+
+//! The fewest paths, in eight randomisations, that meet a tolerance on average
+//! of some draws: errors fall with paths to a power near -0.55.
+int paths_for(const Stand& stand, double tolerance) {
+    constexpr int trial = 4096;
+    double squares = 0;
+    constexpr std::uint32_t draws = 8;
+    for (std::uint32_t d = 0; d < draws; ++d) {
+        const double error = relative_error(
+            study(stand.campaign, stand.chosen, stand.day, stand.device,
+                  stand.baseline, {stand.chosen.seed, d, {trial, 8}},
+                  Detail::history));
+        squares += error * error / draws;
+    }
+    constexpr double slope = 0.55;
+    return std::max(
+        32, static_cast<int>(
+                trial * std::pow(std::sqrt(squares) / tolerance, 1 / slope)));
+}
+
+//! 10^-2, 10^-3, 10^-4 as the relative standard error of the leaves' light.
+void evaluation(benchmark::State& state) {
+    const Stand stand(Stand::ames());
+    const double tolerance = std::pow(10, -static_cast<double>(state.range(0)));
+    const Sampling sampling{paths_for(stand, tolerance), 8};
+    double error = 0;
+    for (auto _ : state) error = relative_error(evaluate(stand, sampling));
+    state.counters["error"] = error;
+    state.counters["paths"] = 1.0 * sampling.paths * sampling.randomisations;
+}
+BENCHMARK(evaluation)
+    ->DenseRange(2, 4)
+    ->ArgName("tolerance_1e-")
+    ->Unit(benchmark::kMillisecond);
+
+//! As a worker does it: a population with the campaign's sampling.
+void generation(benchmark::State& state) {
+    const Campaign campaign = Stand::ames();
+    CanopyEvaluator evaluator(campaign, Device::supported_isas().back());
+    const Genome baseline = to_genome(campaign.baseline);
+    for (auto _ : state)
+        for (int slot = 0; slot < campaign.optimizer.population; ++slot) {
+            Task task;
+            task.slot = static_cast<std::uint32_t>(slot);
+            benchmark::DoNotOptimize(evaluator.evaluate(task, baseline));
+        }
+    state.counters["evaluations"] =
+        benchmark::Counter(campaign.optimizer.population,
+                           benchmark::Counter::kIsIterationInvariantRate);
+}
+BENCHMARK(generation)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+//! Peak of a process that does nothing but evaluate [MiB]; run it alone, as
+//! table.sh does.
+void memory(benchmark::State& state) {
+    const Campaign campaign = Stand::ames();
+    CanopyEvaluator evaluator(campaign, Device::supported_isas().back());
+    const Genome baseline = to_genome(campaign.baseline);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(evaluator.evaluate({}, baseline));
+    struct rusage usage {};
+    getrusage(RUSAGE_SELF, &usage);
+    state.counters["MiB"] = static_cast<double>(usage.ru_maxrss) / 1024;
+}
+BENCHMARK(memory)->Unit(benchmark::kMillisecond)->Iterations(20);
+
+}  // namespace
+
+}  // namespace ideotype

@@ -1,0 +1,71 @@
+//! Cost against plants, leaves, faces and hours; table.sh fits the exponents.
+#include <benchmark/benchmark.h>
+
+#include "stand.hpp"
+
+namespace ideotype {
+
+namespace {
+
+void measure(benchmark::State& state, Campaign campaign, double size) {
+    const Stand stand(std::move(campaign));
+    const Sampling sampling{1024, 8};
+    for (auto _ : state)
+        benchmark::DoNotOptimize(study(
+            stand.campaign, stand.chosen, stand.day, stand.device,
+            stand.baseline, {stand.chosen.seed, 0, sampling}, Detail::history));
+    state.counters["size"] = size;
+}
+
+void plants(benchmark::State& state) {
+    Campaign campaign = Stand::ames();
+    campaign.field.rows = campaign.field.plants =
+        static_cast<int>(state.range(0));
+    measure(state, campaign, 1.0 * campaign.field.rows * campaign.field.rows);
+}
+BENCHMARK(plants)->Arg(1)->Arg(3)->Arg(10)->Arg(32)->Arg(100)->Unit(
+    benchmark::kMillisecond);
+
+//! The baseline's leaves several times over, each time a little turned.
+void leaves(benchmark::State& state) {
+    Campaign campaign = Stand::ames();
+    const std::vector<LeafTraits> traits = campaign.baseline;
+    const std::vector<LeafForm> forms = campaign.plant.leaves;
+    const auto bounds = campaign.bounds;
+    campaign.baseline.clear();
+    campaign.plant.leaves.clear();
+    campaign.bounds.clear();
+    for (int i = 0; i < state.range(0); ++i) {
+        const auto from = static_cast<std::size_t>(i) % traits.size();
+        campaign.baseline.push_back(traits[from]);
+        campaign.baseline.back().azimuth += 17.0 * i;
+        campaign.plant.leaves.push_back(forms[from]);
+        campaign.bounds.push_back(bounds[from]);
+    }
+    measure(state, campaign, static_cast<double>(state.range(0)));
+}
+BENCHMARK(leaves)->RangeMultiplier(2)->Range(5, 80)->Unit(
+    benchmark::kMillisecond);
+
+//! Cells along a leaf, two faces each.
+void faces(benchmark::State& state) {
+    Campaign campaign = Stand::ames();
+    campaign.tessellation.cells_along = static_cast<int>(state.range(0));
+    measure(state, campaign, 2.0 * static_cast<double>(state.range(0)));
+}
+BENCHMARK(faces)->RangeMultiplier(2)->Range(4, 64)->Unit(
+    benchmark::kMillisecond);
+
+//! Instants of the day, with the same number of paths in all.
+void hours(benchmark::State& state) {
+    Campaign campaign = Stand::ames();
+    campaign.days[0].value.step_minutes =
+        780.0 / static_cast<double>(state.range(0));
+    measure(state, campaign, static_cast<double>(state.range(0)) + 1);
+}
+BENCHMARK(hours)->RangeMultiplier(2)->Range(6, 208)->Unit(
+    benchmark::kMillisecond);
+
+}  // namespace
+
+}  // namespace ideotype

@@ -1,0 +1,32 @@
+#include "stand.hpp"
+
+namespace ideotype {
+
+Campaign Stand::ames() {
+    return read_campaign(IDEOTYPE_CAMPAIGNS "/ames.toml");
+}
+
+Stand::Stand(Campaign changed)
+    : campaign(std::move(changed)),
+      chosen(cases(campaign).front()),
+      day(clear_day(chosen.site, chosen.day, campaign.par_fraction)),
+      illumination(
+          illuminate(day, campaign.sky_model, chosen.spacing.row_direction)),
+      baseline(to_genome(campaign.baseline)),
+      device(Device::supported_isas().back()) {}
+
+Field Stand::field(const Genome& genome) const {
+    return build_field(campaign, chosen, genome,
+                       {chosen.seed, 0, campaign.sampling}, 0);
+}
+
+Scene Stand::scene(const Field& field) const {
+    return Scene(device, field.mesh, field.period_x, field.period_y);
+}
+
+double relative_error(const CanopyReport& report) {
+    const Estimate& leaves = report.light.day.leaves;
+    return leaves.standard_error / leaves.mean;
+}
+
+}  // namespace ideotype

@@ -38,22 +38,22 @@ def test_rows_are_read(sample: History) -> None:
     rows = sample.evaluations()
     assert len(rows) == len(rows.done) == 24
     assert (rows.generation[22], rows.slot[22]) == (3, 4)
-    assert rows.fitness.values[22] == 10.546548983395148
-    assert rows["absorbed_par"].standard_error[22] == 0.16473138636209317
-    assert rows.traits.values[22, 5] == 0.10244480387254969
-    assert rows["lai"].values[22] == 5.355143747332063
-    assert list(rows.parents[22]) == [4, 5]
+    assert rows.fitness.values[22] == 10.744309494404982
+    assert rows["absorbed_par"].standard_error[22] == 0.20873547851515245
+    assert rows.traits.values[22, 5] == 0.10519954041467451
+    assert rows["lai"].values[22] == 5.027722268667102
+    assert list(rows.parents[22]) == [0, 2]
 
 
 def test_summaries_and_finals_are_read(sample: History) -> None:
     generations = sample.generations()
-    assert list(generations.best_slot) == [3, 0, 4, 3]
-    assert generations.best.values[3] == 10.823408507451619
-    assert generations.mean.values[3] == 10.669477152847639
-    assert sample.finalists().fitness.values[2] == 10.792265927102015
+    assert list(generations.best_slot) == [3, 5, 3, 2]
+    assert generations.best.values[3] == 10.883457089960887
+    assert generations.mean.values[3] == 10.67643429556964
+    assert sample.finalists().fitness.values[2] == 10.74266804362712
     assert str(sample.state()) == "finished (generations)"
     (session,) = sample.sessions()
-    assert session.command == "ideotype run sample.toml --out new"
+    assert session.command.endswith("ideotype run sample.toml --out new")
     assert session.ranks == 1
     assert sample.messages() == []
 

@@ -2,7 +2,7 @@
 # Which share of their time workers evaluate: a sweep of 6 latitudes and 20
 # generations, all cases in one job and one case after the other.
 # Usage: tests/stress/worker_share.sh [RANKS...]    with preset dev or release
-# PATHS (light paths per randomisation) sets how long an evaluation takes.
+# PATHS (light paths per randomisation) and POPULATION set how long it takes.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 ideotype=${IDEOTYPE:-$PWD/build/release/src/ideotype}
@@ -35,7 +35,7 @@ baseline = "plants/b73.toml"
 [light]
 paths = ${PATHS:-4096}
 [evolution]
-population = 24
+population = ${POPULATION:-50}
 [stop]
 generations = 20
 [final]

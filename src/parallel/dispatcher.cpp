@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -108,7 +109,10 @@ bool Dispatcher::dismiss() {
 }
 
 void Dispatcher::add(Batch& batch) {
-    batch.precedence_ = {batch.items_.front().work.task.case_index, batches_++};
+    const Task& task = batch.items_.front().work.task;
+    const auto after_all = std::numeric_limits<std::uint32_t>::max();
+    batch.precedence_ = {task.is_final ? after_all : task.generation,
+                         task.case_index, batches_++};
     open_.emplace(batch.precedence_, &batch);
 }
 

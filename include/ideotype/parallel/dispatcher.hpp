@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -63,9 +64,9 @@ class Director {
 class Batch;
 class Crew;
 
-//! Hands the work of several routines to evaluators on demand. Work of the
-//! lowest case comes first, so that few cases are in flight; the others fill
-//! the gaps at the ends of generations.
+//! Hands the work of several routines to evaluators on demand. Work of the case
+//! that is furthest behind comes first, so that each fills the gaps at the ends
+//! of the others' generations and cases that were begun together end together.
 class Dispatcher {
   public:
     Dispatcher(std::unique_ptr<Crew> crew, const StopFlag& stop,
@@ -100,8 +101,8 @@ class Dispatcher {
     friend Batch;
     struct Assignment;
     struct Seat;
-    //! Lowest case first, then oldest.
-    using Precedence = std::pair<std::uint32_t, std::uint64_t>;
+    //! Lowest generation first, then lowest case, then oldest.
+    using Precedence = std::tuple<std::uint32_t, std::uint32_t, std::uint64_t>;
 
     void add(Batch& batch);
     void remove(Batch& batch);

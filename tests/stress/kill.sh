@@ -11,7 +11,7 @@ work=$(mktemp -d)
 set -- "$ideotype" "$project" "$work/test"
 . "$project/tests/app/common.sh"
 
-generations=$((kills > 20 ? 400 : 120))
+generations=$((kills > 20 ? 1200 : 200))
 population=12
 RANDOM=$seed
 job=
@@ -162,7 +162,7 @@ while [ $done_kills -lt "$kills" ]; do
     # shellcheck disable=SC2086  # a list
     if [ -z "$victims" ] || ! kill -KILL $victims 2>/dev/null; then
         missed=$((missed + 1))
-        [ $missed -le $((kills + 20)) ] || fail "runs end before the kills"
+        [ $missed -le $((2 * kills + 40)) ] || fail "runs end before the kills"
         wait_for_end
     else
         wait_for_end

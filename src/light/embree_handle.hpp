@@ -14,6 +14,11 @@ struct Device::Handle {
 };
 
 struct Scene::Handle {
+    explicit Handle(RTCScene s) : scene(s) {}
+    ~Handle() { rtcReleaseScene(scene); }
+    Handle(const Handle&) = delete;
+    Handle& operator=(const Handle&) = delete;
+
     RTCScene scene;
 };
 

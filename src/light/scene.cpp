@@ -167,26 +167,17 @@ Vec3 Scene::wrapped(const Vec3& point) const {
             point.z};
 }
 
-Scene::~Scene() {
-    if (handle_) rtcReleaseScene(handle_->scene);
+Vec3 Scene::beside(const Vec3& point, const Vec3& normal) const {
+    return wrapped({point.x + clearance_ * normal.x,
+                    point.y + clearance_ * normal.y,
+                    std::clamp(point.z + clearance_ * normal.z, 0.0, top_)});
 }
+
+Scene::~Scene() = default;
 
 Scene::Scene(Scene&&) noexcept = default;
 
-Scene& Scene::operator=(Scene&& other) noexcept {
-    std::swap(boundary_, other.boundary_);
-    std::swap(box_, other.box_);
-    std::swap(plot_corner_, other.plot_corner_);
-    std::swap(ground_area_, other.ground_area_);
-    std::swap(period_x_, other.period_x_);
-    std::swap(period_y_, other.period_y_);
-    std::swap(top_, other.top_);
-    std::swap(clearance_, other.clearance_);
-    corners_.swap(other.corners_);
-    face_group_.swap(other.face_group_);
-    handle_.swap(other.handle_);
-    return *this;
-}
+Scene& Scene::operator=(Scene&&) noexcept = default;
 
 void Scene::add_images(const Mesh& mesh, std::size_t face) {
     Extent x, y, z;
@@ -225,7 +216,7 @@ void Scene::add_face(const Mesh& mesh, std::size_t face, const Vec3& shift) {
 
 void Scene::commit(const Device& device) {
     RTCDevice embree = device.handle_->device;
-    handle_ = std::make_unique<Handle>(Handle{rtcNewScene(embree)});
+    handle_ = std::make_unique<Handle>(rtcNewScene(embree));
     // Without this, light slips through the edges that faces share.
     rtcSetSceneFlags(handle_->scene, RTC_SCENE_FLAG_ROBUST);
     if (!face_group_.empty()) attach_faces(embree);

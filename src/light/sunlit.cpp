@@ -82,14 +82,9 @@ class LeafArea {
 
 bool sees(const Scene& scene, const LeafArea::Point& point, const Vec3& sun) {
     if (point.position.z < 0) return false;
-    const double clear =
-        std::copysign(scene.clearance(), dot(point.normal, sun));
-    const Vec3 p = scene.placed(point.position);
-    Bundle bundle{
-        scene.wrapped(
-            {p.x + clear * point.normal.x, p.y + clear * point.normal.y,
-             std::clamp(p.z + clear * point.normal.z, 0.0, scene.top())}),
-        sun, 1};
+    Vec3 n = point.normal;
+    if (dot(n, sun) < 0) n = {-n.x, -n.y, -n.z};
+    Bundle bundle{scene.beside(scene.placed(point.position), n), sun, 1};
     Hit hit;
     return travel(scene, bundle, hit) == Met::sky;
 }

@@ -123,10 +123,7 @@ class Tracer {
         Vec3 n = hit.normal;
         if (against(bundle.direction, n) != is_reflected)
             n = {-n.x, -n.y, -n.z};
-        const double clear = scene_.clearance();
-        bundle.position = scene_.wrapped(
-            {hit.position.x + clear * n.x, hit.position.y + clear * n.y,
-             std::clamp(hit.position.z + clear * n.z, 0.0, scene_.top())});
+        bundle.position = scene_.beside(hit.position, n);
         bundle.direction = lambertian(n, u, v);
     }
 

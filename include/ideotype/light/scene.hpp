@@ -85,6 +85,10 @@ class Scene {
     //! The same point of the stand inside the cell; a plot has only itself.
     Vec3 wrapped(const Vec3& point) const;
 
+    //! Where light restarts from a point of a face, on the side of the normal:
+    //! a clearance away, but not below the soil.
+    Vec3 beside(const Vec3& point, const Vec3& normal) const;
+
     //! How far from a face light must restart so as not to meet it again: a
     //! few times the rounding error of single precision in this cell [m].
     double clearance() const { return clearance_; }

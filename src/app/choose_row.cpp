@@ -10,27 +10,31 @@ namespace ideotype {
 
 namespace {
 
-ChosenRow best_row(const History& history, Task task) {
+//! The case of a campaign that a history belongs to.
+Case case_of(const History& history, const Campaign& campaign) {
+    const std::string& name = history.header().text.at("case");
+    for (const Case& c : cases(campaign))
+        if (c.name == name) return c;
+    throw Error(
+        fmt::format("the campaign in this history has no case {}", name));
+}
+
+Row best_row(const History& history, Task& task) {
     const std::vector<Row> finalists = history.finalists();
     if (const std::size_t best = best_finalist(finalists); best > 0) {
         task.is_final = true;
         task.slot = static_cast<std::uint32_t>(best);
-        return {task, finalists[best]};
+        return finalists[best];
     }
     const auto summaries = history.summaries();
     if (summaries.empty())
         throw Error("no generation of this history is complete yet");
     task.generation = static_cast<std::uint32_t>(summaries.size() - 1);
     task.slot = summaries.back().best_slot;
-    return {task, history.row(task.generation, task.slot)};
+    return history.row(task.generation, task.slot);
 }
 
-}  // namespace
-
-ChosenRow choose_row(const History& history, const RowChoice& choice,
-                     const Case& chosen) {
-    Task task;
-    task.case_index = static_cast<std::uint32_t>(chosen.index);
+Row row_of(const History& history, const RowChoice& choice, Task& task) {
     if (choice.is_best) return best_row(history, task);
     if (!choice.generation || !choice.slot)
         throw Error("say which plant: --best, or --generation G --slot S",
@@ -51,15 +55,21 @@ ChosenRow choose_row(const History& history, const RowChoice& choice,
         throw Error(fmt::format("generation {} slot {} has not been bred yet",
                                 task.generation, task.slot),
                     ExitCode::usage);
-    return {task, std::move(row)};
+    return row;
 }
 
-Case case_of(const History& history, const Campaign& campaign) {
-    const std::string& name = history.header().text.at("case");
-    for (const Case& c : cases(campaign))
-        if (c.name == name) return c;
-    throw Error(
-        fmt::format("the campaign in this history has no case {}", name));
+}  // namespace
+
+ChosenRow choose_row(const std::string& path, const RowChoice& choice) {
+    const History history = History::read(path);
+    const HistoryHeader& header = history.header();
+    ChosenRow result;
+    result.campaign = parse_campaign(header.campaign_resolved, path);
+    result.chosen = case_of(history, result.campaign);
+    result.task.case_index = static_cast<std::uint32_t>(result.chosen.index);
+    result.row = row_of(history, choice, result.task);
+    result.isa = header.text.at("isa");
+    return result;
 }
 
 bool is_history(const std::string& path) {

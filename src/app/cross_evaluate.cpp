@@ -26,14 +26,11 @@ NamedPlant read_plant(const std::string& path) {
         return {campaign.plant.name, campaign.plant,
                 to_genome(campaign.baseline)};
     }
-    const History history = History::read(path);
-    const Campaign campaign =
-        parse_campaign(history.header().campaign_resolved, path);
-    const Case chosen = case_of(history, campaign);
     RowChoice best;
     best.is_best = true;
-    return {campaign.name + "/" + chosen.name, campaign.plant,
-            choose_row(history, best, chosen).row.candidate.genome};
+    const ChosenRow found = choose_row(path, best);
+    return {found.campaign.name + "/" + found.chosen.name, found.campaign.plant,
+            found.row.candidate.genome};
 }
 
 //! The cases without their replicates, which have the same light.

@@ -78,14 +78,10 @@ ExitCode evaluate_baseline(const EvaluateOptions& options) {
 }
 
 ExitCode evaluate_row(const EvaluateOptions& options) {
-    const History history = History::read(options.path);
-    const HistoryHeader& header = history.header();
-    const Campaign campaign =
-        parse_campaign(header.campaign_resolved, options.path);
-    const Case chosen = case_of(history, campaign);
-    const auto [task, row] = choose_row(history, options.row, chosen);
-    const auto [report, seconds] = timed_study(
-        campaign, chosen, row.candidate.genome, task, header.text.at("isa"));
+    const auto [campaign, chosen, task, row, isa] =
+        choose_row(options.path, options.row);
+    const auto [report, seconds] =
+        timed_study(campaign, chosen, row.candidate.genome, task, isa);
     const Outcome again = to_outcome(campaign, row.candidate.genome, report);
     const bool is_done = row.outcome.status == Status::done;
     const bool agrees = is_done &&

@@ -54,11 +54,8 @@ void write_csv(const std::string& path, const Genome& genome) {
 }  // namespace
 
 ExitCode export_plant(const ExportOptions& options) {
-    const History history = History::read(options.path);
-    const Campaign campaign =
-        parse_campaign(history.header().campaign_resolved, options.path);
-    const Case chosen = case_of(history, campaign);
-    const auto [task, row] = choose_row(history, options.row, chosen);
+    const auto [campaign, chosen, task, row, isa] =
+        choose_row(options.path, options.row);
     const Genome& genome = row.candidate.genome;
     const std::string title = fmt::format(
         "ideotype {} {} slot {}", chosen.name,

@@ -100,7 +100,8 @@ struct Campaign {
     Optics optics;
     double par_fraction = 0.45;
     SkyModel sky_model = SkyModel::uniform;  //!< of diffuse light
-    Sampling sampling;
+    Sampling sampling;           //!< of an evaluation during evolution
+    double first_tolerance = 0;  //!< of the first generation; 0: as all others
     Objective objective = Objective::absorbed_par;
     Constraints constraints;
     Optimizer optimizer;

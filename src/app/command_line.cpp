@@ -163,14 +163,24 @@ int run_command_line(int argc, char** argv) {
     evaluate_verb->add_flag("--json", evaluate_options.is_json);
     MeshOptions mesh_options;
     add_mesh_options(*evaluate_verb, mesh_options);
+    evaluate_verb->add_option_function<double>(
+        "--tolerance",
+        [&](double tolerance) {
+            mesh_options.tolerance = tolerance;
+            evaluate_options.tolerance = tolerance;
+        },
+        "relative standard error of the leaves' total: of a mesh (0.001 if not "
+        "given), or of a second look at a row of a history, in the same "
+        "field");
+    evaluate_verb->get_option("--paths")->excludes("--tolerance");
     evaluate_verb->get_option("--mesh")
         ->excludes(evaluate_path)
         ->excludes("--case")
         ->excludes("--best")
         ->excludes("--generation")
         ->excludes("--slot");
-    for (const char* other :
-         {"--mesh", "--case", "--best", "--generation", "--slot"})
+    for (const char* other : {"--mesh", "--case", "--best", "--generation",
+                              "--slot", "--tolerance"})
         under->excludes(other);
     on(evaluate_verb, [&] {
         mesh_options.is_json = cross_options.is_json = evaluate_options.is_json;

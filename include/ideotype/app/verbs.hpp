@@ -58,11 +58,13 @@ struct RowChoice {
 };
 
 //! `evaluate CAMPAIGN`: the baseline's light.
-//! `evaluate FILE --generation G --slot S`: recomputes a row.
+//! `evaluate FILE --generation G --slot S`: recomputes a row, or, with a
+//! tolerance, tells how far off it is.
 struct EvaluateOptions {
     std::string path;  //!< a campaign or a history
     int case_index = 0;
     RowChoice row;
+    std::optional<double> tolerance;  //!< relative standard error
     bool is_json = false;
 };
 ExitCode evaluate(const EvaluateOptions& options);

@@ -146,10 +146,11 @@ int run_command_line(int argc, char** argv) {
         "history, which is recomputed and compared bit for bit, or any mesh, "
         "or many plants under the cases of a campaign");
     CrossOptions cross_options;
-    auto* evaluate_path = evaluate_verb->add_option(
-        "paths", cross_options.plants,
-        "campaign (.toml: its baseline) or history (.h5); several with "
-        "--under");
+    auto* evaluate_path =
+        evaluate_verb->add_option("paths", cross_options.plants,
+                                  "campaign (.toml: its baseline) or history "
+                                  "(.h5); with --under several, "
+                                  "plant files (.toml) too");
     auto* under = evaluate_verb->add_option(
         "--under", cross_options.under,
         "campaign in whose cases all plants are evaluated, the best of each "
@@ -220,11 +221,13 @@ int run_command_line(int argc, char** argv) {
     ExportOptions export_options;
     auto* export_verb = app.add_subcommand(
         "export",
-        "write a plant of a history as OBJ (mesh) or CSV (traits), or all "
+        "write a plant of a history as OBJ (mesh), CSV (traits) or TOML (plant "
+        "file, for campaigns), or all "
         "complete generations as CSV");
     export_verb->add_option("file", export_options.path)->required();
     add_row_choice(*export_verb, export_options.row);
-    export_verb->add_option("--to", export_options.to, "new file, .obj or .csv")
+    export_verb
+        ->add_option("--to", export_options.to, "new file, .obj, .csv or .toml")
         ->required();
     export_verb->add_flag("--field", export_options.is_field,
                           "the whole field instead of one plant (.obj)");

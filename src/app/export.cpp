@@ -1,3 +1,4 @@
+#include <cctype>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -51,6 +52,16 @@ void write_csv(const std::string& path, const Genome& genome) {
                   traits[i].inclination, traits[i].azimuth);
 }
 
+//! The plant's name is that of the file, as far as names allow.
+void write_plant_file(const std::string& path, const std::string& title,
+                      PlantForm form, const Genome& genome) {
+    form.name = std::filesystem::path(path).stem().string().substr(0, 64);
+    for (char& c : form.name)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-') c = '_';
+    auto out = fmt::output_file(path);
+    out.print("# {}\n{}", title, plant_text({form, to_traits(genome)}));
+}
+
 }  // namespace
 
 ExitCode export_plant(const ExportOptions& options) {
@@ -68,6 +79,8 @@ ExitCode export_plant(const ExportOptions& options) {
                     ExitCode::refused);
     if (extension == ".csv") {
         write_csv(options.to, genome);
+    } else if (extension == ".toml") {
+        write_plant_file(options.to, title, campaign.plant, genome);
     } else if (extension == ".obj") {
         if (options.is_field) {
             const Field field = build_field(
@@ -80,7 +93,7 @@ ExitCode export_plant(const ExportOptions& options) {
         }
     } else {
         throw Error(fmt::format("{}: unknown format; use a name that ends in "
-                                ".obj or .csv",
+                                ".obj, .csv or .toml",
                                 options.to),
                     ExitCode::usage);
     }

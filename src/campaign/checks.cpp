@@ -258,9 +258,13 @@ void check_draft(const Draft& draft, Report& report) {
     check_light(campaign, report);
     check_constraints(campaign.constraints, report);
     check_evolution(campaign, report);
-    check_blade(campaign.plant.blade, report);
-    check_leaves(draft, report);
+    check_plant(draft, report);
     check_baseline(draft, report);
+}
+
+void check_plant(const Draft& draft, Report& report) {
+    check_blade(draft.campaign.plant.blade, report);
+    check_leaves(draft, report);
 }
 
 }  // namespace ideotype

@@ -94,6 +94,15 @@ expect 0 "$ideotype" export "$history" --generation 0 --slot 0 --field \
 [ "$(grep -c '^g plant.*leaf' field.obj)" -eq 90 ] || fail "not nine plants"
 expect 0 "$ideotype" export "$history" --best --to plant.csv
 [ "$(wc -l <plant.csv)" -eq 11 ] || fail "not ten leaves"
+expect 0 "$ideotype" export "$history" --best --to bred.toml
+expect 0 "$ideotype" evaluate "$history" bred.toml \
+    --under campaigns/verbs.toml --json
+mean=$(sed -n '/"mean"/,/"standard_error"/s/^ *\([0-9.]*[0-9]\)$/\1/p' out.log)
+[ "$(wc -l <<<"$mean")" -eq 2 ] || fail "not two plants"
+[ "$(uniq <<<"$mean" | wc -l)" -eq 1 ] || fail "a plant file changes the plant"
+sed 's/^width = /wdith = /' bred.toml >typo_plant.toml
+expect 3 "$ideotype" evaluate "$history" typo_plant.toml \
+    --under campaigns/verbs.toml
 expect 4 "$ideotype" export "$history" --best --to plant.obj
 expect 2 "$ideotype" export "$history" --best --to plant.doc
 

@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <string>
 #include <utility>
@@ -65,6 +66,21 @@ TEST(Campaign, AmesQuickIsTheSameCaseWithLessWork) {
         for (const std::string same :
              {"site", "day", "spacing", "traits", "field", "plant", "optics"})
             EXPECT_NE(line.rfind(same, 0), 0u) << line;
+}
+
+TEST(Campaign, PlantsAreWrittenAsTheyAreRead) {
+    const KnownPlant b73 = read_plant(IDEOTYPE_CAMPAIGNS "/plants/b73.toml");
+    EXPECT_EQ(b73.traits.size(), 10u);
+    EXPECT_EQ(plant_text(b73),
+              plant_text(read_plant(IDEOTYPE_CAMPAIGNS "/ames.toml")));
+    const std::string path = ::testing::TempDir() + "again.toml";
+    std::ofstream(path) << plant_text(b73);
+    const KnownPlant again = read_plant(path);
+    EXPECT_EQ(plant_text(again), plant_text(b73));
+    EXPECT_EQ(again.traits[9].width, b73.traits[9].width);
+    std::ofstream(path, std::ios::app) << "\n[[leaf]]\nlength = 0.5\n";
+    EXPECT_THROW(read_plant(path), InputError);
+    EXPECT_THROW(read_plant(path + "none"), Error);
 }
 
 TEST(Campaign, PlantFilesHoldTheKnownPlants) {

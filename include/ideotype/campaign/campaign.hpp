@@ -135,6 +135,20 @@ Campaign read_campaign(const std::string& path);
 //! @throws InputError
 Campaign parse_campaign(const std::string& text, const std::string& file);
 
+//! A plant with the traits that it has, as a plant file holds it.
+struct KnownPlant {
+    PlantForm form;
+    std::vector<LeafTraits> traits;  //!< lowest leaf first
+};
+
+//! Reads a plant file, or the baseline of a campaign file.
+//! @throws InputError with all problems.
+//! @throws Error if a file cannot be read.
+KnownPlant read_plant(const std::string& path);
+
+//! The text of a plant file: every key with its value.
+std::string plant_text(const KnownPlant& plant);
+
 //! All cases in their order: sites, then days, spacings, trait sets, and
 //! replicates fastest. Adding an entry to an axis does not change the name or
 //! seed of any other case.

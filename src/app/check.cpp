@@ -135,6 +135,13 @@ ExitCode check(const std::string& campaign_path) {
         "PAR, {:.0f} % diffuse\n",
         day.steps.size(), day.incident() / 1e6,
         day.incident() > 0 ? 100 * day.diffuse() / day.incident() : 0);
+    const double excess = violation(campaign.constraints, campaign.baseline,
+                                    leaf_area(field.mesh) / field.ground_area);
+    if (excess > 0)
+        fmt::print(
+            "          the plant fails the [constraints] by {:.3g} of their "
+            "limits: all that is bred must first leave that behind\n",
+            excess);
     fmt::print("genes     {} of {} free\n", free_genes, baseline.size());
     fmt::print("cost      {} per case\n", cost.text());
     return ExitCode::ok;

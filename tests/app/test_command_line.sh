@@ -39,6 +39,13 @@ expect 0 "$ideotype" plan campaigns/verbs.toml --left
 [ "$(cat out.log)" = "0	0" ] || fail "a case to begin is left: $(cat out.log)"
 expect 2 "$ideotype" plan campaigns/verbs.toml --left --count
 
+{
+    cat campaigns/verbs.toml
+    printf '[constraints]\nlai = [100, 200]\n'
+} >campaigns/dense.toml
+expect 0 "$ideotype" check campaigns/dense.toml
+says "fails the .constraints."
+
 sed 's/plants = 3/plnats = 3/' campaigns/verbs.toml >campaigns/typo.toml
 expect 3 "$ideotype" check campaigns/typo.toml
 says "typo.toml:17:1"

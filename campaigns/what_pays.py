@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""What do the parts of a bred plant pay?
+"""What has been bred, do the seeds agree, and what do its parts pay?
 
 what_pays.py --under CAMPAIGN HISTORY...
 
-Undoes one feature at a time of the best plant of each history, looks at all
-variants under the light of CAMPAIGN, and prints what the canopy loses, in % of
-the light that its leaves absorb, with standard errors. Histories should be the
-seeds of one case. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+Prints the traits of the best plant of each history and how alike they are. Then
+undoes one feature at a time, looks at all variants under the light of CAMPAIGN,
+and prints what the canopy loses, in % of the light that its leaves absorb, with
+standard errors. Histories should be the seeds of one case.
+IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
 """
 
 from __future__ import annotations
@@ -22,7 +23,8 @@ import tempfile
 import tomllib
 from collections.abc import Callable
 from pathlib import Path
-from statistics import fmean, stdev
+from itertools import combinations
+from statistics import correlation, fmean, stdev
 
 PROGRAM = os.environ.get("IDEOTYPE_EXECUTABLE", "ideotype")
 Values = list[float]
@@ -82,14 +84,52 @@ def write_variants(history: Path, baseline: list[Leaf], folder: Path) -> list[Pa
     return paths
 
 
-def losses(history: Path, baseline: list[Leaf], under: Path) -> list[tuple[float, float]]:
-    """Of each variant, with its standard error [%]."""
+def alike(trait: str, a: Values, b: Values) -> float:
+    """1: the same; 0: unrelated. Azimuths count as axes, without a direction."""
+    if trait != "azimuth":
+        return correlation(a, b) if min(stdev(a), stdev(b)) > 0 else math.nan
+    return fmean(
+        math.cos(2 * math.radians(x - y)) for x, y in zip(a, b, strict=True)
+    )
+
+
+def print_traits(plants: list[list[Leaf]]) -> None:
+    """A row per leaf, the plants beside each other."""
+    form = {"length": "{:.2f}", "width": "{:.3f}", "inclination": "{:.0f}"}
+    names = [*form, "azimuth"]
+    print("| leaf | length m | width m | inclination deg | azimuth deg |")
+    print("|---|---|---|---|---|")
+    for rank, same in enumerate(zip(*plants, strict=True), start=1):
+        cells = (
+            ", ".join(form.get(name, "{:.0f}").format(leaf[name]) for leaf in same)
+            for name in names
+        )
+        print(f"| {rank} | {' | '.join(cells)} |")
+    pairs = list(combinations(plants, 2))
+    if pairs:
+        cells = (
+            "{:+.2f}".format(
+                fmean(
+                    alike(name, *([leaf[name] for leaf in one] for one in pair))
+                    for pair in pairs
+                )
+            )
+            for name in names
+        )
+        print(f"| alike | {' | '.join(cells)} |")
+
+
+def study(
+    history: Path, baseline: list[Leaf], under: Path
+) -> tuple[list[Leaf], list[tuple[float, float]]]:
+    """The best plant, and what each variant loses, with its standard error [%]."""
     with tempfile.TemporaryDirectory() as folder:
         paths = write_variants(history, baseline, Path(folder))
+        best = leaves(paths[0])
         found = json.loads(ideotype("evaluate", *paths, "--under", under, "--json"))
     means = [row[0] for row in found["mean"]]
     errors = [row[0] for row in found["standard_error"]]
-    return [
+    return best, [
         (100 * (mean / means[0] - 1), 100 / means[0] * math.hypot(error, errors[0]))
         for mean, error in zip(means[1:], errors[1:], strict=True)
     ]
@@ -101,8 +141,12 @@ def main() -> None:
     parser.add_argument("histories", nargs="+", type=Path, metavar="HISTORY")
     options = parser.parse_args()
     baseline = leaves(Path(__file__).parent / "plants" / "b73.toml")
-    seeds = [losses(path, baseline, options.under) for path in options.histories]
-    print("| instead of what evolved | light [%] | by seed |\n|---|---|---|")
+    plants, seeds = zip(
+        *(study(path, baseline, options.under) for path in options.histories),
+        strict=True,
+    )
+    print_traits(list(plants))
+    print("\n| instead of what evolved | light [%] | by seed |\n|---|---|---|")
     for name, each in zip(VARIANTS, zip(*seeds, strict=True), strict=True):
         mean = fmean(x for x, _ in each)
         error = math.hypot(*(e for _, e in each)) / len(each)

@@ -53,6 +53,11 @@ double final_effort(const Campaign& campaign) {
     return std::max<double>(paths(final) / paths(usual), final.randomisations);
 }
 
+DayIllumination light_of(const Campaign& campaign, const Case& chosen) {
+    return illuminate(clear_day(chosen.site, chosen.day, campaign.par_fraction),
+                      campaign.sky_model, chosen.spacing.row_direction);
+}
+
 Mesh build_plant(const Campaign& campaign, const Genome& genome) {
     return build_plant(to_traits(genome), campaign.plant,
                        campaign.tessellation);
@@ -81,11 +86,9 @@ Layers canopy_layers(const Campaign& campaign) {
     return {thickness, static_cast<std::size_t>(std::ceil(top / thickness))};
 }
 
-CanopyReport study(const Campaign& campaign, const Case& chosen, const Day& day,
-                   const Device& device, const Genome& genome,
-                   const Draws& draws, Detail detail) {
-    const DayIllumination illumination =
-        illuminate(day, campaign.sky_model, chosen.spacing.row_direction);
+CanopyReport study(const Campaign& campaign, const Case& chosen,
+                   const DayIllumination& light, const Device& device,
+                   const Genome& genome, const Draws& draws, Detail detail) {
     const bool is_one = draws.fields == Draws::Fields::one;
     const int fields = is_one ? 1 : draws.sampling.randomisations;
     Sampling sampling = draws.sampling;
@@ -103,8 +106,8 @@ CanopyReport study(const Campaign& campaign, const Case& chosen, const Day& day,
         const Scene scene = Scene::of(device, field);
         const Randomness randomness{draws.seed, draws.generation, f};
         Simulation found = simulate_to_tolerance(
-            scene, field.mesh.groups, campaign.optics, illumination.light,
-            sampling, randomness, result.layers);
+            scene, field.mesh.groups, campaign.optics, light.light, sampling,
+            randomness, result.layers);
         append(tallies, std::move(found.tallies));
         sampling.paths = found.paths;
         result.paths += static_cast<std::uint64_t>(found.paths) *
@@ -112,15 +115,15 @@ CanopyReport study(const Campaign& campaign, const Case& chosen, const Day& day,
         result.is_capped |= found.is_capped;
         if (detail == Detail::full)
             append(sunlit,
-                   sunlit_fractions(scene, field.mesh, illumination.light,
+                   sunlit_fractions(scene, field.mesh, light.light,
                                     sunlit_sampling(sampling), randomness));
         result.groups = field.mesh.groups;
         result.boundary = field.boundary;
         result.ground_area = field.ground_area;
         result.lai = leaf_area(field.mesh) / result.ground_area;
     }
-    result.light = report(tallies, illumination, day);
-    if (detail == Detail::full) add_sunlit(result.light, sunlit, illumination);
+    result.light = report(tallies, light);
+    if (detail == Detail::full) add_sunlit(result.light, sunlit, light);
     if (!(result.light.balance_error < balance_tolerance))
         throw Error(fmt::format("the energy balance is off by {:.3g}",
                                 result.light.balance_error));
@@ -220,8 +223,8 @@ CanopyEvaluator::CanopyEvaluator(const Campaign& campaign,
                                  const std::string& isa)
     : campaign_(campaign), cases_(cases(campaign)), device_(isa) {
     for (const Case& c : cases_) {
-        days_.push_back(clear_day(c.site, c.day, campaign.par_fraction));
-        schemas_.push_back(outcome_schema(campaign, days_.back()));
+        lights_.push_back(light_of(campaign, c));
+        schemas_.push_back(outcome_schema(campaign, lights_.back().day));
     }
 }
 
@@ -233,7 +236,7 @@ Outcome CanopyEvaluator::evaluate(const Task& task, const Genome& genome) {
     const Case& chosen = cases_.at(task.case_index);
     return to_outcome(
         campaign_, genome,
-        study(campaign_, chosen, days_[task.case_index], device_, genome,
+        study(campaign_, chosen, lights_[task.case_index], device_, genome,
               draws_of(task, campaign_, chosen), Detail::history));
 }
 

@@ -32,38 +32,48 @@ NamedPlant named_plant(const std::string& path) {
             found.row.candidate.genome};
 }
 
-//! The cases without their replicates, which have the same light.
-std::vector<Case> lights(const Campaign& campaign) {
-    std::vector<Case> first;
-    for (Case& each : cases(campaign))
-        if (each.replicate == 1) first.push_back(std::move(each));
-    return first;
-}
-
 //! The name of a case without its replicate.
 std::string light_name(const Case& chosen) {
     return chosen.name.substr(0, chosen.name.rfind("_r"));
 }
 
-Estimate objective(const Campaign& under, const Case& chosen, const Day& day,
-                   const Device& device, const NamedPlant& plant) {
-    Campaign campaign = under;
+//! The campaign with this plant in place of its own.
+Campaign with(const NamedPlant& plant, Campaign campaign) {
     campaign.plant = plant.form;
     campaign.baseline = to_traits(plant.genome);
     campaign.bounds.resize(campaign.baseline.size(), campaign.bounds.back());
+    return campaign;
+}
+
+struct Column {
+    Case chosen;
+    DayIllumination light;
+};
+
+//! The cases without their replicates, which have the same light.
+std::vector<Column> columns(const Campaign& campaign) {
+    std::vector<Column> first;
+    for (const Case& each : cases(campaign))
+        if (each.replicate == 1)
+            first.push_back({each, light_of(campaign, each)});
+    return first;
+}
+
+Estimate objective(const Campaign& campaign, const Column& column,
+                   const Device& device, const Genome& genome) {
     Task task;
-    task.case_index = static_cast<std::uint32_t>(chosen.index);
+    task.case_index = static_cast<std::uint32_t>(column.chosen.index);
     task.is_final = true;
     const CanopyReport report =
-        study(campaign, chosen, day, device, plant.genome,
-              draws_of(task, campaign, chosen), Detail::history);
-    return to_outcome(campaign, plant.genome, report).objectives.front();
+        study(campaign, column.chosen, column.light, device, genome,
+              draws_of(task, campaign, column.chosen), Detail::history);
+    return to_outcome(campaign, genome, report).objectives.front();
 }
 
 //! A column per case, a row per plant.
 class Matrix {
   public:
-    Matrix(std::vector<NamedPlant> plants, std::vector<Case> columns)
+    Matrix(std::vector<NamedPlant> plants, std::vector<Column> columns)
         : plants_(std::move(plants)), columns_(std::move(columns)) {}
 
     void fill(const Campaign& under) {
@@ -71,11 +81,10 @@ class Matrix {
         for (const NamedPlant& plant : plants_) {
             show_progress();
             std::vector<Estimate>& row = rows_.emplace_back();
-            for (const Case& chosen : columns_)
-                row.push_back(objective(
-                    under, chosen,
-                    clear_day(chosen.site, chosen.day, under.par_fraction),
-                    device, plant));
+            const Campaign campaign = with(plant, under);
+            for (const Column& column : columns_)
+                row.push_back(
+                    objective(campaign, column, device, plant.genome));
         }
         show_progress();
     }
@@ -84,8 +93,8 @@ class Matrix {
         Json json{{"objective", quantity.name}, {"unit", quantity.unit}};
         for (const NamedPlant& plant : plants_)
             json["plants"].push_back(plant.name);
-        for (const Case& chosen : columns_)
-            json["cases"].push_back(light_name(chosen));
+        for (const Column& column : columns_)
+            json["cases"].push_back(light_name(column.chosen));
         for (const auto& row : rows_) {
             Json means = Json::array(), errors = Json::array();
             for (const Estimate& x : row) {
@@ -102,7 +111,7 @@ class Matrix {
         fmt::print("{} [{}] of each plant in each case\n", quantity.name,
                    quantity.unit);
         for (std::size_t c = 0; c < columns_.size(); ++c) {
-            fmt::print("\n{}\n", light_name(columns_[c]));
+            fmt::print("\n{}\n", light_name(columns_[c].chosen));
             for (std::size_t p = 0; p < plants_.size(); ++p)
                 fmt::print("  {:<50} {:>24}\n", plants_[p].name,
                            format(rows_[p][c]));
@@ -117,7 +126,7 @@ class Matrix {
     }
 
     std::vector<NamedPlant> plants_;
-    std::vector<Case> columns_;
+    std::vector<Column> columns_;
     std::vector<std::vector<Estimate>> rows_;  //!< by plant, then by case
 };
 
@@ -128,11 +137,10 @@ ExitCode cross_evaluate(const CrossOptions& options) {
     std::vector<NamedPlant> plants;
     for (const std::string& path : options.plants)
         plants.push_back(named_plant(path));
-    const std::vector<Case> columns = lights(under);
-    const Day day =
-        clear_day(columns[0].site, columns[0].day, under.par_fraction);
-    const Quantity quantity = outcome_schema(under, day).objectives.front();
-    Matrix matrix(std::move(plants), columns);
+    std::vector<Column> lit = columns(under);
+    const Quantity quantity =
+        outcome_schema(under, lit[0].light.day).objectives.front();
+    Matrix matrix(std::move(plants), std::move(lit));
     matrix.fill(under);
     if (options.is_json)
         fmt::print("{}\n", to_text(matrix.json(quantity)));

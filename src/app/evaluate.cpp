@@ -47,11 +47,11 @@ struct Study {
 Study timed_study(const Campaign& campaign, const Case& chosen,
                   const Genome& genome, const Draws& draws,
                   const std::string& isa) {
-    const Day day = clear_day(chosen.site, chosen.day, campaign.par_fraction);
+    const DayIllumination light = light_of(campaign, chosen);
     const Device device(isa);
     const double began = now();
     CanopyReport report =
-        study(campaign, chosen, day, device, genome, draws, Detail::full);
+        study(campaign, chosen, light, device, genome, draws, Detail::full);
     return {std::move(report), now() - began};
 }
 

@@ -61,31 +61,12 @@ class PathLaw {
     double slope_ = -0.5;
 };
 
-//! What the light of a field costs [s]: once, as for the tables of clear
-//! skies, and for each path.
-struct LightCost {
-    double once = 0;
-    double path = 0;
-};
-
-//! A straight line through the fewest and the most paths.
-LightCost light_cost(const MeasuredKnob& paths) {
-    const std::size_t last = paths.points.size() - 1;
-    const double few = paths_of(paths, 0), many = paths_of(paths, last);
-    // A draw has two randomisations.
-    const double least = 2 * few * paths.points[0].cost.path;
-    const double most = 2 * many * paths.points[last].cost.path;
-    const double path = std::max(0.0, (most - least) / (2 * (many - few)));
-    return {std::max(0.0, least - 2 * few * path), path};
-}
-
 //! One field and one randomisation of a model.
 struct Model {
     Estimate bias;
     double field_variance = 0;
     double path_ratio = 1;  //!< of the variance, to that of the campaign's own
-    Cost cost;              //!< path: of each [s]
-    double set_light = 0;   //!< once per field [s]
+    Cost cost;
 };
 
 double ratio(double a, double b) {
@@ -105,10 +86,7 @@ Model model_of(const Trade& trade, const std::vector<std::size_t>& values,
     const MeasuredKnob& paths = trade.knob("paths");
     const MeasuredKnob& cell = trade.knob("cell");
     Model model;
-    const LightCost light = light_cost(paths);
     model.cost = paths.own().cost;
-    model.cost.path = light.path;
-    model.set_light = light.once;
     double bias_variance = 0;
     for (std::size_t k = 0; k < trade.knobs.size(); ++k) {
         const MeasuredKnob& each = trade.knobs[k];
@@ -122,9 +100,7 @@ Model model_of(const Trade& trade, const std::vector<std::size_t>& values,
             path_ratio(inaccuracy.scatter.path, own.of(goal).scatter.path);
         model.cost.geometry *= ratio(point.cost.geometry, own.cost.geometry);
         model.cost.scene *= ratio(point.cost.scene, own.cost.scene);
-        const double of_light = ratio(point.cost.path, own.cost.path);
-        model.cost.path *= of_light;
-        model.set_light *= of_light;
+        model.cost.path *= ratio(point.cost.path, own.cost.path);
         // What is not known of it counts against it, as with biases.
         if (&each == &cell)
             model.field_variance =
@@ -146,9 +122,8 @@ Combination sampled(const Model& model, const PathLaw& law,
     result.standard_error =
         std::sqrt(model.field_variance / drawn +
                   model.path_ratio * squared(law.at(sampling.paths)) / n);
-    result.cost = {
-        drawn * model.cost.geometry, drawn * model.cost.scene,
-        drawn * model.set_light + model.cost.path * n * sampling.paths};
+    result.cost = {drawn * model.cost.geometry, drawn * model.cost.scene,
+                   model.cost.path * n * sampling.paths};
     return result;
 }
 
@@ -255,8 +230,7 @@ Check check_combination(const Trade& trade, const Combination& combination,
                         Goal goal, const Device& device, double budget) {
     const Variant variant{applied(trade, combination)};
     const Case chosen = case_of(variant, trade.case_index);
-    const Day day =
-        clear_day(chosen.site, chosen.day, variant.campaign.par_fraction);
+    const DayIllumination light = light_of(variant.campaign, chosen);
     constexpr std::size_t least = 8, most = 64;
     std::vector<double> found, seconds;
     const double until = now() + budget;
@@ -267,7 +241,7 @@ Check check_combination(const Trade& trade, const Combination& combination,
         const auto leaves = [&](const Genome& genome) {
             const double began = processor_seconds();
             const CanopyReport report =
-                study(variant.campaign, chosen, day, device, genome, draws,
+                study(variant.campaign, chosen, light, device, genome, draws,
                       Detail::history);
             seconds.push_back(processor_seconds() - began);
             return report.light.day.leaves.mean;

@@ -63,17 +63,14 @@ Probe::Probe(Variant variant, std::size_t case_index, const Device& device,
       device_(device),
       rivals_(plants) {
     const Campaign& campaign = variant_.campaign;
-    const Day day = clear_day(case_.site, case_.day, campaign.par_fraction);
-    DayIllumination light =
-        illuminate(day, campaign.sky_model, case_.spacing.row_direction);
+    DayIllumination light = light_of(campaign, case_);
     if (variant_.skies == Variant::Skies::each) {
         std::vector<Source>& sources = light.light.sources;
         std::erase_if(sources,
                       [](const Source& source) { return !source.direction; });
-        for (const TimeStep& step : day.steps)
-            sources.push_back({std::nullopt,
-                               step.par.diffuse * step.seconds,
-                               {campaign.sky_model, step.sun}});
+        for (const TimeStep& step : light.day.steps)
+            sources.push_back({std::nullopt, step.par.diffuse * step.seconds,
+                               SkySampler({campaign.sky_model, step.sun})});
     }
     arrange(light);
 }

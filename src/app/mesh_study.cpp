@@ -99,9 +99,8 @@ std::uint64_t paths_of(const Sampling& sampling) {
 MeshReport study(const MeshOptions& options) {
     check(options);
     const double began = now();
-    const Day day = day_of(options);
     const DayIllumination illumination =
-        illuminate(day, options.sky.value_or(SkyModel::uniform), 0);
+        illuminate(day_of(options), options.sky.value_or(SkyModel::uniform), 0);
     ObjMesh obj = read_obj(options.path);
     MeshReport result;
     result.warnings = std::move(obj.warnings);
@@ -126,7 +125,7 @@ MeshReport study(const MeshOptions& options) {
     sampling.paths = found.paths;
     canopy.paths = paths_of(sampling);
     canopy.is_capped = found.is_capped;
-    canopy.light = report(found.tallies, illumination, day);
+    canopy.light = report(found.tallies, illumination);
     add_sunlit(canopy.light,
                sunlit_fractions(scene, field.mesh, illumination.light,
                                 sunlit_sampling(sampling), randomness),

@@ -1,5 +1,7 @@
 #include "ideotype/light/illumination.hpp"
 
+#include <utility>
+
 namespace ideotype {
 
 double Illumination::energy() const {
@@ -8,8 +10,7 @@ double Illumination::energy() const {
     return sum;
 }
 
-DayIllumination illuminate(const Day& day, SkyModel sky_model,
-                           double row_direction) {
+DayIllumination illuminate(Day day, SkyModel sky_model, double row_direction) {
     DayIllumination result;
     std::vector<Source>& sources = result.light.sources;
     const auto add = [&](const Source& source) {
@@ -25,13 +26,15 @@ DayIllumination illuminate(const Day& day, SkyModel sky_model,
             {beam_direction(sun_of(step)), step.par.beam * step.seconds, {}}));
     if (sky_model == SkyModel::clear) {
         for (const TimeStep& step : day.steps)
-            result.sky_of.push_back(add({std::nullopt,
-                                         step.par.diffuse * step.seconds,
-                                         {sky_model, sun_of(step)}}));
+            result.sky_of.push_back(
+                add({std::nullopt, step.par.diffuse * step.seconds,
+                     SkySampler({sky_model, sun_of(step)})}));
     } else {
-        const int sky = add({std::nullopt, day.diffuse(), {sky_model, {}}});
+        const int sky =
+            add({std::nullopt, day.diffuse(), SkySampler({sky_model, {}})});
         result.sky_of.assign(day.steps.size(), sky);
     }
+    result.day = std::move(day);
     return result;
 }
 

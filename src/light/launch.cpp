@@ -19,7 +19,6 @@ std::array<double, 3> as_array(const Vec3& v) {
 
 Launcher::Launcher(const Scene& scene, const Source& source, double soil_albedo)
     : scene_(scene), source_(source) {
-    if (!source.direction) sky_.emplace(source.sky);
     if (scene.boundary() == Boundary::isolated) add_portals(soil_albedo);
 }
 
@@ -83,7 +82,8 @@ Bundle Launcher::enter(const Portal& portal, PathSampler& sampler,
     const Vec3 p{at[0], at[1], at[2]};
     const Vec3 n{inwards[0], inwards[1], inwards[2]};
     Vec3 d;
-    if (portal.from == From::source && (!sky_ || portal.axis == 2)) {
+    if (portal.from == From::source &&
+        (source_.direction || portal.axis == 2)) {
         d = from_above(sampler);
     } else {
         const double u = sampler.next();
@@ -106,14 +106,14 @@ Bundle Launcher::enter(const Portal& portal, PathSampler& sampler,
 }
 
 Vec3 Launcher::from_above(PathSampler& sampler) const {
-    if (!sky_) return not_level(*source_.direction);
+    if (source_.direction) return not_level(*source_.direction);
     const double u = sampler.next();
-    return not_level(sky_->sample(u, sampler.next()));
+    return not_level(source_.sky.sample(u, sampler.next()));
 }
 
 double Launcher::relative_brightness(const Vec3& direction) const {
-    return relative_radiance(source_.sky, direction) * std::numbers::pi /
-           sky_->horizontal_irradiance();
+    return relative_radiance(source_.sky.radiance(), direction) *
+           std::numbers::pi / source_.sky.horizontal_irradiance();
 }
 
 bool Launcher::is_lit(const Vec3& soil, PathSampler& sampler) const {

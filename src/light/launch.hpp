@@ -1,12 +1,10 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "ideotype/light/illumination.hpp"
 #include "ideotype/light/sampler.hpp"
 #include "ideotype/light/scene.hpp"
-#include "ideotype/sky/sky_sampler.hpp"
 #include "travel.hpp"
 
 namespace ideotype {
@@ -53,8 +51,7 @@ class Launcher {
 
     const Scene& scene_;
     const Source& source_;
-    std::optional<SkySampler> sky_;  //!< if the source has no direction
-    std::vector<Portal> portals_;    //!< empty for a periodic stand
+    std::vector<Portal> portals_;  //!< empty for a periodic stand
     double entering_ = 1;
 };
 

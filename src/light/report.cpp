@@ -63,7 +63,8 @@ double balance_error(const Tally& tally) {
 }  // namespace
 
 DayReport report(const std::vector<Tally>& tallies,
-                 const DayIllumination& illumination, const Day& day) {
+                 const DayIllumination& illumination) {
+    const Day& day = illumination.day;
     const std::vector<Source>& sources = illumination.light.sources;
     DayReport result;
     result.day =

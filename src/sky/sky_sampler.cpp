@@ -128,8 +128,8 @@ class SkySampler::ClearSky {
     PiecewiseDensity<32> angles_;
 };
 
-SkySampler::SkySampler(const SkyRadiance& sky) : model_(sky.model) {
-    if (model_ != SkyModel::clear) return;
+SkySampler::SkySampler(const SkyRadiance& sky) : radiance_(sky) {
+    if (sky.model != SkyModel::clear) return;
     if (!(sky.sun.zenith >= 0 && sky.sun.zenith <= 90))
         throw Error("a clear sky needs a sun above the horizon");
     clear_ = std::make_shared<ClearSky>(sky.sun);
@@ -137,7 +137,7 @@ SkySampler::SkySampler(const SkyRadiance& sky) : model_(sky.model) {
 
 Vec3 SkySampler::sample(double u, double v) const {
     if (clear_) return clear_->sample(u, v);
-    if (model_ == SkyModel::uniform)
+    if (radiance_.model == SkyModel::uniform)
         return travel_from(std::sqrt(1 - u), std::sqrt(u), 2 * pi * v);
     const double cos_zenith = overcast_cos_zenith(1 - u);
     return travel_from(cos_zenith, std::sqrt(1 - cos_zenith * cos_zenith),
@@ -146,7 +146,7 @@ Vec3 SkySampler::sample(double u, double v) const {
 
 double SkySampler::horizontal_irradiance() const {
     if (clear_) return clear_->irradiance();
-    return model_ == SkyModel::uniform ? pi : 7 * pi / 9;
+    return radiance_.model == SkyModel::uniform ? pi : 7 * pi / 9;
 }
 
 }  // namespace ideotype

@@ -160,13 +160,13 @@ TEST(Canopy, InThePolarNightAllFiguresAreZero) {
         Case night = cases(campaign)[0];
         night.site.latitude = pole;
         night.day.date = {2025, pole > 0 ? 12 : 6, 21};
-        const Day day = clear_day(night.site, night.day, campaign.par_fraction);
-        ASSERT_TRUE(day.steps.empty());
+        const DayIllumination light = light_of(campaign, night);
+        ASSERT_TRUE(light.day.steps.empty());
         const Device device(Device::supported_isas().back());
         const Outcome outcome = checked_outcome(
-            outcome_schema(campaign, day),
+            outcome_schema(campaign, light.day),
             to_outcome(campaign, to_genome(campaign.baseline),
-                       study(campaign, night, day, device,
+                       study(campaign, night, light, device,
                              to_genome(campaign.baseline),
                              draws_of({}, campaign, night), Detail::history)));
         EXPECT_EQ(outcome.status, Status::done) << outcome.message;

@@ -42,7 +42,7 @@ void light(benchmark::State& state) {
 BENCHMARK(light)->Unit(benchmark::kMillisecond);
 
 CanopyReport evaluate(const Stand& stand, const Sampling& sampling) {
-    return study(stand.campaign, stand.chosen, stand.day, stand.device,
+    return study(stand.campaign, stand.chosen, stand.illumination, stand.device,
                  stand.baseline, {stand.chosen.seed, 0, sampling},
                  Detail::history);
 }
@@ -55,9 +55,9 @@ int paths_for(const Stand& stand, double tolerance) {
     constexpr std::uint32_t draws = 8;
     for (std::uint32_t d = 0; d < draws; ++d) {
         const double error = relative_error(
-            study(stand.campaign, stand.chosen, stand.day, stand.device,
-                  stand.baseline, {stand.chosen.seed, d, {trial, 8}},
-                  Detail::history));
+            study(stand.campaign, stand.chosen, stand.illumination,
+                  stand.device, stand.baseline,
+                  {stand.chosen.seed, d, {trial, 8}}, Detail::history));
         squares += error * error / draws;
     }
     constexpr double slope = 0.55;

@@ -12,7 +12,7 @@ void measure(benchmark::State& state, Campaign campaign, double size) {
     const Sampling sampling{1024, 8};
     for (auto _ : state)
         benchmark::DoNotOptimize(study(
-            stand.campaign, stand.chosen, stand.day, stand.device,
+            stand.campaign, stand.chosen, stand.illumination, stand.device,
             stand.baseline, {stand.chosen.seed, 0, sampling}, Detail::history));
     state.counters["size"] = size;
 }

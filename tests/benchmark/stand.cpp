@@ -9,9 +9,7 @@ Campaign Stand::ames() {
 Stand::Stand(Campaign changed)
     : campaign(std::move(changed)),
       chosen(cases(campaign).front()),
-      day(clear_day(chosen.site, chosen.day, campaign.par_fraction)),
-      illumination(
-          illuminate(day, campaign.sky_model, chosen.spacing.row_direction)),
+      illumination(light_of(campaign, chosen)),
       baseline(to_genome(campaign.baseline)),
       device(Device::supported_isas().back()) {}
 

@@ -19,7 +19,6 @@ struct Stand {
 
     Campaign campaign;
     Case chosen;
-    Day day;
     DayIllumination illumination;
     Genome baseline;
     Device device;

@@ -67,9 +67,8 @@ void polar_night(Findings& findings) {
         const DayIllumination light = illuminate(day, SkyModel::uniform, 90);
         const Mesh mesh = load_reference_mesh("maize1");
         const Scene scene(widest_device(), mesh, own_cell.x, own_cell.y);
-        const DayReport result =
-            report(simulate(scene, mesh.groups, par, light.light, {64, 2}, {}),
-                   light, day);
+        const DayReport result = report(
+            simulate(scene, mesh.groups, par, light.light, {64, 2}, {}), light);
         findings.require(result.day.incident == 0 &&
                              result.day.leaves.mean == 0 &&
                              result.day.leaves.standard_error == 0 &&

@@ -23,7 +23,7 @@ Illumination sun_from(double elevation, double azimuth) {
 }
 
 Illumination sky_of(const SkyRadiance& sky) {
-    return {{{std::nullopt, 1.0, sky}}};
+    return {{{std::nullopt, 1.0, SkySampler(sky)}}};
 }
 
 Illumination uniform_sky() {

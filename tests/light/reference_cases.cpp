@@ -32,7 +32,7 @@ Source sun(double elevation, double azimuth) {
 }
 
 Source sky(SkyModel model) {
-    return {std::nullopt, 1.0, {model, {}}};
+    return {std::nullopt, 1.0, SkySampler({model, {}})};
 }
 
 //! The light of a file's case such as "maize1/par05/sun60_az180".

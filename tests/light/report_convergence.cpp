@@ -27,9 +27,7 @@ struct Baseline {
     explicit Baseline(const std::string& campaigns)
         : campaign(ames(campaigns)),
           chosen(cases(campaign).front()),
-          day(clear_day(chosen.site, chosen.day, campaign.par_fraction)),
-          illumination(illuminate(day, campaign.sky_model,
-                                  chosen.spacing.row_direction)),
+          illumination(light_of(campaign, chosen)),
           field(build_field(campaign, chosen, to_genome(campaign.baseline),
                             {chosen.seed, 0, {}, Draws::Fields::one}, 0)),
           device(Device::supported_isas().back()),
@@ -39,13 +37,12 @@ struct Baseline {
         return report(simulate(scene, field.mesh.groups, campaign.optics,
                                illumination.light, {paths, randomisations},
                                {chosen.seed, 0, 0}),
-                      illumination, day)
+                      illumination)
             .day;
     }
 
     Campaign campaign;
     Case chosen;
-    Day day;
     DayIllumination illumination;
     Field field;
     Device device;

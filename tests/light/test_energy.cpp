@@ -30,9 +30,11 @@ TEST(Energy, AStandWithoutLeavesIsItsSoil) {
 TEST(Energy, EverySourceKeepsItsOwnEnergy) {
     Illumination light = sun_from(30, 10);
     light.sources[0].energy = 3;
-    light.sources.push_back({std::nullopt, 0.004, {SkyModel::overcast, {}}});
+    light.sources.push_back(
+        {std::nullopt, 0.004, SkySampler({SkyModel::overcast, {}})});
     light.sources.push_back({sun_from(60, 90).sources[0].direction, 2, {}});
-    light.sources.push_back({std::nullopt, 1, {SkyModel::clear, {70, 180}}});
+    light.sources.push_back(
+        {std::nullopt, 1, SkySampler({SkyModel::clear, {70, 180}})});
     const Mesh mesh = load_reference_mesh("maize1");
     const Scene scene(widest_device(), mesh, 0.76, 0.15);
     for (const Tally& tally : simulate(

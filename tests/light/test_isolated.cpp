@@ -82,13 +82,13 @@ TEST(Isolated, AWallSeesTheSkyThatItFaces) {
     Mesh wall = leaves_only();
     add_leaf(wall, {0, 0, 0}, {0, .5, 0}, {0, 0, 1});
     Illumination sky = uniform_sky();
-    sky.sources[0].sky.model = SkyModel::overcast;
+    sky.sources[0].sky = SkySampler({SkyModel::overcast, {}});
     const double expected = (.5 + 4 / (3 * std::numbers::pi)) / (1 + 4. / 3);
     expect_agreement(trace_plot(wall, black, sky).leaves, {expected, 0}, 5e-4,
                      "both sides of half a square metre");
 
     // Under a clear one the balance closes, and a sheet takes its area.
-    sky.sources[0].sky = {SkyModel::clear, {50, 120}};
+    sky.sources[0].sky = SkySampler({SkyModel::clear, {50, 120}});
     Mesh sheet = leaves_only();
     add_leaf(sheet, {0, 0, 1}, {1, 0, 0}, {0, .4, 0});
     EXPECT_NEAR(trace_plot(sheet, black, sky).leaves.mean, .4, 1e-4);

@@ -23,7 +23,7 @@ DayReport report_of(const Mesh& mesh, Period period, const Optics& optics,
     const DayIllumination light = illuminate(day, SkyModel::uniform, 0);
     DayReport result = report(simulate(scene, mesh.groups, optics, light.light,
                                        sampling, {1, 0, 0}, layers),
-                              light, day);
+                              light);
     add_sunlit(result,
                sunlit_fractions(scene, mesh, light.light, sampling, {2, 0, 0}),
                light);

@@ -40,7 +40,7 @@ TEST_F(MadeUpDay, HasOneBeamAndOneSkyForAllInstants) {
 }
 
 TEST_F(MadeUpDay, AddsSourcesUpToTheDay) {
-    const DayReport r = report(tallies, light, day);
+    const DayReport r = report(tallies, light);
     EXPECT_DOUBLE_EQ(r.day.incident, 810e3);
     EXPECT_DOUBLE_EQ(r.day.leaves.mean, 400e3);
     EXPECT_DOUBLE_EQ(r.day.leaves.standard_error, 10e3);
@@ -49,7 +49,7 @@ TEST_F(MadeUpDay, AddsSourcesUpToTheDay) {
 }
 
 TEST_F(MadeUpDay, GivesEachInstantItsBeamAndItsShareOfTheSky) {
-    const DayReport r = report(tallies, light, day);
+    const DayReport r = report(tallies, light);
     ASSERT_EQ(r.steps.size(), 2u);
     // The sky of 50 W m-2 for 1800 s is 1/7 of the day's diffuse light.
     EXPECT_DOUBLE_EQ(r.steps[0].budget.incident, 150);
@@ -62,7 +62,7 @@ TEST_F(MadeUpDay, HasOneSkyForAllInstantsWhenOvercast) {
     light = illuminate(day, SkyModel::overcast, 0);
     ASSERT_EQ(light.light.sources.size(), 2u);
     EXPECT_EQ(light.sky_of, (std::vector<int>{1, 1}));
-    EXPECT_EQ(light.light.sources[1].sky.model, SkyModel::overcast);
+    EXPECT_EQ(light.light.sources[1].sky.radiance().model, SkyModel::overcast);
 }
 
 TEST_F(MadeUpDay, HasAClearSkyForEachInstantThatFollowsTheSun) {
@@ -73,9 +73,9 @@ TEST_F(MadeUpDay, HasAClearSkyForEachInstantThatFollowsTheSun) {
     EXPECT_EQ(light.sky_of, (std::vector<int>{2, 3, -1}));
     const Source& sky = light.light.sources[3];
     EXPECT_DOUBLE_EQ(sky.energy, 540e3);
-    EXPECT_EQ(sky.sky.model, SkyModel::clear);
-    EXPECT_EQ(sky.sky.sun.zenith, 40);
-    EXPECT_EQ(sky.sky.sun.azimuth, 50);
+    EXPECT_EQ(sky.sky.radiance().model, SkyModel::clear);
+    EXPECT_EQ(sky.sky.radiance().sun.zenith, 40);
+    EXPECT_EQ(sky.sky.radiance().sun.azimuth, 50);
     EXPECT_DOUBLE_EQ(light.light.energy(), day.incident());
 
     // Each instant has the light of its own sources only.
@@ -84,7 +84,7 @@ TEST_F(MadeUpDay, HasAClearSkyForEachInstantThatFollowsTheSun) {
          {}},
         {{{1800, 0, 0, 0}, {3600, 0, 0, 0}, {900, 0, 0, 0}, {7200, 0, 0, 0}},
          {}}};
-    const DayReport r = report(tallies, light, day);
+    const DayReport r = report(tallies, light);
     EXPECT_DOUBLE_EQ(r.steps[0].budget.leaves.mean, 1.5);
     EXPECT_DOUBLE_EQ(r.steps[1].budget.leaves.mean, 2);
     EXPECT_DOUBLE_EQ(r.steps[2].budget.leaves.mean, 2);

@@ -8,6 +8,7 @@
 #include "ideotype/core/mesh.hpp"
 #include "ideotype/evolve/evaluation.hpp"
 #include "ideotype/light/device.hpp"
+#include "ideotype/light/illumination.hpp"
 #include "ideotype/light/report.hpp"
 #include "ideotype/plant/field.hpp"
 #include "ideotype/sky/day.hpp"
@@ -31,6 +32,9 @@ Draws draws_of(const Task& task, const Campaign& campaign, const Case& chosen);
 //! How many times longer the evaluation of a finalist takes, about: it has
 //! more paths, and a field for each randomisation.
 double final_effort(const Campaign& campaign);
+
+//! The light of a case; worth keeping for all its evaluations.
+DayIllumination light_of(const Campaign& campaign, const Case& chosen);
 
 //! genome -> plant.
 Mesh build_plant(const Campaign& campaign, const Genome& genome);
@@ -62,9 +66,10 @@ Layers canopy_layers(const Campaign& campaign);
 enum class Detail { history, full };
 
 //! field -> light -> report.
-CanopyReport study(const Campaign& campaign, const Case& chosen, const Day& day,
-                   const Device& device, const Genome& genome,
-                   const Draws& draws, Detail detail);
+//! @param light of the case
+CanopyReport study(const Campaign& campaign, const Case& chosen,
+                   const DayIllumination& light, const Device& device,
+                   const Genome& genome, const Draws& draws, Detail detail);
 
 //! The columns of a case's outcomes.
 OutcomeSchema outcome_schema(const Campaign& campaign, const Day& day);
@@ -93,8 +98,8 @@ class CanopyEvaluator : public Evaluator {
   private:
     const Campaign& campaign_;
     std::vector<Case> cases_;
-    std::vector<Day> days_;               //!< by case
-    std::vector<OutcomeSchema> schemas_;  //!< by case
+    std::vector<DayIllumination> lights_;  //!< by case
+    std::vector<OutcomeSchema> schemas_;   //!< by case
     Device device_;
 };
 

@@ -5,7 +5,7 @@
 
 #include "ideotype/core/mesh.hpp"
 #include "ideotype/sky/day.hpp"
-#include "ideotype/sky/radiance.hpp"
+#include "ideotype/sky/sky_sampler.hpp"
 
 namespace ideotype {
 
@@ -13,7 +13,7 @@ namespace ideotype {
 struct Source {
     std::optional<Vec3> direction;  //!< of travel, unit length, downwards
     double energy = 0;              //!< on horizontal ground [J m-2]
-    SkyRadiance sky;                //!< in use if there is no direction
+    SkySampler sky;                 //!< in use if there is no direction
 };
 
 //! All light that falls on a stand, each source traced for itself.
@@ -28,13 +28,13 @@ struct Illumination {
 //! each instant. Sources without energy are left out. beam_of[i] and
 //! sky_of[i] are the sources of instant i, or -1 if it has none.
 struct DayIllumination {
+    Day day;
     Illumination light;
     std::vector<int> beam_of;
     std::vector<int> sky_of;
 };
 
 //! @param row_direction of the field's y axis, clockwise from north [deg]
-DayIllumination illuminate(const Day& day, SkyModel sky_model,
-                           double row_direction);
+DayIllumination illuminate(Day day, SkyModel sky_model, double row_direction);
 
 }  // namespace ideotype

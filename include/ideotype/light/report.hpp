@@ -6,7 +6,6 @@
 #include "ideotype/core/estimate.hpp"
 #include "ideotype/light/illumination.hpp"
 #include "ideotype/light/transport.hpp"
-#include "ideotype/sky/day.hpp"
 
 namespace ideotype {
 
@@ -53,7 +52,7 @@ struct DayReport {
 //! the diffuse part of each instant is its share of that. The standard errors
 //! are those of the mean of the tallies.
 DayReport report(const std::vector<Tally>& tallies,
-                 const DayIllumination& illumination, const Day& day);
+                 const DayIllumination& illumination);
 
 //! Adds the sunlit leaf area to each instant; none without a sun.
 //! @param fractions as sunlit_fractions() gives them

@@ -14,6 +14,7 @@
 #include "ideotype/app/evolve_case.hpp"
 #include "ideotype/app/progress.hpp"
 #include "ideotype/app/provenance.hpp"
+#include "once.hpp"
 
 namespace ideotype {
 
@@ -58,23 +59,6 @@ class Counter : public Watcher {
     void on_final(const std::string&) override {}
 
     int evaluations = 0;
-};
-
-class Once : public Director {
-  public:
-    explicit Once(Routine<Ending> routine) : routine_(std::move(routine)) {}
-
-    bool start_next() override {
-        if (std::exchange(is_started_, true)) return false;
-        routine_.start();
-        return true;
-    }
-    void on_silence(const Task&, const std::string&) override {}
-    void on_stop(int) override {}
-
-  private:
-    Routine<Ending> routine_;
-    bool is_started_ = false;
 };
 
 void measure(Campaign campaign, double seconds, const Session& session,

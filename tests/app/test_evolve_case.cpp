@@ -1,7 +1,6 @@
 #include <cmath>
 #include <filesystem>
 #include <unistd.h>
-#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -9,6 +8,7 @@
 #include "ideotype/app/evolve_case.hpp"
 #include "ideotype/app/provenance.hpp"
 #include "ideotype/core/error.hpp"
+#include "once.hpp"
 
 namespace ideotype {
 namespace {
@@ -41,26 +41,6 @@ class SumEvaluator : public Evaluator {
   private:
     const OutcomeSchema& schema_;
     StopFlag& stop_;
-};
-
-//! Starts one routine and waits for its end.
-class Once : public Director {
-  public:
-    explicit Once(Routine<Ending> routine) : routine_(std::move(routine)) {}
-
-    bool start_next() override {
-        if (std::exchange(is_started_, true)) return false;
-        routine_.start();
-        return true;
-    }
-    void on_silence(const Task&, const std::string&) override {}
-    void on_stop(int) override {}
-
-    Ending result() { return routine_.result(); }
-
-  private:
-    Routine<Ending> routine_;
-    bool is_started_ = false;
 };
 
 class NoWatcher : public Watcher {

@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "command_fixture.hpp"
 #include "fake_director.hpp"
-#include "fake_evaluator.hpp"
 #include "ideotype/core/error.hpp"
-#include "mpi_fixture.hpp"
 
 namespace ideotype {
 
@@ -24,14 +23,9 @@ std::vector<Work> generation_of(std::uint32_t case_index,
 }  // namespace
 
 //! Several routines in one run, as cases of a sweep.
-class CasesOnAllRanks : public OnAllRanks {
+class CasesOnAllRanks : public Commanded {
   protected:
-    template <class Command>
-    void command(Command give_orders) {
-        if (!is_master()) return serve(session(), evaluator_);
-        const auto dispatcher = make_dispatcher(session(), evaluator_, stop_);
-        give_orders(*dispatcher);
-    }
+    CasesOnAllRanks() : Commanded(FakeEvaluator(milliseconds(2))) {}
 
     //! Awaits one generation after the other, and notes when what arrived.
     Routine<bool> evolve(Dispatcher& dispatcher, std::uint32_t case_index,
@@ -57,8 +51,6 @@ class CasesOnAllRanks : public OnAllRanks {
             std::count(order_.begin(), order_.end(), case_index));
     }
 
-    FakeEvaluator evaluator_{milliseconds(2)};
-    StopFlag stop_;
     FakeDirector director_;
     std::vector<std::uint32_t> order_;  //!< cases of outcomes as they arrived
 };

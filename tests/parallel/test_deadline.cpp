@@ -1,25 +1,22 @@
 #include <map>
 
+#include "command_fixture.hpp"
 #include "fake_director.hpp"
-#include "fake_evaluator.hpp"
 #include "ideotype/core/error.hpp"
-#include "mpi_fixture.hpp"
 
 namespace ideotype {
 
 using std::chrono::milliseconds;
 
 //! Workers that do not answer in time. Needs two of them.
-class DeadlineOnAllRanks : public OnAllRanks {
+class DeadlineOnAllRanks : public Commanded {
   protected:
-    //! What rank 0 does, while the others serve.
+    DeadlineOnAllRanks()
+        : Commanded(FakeEvaluator(milliseconds(0), milliseconds(1200))) {}
+
     template <class Command>
-    void command(const AnswerRules& rules, Command give_orders) {
-        if (session().size() < 3) return;
-        if (!is_master()) return serve(session(), evaluator_);
-        const auto dispatcher =
-            make_dispatcher(session(), evaluator_, stop_, rules);
-        give_orders(*dispatcher);
+    void command_two(const AnswerRules& rules, Command give_orders) {
+        if (session().size() >= 3) command(give_orders, rules);
     }
 
     Routine<bool> evaluate_slots(Dispatcher& dispatcher,
@@ -44,14 +41,12 @@ class DeadlineOnAllRanks : public OnAllRanks {
     static constexpr std::uint32_t slow = FakeEvaluator::slow_slot;
     static constexpr AnswerRules impatient{0.2, 3, 1};
 
-    FakeEvaluator evaluator_{milliseconds(0), milliseconds(1200)};
-    StopFlag stop_;
     FakeDirector director_;
     std::map<std::uint32_t, Answered> answers_;  //!< by slot
 };
 
 TEST_F(DeadlineOnAllRanks, ALateEvaluationIsTriedElsewhere) {
-    command(impatient, [&](Dispatcher& dispatcher) {
+    command_two(impatient, [&](Dispatcher& dispatcher) {
         director_.add(evaluate_slots(dispatcher, {slow_once, 1, 2, 3}));
         dispatcher.run(director_);
         ASSERT_EQ(answers_.size(), 4u);
@@ -68,7 +63,7 @@ TEST_F(DeadlineOnAllRanks, ALateEvaluationIsTriedElsewhere) {
 }
 
 TEST_F(DeadlineOnAllRanks, ALateAnswerIsDroppedAndItsWorkerIsBack) {
-    command(impatient, [&](Dispatcher& dispatcher) {
+    command_two(impatient, [&](Dispatcher& dispatcher) {
         director_.add(evaluate_slots(dispatcher, {slow_once, 1}));
         dispatcher.run(director_);
         // Until the late one answers it gets no work.
@@ -98,7 +93,7 @@ TEST_F(DeadlineOnAllRanks, ALateAnswerIsDroppedAndItsWorkerIsBack) {
 
 TEST_F(DeadlineOnAllRanks, AfterTheLastAttemptTheRowSaysSo) {
     if (session().size() < 5) return;
-    command(impatient, [&](Dispatcher& dispatcher) {
+    command_two(impatient, [&](Dispatcher& dispatcher) {
         director_.add(evaluate_slots(dispatcher, {slow, 1, 2}));
         dispatcher.run(director_);
         ASSERT_EQ(answers_.size(), 3u);
@@ -114,7 +109,7 @@ TEST_F(DeadlineOnAllRanks, AfterTheLastAttemptTheRowSaysSo) {
 TEST_F(DeadlineOnAllRanks, TheFirstAnswerCountsEvenIfLate) {
     if (session().size() != 3) return;
     evaluator_ = FakeEvaluator(milliseconds(0), milliseconds(300));
-    command(impatient, [&](Dispatcher& dispatcher) {
+    command_two(impatient, [&](Dispatcher& dispatcher) {
         // The first attempt answers while the second is under way.
         director_.add(evaluate_slots(dispatcher, {slow, 1, 2}));
         dispatcher.run(director_);
@@ -127,7 +122,7 @@ TEST_F(DeadlineOnAllRanks, TheFirstAnswerCountsEvenIfLate) {
 
 TEST_F(DeadlineOnAllRanks, EndsWithAnErrorWhenNobodyAnswers) {
     // As many attempts as workers: still no failed row.
-    command({0.1, session().size() - 1, 1}, [&](Dispatcher& dispatcher) {
+    command_two({0.1, session().size() - 1, 1}, [&](Dispatcher& dispatcher) {
         director_.add(evaluate_slots(dispatcher, {slow}));
         try {
             dispatcher.run(director_);
@@ -146,7 +141,7 @@ TEST_F(DeadlineOnAllRanks, EndsWithAnErrorWhenNobodyAnswers) {
 }
 
 TEST_F(DeadlineOnAllRanks, ADrainWaitsForAHungWorkerUntilItsDeadlineOnly) {
-    command(impatient, [&](Dispatcher& dispatcher) {
+    command_two(impatient, [&](Dispatcher& dispatcher) {
         stop_.request_after(0.05);
         director_.add(evaluate_slots(dispatcher, {slow_once}));
         dispatcher.run(director_);
@@ -159,7 +154,7 @@ TEST_F(DeadlineOnAllRanks, ADrainWaitsForAHungWorkerUntilItsDeadlineOnly) {
 
 TEST_F(DeadlineOnAllRanks, GrowsWithWhatTheLongestTook) {
     evaluator_ = FakeEvaluator(milliseconds(60), milliseconds(600));
-    command(impatient, [&](Dispatcher& dispatcher) {
+    command_two(impatient, [&](Dispatcher& dispatcher) {
         director_.add(evaluate_slots(dispatcher, {1, 2}));
         dispatcher.run(director_);
         // 20 times 60 ms is more than the 200 ms that were asked for.

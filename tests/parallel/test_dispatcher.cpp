@@ -5,26 +5,16 @@
 
 #include <mpi.h>
 
+#include "command_fixture.hpp"
 #include "fake_director.hpp"
-#include "fake_evaluator.hpp"
 #include "ideotype/core/error.hpp"
-#include "ideotype/parallel/dispatcher.hpp"
-#include "mpi_fixture.hpp"
 
 namespace ideotype {
 
 using std::chrono::milliseconds;
 
-class DispatcherOnAllRanks : public OnAllRanks {
+class DispatcherOnAllRanks : public Commanded {
   protected:
-    //! What rank 0 does, while the others serve.
-    template <class Command>
-    void command(Command give_orders) {
-        if (!is_master()) return serve(session(), evaluator_);
-        const auto dispatcher = make_dispatcher(session(), evaluator_, stop_);
-        give_orders(*dispatcher);
-    }
-
     void evaluations_take(milliseconds duration) {
         evaluator_ = FakeEvaluator(duration);
     }
@@ -37,8 +27,6 @@ class DispatcherOnAllRanks : public OnAllRanks {
         };
     }
 
-    FakeEvaluator evaluator_;
-    StopFlag stop_;
     std::map<std::uint32_t, Outcome> outcomes_;  //!< by slot
 };
 

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "fake_evaluator.hpp"
+#include "ideotype/parallel/dispatcher.hpp"
+#include "mpi_fixture.hpp"
+
+namespace ideotype {
+
+//! Rank 0 gives orders, the others serve.
+class Commanded : public OnAllRanks {
+  protected:
+    explicit Commanded(FakeEvaluator evaluator = FakeEvaluator())
+        : evaluator_(std::move(evaluator)) {}
+
+    //! What rank 0 does, while the others serve.
+    template <class Command>
+    void command(Command give_orders, const AnswerRules& rules = {}) {
+        if (!is_master()) return serve(session(), evaluator_);
+        const auto dispatcher =
+            make_dispatcher(session(), evaluator_, stop_, rules);
+        give_orders(*dispatcher);
+    }
+
+    FakeEvaluator evaluator_;
+    StopFlag stop_;
+};
+
+}  // namespace ideotype

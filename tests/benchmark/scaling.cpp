@@ -1,4 +1,7 @@
-//! Cost against plants, leaves, faces and hours; table.sh fits the exponents.
+//! Cost against plants, leaves, faces, hours and sites; table.sh fits the
+//! exponents.
+#include <string>
+
 #include <benchmark/benchmark.h>
 
 #include "stand.hpp"
@@ -64,6 +67,29 @@ void hours(benchmark::State& state) {
     measure(state, campaign, static_cast<double>(state.range(0)) + 1);
 }
 BENCHMARK(hours)->RangeMultiplier(2)->Range(6, 208)->Unit(
+    benchmark::kMillisecond);
+
+//! A worker's whole work for a campaign of so many sites: their light, and one
+//! evaluation for each.
+void sites(benchmark::State& state) {
+    Campaign campaign = Stand::ames();
+    campaign.replicates = 1;
+    const Site ames = campaign.sites[0];
+    campaign.sites.clear();
+    for (int i = 0; i < state.range(0); ++i) {
+        campaign.sites.push_back(ames);
+        campaign.sites.back().name += std::to_string(i);
+    }
+    const Genome baseline = to_genome(campaign.baseline);
+    for (auto _ : state) {
+        CanopyEvaluator evaluator(campaign, Device::supported_isas().back());
+        Task task;
+        for (; task.case_index < campaign.sites.size(); ++task.case_index)
+            benchmark::DoNotOptimize(evaluator.evaluate(task, baseline));
+    }
+    state.counters["size"] = static_cast<double>(state.range(0));
+}
+BENCHMARK(sites)->RangeMultiplier(4)->Range(1, 256)->Unit(
     benchmark::kMillisecond);
 
 }  // namespace

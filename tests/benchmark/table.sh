@@ -25,6 +25,13 @@ if command -v perf >/dev/null && perf record -q -e cpu-clock -F 999 \
         grep -v '^#' >"$folder/shares" || true
 fi
 
+program=$(dirname "$benchmarks")/../../src/ideotype
+if command -v mpirun >/dev/null && [ -x "$program" ]; then
+    here=$(dirname "${BASH_SOURCE[0]}")
+    "$here/rank_memory.sh" "$program" "$here/../../campaigns/ames.toml" \
+        >"$folder/ranks"
+fi
+
 python3 - "$folder" <<'PYTHON'
 import json
 import math
@@ -61,7 +68,7 @@ for run in runs:
     )
 
 print("\ncost as a power of what grows, of the last doubling and of all")
-for family in ("plants", "leaves", "faces", "hours"):
+for family in ("plants", "leaves", "faces", "hours", "sites"):
     points = sorted(
         (run["size"], run["cpu_time"])
         for run in runs
@@ -85,4 +92,8 @@ if os.path.exists(f"{folder}/shares"):
         lines = [line.split() for line in file if line.strip()]
     for share, library, *_ in lines[:5]:
         print(f"{share:>8} {library}")
+if os.path.exists(f"{folder}/ranks"):
+    print("\nmemory of a run's ranks; 0 is the master")
+    with open(f"{folder}/ranks") as file:
+        print(file.read(), end="")
 PYTHON

@@ -101,7 +101,7 @@ Probe::Randomised Probe::evaluate(const Genome& genome, std::uint32_t draw) {
         build_field(variant_.campaign, case_, genome,
                     {seed, draw, variant_.campaign.sampling}, 0);
     const double built = processor_seconds();
-    const Scene scene(device_, field.mesh, field.period_x, field.period_y);
+    const Scene scene = Scene::of(device_, field);
     const double committed = processor_seconds();
     Randomised result{};
     int traced = 0;

@@ -190,9 +190,8 @@ class Survey {
 //! Per randomisation, for the tolerance of the campaign.
 int needed_paths(const Campaign& campaign, const Case& chosen,
                  const Device& device, const Genome& genome) {
-    const Day day = clear_day(chosen.site, chosen.day, campaign.par_fraction);
     const CanopyReport report =
-        study(campaign, chosen, day, device, genome,
+        study(campaign, chosen, light_of(campaign, chosen), device, genome,
               {chosen.seed, 0, campaign.sampling, Draws::Fields::one},
               Detail::history);
     return static_cast<int>(

@@ -19,7 +19,7 @@ Field Stand::field(const Genome& genome) const {
 }
 
 Scene Stand::scene(const Field& field) const {
-    return Scene(device, field.mesh, field.period_x, field.period_y);
+    return Scene::of(device, field);
 }
 
 double relative_error(const CanopyReport& report) {

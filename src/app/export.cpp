@@ -11,16 +11,21 @@ namespace ideotype {
 
 namespace {
 
-//! Writes the faces of one plant: one OBJ group per leaf, vertices numbered
-//! from `first`.
-void write_plant(fmt::ostream& out, const Mesh& mesh, std::size_t first_face,
-                 std::size_t faces, const std::string& prefix) {
-    std::uint32_t group = UINT32_MAX;
-    for (std::size_t f = first_face; f < first_face + faces; ++f) {
-        if (mesh.face_group[f] != group) {
-            group = mesh.face_group[f];
-            out.print("g {}{}\n", prefix, mesh.groups[group].name);
-        }
+//! One group per organ, "leaf01", or with plants of the faces given,
+//! "plant001_leaf01".
+void write_obj(const std::string& path, const std::string& title,
+               const Mesh& mesh,
+               const std::vector<std::uint32_t>& face_plant = {}) {
+    auto out = fmt::output_file(path);
+    out.print("# {}\n# metres, z up, y along the rows\n", title);
+    for (const Vec3& v : mesh.vertices)
+        out.print("v {:.7f} {:.7f} {:.7f}\n", v.x, v.y, v.z);
+    std::string current;
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        std::string group = mesh.groups[mesh.face_group[f]].name;
+        if (!face_plant.empty())
+            group = fmt::format("plant{:03}_{}", face_plant[f] + 1, group);
+        if (group != current) out.print("g {}\n", current = group);
         const auto& v = mesh.faces[f];
         if (v[2] == v[3])
             out.print("f {} {} {}\n", v[0] + 1, v[1] + 1, v[2] + 1);
@@ -28,18 +33,6 @@ void write_plant(fmt::ostream& out, const Mesh& mesh, std::size_t first_face,
             out.print("f {} {} {} {}\n", v[0] + 1, v[1] + 1, v[2] + 1,
                       v[3] + 1);
     }
-}
-
-void write_obj(const std::string& path, const std::string& title,
-               const Mesh& mesh, std::size_t plants) {
-    auto out = fmt::output_file(path);
-    out.print("# {}\n# metres, z up, y along the rows\n", title);
-    for (const Vec3& v : mesh.vertices)
-        out.print("v {:.7f} {:.7f} {:.7f}\n", v.x, v.y, v.z);
-    const std::size_t faces = mesh.faces.size() / plants;
-    for (std::size_t p = 0; p < plants; ++p)
-        write_plant(out, mesh, p * faces, faces,
-                    plants > 1 ? fmt::format("plant{:03}_", p + 1) : "");
 }
 
 void write_csv(const std::string& path, const Genome& genome) {
@@ -72,11 +65,9 @@ ExitCode export_plant(const ExportOptions& options) {
         if (options.is_field) {
             const Field field = build_field(
                 campaign, chosen, genome, draws_of(task, campaign, chosen), 0);
-            write_obj(options.to, title, field.mesh,
-                      static_cast<std::size_t>(campaign.field.rows) *
-                          static_cast<std::size_t>(campaign.field.plants));
+            write_obj(options.to, title, field.mesh, field.face_plant);
         } else {
-            write_obj(options.to, title, build_plant(campaign, genome), 1);
+            write_obj(options.to, title, build_plant(campaign, genome));
         }
     } else {
         throw Error(fmt::format("{}: unknown format; use a name that ends in "

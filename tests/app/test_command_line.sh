@@ -85,6 +85,15 @@ expect 0 "$ideotype" export "$history" --best --to plant.obj
 expect 0 "$ideotype" export "$history" --generation 0 --slot 0 --field \
     --to field.obj
 [ "$(grep -c '^g plant.*leaf' field.obj)" -eq 90 ] || fail "not nine plants"
+# Of a plot that is cut, plants keep different numbers of faces.
+sed -e 's/"verbs"/"cut"/' -e '/^\[field\]/a boundary = "isolated"\ncut = 1' \
+    campaigns/verbs.toml >campaigns/cut.toml
+expect 0 "$ideotype" run campaigns/cut.toml
+expect 0 "$ideotype" export "$(history_of results cut)" --generation 0 --slot 0 \
+    --field --to cut.obj
+[ "$(grep -c '^g plant005_leaf' cut.obj)" -eq 10 ] || fail "no middle plant"
+[ -z "$(grep '^g ' cut.obj | sort | uniq -d)" ] ||
+    fail "a group of a cut plot is in two pieces"
 expect 0 "$ideotype" export "$history" --best --to plant.csv
 [ "$(wc -l <plant.csv)" -eq 11 ] || fail "not ten leaves"
 expect 4 "$ideotype" export "$history" --best --to plant.obj

@@ -25,6 +25,14 @@ std::string clock_name(double hour) {
     return fmt::format("{:02}_{:02}", minutes / 60, minutes % 60);
 }
 
+Field place(const Campaign& campaign, const Case& chosen, const Mesh& plant,
+            const Draws& draws, std::uint32_t draw) {
+    FieldForm form = campaign.field;
+    form.spacing = chosen.spacing;
+    return build_field(plant, form,
+                       draw_turns(form, draws.seed, draws.generation, draw));
+}
+
 }  // namespace
 
 Draws draws_of(const Task& task, const Campaign& campaign, const Case& chosen) {
@@ -52,10 +60,20 @@ Mesh build_plant(const Campaign& campaign, const Genome& genome) {
 Field build_field(const Campaign& campaign, const Case& chosen,
                   const Genome& genome, const Draws& draws,
                   std::uint32_t draw) {
-    FieldForm form = campaign.field;
-    form.spacing = chosen.spacing;
-    return build_field(build_plant(campaign, genome), form,
-                       draw_turns(form, draws.seed, draws.generation, draw));
+    return place(campaign, chosen, build_plant(campaign, genome), draws, draw);
+}
+
+void for_each_field(const Campaign& campaign, const Case& chosen,
+                    const Mesh& plant, const Draws& draws,
+                    const std::function<void(const Field&, const Sampling&,
+                                             const Randomness&)>& visit) {
+    const bool is_one = draws.fields == Draws::Fields::one;
+    const int fields = is_one ? 1 : draws.sampling.randomisations;
+    Sampling sampling = draws.sampling;
+    sampling.randomisations /= fields;
+    for (std::uint32_t f = 0; f < static_cast<std::uint32_t>(fields); ++f)
+        visit(place(campaign, chosen, plant, draws, f), sampling,
+              {draws.seed, draws.generation, f});
 }
 
 Sampling sunlit_sampling(const Sampling& sampling) {
@@ -77,11 +95,6 @@ CanopyReport study(const Campaign& campaign, const Case& chosen, const Day& day,
                    const Draws& draws, Detail detail) {
     const DayIllumination illumination =
         illuminate(day, campaign.sky_model, chosen.spacing.row_direction);
-    const bool is_one = draws.fields == Draws::Fields::one;
-    const int fields = is_one ? 1 : draws.sampling.randomisations;
-    Sampling sampling = draws.sampling;
-    sampling.randomisations /= fields;
-
     CanopyReport result;
     result.layers = canopy_layers(campaign);
     std::vector<Tally> tallies;
@@ -89,10 +102,9 @@ CanopyReport study(const Campaign& campaign, const Case& chosen, const Day& day,
     const auto append = [](auto& all, auto more) {
         all.insert(all.end(), more.begin(), more.end());
     };
-    for (std::uint32_t f = 0; f < static_cast<std::uint32_t>(fields); ++f) {
-        const Field field = build_field(campaign, chosen, genome, draws, f);
+    const auto trace = [&](const Field& field, const Sampling& sampling,
+                           const Randomness& randomness) {
         const Scene scene = Scene::of(device, field);
-        const Randomness randomness{draws.seed, draws.generation, f};
         append(tallies, simulate(scene, field.mesh.groups, campaign.optics,
                                  illumination.light, sampling, randomness,
                                  result.layers));
@@ -104,7 +116,9 @@ CanopyReport study(const Campaign& campaign, const Case& chosen, const Day& day,
         result.boundary = field.boundary;
         result.ground_area = field.ground_area;
         result.lai = leaf_area(field.mesh) / result.ground_area;
-    }
+    };
+    for_each_field(campaign, chosen, build_plant(campaign, genome), draws,
+                   trace);
     result.light = report(tallies, illumination, day);
     if (detail == Detail::full) add_sunlit(result.light, sunlit, illumination);
     if (!(result.light.balance_error < balance_tolerance))

@@ -96,6 +96,14 @@ expect 0 "$ideotype" export "$(history_of results cut)" --generation 0 --slot 0 
     fail "a group of a cut plot is in two pieces"
 expect 0 "$ideotype" export "$history" --best --to plant.csv
 [ "$(wc -l <plant.csv)" -eq 11 ] || fail "not ten leaves"
+for shape in plant field; do
+    [ $shape = plant ] && whole=() || whole=(--field)
+    expect 0 "$ideotype" export "$history" --best "${whole[@]}" --to $shape.vtp
+    grep -q 'absorbed_par \[MJ m-2 day-1\]' $shape.vtp || fail "no light"
+done
+grep -q "repeats every 2.286000 m in x and 0.457200 m in y" field.obj ||
+    fail "the field does not tell its period"
+expect 2 "$ideotype" export "$history" --best --paths 1 --to dark.vtp
 expect 4 "$ideotype" export "$history" --best --to plant.obj
 expect 2 "$ideotype" export "$history" --best --to plant.doc
 

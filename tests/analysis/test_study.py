@@ -117,6 +117,20 @@ def test_saturation_is_told_from_room(sweep: Path, tmp_path: Path) -> None:
         assert study.cases()[0].is_saturated()
 
 
+def test_a_plot_alone_has_no_ceiling(tmp_path: Path) -> None:
+    path = tmp_path / "plot.h5"
+    made = MadeHistory(path)
+    made.file["campaign/resolved"][()] = b'[field]\nboundary = "isolated"'
+    made.evolve(1)
+    made.finish()
+    made.close()
+    with ideotype_analysis.open(path) as study:
+        (case,) = study.cases()
+        assert case.is_isolated and study[0].is_isolated
+        with pytest.raises(HistoryError, match="lit from its sides"):
+            case.is_saturated()
+
+
 def test_the_frame_holds_every_evaluation_with_units(sweep: Path) -> None:
     with ideotype_analysis.open(sweep) as study:
         frame = study.frame()

@@ -117,6 +117,13 @@ def test_saturation_is_told_from_room(sweep: Path, tmp_path: Path) -> None:
         assert study.cases()[0].is_saturated()
 
 
+def test_studies_cases_and_histories_tell_what_they_are(sweep: Path) -> None:
+    with ideotype_analysis.open(sweep) as study:
+        assert repr(study) == "<Study, histories: 4>"
+        assert repr(study.cases()[0]) == "<Case ames_0807_762x152_all, seeds: 2>"
+        assert repr(study[0]) == f"<History {study[0].path}>"
+
+
 def test_a_plot_alone_has_no_ceiling(tmp_path: Path) -> None:
     path = tmp_path / "plot.h5"
     made = MadeHistory(path)

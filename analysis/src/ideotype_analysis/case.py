@@ -30,6 +30,9 @@ class Case:
         self.traits = histories[0].traits
         self.is_isolated = histories[0].is_isolated
 
+    def __repr__(self) -> str:
+        return f"<Case {self.name}, seeds: {len(self.histories)}>"
+
     @cached_property
     def _known(self) -> tuple[tuple[History, Pair], ...]:
         found = ((h, h.comparison()) for h in self.histories)

@@ -61,6 +61,9 @@ class History:
             self.close()
             raise
 
+    def __repr__(self) -> str:
+        return f"<History {self.path}>"
+
     def __enter__(self) -> Self:
         return self
 

@@ -5,7 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+import pytest
 from ideotype_analysis.comparison import draw_energy, draw_spacings
+from ideotype_analysis.cross import Cross, draw_cross
 from ideotype_analysis.study import open_study
 from made_history import MadeHistory
 
@@ -50,3 +52,19 @@ def test_plots_alone_have_a_panel_of_their_own(tmp_path: Path) -> None:
     assert [t.get_text() for t in plots.get_yticklabels()] == [
         *("plot baseline", "plot best"),
     ]
+
+
+def test_seeds_are_put_together_in_a_cross_evaluation() -> None:
+    plants = ("ames_all_r1", "ames_all_r2", "oslo_all_r1", "b73")
+    mean = np.array([[11.0, 10.0], [11.2, 10.2], [np.nan, 10.3], [9.0, 8.0]])
+    cross = Cross(plants, ("ames", "oslo"), mean, np.full((4, 2), 0.01))
+    (ames, bred), (oslo, lonely), (b73, _) = cross.seeds_together()
+    assert (ames, oslo, b73) == ("ames_all", "oslo_all_r1", "b73")
+    assert bred[0] is not None and bred[0].mean == pytest.approx(11.1)
+    # Student's t with one degree of freedom, times the standard error
+    assert bred[0].half_width == pytest.approx(12.706 * 0.1)
+    assert lonely[0] is None and lonely[1] is not None
+    assert lonely[1].half_width == pytest.approx(0.0196)
+    axes, _ = draw_cross(cross).axes
+    texts = [text.get_text() for text in axes.texts]
+    assert texts[0] == "100.00\n±11.45" and len(texts) == 5

@@ -14,7 +14,7 @@ def test_figures_for_documents_are_small(tmp_path: Path) -> None:
     random = np.random.default_rng(1)
 
     def noise() -> Figure:
-        figure = Figure(figsize=(7, 7))
+        figure = Figure(figsize=(3, 3))
         figure.add_subplot().imshow(random.random((500, 500)))
         return figure
 

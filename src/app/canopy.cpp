@@ -8,6 +8,7 @@
 
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/hash.hpp"
+#include "ideotype/light/accuracy.hpp"
 #include "ideotype/light/sunlit.hpp"
 
 namespace ideotype {
@@ -39,8 +40,14 @@ Draws draws_of(const Task& task, const Campaign& campaign, const Case& chosen) {
     if (task.is_final)
         return {derive_seed(chosen.seed, "final"), 0,
                 campaign.final_rule.sampling, Draws::Fields::each};
-    return {chosen.seed, task.generation, campaign.sampling,
-            Draws::Fields::one};
+    Sampling sampling = campaign.sampling;
+    if (campaign.first_tolerance > 0 && campaign.stop.generations > 1) {
+        const double left = 1 - static_cast<double>(task.generation) /
+                                    (campaign.stop.generations - 1);
+        sampling.tolerance *=
+            std::pow(campaign.first_tolerance / sampling.tolerance, left);
+    }
+    return {chosen.seed, task.generation, sampling, Draws::Fields::one};
 }
 
 double final_effort(const Campaign& campaign) {
@@ -48,8 +55,10 @@ double final_effort(const Campaign& campaign) {
         return static_cast<double>(sampling.paths) * sampling.randomisations;
     };
     const Sampling& final = campaign.final_rule.sampling;
-    return std::max<double>(paths(final) / paths(campaign.sampling),
-                            final.randomisations);
+    // With a tolerance an evaluation may need the least that there is.
+    Sampling usual = campaign.sampling;
+    if (usual.tolerance > 0) usual.paths = std::min(usual.paths, 16);
+    return std::max<double>(paths(final) / paths(usual), final.randomisations);
 }
 
 Mesh build_plant(const Campaign& campaign, const Genome& genome) {
@@ -102,12 +111,17 @@ CanopyReport study(const Campaign& campaign, const Case& chosen, const Day& day,
     const auto append = [](auto& all, auto more) {
         all.insert(all.end(), more.begin(), more.end());
     };
-    const auto trace = [&](const Field& field, const Sampling& sampling,
+    const auto trace = [&](const Field& field, Sampling sampling,
                            const Randomness& randomness) {
         const Scene scene = Scene::of(device, field);
-        append(tallies, simulate(scene, field.mesh.groups, campaign.optics,
-                                 illumination.light, sampling, randomness,
-                                 result.layers));
+        Simulation found = simulate_to_tolerance(
+            scene, field.mesh.groups, campaign.optics, illumination.light,
+            sampling, randomness, result.layers);
+        append(tallies, std::move(found.tallies));
+        sampling.paths = found.paths;
+        result.paths += static_cast<std::uint64_t>(found.paths) *
+                        static_cast<std::uint64_t>(sampling.randomisations);
+        result.is_capped |= found.is_capped;
         if (detail == Detail::full)
             append(sunlit,
                    sunlit_fractions(scene, field.mesh, illumination.light,
@@ -139,6 +153,8 @@ OutcomeSchema outcome_schema(const Campaign& campaign, const Day& day) {
                           {"soil_fraction", "1"},
                           {"reflected_fraction", "1"},
                           {"balance_error", "1"},
+                          {"paths", "1"},
+                          {"capped", "1"},
                           {"lai", "m2 m-2"},
                           {violation_column, "1"}};
     for (std::size_t leaf = 1; leaf <= campaign.baseline.size(); ++leaf)
@@ -179,6 +195,8 @@ Outcome to_outcome(const Campaign& campaign, const Genome& genome,
         scaled(day.soil, to_fraction),
         scaled(day.reflected, to_fraction),
         {report.light.balance_error, 0},
+        {static_cast<double>(report.paths), 0},
+        {report.is_capped ? 1.0 : 0.0, 0},
         {report.lai, 0},
         {violation(campaign.constraints, to_traits(genome), report.lai), 0}};
     for (std::size_t g = 0; g < report.groups.size(); ++g)

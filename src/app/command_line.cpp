@@ -146,10 +146,11 @@ int run_command_line(int argc, char** argv) {
         "history, which is recomputed and compared bit for bit, or any mesh, "
         "or many plants under the cases of a campaign");
     CrossOptions cross_options;
-    auto* evaluate_path = evaluate_verb->add_option(
-        "paths", cross_options.plants,
-        "campaign (.toml: its baseline) or history (.h5); several with "
-        "--under");
+    auto* evaluate_path =
+        evaluate_verb->add_option("paths", cross_options.plants,
+                                  "campaign (.toml: its baseline) or history "
+                                  "(.h5); with --under several, "
+                                  "plant files (.toml) too");
     auto* under = evaluate_verb->add_option(
         "--under", cross_options.under,
         "campaign in whose cases all plants are evaluated, the best of each "
@@ -163,14 +164,24 @@ int run_command_line(int argc, char** argv) {
     evaluate_verb->add_flag("--json", evaluate_options.is_json);
     MeshOptions mesh_options;
     add_mesh_options(*evaluate_verb, mesh_options);
+    evaluate_verb->add_option_function<double>(
+        "--tolerance",
+        [&](double tolerance) {
+            mesh_options.tolerance = tolerance;
+            evaluate_options.tolerance = tolerance;
+        },
+        "relative standard error of the leaves' total: of a mesh (0.001 if not "
+        "given), or of a second look at a row of a history, in the same "
+        "field");
+    evaluate_verb->get_option("--paths")->excludes("--tolerance");
     evaluate_verb->get_option("--mesh")
         ->excludes(evaluate_path)
         ->excludes("--case")
         ->excludes("--best")
         ->excludes("--generation")
         ->excludes("--slot");
-    for (const char* other :
-         {"--mesh", "--case", "--best", "--generation", "--slot"})
+    for (const char* other : {"--mesh", "--case", "--best", "--generation",
+                              "--slot", "--tolerance"})
         under->excludes(other);
     on(evaluate_verb, [&] {
         mesh_options.is_json = cross_options.is_json = evaluate_options.is_json;
@@ -211,12 +222,14 @@ int run_command_line(int argc, char** argv) {
     auto* export_verb = app.add_subcommand(
         "export",
         "write a plant of a history as OBJ (mesh), VTP (mesh with the PAR "
-        "that each face absorbs, for ParaView) or CSV (traits), or all "
+        "that each face absorbs, for ParaView), CSV (traits) or TOML (plant "
+        "file, for campaigns), or all "
         "complete generations as CSV");
     export_verb->add_option("file", export_options.path)->required();
     add_row_choice(*export_verb, export_options.row);
     export_verb
-        ->add_option("--to", export_options.to, "new file, .obj, .vtp or .csv")
+        ->add_option("--to", export_options.to,
+                     "new file, .obj, .vtp, .csv or .toml")
         ->required();
     export_verb->add_flag("--field", export_options.is_field,
                           "the whole field instead of one plant (.obj, .vtp)");

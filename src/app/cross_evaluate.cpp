@@ -20,11 +20,10 @@ struct NamedPlant {
     Genome genome;
 };
 
-NamedPlant read_plant(const std::string& path) {
+NamedPlant named_plant(const std::string& path) {
     if (!is_history(path)) {
-        const Campaign campaign = read_campaign(path);
-        return {campaign.plant.name, campaign.plant,
-                to_genome(campaign.baseline)};
+        const KnownPlant plant = read_plant(path);
+        return {plant.form.name, plant.form, to_genome(plant.traits)};
     }
     RowChoice best;
     best.is_best = true;
@@ -128,7 +127,7 @@ ExitCode cross_evaluate(const CrossOptions& options) {
     const Campaign under = read_campaign(options.under);
     std::vector<NamedPlant> plants;
     for (const std::string& path : options.plants)
-        plants.push_back(read_plant(path));
+        plants.push_back(named_plant(path));
     const std::vector<Case> columns = lights(under);
     const Day day =
         clear_day(columns[0].site, columns[0].day, under.par_fraction);

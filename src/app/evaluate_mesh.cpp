@@ -27,8 +27,10 @@ std::string light_name(const MeshOptions& options) {
                        90 - options.sun->zenith, options.sun->azimuth);
 }
 
-bool is_met(const MeshReport& report, const MeshOptions& options) {
-    return report.relative_error <= options.tolerance;
+//! Of the leaves' light.
+double relative_error(const MeshReport& report) {
+    const Estimate& leaves = report.canopy.light.day.leaves;
+    return leaves.standard_error > 0 ? leaves.standard_error / leaves.mean : 0;
 }
 
 Span span_of(const MeshOptions& options) {
@@ -40,11 +42,11 @@ Json to_json(const MeshReport& report, const MeshOptions& options) {
               {"boundary", boundary_name(options)},
               {"light", light_name(options)}};
     json.update(to_json(report.canopy, span_of(options)));
-    json["paths"] = report.paths;
-    json["relative_standard_error"] = report.relative_error;
+    json["paths"] = report.canopy.paths;
+    json["relative_standard_error"] = relative_error(report);
     if (!options.paths)
         json["tolerance"] = {{"asked", options.tolerance},
-                             {"is_met", is_met(report, options)},
+                             {"is_met", !report.canopy.is_capped},
                              {"most_paths", most_tolerance_paths}};
     json["seed"] = options.seed;
     json["seconds"] = report.seconds;
@@ -55,7 +57,7 @@ Json to_json(const MeshReport& report, const MeshOptions& options) {
 void print_report(const MeshReport& report, const MeshOptions& options) {
     fmt::print("{}, {}, {}\n{:.4g} m2 of ground, {} paths, {:.2g} s\n",
                options.path, boundary_name(options), light_name(options),
-               report.canopy.ground_area, report.paths, report.seconds);
+               report.canopy.ground_area, report.canopy.paths, report.seconds);
     print_light(report.canopy, span_of(options));
 }
 
@@ -66,11 +68,12 @@ ExitCode evaluate_mesh(const MeshOptions& options) {
     for (const std::string& warning : report.warnings)
         fmt::print(stderr, "ideotype: warning: {}: {}\n", options.path,
                    warning);
-    if (!options.paths && !is_met(report, options))
+    if (report.canopy.is_capped)
         fmt::print(stderr,
                    "ideotype: warning: the relative standard error is {:.2g}, "
                    "not {:.2g}, after the most paths ({})\n",
-                   report.relative_error, options.tolerance, report.paths);
+                   relative_error(report), options.tolerance,
+                   report.canopy.paths);
     if (options.is_json)
         fmt::print("{}\n", to_text(to_json(report, options)));
     else

@@ -1,3 +1,4 @@
+#include <cctype>
 #include <filesystem>
 #include <optional>
 
@@ -21,6 +22,16 @@ void write_csv(const std::string& path, const Genome& genome) {
     for (std::size_t i = 0; i < traits.size(); ++i)
         out.print("{},{},{},{},{}\n", i + 1, traits[i].length, traits[i].width,
                   traits[i].inclination, traits[i].azimuth);
+}
+
+//! The plant's name is that of the file, as far as names allow.
+void write_plant_file(const std::string& path, const std::string& title,
+                      PlantForm form, const Genome& genome) {
+    form.name = std::filesystem::path(path).stem().string().substr(0, 64);
+    for (char& c : form.name)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-') c = '_';
+    auto out = fmt::output_file(path);
+    out.print("# {}\n{}", title, plant_text({form, to_traits(genome)}));
 }
 
 //! Where the surfaces of a file are, for other ray tracers.
@@ -85,9 +96,10 @@ ExitCode export_plant(const ExportOptions& options) {
         task.is_final ? "final" : fmt::format("generation {}", task.generation),
         task.slot);
     const auto extension = std::filesystem::path(options.to).extension();
-    if (extension != ".csv" && extension != ".obj" && extension != ".vtp")
+    if (extension != ".csv" && extension != ".obj" && extension != ".vtp" &&
+        extension != ".toml")
         throw Error(fmt::format("{}: unknown format; use a name that ends in "
-                                ".obj, .vtp or .csv",
+                                ".obj, .vtp, .csv or .toml",
                                 options.to),
                     ExitCode::usage);
     if (std::filesystem::exists(options.to))
@@ -96,6 +108,11 @@ ExitCode export_plant(const ExportOptions& options) {
                     ExitCode::refused);
     if (extension == ".csv") {
         write_csv(options.to, genome);
+        fmt::print("{}\n", options.to);
+        return ExitCode::ok;
+    }
+    if (extension == ".toml") {
+        write_plant_file(options.to, title, campaign.plant, genome);
         fmt::print("{}\n", options.to);
         return ExitCode::ok;
     }

@@ -97,7 +97,9 @@ Sampling face_sampling(const Sampling& sampling, std::size_t faces) {
         sampling.randomisations;
     // Powers of two are where Sobol' nets are most even.
     const int paths = 1 << static_cast<int>(std::ceil(std::log2(enough)));
-    return {std::max(sampling.paths, paths), sampling.randomisations};
+    Sampling result = sampling;
+    result.paths = std::max(sampling.paths, paths);
+    return result;
 }
 
 }  // namespace ideotype

@@ -222,6 +222,7 @@ Campaign applied(const Trade& trade, const Combination& combination) {
         if (may_turn(trade.knobs[k]))
             trade.knobs[k].knob.values[combination.values[k]].apply(variant);
     variant.campaign.sampling = combination.sampling;
+    variant.campaign.first_tolerance = 0;
     return variant.campaign;
 }
 
@@ -241,7 +242,9 @@ std::vector<PastedKey> keys_of(const Campaign& campaign) {
         {"optics", "stalk_transmittance", number(optics.stalk.transmittance)},
         {"optics", "soil_albedo", number(optics.soil_albedo)},
         {"light", "paths", number(campaign.sampling.paths)},
-        {"light", "randomisations", number(campaign.sampling.randomisations)}};
+        {"light", "randomisations", number(campaign.sampling.randomisations)},
+        {"light", "tolerance", number(campaign.sampling.tolerance)},
+        {"light", "first_tolerance", number(campaign.first_tolerance)}};
     // The only other sky that a knob sets.
     if (campaign.sky_model == SkyModel::uniform)
         keys.push_back({"light", "sky", "\"uniform\""});

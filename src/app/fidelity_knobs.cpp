@@ -190,6 +190,7 @@ std::vector<Knob> knobs(const Campaign& campaign, std::size_t case_index) {
     all.push_back(split_knob());
 
     Variant own{campaign};
+    own.campaign.first_tolerance = own.campaign.sampling.tolerance = 0;
     own.campaign.sampling.paths = fewest_paths(campaign, span);
     Variant fine = own;
     for (const Knob& knob : all)

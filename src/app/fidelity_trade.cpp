@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/app/canopy.hpp"
 #include "ideotype/app/progress.hpp"
 #include "ideotype/core/error.hpp"
 
@@ -186,6 +187,19 @@ class Survey {
     std::vector<KnobProbes> all_;
 };
 
+//! Per randomisation, for the tolerance of the campaign.
+int needed_paths(const Campaign& campaign, const Case& chosen,
+                 const Device& device, const Genome& genome) {
+    const Day day = clear_day(chosen.site, chosen.day, campaign.par_fraction);
+    const CanopyReport report =
+        study(campaign, chosen, day, device, genome,
+              {chosen.seed, 0, campaign.sampling, Draws::Fields::one},
+              Detail::history);
+    return static_cast<int>(
+        report.paths /
+        static_cast<std::uint64_t>(campaign.sampling.randomisations));
+}
+
 }  // namespace
 
 const MeasuredKnob& Trade::knob(const std::string& name) const {
@@ -202,6 +216,9 @@ Trade measure_trade(const Campaign& campaign, std::size_t case_index,
     trade.case_index = case_index;
     const Case chosen = case_of(trade.own, case_index);
     trade.rivals = rivals(campaign, chosen);
+    if (campaign.sampling.tolerance > 0)
+        trade.own.campaign.sampling.paths =
+            needed_paths(campaign, chosen, device, trade.rivals[0]);
     Survey survey(effort, on_progress);
     Variant converged = trade.own;
     for (const Knob& knob : knobs(campaign, case_index)) {

@@ -123,16 +123,10 @@ void add_mesh_options(CLI::App& verb, MeshOptions& options) {
     verb.add_option("--soil-albedo", options.soil_albedo)
         ->capture_default_str()
         ->needs(mesh);
-    auto* tolerance =
-        verb.add_option("--tolerance", options.tolerance,
-                        "relative standard error of the leaves' total")
-            ->capture_default_str()
-            ->needs(mesh);
     verb.add_option("--paths", options.paths,
                     "how many paths of light to follow at least, instead of "
                     "a tolerance")
-        ->needs(mesh)
-        ->excludes(tolerance);
+        ->needs(mesh);
     verb.add_option("--seed", options.seed, "of the random numbers")
         ->capture_default_str()
         ->needs(mesh);

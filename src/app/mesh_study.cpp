@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "ideotype/app/progress.hpp"
+#include "ideotype/light/accuracy.hpp"
 #include "ideotype/light/device.hpp"
 #include "ideotype/light/sunlit.hpp"
 #include "ideotype/plant/obj_reader.hpp"
@@ -17,13 +18,6 @@ namespace {
 //! Errors come from this many independent repetitions: enough to know them
 //! to an eighth.
 constexpr std::uint64_t usual_randomisations = 32;
-
-//! Where a tolerance begins.
-constexpr std::uint64_t first_paths = 16384;
-
-//! A trial must stay this far below the tolerance, for its confirmation to be
-//! likely to meet it.
-constexpr double trial = 0.8;
 
 //! Layers of equal thickness up to the top of the canopy.
 constexpr std::size_t layers = 10;
@@ -100,11 +94,6 @@ std::uint64_t paths_of(const Sampling& sampling) {
            static_cast<std::uint64_t>(sampling.randomisations);
 }
 
-double relative_error(const BudgetEstimate& budget) {
-    const Estimate& leaves = budget.leaves;
-    return leaves.standard_error > 0 ? leaves.standard_error / leaves.mean : 0;
-}
-
 }  // namespace
 
 MeshReport study(const MeshOptions& options) {
@@ -128,31 +117,16 @@ MeshReport study(const MeshOptions& options) {
     const Scene scene = Scene::of(device, field);
     canopy.layers = {scene.top() / layers, layers};
     const Optics optics{options.leaf, {}, options.soil_albedo};
-    const std::uint64_t least_paths =
-        usual_randomisations * illumination.light.sources.size();
-    Sampling sampling =
-        share(options.paths.value_or(std::max(first_paths, least_paths)));
-    Randomness randomness{options.seed, 0, 0};
-    for (bool is_trial = !options.paths;;) {
-        result.paths = paths_of(sampling);
-        canopy.light = report(
-            simulate(scene, field.mesh.groups, optics, illumination.light,
-                     sampling, randomness, canopy.layers),
-            illumination, day);
-        result.relative_error = relative_error(canopy.light.day);
-        if (is_trial && result.relative_error <= trial * options.tolerance) {
-            is_trial = false;
-        } else if (options.paths ||
-                   (!is_trial && result.relative_error <= options.tolerance) ||
-                   2 * result.paths > most_tolerance_paths) {
-            break;
-        } else {
-            is_trial = true;
-            sampling.paths *= 2;
-        }
-        randomness.first_randomisation +=
-            static_cast<std::uint32_t>(sampling.randomisations);
-    }
+    Sampling sampling = share(options.paths.value_or(most_tolerance_paths));
+    if (!options.paths) sampling.tolerance = options.tolerance;
+    const Randomness randomness{options.seed, 0, 0};
+    const Simulation found = simulate_to_tolerance(
+        scene, field.mesh.groups, optics, illumination.light, sampling,
+        randomness, canopy.layers);
+    sampling.paths = found.paths;
+    canopy.paths = paths_of(sampling);
+    canopy.is_capped = found.is_capped;
+    canopy.light = report(found.tallies, illumination, day);
     add_sunlit(canopy.light,
                sunlit_fractions(scene, field.mesh, illumination.light,
                                 sunlit_sampling(sampling), randomness),

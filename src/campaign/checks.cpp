@@ -119,6 +119,26 @@ void check_evolution(const Campaign& campaign, Report& report) {
     at_most("final.candidates", campaign.final_rule.candidates, population);
 }
 
+void check_light(const Campaign& campaign, Report& report) {
+    const Sampling& light = campaign.sampling;
+    if (!report.usable({&light.tolerance})) return;
+    constexpr int fewest = 8;
+    if (light.tolerance > 0 && report.usable({&light.randomisations}) &&
+        light.randomisations < fewest)
+        report.add(&light.randomisations,
+                   fmt::format("light.randomisations is {} (too few to tell "
+                               "whether a tolerance is met) use {} or more",
+                               light.randomisations, fewest));
+    if (campaign.first_tolerance > 0 &&
+        report.usable({&campaign.first_tolerance}) &&
+        !(light.tolerance > 0 && campaign.first_tolerance >= light.tolerance))
+        report.add(&campaign.first_tolerance,
+                   fmt::format("light.first_tolerance is {} (the tolerance "
+                               "that it falls to is {}) give a tolerance "
+                               "above 0 and at most that",
+                               campaign.first_tolerance, light.tolerance));
+}
+
 void check_leaves(const Draft& draft, Report& report) {
     const StalkForm& stalk = draft.campaign.plant.stalk;
     const LeafEntry* below = nullptr;
@@ -235,11 +255,16 @@ void check_draft(const Draft& draft, Report& report) {
     check_surface("leaf", campaign.optics.leaf, report);
     check_surface("stalk", campaign.optics.stalk, report);
     check_field(campaign.field, report);
+    check_light(campaign, report);
     check_constraints(campaign.constraints, report);
     check_evolution(campaign, report);
-    check_blade(campaign.plant.blade, report);
-    check_leaves(draft, report);
+    check_plant(draft, report);
     check_baseline(draft, report);
+}
+
+void check_plant(const Draft& draft, Report& report) {
+    check_blade(draft.campaign.plant.blade, report);
+    check_leaves(draft, report);
 }
 
 }  // namespace ideotype

@@ -9,4 +9,7 @@ namespace ideotype {
 //! baseline outside its bounds.
 void check_draft(const Draft& draft, Report& report);
 
+//! That part of it which concerns the plant alone.
+void check_plant(const Draft& draft, Report& report);
+
 }  // namespace ideotype

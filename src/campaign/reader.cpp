@@ -63,6 +63,8 @@ class DraftReader {
                            parallel_section(campaign.answer_limits));
     }
 
+    void read_plant(const toml::table& table) { read_plant(table, tables_); }
+
   private:
     template <class Record>
     void read_axis(const toml::table& top, const std::string& name,
@@ -179,6 +181,18 @@ void read_draft(const std::string& text, const std::string& file,
     report.open(file);
     if (const auto table = parse_toml(text, file, report))
         DraftReader(file, source, draft, report).read(*table);
+}
+
+bool read_plant_draft(const std::string& text, const std::string& file,
+                      Draft& draft, Report& report) {
+    report.open(file);
+    const auto table = parse_toml(text, file, report);
+    // Only plants have leaves; only campaigns have sites.
+    if (table && (!table->contains("leaf") || table->contains("site")))
+        return false;
+    if (table)
+        DraftReader(file, PlantSource::table, draft, report).read_plant(*table);
+    return true;
 }
 
 std::optional<std::string> read_text(const std::string& path) {

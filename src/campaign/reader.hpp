@@ -19,6 +19,11 @@ enum class PlantSource {
 void read_draft(const std::string& text, const std::string& file,
                 PlantSource source, Draft& draft, Report& report);
 
+//! Reads the text of a plant file into a draft, in which all else stays as it
+//! is. Returns false if it is the text of something else.
+bool read_plant_draft(const std::string& text, const std::string& file,
+                      Draft& draft, Report& report);
+
 //! The whole content of a file; nothing if it cannot be read.
 std::optional<std::string> read_text(const std::string& path);
 

@@ -32,6 +32,14 @@ void append_entries(std::string& text, const std::string& name,
     }
 }
 
+//! What a plant consists of; prefix is that of its tables.
+void append_parts(std::string& text, const std::string& prefix, Draft& draft) {
+    PlantForm& plant = draft.campaign.plant;
+    append_table(text, prefix + "stalk", stalk_section(plant.stalk));
+    append_table(text, prefix + "blade", blade_section(plant.blade));
+    append_entries(text, prefix + "leaf", leaf_section, draft.leaves);
+}
+
 void append_plant(std::string& text, Draft& draft) {
     Section section = plant_section(draft);
     const bool has_table = draft.bounds.rule.empty();
@@ -41,11 +49,9 @@ void append_plant(std::string& text, Draft& draft) {
     append_table(text, "plant", section);
     if (has_table)
         append_table(text, "plant.bounds", bounds_section(draft.bounds.table));
-    PlantForm& plant = draft.campaign.plant;
-    append_table(text, "plant.baseline", plant_file_section(plant));
-    append_table(text, "plant.baseline.stalk", stalk_section(plant.stalk));
-    append_table(text, "plant.baseline.blade", blade_section(plant.blade));
-    append_entries(text, "plant.baseline.leaf", leaf_section, draft.leaves);
+    append_table(text, "plant.baseline",
+                 plant_file_section(draft.campaign.plant));
+    append_parts(text, "plant.baseline.", draft);
 }
 
 }  // namespace
@@ -69,6 +75,13 @@ std::string resolved_text(Draft& draft) {
     append_table(text, "stop", stop_section(campaign.stop));
     append_table(text, "final", final_section(campaign.final_rule));
     append_table(text, "parallel", parallel_section(campaign.answer_limits));
+    return text;
+}
+
+std::string resolved_plant_text(Draft& draft) {
+    std::string text;
+    append_keys(text, plant_file_section(draft.campaign.plant));
+    append_parts(text, "", draft);
     return text;
 }
 

@@ -24,6 +24,17 @@ std::vector<Key> sampling_keys(Sampling& sampling) {
 
 Section light_section(Campaign& campaign) {
     Section section{"light", sampling_keys(campaign.sampling)};
+    section.keys.front().meaning =
+        "light paths per randomisation; with a tolerance at most";
+    section.keys.push_back(
+        fraction("tolerance", campaign.sampling.tolerance,
+                 "relative standard error of the leaves' light that each "
+                 "evaluation meets with as few paths as that takes; 0: none, "
+                 "all paths"));
+    section.keys.push_back(
+        fraction("first_tolerance", campaign.first_tolerance,
+                 "that of the first generation, from which it falls to that "
+                 "of the last one by an equal factor each; 0: all the same"));
     section.keys.push_back({.name = "sky",
                             .value = &campaign.sky_model,
                             .choices = {"uniform", "overcast", "clear"},

@@ -80,6 +80,42 @@ TEST_F(Ames, TheElitePlantAbsorbsMoreThanTheBaseline) {
               4 * std::hypot(b.standard_error, w.standard_error));
 }
 
+TEST_F(Ames, AToleranceIsMetAndTheRowSaysHow) {
+    Campaign exact = campaign;
+    exact.sampling = {1 << 14, 16, 2e-3};
+    CanopyEvaluator to_tolerance(exact, Device::supported_isas().back());
+    const Outcome met = to_tolerance.evaluate({}, baseline);
+    EXPECT_LE(met.objectives[0].standard_error, 2e-3 * met.objectives[0].mean);
+    EXPECT_GT(diagnostic(met, "paths"), 16 * 64);
+    EXPECT_LT(diagnostic(met, "paths"), 16 * (1 << 14));
+    EXPECT_EQ(diagnostic(met, "capped"), 0);
+
+    exact.sampling.paths = 64;
+    CanopyEvaluator hurried(exact, Device::supported_isas().back());
+    const Outcome capped = hurried.evaluate({}, baseline);
+    EXPECT_EQ(capped.status, Status::done);
+    EXPECT_EQ(diagnostic(capped, "paths"), 16 * 64);
+    EXPECT_EQ(diagnostic(capped, "capped"), 1);
+}
+
+TEST_F(Ames, TheToleranceTightensFromTheFirstGenerationToTheLast) {
+    Campaign scheduled = campaign;
+    scheduled.sampling.tolerance = 1e-3;
+    scheduled.stop.generations = 5;
+    const auto tolerance = [&](std::uint32_t generation, bool is_final) {
+        Task task;
+        task.generation = generation;
+        task.is_final = is_final;
+        return draws_of(task, scheduled, all[0]).sampling.tolerance;
+    };
+    EXPECT_EQ(tolerance(0, false), 1e-3);
+    scheduled.first_tolerance = 1.6e-2;
+    EXPECT_DOUBLE_EQ(tolerance(0, false), 1.6e-2);
+    EXPECT_DOUBLE_EQ(tolerance(2, false), 4e-3);
+    EXPECT_DOUBLE_EQ(tolerance(4, false), 1e-3);
+    EXPECT_EQ(tolerance(4, true), 0);
+}
+
 TEST_F(Ames, ConstraintsComeBeforeTheObjective) {
     const OutcomeSchema schema = outcome_schema(campaign, day);
     const Outcome feasible = evaluator.evaluate({}, baseline);

@@ -39,6 +39,13 @@ expect 0 "$ideotype" plan campaigns/verbs.toml --left
 [ "$(cat out.log)" = "0	0" ] || fail "a case to begin is left: $(cat out.log)"
 expect 2 "$ideotype" plan campaigns/verbs.toml --left --count
 
+{
+    cat campaigns/verbs.toml
+    printf '[constraints]\nlai = [100, 200]\n'
+} >campaigns/dense.toml
+expect 0 "$ideotype" check campaigns/dense.toml
+says "fails the .constraints."
+
 sed 's/plants = 3/plnats = 3/' campaigns/verbs.toml >campaigns/typo.toml
 expect 3 "$ideotype" check campaigns/typo.toml
 says "typo.toml:17:1"
@@ -76,6 +83,13 @@ for slot in 0 3 5; do
 done
 expect 0 "$ideotype" evaluate "$history" --best
 says "agrees bit for bit"
+expect 0 "$ideotype" evaluate "$history" --generation 1 --slot 3 \
+    --tolerance 0.002
+says "of its standard errors off"
+expect 2 "$ideotype" evaluate "$history" --best --tolerance 0.002
+says "had many fields"
+expect 2 "$ideotype" evaluate campaigns/verbs.toml --tolerance 0.002
+says "light.tolerance"
 expect 2 "$ideotype" evaluate "$history" --generation 2 --slot 0
 expect 2 "$ideotype" evaluate "$history"
 says "--best"
@@ -96,6 +110,15 @@ expect 0 "$ideotype" export "$(history_of results cut)" --generation 0 --slot 0 
     fail "a group of a cut plot is in two pieces"
 expect 0 "$ideotype" export "$history" --best --to plant.csv
 [ "$(wc -l <plant.csv)" -eq 11 ] || fail "not ten leaves"
+expect 0 "$ideotype" export "$history" --best --to bred.toml
+expect 0 "$ideotype" evaluate "$history" bred.toml \
+    --under campaigns/verbs.toml --json
+mean=$(sed -n '/"mean"/,/"standard_error"/s/^ *\([0-9.]*[0-9]\)$/\1/p' out.log)
+[ "$(wc -l <<<"$mean")" -eq 2 ] || fail "not two plants"
+[ "$(uniq <<<"$mean" | wc -l)" -eq 1 ] || fail "a plant file changes the plant"
+sed 's/^width = /wdith = /' bred.toml >typo_plant.toml
+expect 3 "$ideotype" evaluate "$history" typo_plant.toml \
+    --under campaigns/verbs.toml
 for shape in plant field; do
     [ $shape = plant ] && whole=() || whole=(--field)
     expect 0 "$ideotype" export "$history" --best "${whole[@]}" --to $shape.vtp

@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <string>
 #include <utility>
@@ -44,11 +45,11 @@ TEST(Campaign, AmesIsTheStudyOfThePaper) {
     EXPECT_EQ(day.date.day, 7);
     EXPECT_EQ(day.start, 7);
     EXPECT_EQ(day.end, 20);
-    EXPECT_EQ(day.step_minutes, 60);
+    EXPECT_EQ(day.step_minutes, 30);
     ASSERT_EQ(campaign.spacings.size(), 1u);
     EXPECT_EQ(campaign.spacings[0].value.row, 0.762);
     EXPECT_EQ(campaign.spacings[0].value.plant, 0.1524);
-    EXPECT_EQ(campaign.field.rows * campaign.field.plants, 36);
+    EXPECT_EQ(campaign.field.rows * campaign.field.plants, 16);
     EXPECT_EQ(campaign.field.jitter, 10);
     EXPECT_EQ(campaign.optics.leaf.reflectance, 0.05);
     EXPECT_EQ(campaign.baseline.size(), 10u);
@@ -60,11 +61,26 @@ TEST(Campaign, AmesQuickIsTheSameCaseWithLessWork) {
     EXPECT_EQ(quick.optimizer.population, 24);
     EXPECT_EQ(quick.stop.generations, 20);
     EXPECT_EQ(quick.replicates, 1);
-    EXPECT_LT(quick.sampling.paths, full.sampling.paths);
+    EXPECT_GT(quick.sampling.tolerance, full.sampling.tolerance);
     for (const std::string& line : differences(full.resolved, quick.resolved))
         for (const std::string same :
              {"site", "day", "spacing", "traits", "field", "plant", "optics"})
             EXPECT_NE(line.rfind(same, 0), 0u) << line;
+}
+
+TEST(Campaign, PlantsAreWrittenAsTheyAreRead) {
+    const KnownPlant b73 = read_plant(IDEOTYPE_CAMPAIGNS "/plants/b73.toml");
+    EXPECT_EQ(b73.traits.size(), 10u);
+    EXPECT_EQ(plant_text(b73),
+              plant_text(read_plant(IDEOTYPE_CAMPAIGNS "/ames.toml")));
+    const std::string path = ::testing::TempDir() + "again.toml";
+    std::ofstream(path) << plant_text(b73);
+    const KnownPlant again = read_plant(path);
+    EXPECT_EQ(plant_text(again), plant_text(b73));
+    EXPECT_EQ(again.traits[9].width, b73.traits[9].width);
+    std::ofstream(path, std::ios::app) << "\n[[leaf]]\nlength = 0.5\n";
+    EXPECT_THROW(read_plant(path), InputError);
+    EXPECT_THROW(read_plant(path + "none"), Error);
 }
 
 TEST(Campaign, PlantFilesHoldTheKnownPlants) {

@@ -24,6 +24,12 @@ def summary(arguments: Sequence[str] | None = None) -> int:
         "being written.",
     )
     _add_results(parser)
+    parser.add_argument(
+        "--gains",
+        action="store_true",
+        help="print the report's table of gains instead, as Markdown: a line "
+        "for each case, its seeds put together",
+    )
     return _guard(parser, arguments, _summarize)
 
 
@@ -94,7 +100,13 @@ def _guard(
 
 def _summarize(options: argparse.Namespace) -> None:
     with open_study(*options.results) as study:
-        print("\n\n".join(map(summarize, study)), flush=True)
+        if options.gains:
+            # Here, so that summaries need not wait for the plotting library.
+            from .tables import gains, markdown
+
+            print(markdown(gains(study.cases(), cross=None)), flush=True)
+        else:
+            print("\n\n".join(map(summarize, study)), flush=True)
 
 
 def _report(options: argparse.Namespace) -> None:

@@ -40,6 +40,27 @@ def gains(cases: Sequence[Case], cross: Cross | None) -> list[Block]:
     return blocks
 
 
+def markdown(blocks: Sequence[Block]) -> str:
+    """Tables and notes as text that is legible as it is."""
+    return "\n\n".join(
+        block.text if isinstance(block, Note) else _markdown_table(block)
+        for block in blocks
+        if isinstance(block, Note | Table)
+    )
+
+
+def _markdown_table(table: Table) -> str:
+    rows = [table.header, *table.rows]
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    lines = [
+        "| " + " | ".join(map(str.ljust, row, widths)) + " |" for row in rows
+    ]
+    rule = "|" + "|".join("-" * (width + 2) for width in widths) + "|"
+    return "\n".join([lines[0], rule, *lines[1:], "", table.caption]).replace(
+        "\u00a0", " "
+    )
+
+
 def _unit(cases: Sequence[Case]) -> str:
     units = {c.best.objective.unit for c in cases if c.pairs}
     return " or ".join(sorted(map(unit_label, units))) or "no unit yet"

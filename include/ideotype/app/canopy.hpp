@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -50,6 +51,8 @@ void for_each_field(const Campaign& campaign, const Case& chosen,
 //! What light does in one canopy.
 struct CanopyReport {
     DayReport light;
+    std::uint64_t paths = 0;    //!< that the light is the mean of
+    bool is_capped = false;     //!< more would be needed to meet the tolerance
     std::vector<Group> groups;  //!< that light was counted for
     Layers layers;
     double lai = 0;          //!< one-sided leaf area over ground [m2 m-2]

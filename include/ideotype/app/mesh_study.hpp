@@ -13,9 +13,6 @@ namespace ideotype {
 //! What light does in a mesh. Of single lights, level ground receives 1.
 struct MeshReport {
     CanopyReport canopy;
-    std::uint64_t paths = 0;
-    //! Relative standard error of the leaves' total.
-    double relative_error = 0;
     double seconds = 0;
     std::vector<std::string> warnings;
 };
@@ -23,11 +20,8 @@ struct MeshReport {
 //! Most paths that a tolerance may ask for.
 inline constexpr std::uint64_t most_tolerance_paths = std::uint64_t{1} << 28;
 
-//! Reads the mesh and traces the light. To meet a tolerance the paths are
-//! doubled until the standard error is small enough. Standard errors are known
-//! to an eighth only, and stopping at the first small one would flatter it: as
-//! many fresh paths then give the figures. Always the same sequence, so that
-//! results can be repeated.
+//! Reads the mesh and traces the light. Always with the same random numbers,
+//! so that results can be repeated.
 //! @throws Error, also of wrong usage.
 MeshReport study(const MeshOptions& options);
 

@@ -58,11 +58,13 @@ struct RowChoice {
 };
 
 //! `evaluate CAMPAIGN`: the baseline's light.
-//! `evaluate FILE --generation G --slot S`: recomputes a row.
+//! `evaluate FILE --generation G --slot S`: recomputes a row, or, with a
+//! tolerance, tells how far off it is.
 struct EvaluateOptions {
     std::string path;  //!< a campaign or a history
     int case_index = 0;
     RowChoice row;
+    std::optional<double> tolerance;  //!< relative standard error
     bool is_json = false;
 };
 ExitCode evaluate(const EvaluateOptions& options);
@@ -88,7 +90,7 @@ struct FidelityOptions {
 };
 ExitCode fidelity(const FidelityOptions& options);
 
-//! `export FILE --to X.obj|X.vtp|X.csv`: writes a plant or its field.
+//! `export FILE --to X.obj|X.vtp|X.csv|X.toml`: writes a plant or its field.
 //! `export FILE --generations --to X.csv`: writes the candidates of all
 //! complete generations, also of a file that was cut short.
 struct ExportOptions {

@@ -100,7 +100,8 @@ struct Campaign {
     Optics optics;
     double par_fraction = 0.45;
     SkyModel sky_model = SkyModel::uniform;  //!< of diffuse light
-    Sampling sampling;
+    Sampling sampling;           //!< of an evaluation during evolution
+    double first_tolerance = 0;  //!< of the first generation; 0: as all others
     Objective objective = Objective::absorbed_par;
     Constraints constraints;
     Optimizer optimizer;
@@ -133,6 +134,20 @@ Campaign read_campaign(const std::string& path);
 //! parse_campaign(c.resolved, f).resolved == c.resolved.
 //! @throws InputError
 Campaign parse_campaign(const std::string& text, const std::string& file);
+
+//! A plant with the traits that it has, as a plant file holds it.
+struct KnownPlant {
+    PlantForm form;
+    std::vector<LeafTraits> traits;  //!< lowest leaf first
+};
+
+//! Reads a plant file, or the baseline of a campaign file.
+//! @throws InputError with all problems.
+//! @throws Error if a file cannot be read.
+KnownPlant read_plant(const std::string& path);
+
+//! The text of a plant file: every key with its value.
+std::string plant_text(const KnownPlant& plant);
 
 //! All cases in their order: sites, then days, spacings, trait sets, and
 //! replicates fastest. Adding an entry to an axis does not change the name or

@@ -18,8 +18,11 @@ struct Optics {
 
 //! How much work one estimate of the light may cost.
 struct Sampling {
-    int paths = 4096;        //!< per randomisation
+    int paths = 4096;        //!< per randomisation; with a tolerance at most
     int randomisations = 8;  //!< independent, at least 2
+    //! Relative standard error of the leaves' light that will do; 0: none, as
+    //! many paths as given.
+    double tolerance = 0;
 };
 
 }  // namespace ideotype

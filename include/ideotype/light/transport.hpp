@@ -33,6 +33,8 @@ struct Randomness {
 //! soil anywhere absorbs, and `reflected` what goes to the sky, of the light
 //! that has been in the box.
 //!
+//! The tolerance of the sampling is not looked at.
+//!
 //! @param groups what each group of the scene's mesh is made of
 //! @param layers in which the light that leaves absorb is counted
 //! @return one tally per randomisation

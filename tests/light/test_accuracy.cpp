@@ -1,0 +1,106 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/light/accuracy.hpp"
+#include "ideotype/light/device.hpp"
+#include "ideotype/light/report.hpp"
+#include "setups.hpp"
+
+namespace ideotype {
+namespace {
+
+//! A level leaf over a part of each square metre of black soil, under a
+//! slanting beam and a sky.
+class LitLeaf : public ::testing::Test {
+  protected:
+    static Field leaf(double side) {
+        Field field;
+        field.mesh.vertices = {
+            {0, 0, 1}, {side, 0, 1}, {side, side, 1}, {0, side, 1}};
+        field.mesh.faces = {{0, 1, 2, 3}};
+        field.mesh.groups = {{"leaf01", Tissue::leaf}};
+        field.mesh.face_group = {0};
+        field.period_x = field.period_y = field.ground_area = 1;
+        return field;
+    }
+
+    Simulation found(double tolerance, std::uint64_t seed = 1,
+                     double side = .7) const {
+        const Field field = leaf(side);
+        return simulate_to_tolerance(Scene::of(device, field),
+                                     field.mesh.groups, {}, light,
+                                     {most_paths, 16, tolerance}, {seed, 0, 0});
+    }
+
+    static Estimate leaves(const Simulation& simulation) {
+        std::vector<double> all;
+        for (const Tally& tally : simulation.tallies)
+            all.push_back(tally.groups[0]);
+        return estimate(all);
+    }
+
+    static constexpr int most_paths = 1 << 16;
+    const Device device{Device::supported_isas().back()};
+    const Illumination light{
+        {{Vec3{.6, 0, -.8}, 700, {}}, {std::nullopt, 300, {}}}};
+};
+
+TEST_F(LitLeaf, IsMetWithAsManyPathsAsThatTakes) {
+    const Simulation rough = found(1e-2), fine = found(1e-3);
+    EXPECT_LT(4 * rough.paths, fine.paths);
+    EXPECT_FALSE(fine.is_capped);
+    EXPECT_LE(leaves(rough).standard_error, 1e-2 * leaves(rough).mean);
+    EXPECT_LE(leaves(fine).standard_error, 1e-3 * leaves(fine).mean);
+    EXPECT_NEAR(leaves(fine).mean, 490, 4 * leaves(fine).standard_error);
+}
+
+TEST_F(LitLeaf, GivesWhatThesePathsGiveWithoutATolerance) {
+    const Simulation adaptive = found(2e-3);
+    const Field field = leaf(.7);
+    const std::vector<Tally> tallies =
+        simulate(Scene::of(device, field), field.mesh.groups, {}, light,
+                 {adaptive.paths, 16}, {1, 0, 0});
+    ASSERT_EQ(adaptive.tallies.size(), tallies.size());
+    for (std::size_t i = 0; i < tallies.size(); ++i)
+        EXPECT_EQ(adaptive.tallies[i].groups, tallies[i].groups);
+}
+
+TEST_F(LitLeaf, SaysWhenTheMostPathsAreTooFew) {
+    const Simulation capped = found(1e-6);
+    EXPECT_TRUE(capped.is_capped);
+    EXPECT_EQ(capped.paths, most_paths);
+    EXPECT_GT(leaves(capped).standard_error, 1e-6 * leaves(capped).mean);
+}
+
+//! Stopping at the first small error would report errors that are too small.
+TEST_F(LitLeaf, ReportsTheErrorsThatItMakes) {
+    double made = 0, reported = 0;
+    constexpr int runs = 400;
+    for (int seed = 1; seed <= runs; ++seed) {
+        const Estimate x =
+            leaves(found(4e-3, static_cast<std::uint64_t>(seed)));
+        made += (x.mean - 490) * (x.mean - 490);
+        reported += x.standard_error * x.standard_error;
+    }
+    // The root mean square of 400 errors is known to 3.5 %.
+    EXPECT_NEAR(std::sqrt(made / reported), 1, .12);
+}
+
+TEST_F(LitLeaf, DoesNotTakeALeafThatNoPathMeetsForCertain) {
+    // A square of 0.2 mm, one in 25 million.
+    const Simulation rare = found(1e-2, 1, 2e-4);
+    EXPECT_GE(rare.paths, 512);
+}
+
+TEST_F(LitLeaf, HasNothingToTraceInTheDark) {
+    const Field field = leaf(.7);
+    const Simulation dark =
+        simulate_to_tolerance(Scene::of(device, field), field.mesh.groups, {},
+                              {}, {most_paths, 16, 1e-3}, {1, 0, 0});
+    EXPECT_FALSE(dark.is_capped);
+    EXPECT_EQ(leaves(dark).mean, 0);
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -26,6 +26,14 @@ std::string clock_name(double hour) {
     return fmt::format("{:02}_{:02}", minutes / 60, minutes % 60);
 }
 
+Field place(const Campaign& campaign, const Case& chosen, const Mesh& plant,
+            const Draws& draws, std::uint32_t draw) {
+    FieldForm form = campaign.field;
+    form.spacing = chosen.spacing;
+    return build_field(plant, form,
+                       draw_turns(form, draws.seed, draws.generation, draw));
+}
+
 }  // namespace
 
 Draws draws_of(const Task& task, const Campaign& campaign, const Case& chosen) {
@@ -66,10 +74,20 @@ Mesh build_plant(const Campaign& campaign, const Genome& genome) {
 Field build_field(const Campaign& campaign, const Case& chosen,
                   const Genome& genome, const Draws& draws,
                   std::uint32_t draw) {
-    FieldForm form = campaign.field;
-    form.spacing = chosen.spacing;
-    return build_field(build_plant(campaign, genome), form,
-                       draw_turns(form, draws.seed, draws.generation, draw));
+    return place(campaign, chosen, build_plant(campaign, genome), draws, draw);
+}
+
+void for_each_field(const Campaign& campaign, const Case& chosen,
+                    const Mesh& plant, const Draws& draws,
+                    const std::function<void(const Field&, const Sampling&,
+                                             const Randomness&)>& visit) {
+    const bool is_one = draws.fields == Draws::Fields::one;
+    const int fields = is_one ? 1 : draws.sampling.randomisations;
+    Sampling sampling = draws.sampling;
+    sampling.randomisations /= fields;
+    for (std::uint32_t f = 0; f < static_cast<std::uint32_t>(fields); ++f)
+        visit(place(campaign, chosen, plant, draws, f), sampling,
+              {draws.seed, draws.generation, f});
 }
 
 Sampling sunlit_sampling(const Sampling& sampling) {
@@ -89,11 +107,6 @@ Layers canopy_layers(const Campaign& campaign) {
 CanopyReport study(const Campaign& campaign, const Case& chosen,
                    const DayIllumination& light, const Device& device,
                    const Genome& genome, const Draws& draws, Detail detail) {
-    const bool is_one = draws.fields == Draws::Fields::one;
-    const int fields = is_one ? 1 : draws.sampling.randomisations;
-    Sampling sampling = draws.sampling;
-    sampling.randomisations /= fields;
-
     CanopyReport result;
     result.layers = canopy_layers(campaign);
     std::vector<Tally> tallies;
@@ -101,10 +114,9 @@ CanopyReport study(const Campaign& campaign, const Case& chosen,
     const auto append = [](auto& all, auto more) {
         all.insert(all.end(), more.begin(), more.end());
     };
-    for (std::uint32_t f = 0; f < static_cast<std::uint32_t>(fields); ++f) {
-        const Field field = build_field(campaign, chosen, genome, draws, f);
+    const auto trace = [&](const Field& field, Sampling sampling,
+                           const Randomness& randomness) {
         const Scene scene = Scene::of(device, field);
-        const Randomness randomness{draws.seed, draws.generation, f};
         Simulation found = simulate_to_tolerance(
             scene, field.mesh.groups, campaign.optics, light.light, sampling,
             randomness, result.layers);
@@ -121,7 +133,9 @@ CanopyReport study(const Campaign& campaign, const Case& chosen,
         result.boundary = field.boundary;
         result.ground_area = field.ground_area;
         result.lai = leaf_area(field.mesh) / result.ground_area;
-    }
+    };
+    for_each_field(campaign, chosen, build_plant(campaign, genome), draws,
+                   trace);
     result.light = report(tallies, light);
     if (detail == Detail::full) add_sunlit(result.light, sunlit, light);
     if (!(result.light.balance_error < balance_tolerance))

@@ -221,16 +221,23 @@ int run_command_line(int argc, char** argv) {
     ExportOptions export_options;
     auto* export_verb = app.add_subcommand(
         "export",
-        "write a plant of a history as OBJ (mesh), CSV (traits) or TOML (plant "
+        "write a plant of a history as OBJ (mesh), VTP (mesh with the PAR "
+        "that each face absorbs, for ParaView), CSV (traits) or TOML (plant "
         "file, for campaigns), or all "
         "complete generations as CSV");
     export_verb->add_option("file", export_options.path)->required();
     add_row_choice(*export_verb, export_options.row);
     export_verb
-        ->add_option("--to", export_options.to, "new file, .obj, .csv or .toml")
+        ->add_option("--to", export_options.to,
+                     "new file, .obj, .vtp, .csv or .toml")
         ->required();
     export_verb->add_flag("--field", export_options.is_field,
-                          "the whole field instead of one plant (.obj)");
+                          "the whole field instead of one plant (.obj, .vtp)");
+    export_verb
+        ->add_option("--paths", export_options.paths,
+                     "light paths per randomisation for the light on faces "
+                     "(.vtp); more for less noise")
+        ->check(CLI::Range(16, 16777216));
     export_verb
         ->add_flag("--generations", export_options.is_generations,
                    "all candidates with their fitness instead of one plant "
@@ -238,7 +245,8 @@ int run_command_line(int argc, char** argv) {
         ->excludes("--best")
         ->excludes("--generation")
         ->excludes("--slot")
-        ->excludes("--field");
+        ->excludes("--field")
+        ->excludes("--paths");
     on(export_verb, [&] {
         return export_options.is_generations
                    ? export_generations(export_options)

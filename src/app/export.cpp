@@ -1,47 +1,19 @@
 #include <cctype>
 #include <filesystem>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/os.h>
 
 #include "ideotype/app/canopy.hpp"
 #include "ideotype/app/choose_row.hpp"
+#include "ideotype/app/face_light.hpp"
 #include "ideotype/app/verbs.hpp"
+#include "mesh_files.hpp"
 
 namespace ideotype {
 
 namespace {
-
-//! Writes the faces of one plant: one OBJ group per leaf, vertices numbered
-//! from `first`.
-void write_plant(fmt::ostream& out, const Mesh& mesh, std::size_t first_face,
-                 std::size_t faces, const std::string& prefix) {
-    std::uint32_t group = UINT32_MAX;
-    for (std::size_t f = first_face; f < first_face + faces; ++f) {
-        if (mesh.face_group[f] != group) {
-            group = mesh.face_group[f];
-            out.print("g {}{}\n", prefix, mesh.groups[group].name);
-        }
-        const auto& v = mesh.faces[f];
-        if (v[2] == v[3])
-            out.print("f {} {} {}\n", v[0] + 1, v[1] + 1, v[2] + 1);
-        else
-            out.print("f {} {} {} {}\n", v[0] + 1, v[1] + 1, v[2] + 1,
-                      v[3] + 1);
-    }
-}
-
-void write_obj(const std::string& path, const std::string& title,
-               const Mesh& mesh, std::size_t plants) {
-    auto out = fmt::output_file(path);
-    out.print("# {}\n# metres, z up, y along the rows\n", title);
-    for (const Vec3& v : mesh.vertices)
-        out.print("v {:.7f} {:.7f} {:.7f}\n", v.x, v.y, v.z);
-    const std::size_t faces = mesh.faces.size() / plants;
-    for (std::size_t p = 0; p < plants; ++p)
-        write_plant(out, mesh, p * faces, faces,
-                    plants > 1 ? fmt::format("plant{:03}_", p + 1) : "");
-}
 
 void write_csv(const std::string& path, const Genome& genome) {
     auto out = fmt::output_file(path);
@@ -62,41 +34,105 @@ void write_plant_file(const std::string& path, const std::string& title,
     out.print("# {}\n{}", title, plant_text({form, to_traits(genome)}));
 }
 
+//! Where the surfaces of a file are, for other ray tracers.
+std::vector<std::string> about(const std::string& title, const Case& chosen) {
+    return {title, "metres, z up, y along the rows",
+            fmt::format("y points {} deg clockwise from north",
+                        chosen.spacing.row_direction)};
+}
+
+std::string about_ground(const Field& field) {
+    if (field.boundary == Boundary::isolated)
+        return fmt::format("a plot alone; its plants have {:.6f} m2 of ground",
+                           field.ground_area);
+    return fmt::format("repeats every {:.6f} m in x and {:.6f} m in y",
+                       field.period_x, field.period_y);
+}
+
+//! The light on a shape as the row's evaluation draws it.
+class Lamp {
+  public:
+    Lamp(const ChosenRow& row, std::optional<int> paths)
+        : row_(row),
+          paths_(paths),
+          light_(light_of(row.campaign, row.chosen)),
+          device_(row.isa) {}
+
+    FaceLight on_plant(const Mesh& plant) const {
+        return light_on_plant(row_.campaign, row_.chosen, light_, device_,
+                              plant, draws(plant.faces.size()));
+    }
+
+    FaceLight on_field(const Field& field) const {
+        return light_on_field(row_.campaign, light_, device_, field,
+                              draws(field.mesh.faces.size()));
+    }
+
+  private:
+    Draws draws(std::size_t faces) const {
+        Draws result = draws_of(row_.task, row_.campaign, row_.chosen);
+        if (paths_)
+            result.sampling.paths = *paths_;
+        else
+            result.sampling = face_sampling(result.sampling, faces);
+        return result;
+    }
+
+    const ChosenRow& row_;
+    std::optional<int> paths_;
+    DayIllumination light_;
+    Device device_;
+};
+
 }  // namespace
 
 ExitCode export_plant(const ExportOptions& options) {
-    const auto [campaign, chosen, task, row, isa] =
-        choose_row(options.path, options.row);
-    const Genome& genome = row.candidate.genome;
+    const ChosenRow row = choose_row(options.path, options.row);
+    const auto& [campaign, chosen, task, found, isa] = row;
+    const Genome& genome = found.candidate.genome;
     const std::string title = fmt::format(
         "ideotype {} {} slot {}", chosen.name,
         task.is_final ? "final" : fmt::format("generation {}", task.generation),
         task.slot);
     const auto extension = std::filesystem::path(options.to).extension();
+    if (extension != ".csv" && extension != ".obj" && extension != ".vtp" &&
+        extension != ".toml")
+        throw Error(fmt::format("{}: unknown format; use a name that ends in "
+                                ".obj, .vtp, .csv or .toml",
+                                options.to),
+                    ExitCode::usage);
     if (std::filesystem::exists(options.to))
         throw Error(fmt::format("{}: exists already and is not overwritten",
                                 options.to),
                     ExitCode::refused);
     if (extension == ".csv") {
         write_csv(options.to, genome);
-    } else if (extension == ".toml") {
-        write_plant_file(options.to, title, campaign.plant, genome);
-    } else if (extension == ".obj") {
-        if (options.is_field) {
-            const Field field = build_field(
-                campaign, chosen, genome, draws_of(task, campaign, chosen), 0);
-            write_obj(options.to, title, field.mesh,
-                      static_cast<std::size_t>(campaign.field.rows) *
-                          static_cast<std::size_t>(campaign.field.plants));
-        } else {
-            write_obj(options.to, title, build_plant(campaign, genome), 1);
-        }
-    } else {
-        throw Error(fmt::format("{}: unknown format; use a name that ends in "
-                                ".obj, .csv or .toml",
-                                options.to),
-                    ExitCode::usage);
+        fmt::print("{}\n", options.to);
+        return ExitCode::ok;
     }
+    if (extension == ".toml") {
+        write_plant_file(options.to, title, campaign.plant, genome);
+        fmt::print("{}\n", options.to);
+        return ExitCode::ok;
+    }
+    Shape shape{about(title, chosen), {}, {}};
+    std::optional<FaceLight> light;
+    const bool is_lit = extension == ".vtp";
+    if (options.is_field) {
+        Field field = build_field(campaign, chosen, genome,
+                                  draws_of(task, campaign, chosen), 0);
+        if (is_lit) light = Lamp(row, options.paths).on_field(field);
+        shape.about.push_back(about_ground(field));
+        shape.mesh = std::move(field.mesh);
+        shape.face_plant = std::move(field.face_plant);
+    } else {
+        shape.mesh = build_plant(campaign, genome);
+        if (is_lit) light = Lamp(row, options.paths).on_plant(shape.mesh);
+    }
+    if (light)
+        write_vtp(options.to, shape, *light);
+    else
+        write_obj(options.to, shape);
     fmt::print("{}\n", options.to);
     return ExitCode::ok;
 }

@@ -21,6 +21,22 @@ std::vector<double> draw_turns(const FieldForm& form, std::uint64_t seed,
 
 namespace {
 
+void drop_unused_vertices(Mesh& mesh) {
+    constexpr std::uint32_t unused = UINT32_MAX;
+    std::vector<std::uint32_t> place(mesh.vertices.size(), unused);
+    for (const auto& face : mesh.faces)
+        for (const std::uint32_t v : face) place[v] = v;
+    std::uint32_t kept = 0;
+    for (std::uint32_t v = 0; v < place.size(); ++v) {
+        if (place[v] == unused) continue;
+        mesh.vertices[kept] = mesh.vertices[v];
+        place[v] = kept++;
+    }
+    mesh.vertices.resize(kept);
+    for (auto& face : mesh.faces)
+        for (std::uint32_t& v : face) v = place[v];
+}
+
 //! Keeps the faces whose centre is above the ground of the inner plants.
 void cut_out(Field& field, const FieldForm& form) {
     const double x = form.cut * form.spacing.row;
@@ -44,10 +60,13 @@ void cut_out(Field& field, const FieldForm& form) {
             centre.y > y + depth)
             continue;
         mesh.faces[kept] = mesh.faces[f];
-        mesh.face_group[kept++] = mesh.face_group[f];
+        mesh.face_group[kept] = mesh.face_group[f];
+        field.face_plant[kept++] = field.face_plant[f];
     }
     mesh.faces.resize(kept);
     mesh.face_group.resize(kept);
+    field.face_plant.resize(kept);
+    drop_unused_vertices(mesh);
     field.ground_area = width * depth;
 }
 
@@ -71,6 +90,7 @@ Field build_field(const Mesh& plant, const FieldForm& form,
     mesh.vertices.reserve(count * plant.vertices.size());
     mesh.faces.reserve(count * plant.faces.size());
     mesh.face_group.reserve(count * plant.faces.size());
+    field.face_plant.reserve(count * plant.faces.size());
     for (std::size_t p = 0; p < count; ++p) {
         const auto plants = static_cast<std::size_t>(form.plants);
         const double x =
@@ -88,6 +108,8 @@ Field build_field(const Mesh& plant, const FieldForm& form,
                                   first + face[2], first + face[3]});
         mesh.face_group.insert(mesh.face_group.end(), plant.face_group.begin(),
                                plant.face_group.end());
+        field.face_plant.insert(field.face_plant.end(), plant.faces.size(),
+                                static_cast<std::uint32_t>(p));
     }
     if (form.cut > 0) cut_out(field, form);
     return field;

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 from made_history import MadeHistory
+from real_program import start
 
 HERE = Path(__file__).parent
 
@@ -104,3 +105,15 @@ def sweep(tmp_path_factory: pytest.TempPathFactory) -> Path:
             made.finish()
             made.close()
     return folder
+
+
+@pytest.fixture(scope="session")
+def own(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The history of a finished run of the tiny campaign, which lies in
+    the folder above."""
+    folder = tmp_path_factory.mktemp("run")
+    run = start(folder, 3)
+    output, _ = run.communicate(timeout=300)
+    assert run.returncode == 0, output
+    (path,) = (folder / "tiny").glob("*.h5")
+    return path

@@ -7,10 +7,9 @@ tests that need the program are then skipped if it is not given too."""
 from __future__ import annotations
 
 import os
-import shutil
 import subprocess
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -19,51 +18,7 @@ from ideotype_analysis import HistoryError, Rows, open_history
 from ideotype_analysis.geometry import find_program
 from ideotype_analysis.scene import export_plants
 from ideotype_analysis.study import open_study
-
-ROOT = Path(__file__).parents[2]
-PLANT = ROOT / "campaigns" / "plants" / "b73.toml"
-
-CAMPAIGN = """
-name = "tiny"
-
-[[site]]
-name = "ames"
-latitude = 42.0
-longitude = -93.6
-utc_offset = -5
-
-[[day]]
-date = 2025-08-07
-start = 07:00:00
-end = 20:00:00
-step_minutes = 60
-
-[[spacing]]
-row = 0.762
-plant = 0.1524
-
-[field]
-rows = 2
-plants = 2
-
-[plant]
-baseline = "b73.toml"
-
-[light]
-paths = 64
-randomisations = 4
-
-[evolution]
-population = 6
-
-[stop]
-generations = {generations}
-
-[final]
-candidates = 2
-paths = 256
-randomisations = 4
-"""
+from real_program import start
 
 PROMISED = {
     *("program", "program_version", "git_sha", "git_dirty"),
@@ -74,45 +29,6 @@ PROMISED = {
     *("latitude", "longitude", "row_spacing", "plant_spacing"),
 }
 """Root attributes of FORMAT.md beyond those that no reader can do without."""
-
-Start = Callable[[Path, int], "subprocess.Popen[str]"]
-
-
-@pytest.fixture(scope="session")
-def start() -> Start:
-    """Starts the program on the tiny campaign, of so many generations."""
-    executable = os.environ.get("IDEOTYPE_EXECUTABLE")
-    if not executable:
-        if "IDEOTYPE_SAMPLE_HISTORY" in os.environ:
-            pytest.skip("IDEOTYPE_EXECUTABLE is not set")
-        pytest.fail(
-            "set IDEOTYPE_EXECUTABLE to the built program, or "
-            "IDEOTYPE_SAMPLE_HISTORY to a finished history"
-        )
-
-    def start_in(folder: Path, generations: int) -> subprocess.Popen[str]:
-        shutil.copy(PLANT, folder)
-        campaign = folder / "tiny.toml"
-        campaign.write_text(CAMPAIGN.format(generations=generations))
-        return subprocess.Popen(
-            [os.path.abspath(executable), "run", campaign, "--out", folder],
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-        )
-
-    return start_in
-
-
-@pytest.fixture(scope="session")
-def own(start: Start, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The history of a finished run of the tiny campaign."""
-    folder = tmp_path_factory.mktemp("run")
-    run = start(folder, 3)
-    output, _ = run.communicate(timeout=300)
-    assert run.returncode == 0, output
-    (path,) = (folder / "tiny").glob("*.h5")
-    return path
 
 
 @pytest.fixture(scope="session")
@@ -215,9 +131,7 @@ def test_the_program_exports_the_plants_of_a_report(own: Path) -> None:
 
 
 @pytest.fixture
-def running(
-    start: Start, tmp_path: Path
-) -> Iterator[tuple[subprocess.Popen[str], Path]]:
+def running(tmp_path: Path) -> Iterator[tuple[subprocess.Popen[str], Path]]:
     """A run that does not end by itself, and its history."""
     run = start(tmp_path, 10_000)
     deadline = time.monotonic() + 60

@@ -117,6 +117,27 @@ def test_saturation_is_told_from_room(sweep: Path, tmp_path: Path) -> None:
         assert study.cases()[0].is_saturated()
 
 
+def test_studies_cases_and_histories_tell_what_they_are(sweep: Path) -> None:
+    with ideotype_analysis.open(sweep) as study:
+        assert repr(study) == "<Study, histories: 4>"
+        assert repr(study.cases()[0]) == "<Case ames_0807_762x152_all, seeds: 2>"
+        assert repr(study[0]) == f"<History {study[0].path}>"
+
+
+def test_a_plot_alone_has_no_ceiling(tmp_path: Path) -> None:
+    path = tmp_path / "plot.h5"
+    made = MadeHistory(path)
+    made.file["campaign/resolved"][()] = b'[field]\nboundary = "isolated"'
+    made.evolve(1)
+    made.finish()
+    made.close()
+    with ideotype_analysis.open(path) as study:
+        (case,) = study.cases()
+        assert case.is_isolated and study[0].is_isolated
+        with pytest.raises(HistoryError, match="lit from its sides"):
+            case.is_saturated()
+
+
 def test_the_frame_holds_every_evaluation_with_units(sweep: Path) -> None:
     with ideotype_analysis.open(sweep) as study:
         frame = study.frame()

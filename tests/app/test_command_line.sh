@@ -99,6 +99,15 @@ expect 0 "$ideotype" export "$history" --best --to plant.obj
 expect 0 "$ideotype" export "$history" --generation 0 --slot 0 --field \
     --to field.obj
 [ "$(grep -c '^g plant.*leaf' field.obj)" -eq 90 ] || fail "not nine plants"
+# Of a plot that is cut, plants keep different numbers of faces.
+sed -e 's/"verbs"/"cut"/' -e '/^\[field\]/a boundary = "isolated"\ncut = 1' \
+    campaigns/verbs.toml >campaigns/cut.toml
+expect 0 "$ideotype" run campaigns/cut.toml
+expect 0 "$ideotype" export "$(history_of results cut)" --generation 0 --slot 0 \
+    --field --to cut.obj
+[ "$(grep -c '^g plant005_leaf' cut.obj)" -eq 10 ] || fail "no middle plant"
+[ -z "$(grep '^g ' cut.obj | sort | uniq -d)" ] ||
+    fail "a group of a cut plot is in two pieces"
 expect 0 "$ideotype" export "$history" --best --to plant.csv
 [ "$(wc -l <plant.csv)" -eq 11 ] || fail "not ten leaves"
 expect 0 "$ideotype" export "$history" --best --to bred.toml
@@ -110,6 +119,14 @@ mean=$(sed -n '/"mean"/,/"standard_error"/s/^ *\([0-9.]*[0-9]\)$/\1/p' out.log)
 sed 's/^width = /wdith = /' bred.toml >typo_plant.toml
 expect 3 "$ideotype" evaluate "$history" typo_plant.toml \
     --under campaigns/verbs.toml
+for shape in plant field; do
+    [ $shape = plant ] && whole=() || whole=(--field)
+    expect 0 "$ideotype" export "$history" --best "${whole[@]}" --to $shape.vtp
+    grep -q 'absorbed_par \[MJ m-2 day-1\]' $shape.vtp || fail "no light"
+done
+grep -q "repeats every 2.286000 m in x and 0.457200 m in y" field.obj ||
+    fail "the field does not tell its period"
+expect 2 "$ideotype" export "$history" --best --paths 1 --to dark.vtp
 expect 4 "$ideotype" export "$history" --best --to plant.obj
 expect 2 "$ideotype" export "$history" --best --to plant.doc
 

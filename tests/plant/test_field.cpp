@@ -82,6 +82,43 @@ TEST(Field, ACutPlotEndsAtItsEdge) {
     EXPECT_THROW(build_field(plant, plot, draw_turns(plot, 1, 0, 0)), Error);
 }
 
+TEST(Field, EveryFaceKnowsItsPlantAlsoInACutPlot) {
+    const SamplePlant sample;
+    FieldForm plot = form;
+    plot.boundary = Boundary::isolated;
+    plot.cut = 1;
+    const Mesh plant = build_plant(sample.traits, sample.form, {});
+    const Field field = build_field(plant, plot, draw_turns(plot, 1, 0, 0));
+    ASSERT_EQ(field.face_plant.size(), field.mesh.faces.size());
+    // Stalks stand where their plants do.
+    const std::uint32_t stalk =
+        static_cast<std::uint32_t>(plant.groups.size() - 1);
+    std::set<std::uint32_t> standing;
+    for (std::size_t f = 0; f < field.mesh.faces.size(); ++f) {
+        if (field.mesh.face_group[f] != stalk) continue;
+        const std::uint32_t p = field.face_plant[f];
+        standing.insert(p);
+        const Vec3& v = field.mesh.vertices[field.mesh.faces[f][0]];
+        EXPECT_NEAR(v.x, (p / 4 + 0.5) * 0.762, 0.02);
+        EXPECT_NEAR(v.y, (p % 4 + 0.5) * 0.1524, 0.02);
+    }
+    EXPECT_EQ(standing, (std::set<std::uint32_t>{5, 6, 9, 10, 13, 14, 17, 18}));
+}
+
+TEST(Field, ACutPlotKeepsNoVertexWithoutAFace) {
+    const SamplePlant sample;
+    FieldForm plot = form;
+    plot.boundary = Boundary::isolated;
+    plot.cut = 1;
+    const Mesh plant = build_plant(sample.traits, sample.form, {});
+    const Field field = build_field(plant, plot, draw_turns(plot, 1, 0, 0));
+    std::set<std::uint32_t> used;
+    for (const auto& face : field.mesh.faces)
+        used.insert(face.begin(), face.end());
+    EXPECT_EQ(used.size(), field.mesh.vertices.size());
+    EXPECT_EQ(*used.rbegin(), field.mesh.vertices.size() - 1);
+}
+
 TEST(Field, RefusesAWrongNumberOfTurns) {
     const SamplePlant sample;
     const Mesh plant = build_plant(sample.traits, sample.form, {});

@@ -28,6 +28,10 @@ class Case:
         self.histories = tuple(histories)
         self.attributes = histories[0].attributes
         self.traits = histories[0].traits
+        self.is_isolated = histories[0].is_isolated
+
+    def __repr__(self) -> str:
+        return f"<Case {self.name}, seeds: {len(self.histories)}>"
 
     @cached_property
     def _known(self) -> tuple[tuple[History, Pair], ...]:
@@ -135,8 +139,13 @@ class Case:
         and soil took nothing: incident (1 - reflected) - absorbed. Reflected
         light is lost to any canopy of these leaves.
 
-        Raises HistoryError if a column is missing."""
+        Raises HistoryError if there is no such ceiling, or a column is
+        missing."""
         best = self.best
+        if best.row.objectives.names[0] != "absorbed_par":
+            raise HistoryError("the objective is not absorbed PAR alone")
+        if self.is_isolated:
+            raise HistoryError("a plot alone is lit from its sides too")
         try:
             incident = best.estimate("incident")
             reflected = best.estimate("reflected_fraction")

@@ -42,11 +42,11 @@ CASE_FIGURES: dict[str, tuple[Callable[[Case], Figure], str]] = {
     ),
     "leaves": (
         draw_leaves,
-        "Light by leaf rank. Error bars are standard errors.",
+        "Light by leaf rank, per area of ground. Error bars are standard errors.",
     ),
     "layers": (
         draw_layers,
-        "Light by height layer. Error bars are standard errors.",
+        "Light by height layer, per area of ground. Error bars are standard errors.",
     ),
     "parts": (
         draw_parts,

@@ -38,7 +38,7 @@ def draw_gains(cases: Sequence[Case], cross: Cross | None = None) -> Figure:
     has it, in % by case: mean of seeds with its 95 % confidence interval, and
     the seeds."""
     known = known_cases(cases)
-    figure = style.new_figure(7.2, 1.4 + 0.42 * len(known))
+    figure = style.new_figure(style.WIDTH, 1.4 + 0.42 * len(known))
     axes = figure.add_subplot()
     for y, case in enumerate(known):
         seeds = [pair.gain.mean for pair in case.pairs]
@@ -63,7 +63,9 @@ def draw_gains(cases: Sequence[Case], cross: Cross | None = None) -> Figure:
     axes.axvline(0, color=style.BASELINE, linewidth=1, linestyle="--")
     axes.set_yticks(range(len(known)), [case.name for case in known])
     axes.set_ylim(len(known) - 0.5, -0.5)
-    axes.set_xlabel("gain in absorbed PAR [%]")
+    names = {case.best.row.objectives.names[0] for case in known}
+    what = style.words(names.pop()) if len(names) == 1 else "the objective"
+    axes.set_xlabel(f"gain in {what} [%]")
     figure.legend(loc="outside lower center", ncols=3, fontsize=8)
     return figure
 
@@ -85,13 +87,11 @@ def draw_latitudes(cases: Sequence[Case]) -> Figure:
     def latitude(case: Case) -> float:
         return float(case.attributes["latitude"])
 
-    return _draw_against(
-        cases, latitude, ("site",), "latitude [°N]", "latitude"
-    )
+    return _draw_against(cases, latitude, "site", "latitude [°N]")
 
 
 def draw_spacings(cases: Sequence[Case]) -> Figure:
-    """The same against plants per area."""
+    """The same against plants per area, a line for each distance of rows."""
 
     def density(case: Case) -> float:
         return 1 / (
@@ -99,33 +99,33 @@ def draw_spacings(cases: Sequence[Case]) -> Figure:
             * float(case.attributes["plant_spacing"])
         )
 
-    return _draw_against(
-        cases, density, ("spacing",), "plants m⁻²", "plant density"
-    )
+    return _draw_against(cases, density, "spacing", "plant density [m⁻²]")
 
 
 def _draw_against(
     cases: Sequence[Case],
     position: Callable[[Case], float],
-    axis: tuple[str, ...],
+    axis: str,
     label: str,
-    what: str,
 ) -> Figure:
-    lines: dict[str, list[Case]] = {}
+    what = label.split(" [")[0]
+    groups: dict[str, list[Case]] = {}
     try:
         for case in known_cases(cases):
-            lines.setdefault(_without(case, axis), []).append(case)
+            groups.setdefault(_elsewhere(case, axis), []).append(case)
             position(case)
     except (KeyError, ZeroDivisionError) as error:
         raise HistoryError(f"the histories do not say their {what}") from error
-    lines = {
-        name: sorted(members, key=position)
-        for name, members in lines.items()
-        if len({round(position(case), 6) for case in members}) > 1
-    }
+    lines: dict[str, list[Case]] = {}
+    for name, members in groups.items():
+        if len({round(position(case), 6) for case in members}) > 1:
+            members.sort(key=position)
+            lines |= _rows(name, members) if axis == "spacing" else {
+                name: members
+            }
     if not lines:
         raise HistoryError(f"all cases have the same {what}")
-    figure = style.new_figure(8.4, 4.4)
+    figure = style.new_figure(style.WIDTH, 4.2)
     left, right = figure.subplots(1, 2)
     for i, (name, members) in enumerate(lines.items()):
         color, marker = style.series(i)
@@ -137,7 +137,7 @@ def _draw_against(
             )  # fmt: skip
         gains = [case.relative_gain() for case in members]
         _draw_line(right, x, gains, color, marker, "-", name)
-    objective = members[0].best.row.objectives
+    objective = known_cases(cases)[0].best.row.objectives
     left.set_ylabel(style.axis_label(objective.names[0], objective.units[0]))
     right.set_ylabel("gain over the baseline [%]")
     for axes in (left, right):
@@ -149,13 +149,28 @@ def _draw_against(
     return figure
 
 
-def _without(case: Case, axis: tuple[str, ...]) -> str:
-    """The case's place on all axes but those of the comparison."""
-    has = case.attributes
-    words = str(case.name).lower()
-    for name in axis:
-        words = words.replace(str(has.get(name, "")).lower(), "", 1)
-    return words.replace("__", "_").strip("_ ")
+def _elsewhere(case: Case, axis: str) -> str:
+    """The case's place on all axes but that of the comparison."""
+    names = ("site", "day", "spacing", "trait_set")
+    words = [
+        str(case.attributes[name])
+        for name in names
+        if name != axis and name in case.attributes
+    ]
+    campaign, _, _ = case.name.rpartition(": ")
+    return ": ".join(filter(None, [campaign, " ".join(words)]))
+
+
+def _rows(name: str, members: Sequence[Case]) -> dict[str, list[Case]]:
+    """A line for each distance of rows, unless plants of a row are always as
+    far apart."""
+    def rows(case: Case) -> float:
+        return float(case.attributes["row_spacing"])
+
+    lines: dict[str, list[Case]] = {}
+    for case in sorted(members, key=rows):
+        lines.setdefault(f"{name}, rows {rows(case):.4g} m", []).append(case)
+    return lines if len(lines) < len(members) else {name: [*members]}
 
 
 def _draw_line(
@@ -176,10 +191,30 @@ def _draw_line(
 
 def draw_energy(cases: Sequence[Case]) -> Figure:
     """Where the incident PAR goes, baseline and best of each case, with the
-    95 % confidence interval of each part."""
+    95 % confidence interval of each part. Plots alone have a panel of their
+    own: light from their sides adds to what falls on their ground."""
     known = known_cases(cases)
-    figure = style.new_figure(7.2, 1.6 + 0.6 * len(known))
-    axes = figure.add_subplot()
+    panels = [
+        [case for case in known if case.is_isolated is alone]
+        for alone in (False, True)
+    ]
+    panels = [panel for panel in panels if panel]
+    figure = style.new_figure(
+        style.WIDTH, 1.2 + 0.5 * len(panels) + 0.5 * len(known)
+    )
+    grid = figure.subplots(
+        len(panels), 1, squeeze=False, height_ratios=[*map(len, panels)]
+    )
+    for (axes,), members in zip(grid, panels):
+        _draw_balance(axes, members)
+    figure.legend(
+        *grid[0, 0].get_legend_handles_labels(),
+        loc="outside lower center", ncols=4, fontsize=8,
+    )  # fmt: skip
+    return figure
+
+
+def _draw_balance(axes: Axes, known: Sequence[Case]) -> None:
     ticks: list[float] = []
     labels: list[str] = []
     for i, case in enumerate(known):
@@ -200,8 +235,9 @@ def draw_energy(cases: Sequence[Case]) -> Figure:
             labels.append(f"{case.name} {who}")
     axes.set_yticks(ticks, labels)
     axes.set_ylim(len(known) - 0.4, -0.4)
-    axes.set_xlim(0, 1.02)
-    axes.set_xlabel("part of the incident PAR")
+    if known[0].is_isolated:
+        axes.set_xlabel("PAR in a plot alone, over the incident on its ground")
+    else:
+        axes.set_xlim(0, 1.02)
+        axes.set_xlabel("part of the incident PAR")
     axes.grid(axis="y", visible=False)
-    figure.legend(loc="outside lower center", ncols=4, fontsize=8)
-    return figure

@@ -24,7 +24,7 @@ def draw_convergence(case: Case) -> Figure:
     runs = [run for run in runs if len(run)]
     if not runs:
         raise HistoryError("no generation is complete yet")
-    figure = style.new_figure(6.4, 4.2)
+    figure = style.new_figure(6.4, 4.8)
     axes = figure.add_subplot()
     if len(runs) == 1:
         _draw_seed(axes, runs[0])
@@ -40,7 +40,7 @@ def draw_convergence(case: Case) -> Figure:
     _set_ticks(axes, count, case.is_final)
     seeds = f", {len(runs)} seeds" if len(runs) > 1 else ""
     axes.set_title(f"{case.name}{seeds}")
-    axes.legend(loc="best", fontsize=8)
+    figure.legend(loc="outside lower center", ncols=2, fontsize=8)
     if objective.unit == DAILY_ENERGY:
         _add_acre_axis(axes)
     return figure

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -36,6 +37,26 @@ class Cross:
         if np.isnan(self.mean[at]):
             return None
         return Estimate(float(self.mean[at]), float(self.standard_error[at]))
+
+    def seeds_together(self) -> list[tuple[str, list[Interval | None]]]:
+        """Plants by name, "ames_all" for the best of ames_all_r1, ames_all_r2
+        and so on, with their means under each case; None where none of them
+        was evaluated."""
+        members: dict[str, list[str]] = {}
+        for plant in self.plants:
+            name = re.sub(r"[_-]r\d+$", "", plant)
+            members.setdefault(name, []).append(plant)
+        table = []
+        for name, plants in members.items():
+            # Of a single one the name with its seed tells more.
+            name = name if len(plants) > 1 else plants[0]
+            row: list[Interval | None] = []
+            for case in self.cases:
+                known = [self.estimate(plant, case) for plant in plants]
+                found = [figure for figure in known if figure]
+                row.append(interval(found) if found else None)
+            table.append((name, row))
+        return table
 
     def relative_gain(self, case: Case, plant: str) -> Interval | None:
         """Gain [%] of the best of a case's seeds over a plant under the same
@@ -91,13 +112,22 @@ def _from_csv(text: str) -> Cross:
 
 
 def draw_cross(cross: Cross) -> Figure:
-    """Each plant under each case, in % of the best plant there; below it the
-    standard error of the plant's own figure."""
-    best = np.nanmax(cross.mean, axis=0)
-    share = 100 * cross.mean / best
-    error = 100 * cross.standard_error / best
+    """Each plant under each case, the seeds of a case put together, in % of
+    the best there; below it half of its 95 % confidence interval."""
+    table = cross.seeds_together()
+    mean, error = (
+        np.array(
+            [
+                [getattr(x, what) if x else np.nan for x in row]
+                for _, row in table
+            ]
+        )
+        for what in ("mean", "half_width")
+    )
+    best = np.nanmax(mean, axis=0)
+    share, error = 100 * mean / best, 100 * error / best
     width = 3.2 + 0.95 * len(cross.cases)
-    figure = style.new_figure(width, 2.4 + 0.5 * len(cross.plants))
+    figure = style.new_figure(width, 2.4 + 0.5 * len(table))
     axes = figure.add_subplot()
     image = axes.imshow(share, cmap="viridis", aspect="auto")
     axes.grid(visible=False)
@@ -113,8 +143,8 @@ def draw_cross(cross: Cross) -> Figure:
     axes.set_xticks(
         range(len(cross.cases)), cross.cases, rotation=30, ha="right"
     )
-    axes.set_yticks(range(len(cross.plants)), cross.plants)
+    axes.set_yticks(range(len(table)), [name for name, _ in table])
     axes.set_xlabel("under the light of")
     axes.set_ylabel("plant")
-    figure.colorbar(image, label="% of the best plant there")
+    figure.colorbar(image, label="% of the best there")
     return figure

@@ -109,7 +109,7 @@ def _check(choice: dict[str, object]) -> Check:
 def draw_fidelity(fidelity: Fidelity) -> Figure:
     """Error against cost: the fronts as lines, what was evaluated anew as
     points with standard errors."""
-    figure = style.new_figure(7.2, 3.4)
+    figure = style.new_figure(style.WIDTH, 3.4)
     panels = figure.subplots(1, 2, sharex=True, sharey=True)
     for axes, (goal, title) in zip(panels, _TITLES.items(), strict=True):
         for index, (fields, label) in enumerate(_FIELDS.items()):

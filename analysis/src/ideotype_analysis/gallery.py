@@ -7,6 +7,7 @@ import io
 import re
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import matplotlib
 from matplotlib.figure import Figure
@@ -22,6 +23,11 @@ _BYTES = 5_000_000
 _SIZES = ((0.7, 80), (0.6, 75), (0.5, 65), (0.5, 40), (0.4, 30))
 """Pixels of a picture in the page over those of the file, and quality; the
 first is sharp when enlarged, the last still legible."""
+
+_FILE_BYTES = 150_000
+"""Of a PNG file, for documents."""
+
+_COLORS = 256
 
 
 class Gallery:
@@ -49,14 +55,45 @@ class Gallery:
                 figure = make()
             except HistoryError as reason:
                 return Note(f"{caption.split('.')[0]}: not drawn, {reason}.")
-            image = io.BytesIO()
-            figure.savefig(image, format="png")
+            image = _painted(figure)
             pdf = self.folder / f"{name}.pdf"
+            # Laid out once is enough, and the same in both files.
+            figure.set_layout_engine("none")
             figure.savefig(pdf, metadata={"CreationDate": None})
         png = self.folder / f"{name}.png"
-        png.write_bytes(image.getvalue())
+        png.write_bytes(_png(image))
         self.paths += [png, pdf]
         return Picture(name, caption, _small(image, self._bytes))
+
+
+def _painted(figure: Figure) -> Image.Image:
+    data = io.BytesIO()
+    figure.savefig(data, format="png", pil_kwargs={"compress_level": 1})
+    with Image.open(data) as file:
+        return file.convert("RGB")
+
+
+def _png(image: Image.Image) -> bytes:
+    """The content of a file: with all colours and pixels if there is room,
+    else with the best 256 colours and, of very large figures, fewer
+    pixels."""
+    data = _encoded(image, "PNG", optimize=True)
+    while len(data) > _FILE_BYTES:
+        few = image.quantize(_COLORS, dither=Image.Dither.NONE)
+        data = _encoded(few, "PNG", optimize=True)
+        image = _scaled(image, 0.85)
+    return data
+
+
+def _encoded(image: Image.Image, kind: str, **options: Any) -> bytes:
+    data = io.BytesIO()
+    image.save(data, format=kind, **options)
+    return data.getvalue()
+
+
+def _scaled(image: Image.Image, scale: float) -> Image.Image:
+    size = round(scale * image.width), round(scale * image.height)
+    return image.resize(size, Image.Resampling.LANCZOS)
 
 
 def file_name(name: str) -> str:
@@ -64,16 +101,11 @@ def file_name(name: str) -> str:
     return re.sub(r"[^\w-]+", "_", name)
 
 
-def _small(image: io.BytesIO, most: float) -> str:
+def _small(image: Image.Image, most: float) -> str:
     """For the page: a format made for it, and as many pixels as fit into so
     many bytes."""
-    with Image.open(image) as file:
-        full = file.convert("RGB")
     for scale, quality in _SIZES:
-        size = round(scale * full.width), round(scale * full.height)
-        small = full.resize(size, Image.Resampling.LANCZOS)
-        data = io.BytesIO()
-        small.save(data, format="WEBP", quality=quality)
-        if data.tell() <= most:
+        data = _encoded(_scaled(image, scale), "WEBP", quality=quality)
+        if len(data) <= most:
             break
-    return base64.b64encode(data.getvalue()).decode("ascii")
+    return base64.b64encode(data).decode("ascii")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import tomllib
+from functools import cached_property
 from pathlib import Path
 from types import TracebackType
 from typing import Self
@@ -58,6 +60,9 @@ class History:
         except HistoryError:
             self.close()
             raise
+
+    def __repr__(self) -> str:
+        return f"<History {self.path}>"
 
     def __enter__(self) -> Self:
         return self
@@ -180,6 +185,16 @@ class History:
         """The campaign file, "source" as the user wrote it or "resolved"
         with every default."""
         return text(self._data.read(f"campaign/{form}"))
+
+    @cached_property
+    def is_isolated(self) -> bool:
+        """Whether the plants are a plot alone, lit from all sides, and not a
+        stand without end."""
+        try:
+            campaign = tomllib.loads(self.campaign("resolved"))
+        except tomllib.TOMLDecodeError:
+            return False
+        return campaign.get("field", {}).get("boundary") == "isolated"
 
     def _final_pair(self) -> Pair | None:
         """The finalists' verdict, once none of them is pending."""

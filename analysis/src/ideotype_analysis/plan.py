@@ -66,7 +66,7 @@ def draw_roses(case: Case) -> Figure:
 def draw_plan(case: Case, baseline: Mesh, best: Mesh) -> Figure:
     """Baseline and best plant from above among their neighbours, all turned
     alike; colours tell leaf ranks."""
-    figure = style.new_figure(8.4, 4.0)
+    figure = style.new_figure(style.WIDTH, 3.6)
     panels = figure.subplots(1, 2, sharex=True, sharey=True)
     ranks = sorted({g for g in best.groups if g.startswith("leaf")})
     norm = BoundaryNorm(np.arange(0.5, len(ranks) + 1), 256)

@@ -161,7 +161,8 @@ def _places(
             gallery.draw(
                 "cross",
                 "Cross-evaluation. Each plant under the light of each case, "
-                "in % of the best plant there ± one standard error.",
+                "in % of the best there ± half of the 95 % confidence "
+                "interval; the seeds of a case are put together.",
                 partial(draw_cross, cross),
             )
         )

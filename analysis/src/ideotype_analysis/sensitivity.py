@@ -112,7 +112,7 @@ def draw_sensitivity(case: Case) -> Figure:
     """The strongest effects with 95 % confidence intervals, and all of them
     by leaf rank and kind of trait."""
     found = sensitivity(case)
-    figure = style.new_figure(8.4, 4.4)
+    figure = style.new_figure(style.WIDTH, 4.2)
     left, right = figure.subplots(1, 2)
     order = np.argsort(-np.abs(found.effect))[:_SHOWN][::-1]
     left.errorbar(
@@ -159,7 +159,7 @@ def _draw_by_rank(figure: Figure, axes: Axes, found: Sensitivity) -> None:
         aspect="auto",
     )  # fmt: skip
     axes.grid(visible=False)
-    axes.set_xticks(range(len(kinds)), kinds)
+    axes.set_xticks(range(len(kinds)), kinds, rotation=20)
     axes.set_yticks(range(len(ranks)), [str(rank) for rank in ranks])
     axes.set_ylabel("leaf rank (1 = lowest)")
     figure.colorbar(image, label="effect (azimuth: size only)")
@@ -188,7 +188,7 @@ def draw_correlation(case: Case) -> Figure:
     labels = [kinds[start] for start in starts]
     axes.set_xticks(middles, labels, rotation=20)
     axes.set_yticks(middles, labels)
-    axes.set_title(f"{case.name}: within each block the lowest leaf first")
+    axes.set_title(f"{case.name}\nwithin each block the lowest leaf first")
     figure.colorbar(image, label="rank correlation")
     return figure
 

@@ -27,7 +27,7 @@ def draw_traits(case: Case) -> Figure:
     deviation, the baseline, and the bounds."""
     top = case.top(COUNT)
     baseline = case.baseline if case.pairs else None
-    figure = style.new_figure(9.6, 4.4)
+    figure = style.new_figure(style.WIDTH, 4.4)
     panels = figure.subplots(1, len(_KINDS), sharey=True)
     for axes, kind in zip(panels, _KINDS):
         _draw_trait(axes, case, kind, top, baseline)
@@ -122,7 +122,7 @@ def _title(case: Case, top: Rows) -> str:
         else f"generations {first}-{last}"
     )
     seeds = len(case.histories)
-    title = f"{case.name}: the {len(top)} fittest plants of {of}"
+    title = f"{case.name}\nthe {len(top)} fittest plants of {of}"
     if seeds == 1:
         return title
     return f"{title}, from {case.seeds_of_top(COUNT)} of {seeds} seeds"

@@ -73,6 +73,9 @@ class Study:
             self._stack.close()
             raise
 
+    def __repr__(self) -> str:
+        return f"<Study, histories: {len(self)}>"
+
     def __enter__(self) -> Self:
         return self
 

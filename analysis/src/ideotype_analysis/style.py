@@ -17,6 +17,9 @@ MEAN = "#009E73"
 ANEW = "#D55E00"
 QUIET = "#8C8C8C"
 
+WIDTH = 7.2
+"""Of a figure that fills a printed page, without loss of size [inches]."""
+
 _SERIES_COLORS = (
     *("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"),
     "#000000",
@@ -58,8 +61,12 @@ def unit_label(unit: str) -> str:
 
 def axis_label(name: str, unit: str) -> str:
     """ "absorbed PAR [MJ m⁻² day⁻¹]" of a column's name and unit."""
-    words = re.sub(r"\bpar\b", "PAR", name.replace("_", " "))
-    return words if unit == "1" else f"{words} [{unit_label(unit)}]"
+    return words(name) if unit == "1" else f"{words(name)} [{unit_label(unit)}]"
+
+
+def words(name: str) -> str:
+    """ "absorbed PAR" of "absorbed_par"."""
+    return re.sub(r"\bpar\b", "PAR", name.replace("_", " "))
 
 
 def series(index: int) -> tuple[str, str]:

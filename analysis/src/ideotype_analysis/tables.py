@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -115,26 +115,32 @@ def _remarks(cases: Sequence[Case], cross: Cross | None) -> list[str]:
             "The gain over the elite plant is not known: it needs a "
             f"cross-evaluation (--cross) with a plant called {ELITE}."
         )
+    named: dict[str, list[str]] = {}
     for case in cases:
-        if not case.pairs:
-            remarks.append(f"{case.name}: nothing to compare yet.")
-            continue
-        if not case.is_final:
-            remarks.append(
-                f"{case.name} is provisional: not all seeds have their final "
-                "evaluation, and the best of many noisy figures is too high "
-                "on average."
+        for remark in _case_remarks(case):
+            named.setdefault(remark, []).append(case.name)
+    return remarks + [
+        f"{remark}: {', '.join(names)}." for remark, names in named.items()
+    ]
+
+
+def _case_remarks(case: Case) -> Iterator[str]:
+    if not case.pairs:
+        yield "Nothing to compare yet"
+        return
+    if not case.is_final:
+        yield (
+            "Provisional, since not all seeds have their final evaluation, "
+            "and the best of many noisy figures is too high on average"
+        )
+    try:
+        if case.is_saturated():
+            yield (
+                "Saturated, the best being within its standard error of the "
+                "ceiling, so that absorption can't tell better plants any more"
             )
-        try:
-            if case.is_saturated():
-                remarks.append(
-                    f"{case.name} is saturated: its best is within its "
-                    "standard error of the ceiling, so absorption can't tell "
-                    "better plants any more."
-                )
-        except HistoryError as reason:
-            remarks.append(f"{case.name}: the ceiling is unknown, {reason}.")
-    return remarks
+    except HistoryError as reason:
+        yield f"Without a ceiling, since {reason}"
 
 
 def balance(cases: Sequence[Case]) -> Note:
@@ -149,8 +155,8 @@ def balance(cases: Sequence[Case]) -> Note:
     if not errors:
         return Note("The histories do not say how well the balance closes.")
     return Note(
-        "Leaves, stalks, soil and reflected light add up to the incident "
-        f"light; the largest deviation of all plants shown is "
+        "Leaves, stalks, soil and reflected light add up to the light that "
+        "enters; the largest deviation of all plants shown is "
         f"{np.max(errors):.1g} of it."
     )
 

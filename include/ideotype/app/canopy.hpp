@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "ideotype/light/device.hpp"
 #include "ideotype/light/illumination.hpp"
 #include "ideotype/light/report.hpp"
+#include "ideotype/light/transport.hpp"
 #include "ideotype/plant/field.hpp"
 #include "ideotype/sky/day.hpp"
 
@@ -42,6 +44,13 @@ Mesh build_plant(const Campaign& campaign, const Genome& genome);
 //! genome -> plant -> field, with the turns of one draw.
 Field build_field(const Campaign& campaign, const Case& chosen,
                   const Genome& genome, const Draws& draws, std::uint32_t draw);
+
+//! Visits the fields of an estimate one by one, each with the part of the
+//! sampling that falls to it and its random numbers.
+void for_each_field(const Campaign& campaign, const Case& chosen,
+                    const Mesh& plant, const Draws& draws,
+                    const std::function<void(const Field&, const Sampling&,
+                                             const Randomness&)>& visit);
 
 //! What light does in one canopy.
 struct CanopyReport {

@@ -90,7 +90,7 @@ struct FidelityOptions {
 };
 ExitCode fidelity(const FidelityOptions& options);
 
-//! `export FILE --to X.obj|X.csv`: writes a plant or its field.
+//! `export FILE --to X.obj|X.vtp|X.csv|X.toml`: writes a plant or its field.
 //! `export FILE --generations --to X.csv`: writes the candidates of all
 //! complete generations, also of a file that was cut short.
 struct ExportOptions {
@@ -98,6 +98,8 @@ struct ExportOptions {
     RowChoice row;
     std::string to;
     bool is_field = false;
+    //! Of light on the faces, per randomisation; enough if not given.
+    std::optional<int> paths;
     bool is_generations = false;
 };
 ExitCode export_plant(const ExportOptions& options);

@@ -35,6 +35,8 @@ struct FieldForm {
 //! rows, z up, soil at z = 0. The mesh may reach beyond the period.
 struct Field {
     Mesh mesh;
+    //! The plant that each face is of: its place in the lattice, row by row.
+    std::vector<std::uint32_t> face_plant;
     Boundary boundary = Boundary::periodic;
     double period_x = 0;     //!< rows x row spacing, if periodic [m]
     double period_y = 0;     //!< plants x plant spacing, if periodic [m]

@@ -1,0 +1,101 @@
+#include "ideotype/app/face_light.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace ideotype {
+
+namespace {
+
+constexpr int paths_per_face = 1600;
+constexpr double most_paths = 8e6;
+
+//! The same surfaces, with the light of each face counted for itself.
+Mesh with_a_group_per_face(Mesh mesh) {
+    std::vector<Group> groups;
+    groups.reserve(mesh.faces.size());
+    for (const std::uint32_t group : mesh.face_group)
+        groups.push_back(mesh.groups[group]);
+    mesh.groups = std::move(groups);
+    std::iota(mesh.face_group.begin(), mesh.face_group.end(), 0u);
+    return mesh;
+}
+
+//! Sums up what was found in fields whose mesh has a group per face.
+class Sum {
+  public:
+    Sum(const Campaign& campaign, const DayIllumination& light,
+        const Device& device, std::size_t faces)
+        : campaign_(campaign), light_(light), device_(device), area_(faces) {}
+
+    void add(const Field& field, const Sampling& sampling,
+             const Randomness& randomness) {
+        const auto tallies =
+            simulate(Scene::of(device_, field), field.mesh.groups,
+                     campaign_.optics, light_.light, sampling, randomness);
+        for (const Tally& tally : tallies) energy_.push_back(tally.groups);
+        const std::vector<double> areas = face_areas(field.mesh);
+        for (std::size_t f = 0; f < areas.size(); ++f)
+            area_[field.mesh.face_group[f]] += areas[f];
+        ground_area_ = field.ground_area;
+        ++fields_;
+    }
+
+    std::vector<Estimate> per_area() const {
+        std::vector<Estimate> result;
+        std::vector<double> replicates(energy_.size());
+        for (std::size_t face = 0; face < area_.size(); ++face) {
+            for (std::size_t i = 0; i < energy_.size(); ++i)
+                replicates[i] = energy_[i][face];
+            const double area = area_[face] / fields_;
+            result.push_back(
+                area > 0 ? scaled(estimate(replicates), ground_area_ / area)
+                         : Estimate{});
+        }
+        return result;
+    }
+
+  private:
+    const Campaign& campaign_;
+    const DayIllumination& light_;
+    const Device& device_;
+    std::vector<std::vector<double>> energy_;  //!< [randomisation][face]
+    std::vector<double> area_;                 //!< of all copies [m2]
+    double ground_area_ = 0;
+    int fields_ = 0;
+};
+
+}  // namespace
+
+FaceLight light_on_plant(const Campaign& campaign, const Case& chosen,
+                         const DayIllumination& light, const Device& device,
+                         const Mesh& plant, const Draws& draws) {
+    Sum sum(campaign, light, device, plant.faces.size());
+    for_each_field(campaign, chosen, with_a_group_per_face(plant), draws,
+                   [&](const auto&... field) { sum.add(field...); });
+    return {sum.per_area(), chosen.spacing.row * chosen.spacing.plant};
+}
+
+FaceLight light_on_field(const Campaign& campaign, const DayIllumination& light,
+                         const Device& device, const Field& field,
+                         const Draws& draws) {
+    Sum sum(campaign, light, device, field.mesh.faces.size());
+    Field split = field;
+    split.mesh = with_a_group_per_face(std::move(split.mesh));
+    sum.add(split, draws.sampling, {draws.seed, draws.generation, 0});
+    return {sum.per_area(), field.ground_area};
+}
+
+Sampling face_sampling(const Sampling& sampling, std::size_t faces) {
+    const double enough =
+        std::min(paths_per_face * static_cast<double>(faces), most_paths) /
+        sampling.randomisations;
+    // Powers of two are where Sobol' nets are most even.
+    const int paths = 1 << static_cast<int>(std::ceil(std::log2(enough)));
+    Sampling result = sampling;
+    result.paths = std::max(sampling.paths, paths);
+    return result;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,137 @@
+"""Exported plants and fields, opened with the readers of VTK, which are those
+of ParaView."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from ideotype_analysis import open_history
+from numpy.typing import NDArray
+from real_program import output_of
+
+pytest.importorskip(
+    "vtkmodules",
+    reason="without vtk exported files are not opened; install the extra "
+    "`test` of the analysis package",
+)
+
+from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
+from vtkmodules.vtkCommonDataModel import vtkPolyData  # noqa: E402
+from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter  # noqa: E402
+from vtkmodules.vtkIOGeometry import vtkOBJReader  # noqa: E402
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader  # noqa: E402
+
+ABSORBED = "absorbed_par [MJ m-2 day-1]"
+ERROR = "standard_error [MJ m-2 day-1]"
+FACES = 10 * 24 + 2 * 8
+"""Of a plant: leaves of 12 x 2 cells, sides and top of an octagonal stalk."""
+FINAL_PATHS = 256
+
+
+def opened(reader: Any, path: Path) -> vtkPolyData:
+    """What VTK reads, without an error."""
+    errors: list[str] = []
+    reader.AddObserver("ErrorEvent", lambda *_: errors.append("error"))
+    reader.SetFileName(str(path))
+    reader.Update()
+    assert errors == []
+    return reader.GetOutput()
+
+
+def cells(data: vtkPolyData, name: str) -> NDArray[np.float64]:
+    """A value per face."""
+    return vtk_to_numpy(data.GetCellData().GetArray(name))
+
+
+def areas(data: vtkPolyData) -> NDArray[np.float64]:
+    """Of the faces as VTK finds them [m2]."""
+    size = vtkCellSizeFilter()
+    size.SetInputData(data)
+    size.Update()
+    return cells(size.GetOutput(), "Area")
+
+
+def exported(own: Path, to: Path, *options: object) -> Path:
+    """The file, once the program has written it."""
+    output_of("export", own, *options, "--to", to)
+    return to
+
+
+def totals(data: vtkPolyData) -> tuple[float, float]:
+    """What leaves and stalks absorb on the ground below [MJ m-2 day-1]."""
+    fields = data.GetFieldData()
+    ground = fields.GetArray("ground_area [m2]").GetValue(0)
+    energy = cells(data, ABSORBED) * areas(data) / ground
+    is_leaf = cells(data, "organ") > 0
+    return energy[is_leaf].sum(), energy[~is_leaf].sum()
+
+
+def test_the_light_of_a_plant_is_that_of_its_evaluation(
+    own: Path, tmp_path: Path
+) -> None:
+    paths = ("--paths", FINAL_PATHS)
+    path = exported(own, tmp_path / "best.vtp", "--best", *paths)
+    data = opened(vtkXMLPolyDataReader(), path)
+    with open_history(own) as history:
+        best = history.best()
+        case = str(history.attributes["case"])
+    assert best is not None and best.is_final
+    assert data.GetNumberOfCells() == FACES
+    assert case in data.GetFieldData().GetAbstractArray("title").GetValue(0)
+    assert cells(data, "area [m2]") == pytest.approx(areas(data), abs=1e-7)
+    assert set(cells(data, "organ")) == set(range(11))
+    assert np.all(cells(data, ERROR) >= 0)
+    leaves, stalks = totals(data)
+    incident = best.estimate("incident").mean
+    # coordinates have seven decimals
+    assert leaves == pytest.approx(best.objective.mean, rel=1e-5)
+    expected = best.estimate("stalk_fraction").mean * incident
+    assert stalks == pytest.approx(expected, rel=1e-4)
+
+
+def test_by_default_the_light_on_faces_is_well_known(
+    own: Path, tmp_path: Path
+) -> None:
+    path = exported(own, tmp_path / "best.vtp", "--best")
+    data = opened(vtkXMLPolyDataReader(), path)
+    absorbed = cells(data, ABSORBED)
+    bright = absorbed > absorbed.max() / 4
+    assert np.median((cells(data, ERROR) / absorbed)[bright]) < 0.1
+
+
+def test_the_light_of_a_field_is_that_of_its_evaluation(
+    own: Path, tmp_path: Path
+) -> None:
+    row = ("--generation", 1, "--slot", 3)
+    path = exported(
+        own, tmp_path / "field.vtp", *row, "--field", "--paths", 64
+    )
+    data = opened(vtkXMLPolyDataReader(), path)
+    assert data.GetNumberOfCells() == 4 * FACES
+    assert list(np.bincount(cells(data, "plant"))) == [0, *[FACES] * 4]
+    with open_history(own) as history:
+        rows = history.evaluations(1)
+        (at,) = np.flatnonzero(rows.slot == 3)
+        expected = rows["absorbed_par"].values[at]
+    assert totals(data)[0] == pytest.approx(expected, rel=1e-5)
+
+
+def test_a_field_for_other_ray_tracers_has_the_same_surfaces(
+    own: Path, tmp_path: Path
+) -> None:
+    field = ("--best", "--field")
+    obj = exported(own, tmp_path / "field.obj", *field)
+    vtp = exported(own, tmp_path / "field.vtp", *field, "--paths", 64)
+    surfaces = opened(vtkOBJReader(), obj)
+    lit = opened(vtkXMLPolyDataReader(), vtp)
+    assert surfaces.GetNumberOfCells() == 4 * FACES
+    assert surfaces.GetBounds() == pytest.approx(lit.GetBounds(), abs=1e-6)
+    assert areas(surfaces) == pytest.approx(areas(lit), rel=1e-3, abs=1e-7)
+    text = obj.read_text()
+    assert "# repeats every 1.524000 m in x and 0.304800 m in y\n" in text
+    assert "# y points 90 deg clockwise from north\n" in text
+    groups = [x for x in text.splitlines() if x.startswith("g ")]
+    assert len(groups) == len(set(groups)) == 4 * 11

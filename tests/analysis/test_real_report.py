@@ -1,0 +1,101 @@
+"""A report of what the program itself has written: a history, its accuracy
+measured, its plants under each other's light."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+from browser import run_in_browser
+from ideotype_analysis import open_history
+from ideotype_analysis.commands import report
+from ideotype_analysis.fidelity import read_fidelity
+from real_program import executable, output_of, write_campaign
+
+
+@pytest.fixture(scope="module")
+def fidelity(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Measured on a plant of two leaves and a day of three hours, for as
+    little time as the program allows."""
+    folder = tmp_path_factory.mktemp("fidelity")
+    campaign = write_campaign(folder, 1)
+    text = campaign.read_text()
+    text = text.replace("[plant]", "[plant]\nstalk = false")
+    text = text.replace("start = 07", "start = 11")
+    campaign.write_text(text.replace("end = 20", "end = 13"))
+    plant = folder / "b73.toml"
+    head, *leaves = plant.read_text().split("[[leaf]]")
+    plant.write_text("[[leaf]]".join([head, leaves[3], leaves[7]]))
+    path = folder / "fidelity.json"
+    output_of("fidelity", campaign, "--seconds", 0, "--json", path)
+    return path
+
+
+@pytest.fixture(scope="module")
+def cross(own: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The best plant and the baseline under the campaign's one case."""
+    campaign = own.parents[1] / "tiny.toml"
+    path = tmp_path_factory.mktemp("cross") / "cross.json"
+    path.write_text(
+        output_of("evaluate", own, campaign, "--under", campaign, "--json")
+    )
+    return path
+
+
+def test_what_the_program_measures_is_what_is_drawn(fidelity: Path) -> None:
+    found = read_fidelity(fidelity)
+    assert found.case == "ames_0807_762x152_all_r1"
+    goals = {(front.goal, front.fields) for front in found.fronts}
+    assert goals == {
+        (goal, fields)
+        for goal in ("value", "difference")
+        for fields in ("one", "each")
+    }
+    for front in found.fronts:
+        assert len(front.error) > 3
+        assert list(front.milliseconds) == sorted(front.milliseconds)
+        assert list(front.error) == sorted(front.error, reverse=True)
+    for check in found.checks:
+        assert 0 < check.error < 0.1 and check.milliseconds > 0
+
+
+def test_a_browser_shows_the_report_of_a_real_run(
+    own: Path, fidelity: Path, cross: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "report"
+    arguments = [own, "-o", out, "--ideotype", executable()]
+    arguments += ["--fidelity", fidelity, "--cross", cross]
+    assert report([str(argument) for argument in arguments]) == 0
+    script = """
+      for (const part of document.querySelectorAll("details"))
+        part.open = true;
+      const view = document.getElementById("view");
+      const first = view.toDataURL();
+      view.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft" }));
+      return {
+        faces: Number(view.dataset.faces),
+        turns: view.toDataURL() !== first,
+        pictures: [...document.images].map((image) => image.naturalWidth),
+        text: document.body.innerText,
+      };
+    """
+    shown, errors = run_in_browser(out / "report.html", script, tmp_path)
+    assert errors == []
+    # leaves of 12 x 2 faces, eight sides and tops of the stalk, two plants
+    assert shown["faces"] == 2 * (10 * 24 + 16) and shown["turns"]
+    figures = {path.stem for path in (out / "figures").glob("*.png")}
+    assert {"fidelity", "cross", "gains", "energy"} < figures
+    assert len(shown["pictures"]) == len(figures)
+    assert min(shown["pictures"]) > 200
+    words = re.sub(r"\s+", " ", shown["text"])
+    assert "Speed for accuracy in ames_0807_762x152_all_r1" in words
+    with open_history(own) as history:
+        has = history.attributes
+        command = history.sessions()[0].command
+    for told in ("seed", "isa", "program_version", "compiler"):
+        assert str(has[told]) in words
+    assert command in words and str(has["git_sha"])[:12] in words
+    data = json.loads(cross.read_text())
+    assert len(data["plants"]) == 2 and len(data["cases"]) == 1

@@ -4,6 +4,11 @@
 . "$(dirname "$0")/common.sh"
 
 write_campaign same 8 3
+# Each evaluation finds out for itself how many paths it needs.
+sed -i '/^\[light\]/,/^\[evolution\]/ {
+    s/^paths = .*/paths = 4096/
+    s/^randomisations = .*/randomisations = 8\ntolerance = 0.01\nfirst_tolerance = 0.03/
+}' campaigns/same.toml
 "$ideotype" run campaigns/same.toml --out alone
 for ranks in 1 2 5 12; do
     mpirun -n $ranks "$ideotype" run campaigns/same.toml --out ranks$ranks

@@ -19,11 +19,7 @@ constexpr int fewest_paths = 32;
 //! of all light.
 double relative_error(const std::vector<Tally>& tallies, int paths) {
     std::vector<double> leaves;
-    for (const Tally& tally : tallies) {
-        leaves.push_back(0);
-        for (const Budget& budget : tally.sources)
-            leaves.back() += budget.leaves;
-    }
+    for (const Tally& tally : tallies) leaves.push_back(tally.leaves());
     const Estimate found = estimate(leaves);
     const double all =
         static_cast<double>(paths) * static_cast<double>(tallies.size());

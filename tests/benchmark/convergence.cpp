@@ -71,11 +71,7 @@ void print_point(const Setting& setting, const Scene& scene,
                  {paths, repetitions}, {1, 0, 0});
     const double seconds = processor_seconds() - began;
     std::vector<double> leaves;
-    for (const Tally& tally : tallies) {
-        leaves.push_back(0);
-        for (const Budget& budget : tally.sources)
-            leaves.back() += budget.leaves;
-    }
+    for (const Tally& tally : tallies) leaves.push_back(tally.leaves());
     const Estimate found = estimate(leaves);
     fmt::print(
         "{{\"paths\": {}, \"repetitions\": {}, \"error\": {:.4g}, "

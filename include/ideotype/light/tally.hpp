@@ -40,6 +40,13 @@ struct Tally {
     //! from which the corners of a face are seen counter-clockwise.
     double adaxial = 0;
     double abaxial = 0;
+
+    //! Absorbed by leaves, from all sources.
+    double leaves() const {
+        double sum = 0;
+        for (const Budget& budget : sources) sum += budget.leaves;
+        return sum;
+    }
 };
 
 }  // namespace ideotype

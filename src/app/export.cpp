@@ -84,6 +84,30 @@ class Lamp {
     Device device_;
 };
 
+//! The surfaces of a plant or its field, with the light on them or without.
+void write_shape(const ExportOptions& options, const ChosenRow& row,
+                 const std::string& title, bool is_lit) {
+    const Genome& genome = row.row.candidate.genome;
+    Shape shape{about(title, row.chosen), {}, {}};
+    std::optional<FaceLight> light;
+    if (options.is_field) {
+        Field field =
+            build_field(row.campaign, row.chosen, genome,
+                        draws_of(row.task, row.campaign, row.chosen), 0);
+        if (is_lit) light = Lamp(row, options.paths).on_field(field);
+        shape.about.push_back(about_ground(field));
+        shape.mesh = std::move(field.mesh);
+        shape.face_plant = std::move(field.face_plant);
+    } else {
+        shape.mesh = build_plant(row.campaign, genome);
+        if (is_lit) light = Lamp(row, options.paths).on_plant(shape.mesh);
+    }
+    if (light)
+        write_vtp(options.to, shape, *light);
+    else
+        write_obj(options.to, shape);
+}
+
 }  // namespace
 
 ExitCode export_plant(const ExportOptions& options) {
@@ -105,34 +129,12 @@ ExitCode export_plant(const ExportOptions& options) {
         throw Error(fmt::format("{}: exists already and is not overwritten",
                                 options.to),
                     ExitCode::refused);
-    if (extension == ".csv") {
+    if (extension == ".csv")
         write_csv(options.to, genome);
-        fmt::print("{}\n", options.to);
-        return ExitCode::ok;
-    }
-    if (extension == ".toml") {
+    else if (extension == ".toml")
         write_plant_file(options.to, title, campaign.plant, genome);
-        fmt::print("{}\n", options.to);
-        return ExitCode::ok;
-    }
-    Shape shape{about(title, chosen), {}, {}};
-    std::optional<FaceLight> light;
-    const bool is_lit = extension == ".vtp";
-    if (options.is_field) {
-        Field field = build_field(campaign, chosen, genome,
-                                  draws_of(task, campaign, chosen), 0);
-        if (is_lit) light = Lamp(row, options.paths).on_field(field);
-        shape.about.push_back(about_ground(field));
-        shape.mesh = std::move(field.mesh);
-        shape.face_plant = std::move(field.face_plant);
-    } else {
-        shape.mesh = build_plant(campaign, genome);
-        if (is_lit) light = Lamp(row, options.paths).on_plant(shape.mesh);
-    }
-    if (light)
-        write_vtp(options.to, shape, *light);
     else
-        write_obj(options.to, shape);
+        write_shape(options, row, title, extension == ".vtp");
     fmt::print("{}\n", options.to);
     return ExitCode::ok;
 }

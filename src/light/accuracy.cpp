@@ -28,7 +28,7 @@ double relative_error(const std::vector<Tally>& tallies, int paths) {
 }
 
 //! Paths for an error to fall to a tolerance, if it falls with their square
-//! root: doubled so often that it should.
+//! root: doubled so often that it should, so at least once if it is above.
 int more_paths(int paths, double error, double tolerance, int most) {
     double wanted = paths;
     const double enough = std::min<double>(
@@ -57,16 +57,13 @@ Simulation simulate_to_tolerance(
     while (paths < static_cast<int>(illumination.sources.size())) paths *= 2;
     paths = std::min(paths, sampling.paths);
     double error = relative_error(trace(paths, of_trial), paths);
-    paths = more_paths(paths, error, sampling.tolerance, sampling.paths);
     for (;;) {
+        paths = more_paths(paths, error, sampling.tolerance, sampling.paths);
         std::vector<Tally> tallies = trace(paths, randomness);
         error = relative_error(tallies, paths);
         const bool is_met = error <= sampling.tolerance;
         if (is_met || paths == sampling.paths)
             return {std::move(tallies), paths, !is_met};
-        paths = std::max(
-            more_paths(paths, error, sampling.tolerance, sampling.paths),
-            static_cast<int>(std::min(2.0 * paths, 1.0 * sampling.paths)));
     }
 }
 

@@ -73,7 +73,8 @@ ExitCode evaluate(const EvaluateOptions& options);
 //! of the campaign, whatever it was bred for. All plants of a case share their
 //! random numbers.
 struct CrossOptions {
-    //! Histories, for the best plant, and campaigns, for their baseline.
+    //! Histories, for the best plant; campaigns, for their baseline; and
+    //! plant files.
     std::vector<std::string> plants;
     std::string under;
     bool is_json = false;

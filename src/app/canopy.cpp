@@ -52,7 +52,7 @@ Draws draws_of(const Task& task, const Campaign& campaign, const Case& chosen) {
 
 double final_effort(const Campaign& campaign) {
     const auto paths = [](const Sampling& sampling) {
-        return static_cast<double>(sampling.paths) * sampling.randomisations;
+        return static_cast<double>(sampling.all_paths());
     };
     const Sampling& final = campaign.final_rule.sampling;
     // With a tolerance an evaluation may need the least that there is.
@@ -122,8 +122,7 @@ CanopyReport study(const Campaign& campaign, const Case& chosen,
             randomness, result.layers);
         append(tallies, std::move(found.tallies));
         sampling.paths = found.paths;
-        result.paths += static_cast<std::uint64_t>(found.paths) *
-                        static_cast<std::uint64_t>(sampling.randomisations);
+        result.paths += sampling.all_paths();
         result.is_capped |= found.is_capped;
         if (detail == Detail::full)
             append(sunlit,
@@ -235,11 +234,13 @@ double fitness_of(const Outcome& outcome, const OutcomeSchema& schema) {
 
 CanopyEvaluator::CanopyEvaluator(const Campaign& campaign,
                                  const std::string& isa)
-    : campaign_(campaign), cases_(cases(campaign)), device_(isa) {
-    for (const Case& c : cases_) {
-        lights_.push_back(light_of(campaign, c));
-        schemas_.push_back(outcome_schema(campaign, lights_.back().day));
-    }
+    : campaign_(campaign),
+      cases_(cases(campaign)),
+      lights_(cases_.size()),
+      device_(isa) {
+    for (const Case& c : cases_)
+        schemas_.push_back(outcome_schema(
+            campaign, clear_day(c.site, c.day, campaign.par_fraction)));
 }
 
 const OutcomeSchema& CanopyEvaluator::schema(const Task& task) const {
@@ -248,9 +249,11 @@ const OutcomeSchema& CanopyEvaluator::schema(const Task& task) const {
 
 Outcome CanopyEvaluator::evaluate(const Task& task, const Genome& genome) {
     const Case& chosen = cases_.at(task.case_index);
+    std::optional<DayIllumination>& light = lights_[task.case_index];
+    if (!light) light = light_of(campaign_, chosen);
     return to_outcome(
         campaign_, genome,
-        study(campaign_, chosen, lights_[task.case_index], device_, genome,
+        study(campaign_, chosen, *light, device_, genome,
               draws_of(task, campaign_, chosen), Detail::history));
 }
 

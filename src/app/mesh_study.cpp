@@ -89,11 +89,6 @@ Sampling share(std::uint64_t paths) {
             static_cast<int>(randomisations)};
 }
 
-std::uint64_t paths_of(const Sampling& sampling) {
-    return static_cast<std::uint64_t>(sampling.paths) *
-           static_cast<std::uint64_t>(sampling.randomisations);
-}
-
 }  // namespace
 
 MeshReport study(const MeshOptions& options) {
@@ -123,7 +118,7 @@ MeshReport study(const MeshOptions& options) {
         scene, field.mesh.groups, optics, illumination.light, sampling,
         randomness, canopy.layers);
     sampling.paths = found.paths;
-    canopy.paths = paths_of(sampling);
+    canopy.paths = sampling.all_paths();
     canopy.is_capped = found.is_capped;
     canopy.light = report(found.tallies, illumination);
     add_sunlit(canopy.light,

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -107,8 +108,9 @@ class CanopyEvaluator : public Evaluator {
   private:
     const Campaign& campaign_;
     std::vector<Case> cases_;
-    std::vector<DayIllumination> lights_;  //!< by case
-    std::vector<OutcomeSchema> schemas_;   //!< by case
+    //! By case; set up when its first candidate comes.
+    std::vector<std::optional<DayIllumination>> lights_;
+    std::vector<OutcomeSchema> schemas_;  //!< by case
     Device device_;
 };
 

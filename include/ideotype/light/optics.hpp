@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 namespace ideotype {
 
 //! A Lambertian surface that reflects, transmits and absorbs the rest, the
@@ -23,6 +25,12 @@ struct Sampling {
     //! Relative standard error of the leaves' light that will do; 0: none, as
     //! many paths as given.
     double tolerance = 0;
+
+    //! Of all randomisations.
+    std::uint64_t all_paths() const {
+        return static_cast<std::uint64_t>(paths) *
+               static_cast<std::uint64_t>(randomisations);
+    }
 };
 
 }  // namespace ideotype

@@ -62,7 +62,7 @@ def test_seeds_are_put_together_in_a_cross_evaluation() -> None:
     assert (ames, oslo, b73) == ("ames_all", "oslo_all_r1", "b73")
     assert bred[0] is not None and bred[0].mean == pytest.approx(11.1)
     # Student's t with one degree of freedom, times the standard error
-    assert bred[0].half_width == pytest.approx(12.706 * 0.1)
+    assert bred[0].half_width == pytest.approx(12.7062 * 0.1)
     assert lonely[0] is None and lonely[1] is not None
     assert lonely[1].half_width == pytest.approx(0.0196)
     axes, _ = draw_cross(cross).axes

@@ -7,7 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from ideotype_analysis import HistoryError, open_history
-from ideotype_analysis.sensitivity import predictors, regress
+from ideotype_analysis.sensitivity import (
+    predictors,
+    rank_correlation,
+    regress,
+)
 from made_numbers import LEAVES
 
 PLANTS = 2000
@@ -74,3 +78,14 @@ def test_azimuths_enter_as_cosine_and_sine(finished: Path) -> None:
     assert x[:, at] == pytest.approx(np.cos(azimuth))
     assert x[:, at + 1] == pytest.approx(np.sin(azimuth))
     assert x[:, 0] == pytest.approx(rows["leaf01_length"].values)
+
+
+def test_independent_columns_of_many_ties_are_not_correlated() -> None:
+    draw = np.random.default_rng(1)
+    x, z = draw.random((2, PLANTS, 2))
+    x[z < 0.9] = 0.0
+    # four standard errors of a correlation of independent columns
+    assert abs(rank_correlation(x)[0, 1]) < 4 / np.sqrt(PLANTS)
+    # by hand: ranks 1.5 1.5 3 4 and 1 2.5 2.5 4
+    tied = rank_correlation(np.array([[0, 1], [0, 2], [5, 2], [7, 9]]))
+    assert tied[0, 1] == pytest.approx(3.75 / 4.5)

@@ -74,8 +74,8 @@ def test_the_gain_has_the_interval_of_its_seeds(sweep: Path) -> None:
     seeds = np.array([final_absorbed(2) - BASELINE + s for s in SHIFTS])
     assert gain.mean == pytest.approx(seeds.mean())
     # Student's t of one degree of freedom
-    half = 12.706 * seeds.std(ddof=1) / np.sqrt(2)
-    assert gain.half_width == pytest.approx(half)
+    half = 12.7062 * seeds.std(ddof=1) / np.sqrt(2)
+    assert gain.half_width == pytest.approx(half, rel=1e-5)
     assert (gain.unit, gain.seeds) == ("MJ m-2 day-1", 2)
 
 
@@ -83,6 +83,14 @@ def test_seeds_that_agree_by_chance_keep_their_measured_error() -> None:
     same = [Estimate(1.0, 0.1)] * 4
     assert interval(same).half_width == pytest.approx(1.96 * 0.1 / 2)
     assert interval(same[:1]).half_width == pytest.approx(1.96 * 0.1)
+
+
+def test_many_seeds_have_the_quantile_of_their_number() -> None:
+    seeds = [Estimate(float(x), 0.0) for x in range(61)]
+    scatter = np.arange(61).std(ddof=1) / np.sqrt(61)
+    # Student's t of 60 degrees of freedom (NIST/SEMATECH, table 1.3.6.7.2)
+    half_width = interval(seeds).half_width
+    assert half_width == pytest.approx(2.000 * scatter, abs=5e-4 * scatter)
 
 
 def test_intervals_cover_the_truth_as_often_as_they_say() -> None:

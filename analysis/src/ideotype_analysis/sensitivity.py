@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import pandas
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
@@ -165,15 +166,20 @@ def _draw_by_rank(figure: Figure, axes: Axes, found: Sensitivity) -> None:
     figure.colorbar(image, label="effect (azimuth: size only)")
 
 
+def rank_correlation(x: NDArray) -> NDArray:
+    """Spearman's, between the columns of x [plants, columns]; equal values
+    share their mean rank."""
+    return pandas.DataFrame(x).corr(method="spearman").to_numpy()
+
+
 def draw_correlation(case: Case) -> Figure:
     """Spearman's rank correlation between the free traits of all evaluated
     plants; azimuths as cosine and sine."""
     names, x = predictors(case.traits, evaluated(case))
     if len(names) < 2:
         raise HistoryError("fewer than two traits vary")
-    ranks = np.argsort(np.argsort(x, axis=0, kind="stable"), axis=0)
     order = _by_kind(names)
-    table = np.corrcoef(ranks[:, order].T)
+    table = rank_correlation(x[:, order])
     figure = style.new_figure(6.4, 5.6)
     axes = figure.add_subplot()
     image = axes.imshow(table, cmap="PuOr", vmin=-1, vmax=1)

@@ -6,17 +6,27 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from ideotype_analysis.comparison import draw_energy, draw_spacings
+from ideotype_analysis import HistoryError
+from ideotype_analysis.comparison import ELITE, draw_energy
 from ideotype_analysis.cross import Cross, draw_cross
+from ideotype_analysis.places import draw_latitudes, draw_spacings
 from ideotype_analysis.study import open_study
+from ideotype_analysis.tables import gains
 from made_history import MadeHistory
+from made_numbers import final_absorbed
 
 INCH = 0.0254
 
 
-def make(path: Path, campaign: bytes = b"", **place: str | float) -> None:
+def make(
+    path: Path,
+    campaign: bytes = b"",
+    campaign_name: str = "made",
+    **place: str | float,
+) -> None:
     """A finished history of one generation."""
-    made = MadeHistory(path, place={"case": path.stem, **place})
+    place = {"case": path.stem, "campaign": campaign_name, **place}
+    made = MadeHistory(path, place=place)
     made.file["campaign/resolved"][()] = campaign
     made.evolve(1)
     made.finish()
@@ -40,6 +50,63 @@ def test_spacings_have_a_line_for_each_distance_of_rows(tmp_path: Path) -> None:
     lines = [line for line in figure.axes[1].lines if len(line.get_xdata()) == 2]
     # 15 x 6 and 30 x 3 inches have as many plants; no line joins them
     assert all(np.diff(line.get_xdata())[0] > 1 for line in lines)
+
+
+def test_groups_at_two_latitudes_are_points(tmp_path: Path) -> None:
+    north = {"latitude": 51.0, "day": "2025-07-15", "site": "calgary"}
+    south = {"latitude": -34.0, "day": "2025-01-15", "site": "pergamino"}
+    make(tmp_path / "north_r1.h5", **north)
+    with open_study(tmp_path) as study:
+        with pytest.raises(HistoryError, match="^all cases have the same lat"):
+            draw_latitudes(study.cases())
+    make(tmp_path / "south_r1.h5", campaign_name="other", **south)
+    with open_study(tmp_path) as study:
+        left, right = draw_latitudes(study.cases()).axes
+    drawn = [bar.lines[0] for bar in right.containers]
+    assert [line.get_xdata().tolist() for line in drawn] == [[51.0], [-34.0]]
+    assert [line.get_linestyle() for line in drawn] == ["None", "None"]
+    assert [bar.get_label() for bar in left.containers] == [
+        f"{place} 30x6 all, {who}"
+        for place in ("made: 2025-07-15", "other: 2025-01-15")
+        for who in ("baseline", "best")
+    ]
+
+
+def test_a_latitude_that_no_line_shows_is_a_point(tmp_path: Path) -> None:
+    for site, latitude in (("ames", 42.0), ("edmonton", 53.5)):
+        make(tmp_path / f"{site}_r1.h5", latitude=latitude, site=site)
+    for site, latitude in (("ames", 42.0), ("pergamino", -34.0)):
+        place = {"latitude": latitude, "site": site, "day": f"{site}-day"}
+        make(tmp_path / f"{site}_winter_r1.h5", **place)
+    with open_study(tmp_path) as study:
+        _, right = draw_latitudes(study.cases()).axes
+    drawn = [bar.lines[0].get_xdata().tolist() for bar in right.containers]
+    assert drawn == [[42.0, 53.5], [-34.0]]
+
+
+def test_a_cross_evaluation_serves_two_campaigns(tmp_path: Path) -> None:
+    for campaign, names in (("one", "ac"), ("two", "bc")):
+        for name in names:
+            path = tmp_path / f"{campaign}_{name}.h5"
+            make(path, campaign_name=campaign, case=f"{name}_r1")
+    mean = np.array([[10.0, 11.0, 10.5, 10.8]])
+    lights = ("a", "b", "c", "two: c")
+    cross = Cross((ELITE,), lights, mean, np.zeros_like(mean))
+    with open_study(tmp_path) as study:
+        over = {c.name: cross.relative_gain(c, ELITE) for c in study.cases()}
+        table, *notes = gains(study.cases(), cross)
+    best = final_absorbed(2)
+    # "c" may be that of either campaign
+    assert over.pop("one: c") is None
+    assert {name: gain and gain.mean for name, gain in over.items()} == {
+        "one: a": pytest.approx(100 * (best / 10.0 - 1)),
+        "two: b": pytest.approx(100 * (best / 11.0 - 1)),
+        "two: c": pytest.approx(100 * (best / 10.8 - 1)),
+    }
+    column = table.header.index("over elite [%]")
+    assert [row[column] for row in table.rows].count("–") == 1
+    (note,) = [n.text for n in notes if "not known" in n.text]
+    assert note.endswith(": one: c.")
 
 
 def test_plots_alone_have_a_panel_of_their_own(tmp_path: Path) -> None:

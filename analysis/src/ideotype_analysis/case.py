@@ -23,8 +23,13 @@ class Case:
     random numbers. What is asked for once is remembered, so that all figures
     show the same moment of a run."""
 
-    def __init__(self, name: str, histories: Sequence[History]) -> None:
+    def __init__(
+        self, name: str, histories: Sequence[History], light: str = ""
+    ) -> None:
+        """`light` is what cross-evaluations call the case, by default as
+        `name`."""
         self.name = name
+        self.light = light or name
         self.histories = tuple(histories)
         self.attributes = histories[0].attributes
         self.traits = histories[0].traits

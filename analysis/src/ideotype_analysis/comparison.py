@@ -1,8 +1,8 @@
-"""Cases against each other: gains, latitudes, spacings, energy."""
+"""Cases against each other: gains, energy."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -78,115 +78,6 @@ def _draw_interval(
         [x.mean], [y], xerr=[np.nan_to_num(x.half_width)],
         color=color, marker=marker, linestyle="none", label=label,
     )  # fmt: skip
-
-
-def draw_latitudes(cases: Sequence[Case]) -> Figure:
-    """Absorbed PAR and gain against latitude, a line for each combination of
-    the other axes. Raises HistoryError unless there are two latitudes."""
-
-    def latitude(case: Case) -> float:
-        return float(case.attributes["latitude"])
-
-    return _draw_against(cases, latitude, "site", "latitude [°N]")
-
-
-def draw_spacings(cases: Sequence[Case]) -> Figure:
-    """The same against plants per area, a line for each distance of rows."""
-
-    def density(case: Case) -> float:
-        return 1 / (
-            float(case.attributes["row_spacing"])
-            * float(case.attributes["plant_spacing"])
-        )
-
-    return _draw_against(cases, density, "spacing", "plant density [m⁻²]")
-
-
-def _draw_against(
-    cases: Sequence[Case],
-    position: Callable[[Case], float],
-    axis: str,
-    label: str,
-) -> Figure:
-    what = label.split(" [")[0]
-    groups: dict[str, list[Case]] = {}
-    try:
-        for case in known_cases(cases):
-            groups.setdefault(_elsewhere(case, axis), []).append(case)
-            position(case)
-    except (KeyError, ZeroDivisionError) as error:
-        raise HistoryError(f"the histories do not say their {what}") from error
-    lines: dict[str, list[Case]] = {}
-    for name, members in groups.items():
-        if len({round(position(case), 6) for case in members}) > 1:
-            members.sort(key=position)
-            lines |= _rows(name, members) if axis == "spacing" else {
-                name: members
-            }
-    if not lines:
-        raise HistoryError(f"all cases have the same {what}")
-    figure = style.new_figure(style.WIDTH, 4.2)
-    left, right = figure.subplots(1, 2)
-    for i, (name, members) in enumerate(lines.items()):
-        color, marker = style.series(i)
-        x = [position(case) for case in members]
-        for who, line in (("baseline", "--"), ("best", "-")):
-            _draw_line(
-                left, x, [case.mean(who) for case in members], color, marker,
-                line, f"{name}, {who}",
-            )  # fmt: skip
-        gains = [case.relative_gain() for case in members]
-        _draw_line(right, x, gains, color, marker, "-", name)
-    objective = known_cases(cases)[0].best.row.objectives
-    left.set_ylabel(style.axis_label(objective.names[0], objective.units[0]))
-    right.set_ylabel("gain over the baseline [%]")
-    for axes in (left, right):
-        axes.set_xlabel(label)
-    handles, labels = left.get_legend_handles_labels()
-    figure.legend(
-        handles, labels, loc="outside lower center", ncols=2, fontsize=8
-    )
-    return figure
-
-
-def _elsewhere(case: Case, axis: str) -> str:
-    """The case's place on all axes but that of the comparison."""
-    names = ("site", "day", "spacing", "trait_set")
-    words = [
-        str(case.attributes[name])
-        for name in names
-        if name != axis and name in case.attributes
-    ]
-    campaign, _, _ = case.name.rpartition(": ")
-    return ": ".join(filter(None, [campaign, " ".join(words)]))
-
-
-def _rows(name: str, members: Sequence[Case]) -> dict[str, list[Case]]:
-    """A line for each distance of rows, unless plants of a row are always as
-    far apart."""
-    def rows(case: Case) -> float:
-        return float(case.attributes["row_spacing"])
-
-    lines: dict[str, list[Case]] = {}
-    for case in sorted(members, key=rows):
-        lines.setdefault(f"{name}, rows {rows(case):.4g} m", []).append(case)
-    return lines if len(lines) < len(members) else {name: [*members]}
-
-
-def _draw_line(
-    axes: Axes, x: Sequence[float], y: Sequence[Interval], color: str,
-    marker: str, line: str, label: str,
-) -> None:  # fmt: skip
-    axes.errorbar(
-        x,
-        [each.mean for each in y],
-        np.nan_to_num([each.half_width for each in y]),
-        color=color,
-        marker=marker,
-        markersize=4.5,
-        linestyle=line,
-        label=label,
-    )
 
 
 def draw_energy(cases: Sequence[Case]) -> Figure:

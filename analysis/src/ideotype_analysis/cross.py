@@ -61,7 +61,8 @@ class Cross:
     def relative_gain(self, case: Case, plant: str) -> Interval | None:
         """Gain [%] of the best of a case's seeds over a plant under the same
         light; None if the plant was not evaluated there."""
-        if (other := self.estimate(plant, case.name)) is None:
+        known = [self.estimate(plant, name) for name in (case.name, case.light)]
+        if (other := known[0] or known[1]) is None:
             return None
         return interval(
             [relative_gain(pair.best.objective, other) for pair in case.pairs]

@@ -12,17 +12,13 @@ from . import tables
 from .blocks import Block, Note, Section, Viewer
 from .case import Case
 from .case_figures import CASE_FIGURES
-from .comparison import (
-    draw_energy,
-    draw_gains,
-    draw_latitudes,
-    draw_spacings,
-)
+from .comparison import draw_energy, draw_gains
 from .cross import Cross, draw_cross
 from .fidelity import Fidelity, draw_fidelity
 from .file import HistoryError
 from .gallery import Gallery
 from .page import render
+from .places import draw_latitudes, draw_spacings
 from .plan import draw_plan
 from .progress import Progress
 from .scene import Plants, export_plants, scene_of

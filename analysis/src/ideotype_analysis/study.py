@@ -5,6 +5,7 @@ from __future__ import annotations
 import glob
 import os
 import re
+from collections import Counter
 from collections.abc import Iterator
 from contextlib import ExitStack
 from pathlib import Path
@@ -109,8 +110,16 @@ class Study:
             key = campaign, name_without_replicate(history)
             members.setdefault(key, []).append(history)
         campaigns = {campaign for campaign, _ in members}
+        if len(campaigns) < 2:
+            return [Case(name, each) for (_, name), each in members.items()]
+        shared = Counter(name for _, name in members)
         return [
-            Case(f"{campaign}: {name}" if len(campaigns) > 1 else name, each)
+            Case(
+                f"{campaign}: {name}",
+                each,
+                # Cross-evaluations do not tell campaigns.
+                light=name if shared[name] == 1 else "",
+            )
             for (campaign, name), each in members.items()
         ]
 

@@ -117,14 +117,14 @@ def _remarks(cases: Sequence[Case], cross: Cross | None) -> list[str]:
         )
     named: dict[str, list[str]] = {}
     for case in cases:
-        for remark in _case_remarks(case):
+        for remark in _case_remarks(case, cross):
             named.setdefault(remark, []).append(case.name)
     return remarks + [
         f"{remark}: {', '.join(names)}." for remark, names in named.items()
     ]
 
 
-def _case_remarks(case: Case) -> Iterator[str]:
+def _case_remarks(case: Case, cross: Cross | None) -> Iterator[str]:
     if not case.pairs:
         yield "Nothing to compare yet"
         return
@@ -132,6 +132,16 @@ def _case_remarks(case: Case) -> Iterator[str]:
         yield (
             "Provisional, since not all seeds have their final evaluation, "
             "and the best of many noisy figures is too high on average"
+        )
+    if (
+        cross
+        and ELITE in cross.plants
+        and cross.relative_gain(case, ELITE) is None
+    ):
+        yield (
+            "The gain over the elite plant is not known, since the "
+            "cross-evaluation does not have it under these cases (of a name "
+            "in several campaigns it needs to say which, CAMPAIGN: CASE)"
         )
     try:
         if case.is_saturated():

@@ -6,12 +6,12 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from . import style
 from .case import Case
-from .estimate import DAILY_ENERGY, MWH_PER_ACRE_PER_MJ_PER_M2
 from .file import HistoryError
+from .photons import label_light
 from .state import Generations
 
 
@@ -35,14 +35,12 @@ def draw_convergence(case: Case) -> Figure:
         _draw_pairs(axes, case, count)
     objective = runs[0].best
     name = case.best.row.objectives.names[0] if case.pairs else "fitness"
-    axes.set_ylabel(style.axis_label(name, objective.unit))
+    label_light(axes, "y", name, objective.unit)
     axes.set_xlabel("generation")
     _set_ticks(axes, count, case.is_final)
     seeds = f", {len(runs)} seeds" if len(runs) > 1 else ""
     axes.set_title(f"{case.name}{seeds}")
     figure.legend(loc="outside lower center", ncols=2, fontsize=8)
-    if objective.unit == DAILY_ENERGY:
-        _add_acre_axis(axes)
     return figure
 
 
@@ -141,17 +139,3 @@ def _set_ticks(axes: Axes, count: int, has_final: bool) -> None:
         shown.append(count)
         labels.append("anew")
     axes.set_xticks(shown, labels)
-
-
-def _add_acre_axis(axes: Axes) -> None:
-    factor = MWH_PER_ACRE_PER_MJ_PER_M2
-
-    def to_acre(energy: ArrayLike) -> NDArray:
-        return np.asarray(energy) * factor
-
-    def from_acre(energy: ArrayLike) -> NDArray:
-        return np.asarray(energy) / factor
-
-    right = axes.secondary_yaxis("right", functions=(to_acre, from_acre))
-    right.spines["right"].set_visible(True)
-    right.set_ylabel(f"[{style.unit_label('MWh acre-1 day-1')}]")

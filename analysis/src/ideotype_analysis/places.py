@@ -14,6 +14,7 @@ from .case import Case
 from .comparison import known_cases
 from .file import HistoryError
 from .interval import Interval
+from .photons import label_light
 
 
 def draw_latitudes(cases: Sequence[Case]) -> Figure:
@@ -75,7 +76,7 @@ def _draw_against(
         gains = [case.relative_gain() for case in members]
         _draw_line(right, x, gains, look, name)
     objective = known[0].best.row.objectives
-    left.set_ylabel(style.axis_label(objective.names[0], objective.units[0]))
+    label_light(left, "y", objective.names[0], objective.units[0])
     right.set_ylabel("gain over the baseline [%]")
     for axes in (left, right):
         axes.set_xlabel(label)

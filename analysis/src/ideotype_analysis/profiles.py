@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from . import style
 from .case import Case
 from .file import HistoryError
+from .photons import label_light
 from .rows import Evaluation, HourProfile
 
 Looks = tuple[str, str, str, str]
@@ -69,10 +70,8 @@ def _draw_hours(upper: Axes, lower: Axes, case: Case, name: str) -> None:
         marker="o",
         markersize=3.5,
     )
-    unit = style.unit_label(best.unit)
-    words = "absorbed PAR" if name == "absorbed" else name.replace("_", " ")
-    upper.set_ylabel(f"{words} [{unit} ground]")
-    lower.set_ylabel(f"best − baseline\n[{unit}]")
+    label_light(upper, "y", _title(name), best.unit)
+    lower.set_ylabel(style.axis_label("best − baseline\n", best.unit))
     lower.set_xlabel("local clock time [h]")
     _set_hours(lower, best)
     upper.set_ylim(bottom=0)
@@ -95,7 +94,7 @@ def draw_leaves(case: Case) -> Figure:
             leaf = plant.by_leaf(name)
             _draw(axes, leaf.values, leaf.standard_error, leaf.leaves, looks)
             axes.set_yticks(leaf.leaves)
-        axes.set_xlabel(_label(name, leaf.unit))
+        label_light(axes, "x", _title(name), leaf.unit)
         axes.set_xlim(left=min(0, axes.get_xlim()[0]))
     panels[0].set_ylabel("leaf rank (1 = lowest)")
     panels[0].legend(fontsize=8)
@@ -112,7 +111,7 @@ def draw_layers(case: Case) -> Figure:
             layer = plant.by_layer(name)
             middle = (layer.lower + layer.upper) / 2
             _draw(axes, layer.values, layer.standard_error, middle, looks)
-        axes.set_xlabel(_label(name, layer.unit))
+        label_light(axes, "x", _title(name), layer.unit)
         axes.set_xlim(left=min(0, axes.get_xlim()[0]))
         axes.set_ylim(bottom=0)
     panels[0].set_ylabel("height above the soil [m]")
@@ -150,7 +149,7 @@ def draw_parts(case: Case) -> Figure:
     axes.set_yticks(place, words)
     axes.set_ylim(len(names) - 0.5, -0.5)
     axes.set_xlim(left=0)
-    axes.set_xlabel(_label("absorbed", unit))
+    label_light(axes, "x", _title("absorbed"), unit)
     axes.legend(fontsize=8)
     return figure
 
@@ -188,7 +187,5 @@ def _draw(
     )
 
 
-def _label(name: str, unit: str) -> str:
-    return style.axis_label(
-        "absorbed PAR" if name == "absorbed" else name, unit
-    )
+def _title(name: str) -> str:
+    return "absorbed PAR" if name == "absorbed" else name

@@ -43,6 +43,9 @@ RC: dict[Any, Any] = {
     "savefig.dpi": 200,
 }
 
+_LIGHT_UNITS = ("MJ m-2 day-1", "W m-2")
+"""Per area of ground, or of leaf where the name says so."""
+
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -60,8 +63,12 @@ def unit_label(unit: str) -> str:
 
 
 def axis_label(name: str, unit: str) -> str:
-    """ "absorbed PAR [MJ m⁻² day⁻¹]" of a column's name and unit."""
-    return words(name) if unit == "1" else f"{words(name)} [{unit_label(unit)}]"
+    """ "absorbed PAR [MJ m⁻² day⁻¹ of ground]" of a column's name and unit."""
+    if unit == "1":
+        return words(name)
+    is_light = unit in _LIGHT_UNITS and "fitness" not in name
+    area = " of leaf" if "leaf_area" in name else " of ground"
+    return f"{words(name)} [{unit_label(unit)}{area if is_light else ''}]"
 
 
 def words(name: str) -> str:

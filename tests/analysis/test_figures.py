@@ -83,19 +83,44 @@ def test_traits_show_ten_plants_and_bounds(finished: Path) -> None:
     # ten plants and the entry of the legend, the baseline, the means
     assert [markers.count(marker) for marker in "oD|"] == [10 + 1, 1, 1]
     assert length.get_xlim()[0] < 0.40 and length.get_xlim()[1] > 1.10
-    # leaf 1 lies around north: its mean is near 0, far from 180
-    shown = [horizontal_bars(azimuth, turn)[0][0] for turn in range(3)]
-    assert min(abs(np.array(shown))) < 10
+    # leaf 1 lies around the row: its mean is near 0, far from 180
+    mean, _ = horizontal_bars(azimuth)
+    assert min(mean[0], 360 - mean[0]) < 10
     assert "baseline" in labels(figure) and "bounds" in labels(figure)
 
 
-def horizontal_bars(axes: Axes, turn: int = 0) -> tuple[np.ndarray, ...]:
-    """Means by leaf and half-lengths of their bars; turn chooses one of the
-    copies of a circular trait."""
+def test_circular_means_and_their_bars_stay_on_the_axis(
+    finished: Path,
+) -> None:
+    with open_study(finished) as study:
+        case = study.cases()[0]
+        figure = draw_traits(case)
+        top = case.top(10).traits.values[:, 3]
+    azimuth = figure.axes[-1]
+    means, _ = horizontal_bars(azimuth)
+    assert np.all((means >= 0) & (means < 360))
+    parts = [
+        segment
+        for lines in azimuth.collections
+        for segment in lines.get_segments()
+        if lines.get_segments()
+    ]
+    ends = np.array(parts)[..., 0]
+    assert ends.min() >= 0 and ends.max() <= 360
+    # of leaf 1, on both sides of the seam: together twice its deviation
+    at = np.array(parts)[:, 0, 1] < 1
+    lengths = (ends[:, 1] - ends[:, 0])[at]
+    away = (top + 180) % 360 - 180
+    assert len(lengths) == 2 and min(lengths) > 0
+    assert sum(lengths) == pytest.approx(2 * away.std(), rel=0.01)
+
+
+def horizontal_bars(axes: Axes, index: int = 0) -> tuple[np.ndarray, ...]:
+    """Means by leaf and half-lengths of their bars, of so many bars."""
     from matplotlib.container import ErrorbarContainer
 
     found = [c for c in axes.containers if isinstance(c, ErrorbarContainer)]
-    line, _, (segments,) = found[turn].lines
+    line, _, (segments,) = found[index].lines
     ends = np.array(segments.get_segments())
     return line.get_xdata(), (ends[:, 1, 0] - ends[:, 0, 0]) / 2
 

@@ -212,23 +212,28 @@ def _draw_mean(
     axes: Axes, values: NDArray, leaves: NDArray, is_circular: bool
 ) -> None:
     """Mean and standard deviation by leaf, beside the points."""
+    y = leaves - 0.28
     if is_circular:
         mean = circular_mean(values)
         deviation = np.minimum(circular_deviation(values), 180.0)
-        turns = [-360.0, 0.0, 360.0]
-    else:
-        mean, deviation, turns = values.mean(0), _deviation(values), [0.0]
-    for turn in turns:
         # A bar that leaves on one side of the circle comes in on the other.
-        axes.errorbar(
-            mean + turn,
-            leaves - 0.28,
-            xerr=deviation,
-            color=style.ANEW,
-            marker="|",
-            linestyle="none",
-            label="their mean ± standard deviation" if turn == 0 else None,
-        )
+        left, right = mean - deviation, 360.0 - mean - deviation
+        past, before = y[right < 0], y[left < 0]
+        axes.hlines(past, 0.0, -right[right < 0], color=style.ANEW)
+        axes.hlines(before, 360.0 + left[left < 0], 360.0, color=style.ANEW)
+        reach = np.minimum(deviation, [mean, 360.0 - mean])
+    else:
+        mean, deviation = values.mean(0), _deviation(values)
+        reach = np.array([deviation, deviation])
+    axes.errorbar(
+        mean,
+        y,
+        xerr=reach,
+        color=style.ANEW,
+        marker="|",
+        linestyle="none",
+        label="their mean ± standard deviation",
+    )
 
 
 def _deviation(values: NDArray) -> NDArray:

@@ -130,7 +130,7 @@ def test_azimuths_are_polar_and_averaged_on_the_circle(
 ) -> None:
     with open_study(finished) as study:
         figure = draw_azimuths(study.cases()[0])
-    (axes,) = figure.axes
+    axes, _ = figure.axes
     assert axes.name == "polar"
     (mean,) = [
         line for line in axes.lines if line.get_label() == "circular mean ± deviation"

@@ -15,6 +15,7 @@ from matplotlib.projections.polar import PolarAxes
 
 from . import style
 from .case import Case
+from .compass import draw_compass
 from .file import HistoryError
 from .geometry import Mesh
 from .shape import COUNT
@@ -33,12 +34,12 @@ def draw_roses(case: Case) -> Figure:
     if case.pairs:
         baseline = case.baseline.row.traits.values[:, columns]
         plants = {"baseline": baseline} | plants
-    figure = style.new_figure(3.6 * len(plants), 4.2)
-    for i, (label, values) in enumerate(plants.items(), start=1):
-        axes = cast(
-            PolarAxes,
-            figure.add_subplot(1, len(plants), i, projection="polar"),
-        )
+    count = len(plants)
+    figure = style.new_figure(3.6 * count + 0.9, 4.2)
+    grid = figure.add_gridspec(1, count + 1, width_ratios=(*[1] * count, 0.3))
+    draw_compass(figure.add_subplot(grid[-1]), case)
+    for place, (label, values) in zip(grid, plants.items()):
+        axes = cast(PolarAxes, figure.add_subplot(place, projection="polar"))
         axes.set_theta_zero_location("N")
         axes.set_theta_direction(-1)
         edges = np.linspace(0, 360, _BINS + 1) - 180 / _BINS
@@ -66,8 +67,14 @@ def draw_roses(case: Case) -> Figure:
 def draw_plan(case: Case, baseline: Mesh, best: Mesh) -> Figure:
     """Baseline and best plant from above among their neighbours, all turned
     alike; colours tell leaf ranks."""
-    figure = style.new_figure(style.WIDTH, 3.6)
-    panels = figure.subplots(1, 2, sharex=True, sharey=True)
+    figure = style.new_figure(style.WIDTH, 3.3)
+    grid = figure.add_gridspec(1, 3, width_ratios=(1, 1, 0.4))
+    panels = [figure.add_subplot(grid[0])]
+    panels.append(
+        figure.add_subplot(grid[1], sharex=panels[0], sharey=panels[0])
+    )
+    panels[1].tick_params(labelleft=False)
+    draw_compass(figure.add_subplot(grid[2]), case)
     ranks = sorted({g for g in best.groups if g.startswith("leaf")})
     norm = BoundaryNorm(np.arange(0.5, len(ranks) + 1), 256)
     for axes, mesh, label in zip(
@@ -82,6 +89,7 @@ def draw_plan(case: Case, baseline: Mesh, best: Mesh) -> Figure:
         ax=panels,
         ticks=range(1, len(ranks) + 1),
         label="leaf rank (1 = lowest)",
+        shrink=0.85,
     )
     figure.suptitle(case.name, fontsize=10)
     return figure
@@ -111,7 +119,10 @@ def _draw_field(
             polygons.append(outline + place)
             colors.append(color)
     axes.add_collection(
-        PolyCollection(polygons, facecolors=colors, edgecolors="none")
+        # Edges close the seams between the faces of a leaf.
+        PolyCollection(
+            polygons, facecolors=colors, edgecolors="face", linewidths=0.4
+        )
     )
     for x in sorted({place[0] for place in places}):
         axes.axvline(x, color=style.QUIET, linewidth=0.8, linestyle="--")

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from . import style
 from .case import Case
 from .circle import circular_deviation, circular_mean
+from .compass import draw_compass
 from .file import HistoryError
 from .rows import Evaluation, Rows
 
@@ -49,8 +50,10 @@ def draw_azimuths(case: Case) -> Figure:
     if not len(columns):
         raise HistoryError("the plants have no azimuths")
     leaves = case.traits.leaves("azimuth")
-    figure = style.new_figure(6.0, 6.4)
-    axes = cast(PolarAxes, figure.add_subplot(projection="polar"))
+    figure = style.new_figure(7.0, 6.4)
+    grid = figure.add_gridspec(1, 2, width_ratios=(1, 0.16))
+    axes = cast(PolarAxes, figure.add_subplot(grid[0], projection="polar"))
+    draw_compass(figure.add_subplot(grid[1]), case)
     axes.set_theta_zero_location("N")
     axes.set_theta_direction(-1)
     for values, color in reversed(_colored(top, columns)):

@@ -2,16 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from ideotype_analysis import HistoryError, open_history
-from ideotype_analysis.sensitivity import (
-    predictors,
+from ideotype_analysis.correlation import (
+    draw_correlation,
     rank_correlation,
-    regress,
 )
+from ideotype_analysis.sensitivity import (
+    Sensitivity,
+    contradicted,
+    draw_sensitivity,
+    evaluated,
+    predictors,
+    regress,
+    sensitivity,
+)
+from ideotype_analysis.study import open_study
 from made_numbers import LEAVES
 
 PLANTS = 2000
@@ -89,3 +100,92 @@ def test_independent_columns_of_many_ties_are_not_correlated() -> None:
     # by hand: ranks 1.5 1.5 3 4 and 1 2.5 2.5 4
     tied = rank_correlation(np.array([[0, 1], [0, 2], [5, 2], [7, 9]]))
     assert tied[0, 1] == pytest.approx(3.75 / 4.5)
+
+
+def test_traits_that_go_together_have_no_effect_of_their_own(
+    plants: tuple[np.ndarray, np.ndarray],
+) -> None:
+    x, y = plants
+    names = [*NAMES, *ANGLES]
+    apart = regress(names, x, y)
+    assert apart.is_clear.all()
+    assert apart.inflation == pytest.approx([1] * 4, abs=0.02)
+    draw = np.random.default_rng(8)
+    # variance inflation 1 / (1 - R2) = 1 + 1 / 0.2^2
+    x[:, 1] = x[:, 0] + 0.2 * draw.normal(size=PLANTS)
+    close = regress(names, x, y)
+    assert close.inflation[:2] == pytest.approx([26, 26], rel=0.1)
+    assert list(close.is_clear) == [False, False, True, True]
+    x[:, 1] = x[:, 0]
+    same = regress(names, x, y)
+    assert list(same.is_clear) == [False, False, True, True]
+    assert min(same.standard_error[:2]) > 1e3
+
+
+def test_a_trait_at_its_bound_has_no_effect_away_from_it(
+    finished: Path,
+) -> None:
+    """The fittest hold leaf 1's length at its upper bound; a regression that
+    has it fall there is wrong about it."""
+    with open_history(finished) as history:
+        traits, top = history.traits, history.latest().top(10)
+    found = regress_of(traits.names[:4], [-1.0, 1.0, -1.0, 1.0])
+    top.traits.values[:, 0] = traits.upper[0]
+    top.traits.values[:, 1] = traits.upper[1]
+    top.traits.values[:, 2] = traits.lower[2]
+    top.traits.values[:, 3] = traits.upper[3]
+    against = contradicted(found, traits, top)
+    assert list(against) == [True, False, False, False]
+    against = contradicted(replace(found, effect=-found.effect), traits, top)
+    assert list(against) == [False, True, True, False]
+
+
+def regress_of(names: Sequence[str], effects: list[float]) -> Sensitivity:
+    size = len(names)
+    return Sensitivity(
+        tuple(names), np.array(effects), np.full(size, 0.1), 0.9, 100,
+        np.ones(size), np.ones(size, dtype=bool),
+    )  # fmt: skip
+
+
+def test_only_clear_effects_are_drawn(
+    sweep: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with open_study(sweep) as study:
+        case = study.cases()[0]
+        found = sensitivity(case)
+        strongest = int(np.argmax(np.abs(found.effect)))
+        is_clear = found.is_clear.copy()
+        is_clear[strongest] = False
+        hidden = replace(found, is_clear=is_clear)
+        module = "ideotype_analysis.sensitivity.sensitivity"
+        monkeypatch.setattr(module, lambda _: hidden)
+        left, right, _ = draw_sensitivity(case).axes
+        listed = [label.get_text() for label in left.get_yticklabels()]
+        leaf, kind = found.traits[strongest].removeprefix("leaf").split("_")
+        assert f"{kind} of leaf {int(leaf)}" not in listed
+        table = right.images[0].get_array().filled(np.nan)
+        assert np.isnan(table).sum() == table.size - is_clear.sum()
+        assert right.patch.get_hatch()
+        none = replace(found, is_clear=np.zeros_like(is_clear))
+        monkeypatch.setattr(module, lambda _: none)
+        with pytest.raises(HistoryError, match="together too closely"):
+            draw_sensitivity(case)
+
+
+def test_every_row_of_the_correlation_has_its_leaf(sweep: Path) -> None:
+    with open_study(sweep) as study:
+        case = study.cases()[0]
+        names, _ = predictors(case.traits, evaluated(case))
+        figure = draw_correlation(case)
+    figure.draw_without_rendering()
+    axes = figure.axes[0]
+    for axis in (axes.xaxis, axes.yaxis):
+        shown = [t.label1.get_text() for t in axis.get_minor_ticks()]
+        assert len(shown) == len(names) > 40
+        assert shown == [str(n) for n in range(1, LEAVES + 1)] * 5
+        kinds = [t.label1.get_text() for t in axis.get_major_ticks()]
+        assert kinds == [
+            *("length", "width", "inclination"),
+            *("cos azimuth", "sin azimuth"),
+        ]

@@ -8,9 +8,10 @@ from matplotlib.figure import Figure
 
 from .case import Case
 from .convergence import draw_convergence
+from .correlation import draw_correlation
 from .plan import draw_roses
 from .profiles import draw_hours, draw_layers, draw_leaves, draw_parts
-from .sensitivity import draw_correlation, draw_sensitivity
+from .sensitivity import draw_sensitivity
 from .shape import draw_azimuths, draw_traits
 
 CASE_FIGURES: dict[str, tuple[Callable[[Case], Figure], str]] = {
@@ -59,8 +60,11 @@ CASE_FIGURES: dict[str, tuple[Callable[[Case], Figure], str]] = {
         "Which traits matter. Coefficients of a linear regression of the "
         "objective on all free traits over all evaluated plants, each in its "
         "standard deviations; azimuths enter as cosine and sine and show the "
-        "length of both coefficients. Bred plants are relatives, not a random "
-        "sample: read it as a ranking within this evolution.",
+        "length of both coefficients. Hatched are traits that have no effect "
+        "of their own: their variance inflation is above 10, since they go "
+        "together with others, or the fittest hold them at a bound that the "
+        "coefficient points away from. Bred plants are relatives, not a "
+        "random sample: read it as a ranking within this evolution.",
     ),
     "correlation": (
         draw_correlation,

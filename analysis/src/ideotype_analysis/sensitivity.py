@@ -1,13 +1,12 @@
-"""Which traits matter, and which go together."""
+"""Which traits matter."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
-import pandas
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
@@ -20,6 +19,12 @@ from .traits import Traits
 
 _ROWS_PER_PREDICTOR = 2
 _SHOWN = 12
+_INFLATION = 10.0
+"""Variance inflation above which a coefficient is taken for collinear, as is
+usual (Hair et al., Multivariate Data Analysis)."""
+_NEAR_BOUND = 0.05
+"""Of the range of a trait."""
+_FITTEST = 10
 
 
 @dataclass(frozen=True)
@@ -37,6 +42,12 @@ class Sensitivity:
     explained: float
     """R2, the part of the objective's variance that the regression takes."""
     plants: int
+    inflation: NDArray[np.float64]
+    """Variance inflation factor, for a circular trait the larger one: by how
+    much a trait that goes together with others blurs its coefficient."""
+    is_clear: NDArray[np.bool_]
+    """The effect can be told from those of other traits. If not, it is not
+    drawn as an effect."""
 
 
 def evaluated(case: Case) -> Rows:
@@ -71,7 +82,25 @@ def sensitivity(case: Case) -> Sensitivity:
     """Of all evaluated plants. Raises HistoryError as regress does."""
     rows = evaluated(case)
     names, x = predictors(case.traits, rows)
-    return regress(names, x, rows.objectives.values[:, 0])
+    found = regress(names, x, rows.objectives.values[:, 0])
+    against = contradicted(found, case.traits, case.top(_FITTEST))
+    return replace(found, is_clear=found.is_clear & ~against)
+
+
+def contradicted(
+    found: Sensitivity, traits: Traits, fittest: Rows
+) -> NDArray[np.bool_]:
+    """Effects that point away from a bound which the fittest plants hold: at
+    the optimum a trait at its upper bound can't have a negative effect, nor
+    one at its lower bound a positive one."""
+    at = [traits.names.index(name) for name in found.traits]
+    lower, upper = traits.lower[at], traits.upper[at]
+    mean = fittest.traits.values[:, at].mean(0)
+    place = (mean - lower) / (upper - lower)
+    is_against = np.where(
+        found.effect < 0, place > 1 - _NEAR_BOUND, place < _NEAR_BOUND
+    )
+    return is_against & ~traits.is_circular[at]
 
 
 def regress(names: Sequence[str], x: NDArray, y: NDArray) -> Sensitivity:
@@ -91,7 +120,8 @@ def regress(names: Sequence[str], x: NDArray, y: NDArray) -> Sensitivity:
     beta, *_ = np.linalg.lstsq(x, y, rcond=None)
     rest = y - x @ beta
     variance = rest @ rest / (len(y) - len(names) - 1)
-    error = np.sqrt(variance * np.diag(np.linalg.pinv(x.T @ x)))
+    inverse = _inverse_diagonal(x)
+    error = np.sqrt(variance * inverse)
     parts: dict[str, list[int]] = {}
     for i, name in enumerate(names):
         parts.setdefault(name.split(" ")[-1], []).append(i)
@@ -100,22 +130,45 @@ def regress(names: Sequence[str], x: NDArray, y: NDArray) -> Sensitivity:
         beta[at[0]] if len(at) == 1 else np.linalg.norm(beta[at])
         for at in parts.values()
     ]
+    inflation = np.array(
+        [len(y) * inverse[at].max() for at in parts.values()]
+    )
     return Sensitivity(
         tuple(parts),
         np.array(effect),
         np.array([np.linalg.norm(error[at]) for at in parts.values()]),
         float(1 - rest @ rest / (y @ y)),
         len(y),
+        inflation,
+        inflation <= _INFLATION,
     )
+
+
+def _inverse_diagonal(x: NDArray) -> NDArray:
+    """Of the inverse of x' x; very large, not 0, where columns depend on
+    each other."""
+    _, singular, right = np.linalg.svd(x, full_matrices=False)
+    singular = np.maximum(singular, 1e-8 * singular[0])
+    return np.sum((right.T / singular) ** 2, axis=1)
 
 
 def draw_sensitivity(case: Case) -> Figure:
     """The strongest effects with 95 % confidence intervals, and all of them
-    by leaf rank and kind of trait."""
+    by leaf rank and kind of trait; those that are not clear are hatched.
+
+    Raises HistoryError if no effect is clear."""
     found = sensitivity(case)
+    if not found.is_clear.any():
+        raise HistoryError(
+            f"the traits of its {found.plants} plants go together too closely "
+            "for separate effects; a larger population or more generations "
+            "would tell them apart"
+        )
     figure = style.new_figure(style.WIDTH, 4.2)
     left, right = figure.subplots(1, 2)
-    order = np.argsort(-np.abs(found.effect))[:_SHOWN][::-1]
+    clear = np.flatnonzero(found.is_clear)
+    strongest = np.argsort(-np.abs(found.effect[clear]))[:_SHOWN]
+    order = clear[strongest][::-1]
     left.errorbar(
         found.effect[order],
         range(len(order)),
@@ -144,7 +197,8 @@ def _words(trait: str) -> str:
 
 
 def _draw_by_rank(figure: Figure, axes: Axes, found: Sensitivity) -> None:
-    effects = dict(zip(found.traits, found.effect))
+    shown = np.where(found.is_clear, found.effect, np.nan)
+    effects = dict(zip(found.traits, shown))
     places = [re.fullmatch(r"leaf(\d+)_(.+)", name) for name in found.traits]
     kinds = list(dict.fromkeys(m[2] for m in places if m))
     ranks = sorted({int(m[1]) for m in places if m})
@@ -160,52 +214,10 @@ def _draw_by_rank(figure: Figure, axes: Axes, found: Sensitivity) -> None:
         aspect="auto",
     )  # fmt: skip
     axes.grid(visible=False)
+    # seen where the image is empty
+    axes.patch.set(facecolor="#E8E8E8", hatch="////", edgecolor=style.QUIET)
+    axes.set_title("hatched: no separate effect", fontsize=8)
     axes.set_xticks(range(len(kinds)), kinds, rotation=20)
     axes.set_yticks(range(len(ranks)), [str(rank) for rank in ranks])
     axes.set_ylabel("leaf rank (1 = lowest)")
     figure.colorbar(image, label="effect (azimuth: size only)")
-
-
-def rank_correlation(x: NDArray) -> NDArray:
-    """Spearman's, between the columns of x [plants, columns]; equal values
-    share their mean rank."""
-    return pandas.DataFrame(x).corr(method="spearman").to_numpy()
-
-
-def draw_correlation(case: Case) -> Figure:
-    """Spearman's rank correlation between the free traits of all evaluated
-    plants; azimuths as cosine and sine."""
-    names, x = predictors(case.traits, evaluated(case))
-    if len(names) < 2:
-        raise HistoryError("fewer than two traits vary")
-    order = _by_kind(names)
-    table = rank_correlation(x[:, order])
-    figure = style.new_figure(6.4, 5.6)
-    axes = figure.add_subplot()
-    image = axes.imshow(table, cmap="PuOr", vmin=-1, vmax=1)
-    axes.grid(visible=False)
-    kinds = [_kind(names[i]) for i in order]
-    starts = [i for i, k in enumerate(kinds) if i == 0 or kinds[i - 1] != k]
-    for start in starts[1:]:
-        axes.axhline(start - 0.5, color=style.BASELINE, linewidth=0.8)
-        axes.axvline(start - 0.5, color=style.BASELINE, linewidth=0.8)
-    ends = [*starts[1:], len(kinds)]
-    middles = [(a + b - 1) / 2 for a, b in zip(starts, ends)]
-    labels = [kinds[start] for start in starts]
-    axes.set_xticks(middles, labels, rotation=20)
-    axes.set_yticks(middles, labels)
-    axes.set_title(f"{case.name}\nwithin each block the lowest leaf first")
-    figure.colorbar(image, label="rank correlation")
-    return figure
-
-
-def _kind(name: str) -> str:
-    """ "cos azimuth" of "cos leaf01_azimuth"."""
-    return re.sub(r"leaf\d+_", "", name)
-
-
-def _by_kind(names: Sequence[str]) -> list[int]:
-    kinds = list(dict.fromkeys(_kind(name) for name in names))
-    return sorted(
-        range(len(names)), key=lambda i: (kinds.index(_kind(names[i])), i)
-    )

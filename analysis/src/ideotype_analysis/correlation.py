@@ -1,0 +1,72 @@
+"""Which traits go together."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+import pandas
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from . import style
+from .case import Case
+from .file import HistoryError
+from .sensitivity import evaluated, predictors
+
+
+def rank_correlation(x: NDArray) -> NDArray:
+    """Spearman's, between the columns of x [plants, columns]; equal values
+    share their mean rank."""
+    return pandas.DataFrame(x).corr(method="spearman").to_numpy()
+
+
+def draw_correlation(case: Case) -> Figure:
+    """Spearman's rank correlation between the free traits of all evaluated
+    plants; azimuths as cosine and sine."""
+    names, x = predictors(case.traits, evaluated(case))
+    if len(names) < 2:
+        raise HistoryError("fewer than two traits vary")
+    order = _by_kind(names)
+    table = rank_correlation(x[:, order])
+    figure = style.new_figure(7.2, 6.6)
+    axes = figure.add_subplot()
+    image = axes.imshow(table, cmap="PuOr", vmin=-1, vmax=1)
+    axes.grid(visible=False)
+    kinds = [_kind(names[i]) for i in order]
+    starts = [i for i, k in enumerate(kinds) if i == 0 or kinds[i - 1] != k]
+    for start in starts[1:]:
+        axes.axhline(start - 0.5, color=style.BASELINE, linewidth=0.8)
+        axes.axvline(start - 0.5, color=style.BASELINE, linewidth=0.8)
+    ends = [*starts[1:], len(kinds)]
+    middles = [(a + b - 1) / 2 for a, b in zip(starts, ends)]
+    labels = [kinds[start] for start in starts]
+    ranks = [_rank(names[i]) for i in order]
+    for axis in (axes.xaxis, axes.yaxis):
+        # A block's name stays where it meets a leaf's number.
+        axis.remove_overlapping_locs = False
+        axis.set_ticks(middles, labels)
+        axis.set_ticks(range(len(ranks)), ranks, minor=True, fontsize=5)
+        axis.set_tick_params(which="minor", length=1.5, pad=1)
+        axis.set_tick_params(which="major", length=0, pad=11)
+    axes.set_title(f"{case.name}\nnumbers are leaf ranks, 1 = lowest")
+    figure.colorbar(image, label="Spearman's rank correlation", shrink=0.8)
+    return figure
+
+
+def _rank(name: str) -> str:
+    """ "1" of "cos leaf01_azimuth"."""
+    match = re.search(r"leaf(\d+)_", name)
+    return str(int(match[1])) if match else ""
+
+
+def _kind(name: str) -> str:
+    """ "cos azimuth" of "cos leaf01_azimuth"."""
+    return re.sub(r"leaf\d+_", "", name)
+
+
+def _by_kind(names: Sequence[str]) -> list[int]:
+    kinds = list(dict.fromkeys(_kind(name) for name in names))
+    return sorted(
+        range(len(names)), key=lambda i: (kinds.index(_kind(names[i])), i)
+    )

@@ -18,6 +18,7 @@ from made_layout import Layout
 from made_numbers import (
     ERROR,
     FINALISTS,
+    LAI,
     ORIGIN,
     POPULATION,
     STATUS,
@@ -89,7 +90,9 @@ class MadeHistory:
         rows["objectives"][row] = total
         rows["objectives_standard_error"][row] = error
         rows["diagnostics"][row] = values
-        rows["diagnostics_standard_error"][row] = values * error / total
+        errors = values * error / total
+        errors[LAI] = 0.0
+        rows["diagnostics_standard_error"][row] = errors
         rows["fitness"][row] = total
         rows["attempt"][row] = 1
         rows["seconds"][row] = 0.25

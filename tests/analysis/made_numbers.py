@@ -62,6 +62,8 @@ DIAGNOSTICS = [
     *[(f"absorbed_hour_{hour}", "W m-2") for hour in HOUR_NAMES],
 ]
 """Name and unit."""
+LAI = [name for name, _ in DIAGNOSTICS].index("lai")
+"""Its column, which has no error."""
 
 
 def absorbed(generation: int, slot: int) -> float:

@@ -47,6 +47,8 @@ def test_a_finished_history_is_summarized(finished: Path) -> None:
         "MWh acre-1 day-1 12.3654 +- 0.0056 12.5509 +- 0.0056",
         "mol m-2 day-1 50.270 +- 0.023 51.024 +- 0.023",
         "gain +1.50 +- 0.06 %",
+        "LAI 3.440 3.440",
+        "MJ m-2 day-1 3.1977 +- 0.0015 3.2456 +- 0.0015",
     } <= table
     assert "Provisional" not in done.stdout
 

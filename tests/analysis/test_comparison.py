@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
+import h5py
 import numpy as np
 import pytest
 from ideotype_analysis import HistoryError
-from ideotype_analysis.comparison import ELITE, draw_energy
+from ideotype_analysis.comparison import ELITE, draw_energy, draw_gains
 from ideotype_analysis.cross import Cross, draw_cross
 from ideotype_analysis.places import draw_latitudes, draw_spacings
 from ideotype_analysis.study import open_study
+from ideotype_analysis.summary import summarize
 from ideotype_analysis.tables import gains
 from made_history import MadeHistory
-from made_numbers import final_absorbed
+from made_numbers import BASELINE, ERROR, LAI, final_absorbed
 
 INCH = 0.0254
 
@@ -50,6 +53,65 @@ def test_spacings_have_a_line_for_each_distance_of_rows(tmp_path: Path) -> None:
     lines = [line for line in figure.axes[1].lines if len(line.get_xdata()) == 2]
     # 15 x 6 and 30 x 3 inches have as many plants; no line joins them
     assert all(np.diff(line.get_xdata())[0] > 1 for line in lines)
+
+
+def test_leaf_area_stands_beside_every_gain(tmp_path: Path) -> None:
+    lais = (6.0, 5.0)
+    for seed, lai in enumerate(lais, start=1):
+        made = MadeHistory(tmp_path / f"seed{seed}.h5", place={"case": f"a_r{seed}"})
+        made.evolve(1)
+        made.finish()
+        made.file["final/diagnostics"][2, LAI] = lai
+        made.close()
+    with open_study(tmp_path) as study:
+        (case,) = study.cases()
+        pair = case.pairs[0]
+        table, *_ = gains([case], None)
+        (tick,) = draw_gains([case]).axes[0].get_yticklabels()
+        words = summarize(study[0])
+    ratio = 1.015 * 3.44 / np.array(lais)
+    assert pair.gain_per_leaf_area.mean == pytest.approx(100 * (ratio[0] - 1))
+    # the leaf area is exact: the error is that of the light
+    error = 100 * ERROR / 4 / BASELINE * np.hypot(1, 1.015) * 3.44 / 6.0
+    assert pair.gain_per_leaf_area.standard_error == pytest.approx(error)
+    found = dict(zip(table.header, table.rows[0]))
+    assert found["LAI baseline"] == "3.44"
+    assert found["LAI best"].startswith("5.5\u00a0±\u00a06.4")
+    mean = case.gain_per_leaf_area().mean
+    assert mean == pytest.approx(100 * (ratio.mean() - 1))
+    assert found["gain per leaf area [%]"].startswith(f"{mean:.0f}\u00a0±")
+    assert tick.get_text() == "a\nLAI 3.44 → 5.50"
+    assert re.search(r"LAI +3\.440 +6\.000\n", words)
+    assert re.search(r"\n  gain +-41\.81 \+- 0\.04 %\n", words)
+
+
+def test_an_objective_per_leaf_area_is_its_own_gain(tmp_path: Path) -> None:
+    make(tmp_path / "a_r1.h5")
+    with open_study(tmp_path) as study:
+        assert study.cases()[0].pairs[0].gain_per_leaf_area.mean == (
+            pytest.approx(1.5)
+        )
+    with h5py.File(tmp_path / "a_r1.h5", "r+") as file:
+        file["objectives/name"][0] = b"absorbed_par_per_leaf_area"
+        # must not be divided by it once more
+        file["final/diagnostics"][2, LAI] = 6.0
+    with open_study(tmp_path) as study:
+        (pair,) = study.cases()[0].pairs
+    assert pair.gain_per_leaf_area == pair.gain
+
+
+def test_histories_without_leaf_area_say_so(tmp_path: Path) -> None:
+    make(tmp_path / "a_r1.h5")
+    with h5py.File(tmp_path / "a_r1.h5", "r+") as file:
+        file["diagnostics/name"][LAI] = b"other"
+    with open_study(tmp_path) as study:
+        table, *_ = gains(study.cases(), None)
+        assert "leaf area" not in summarize(study[0])
+        with pytest.raises(HistoryError, match="has no|is called lai"):
+            study.cases()[0].gain_per_leaf_area()
+    found = dict(zip(table.header, table.rows[0]))
+    assert {found[name] for name in found if "LAI" in name} == {"–"}
+    assert found["gain per leaf area [%]"] == "–"
 
 
 def test_groups_at_two_latitudes_are_points(tmp_path: Path) -> None:

@@ -123,6 +123,13 @@ class Case:
         self.need_pairs()
         return interval([pair.gain for pair in self.pairs])
 
+    def gain_per_leaf_area(self) -> Interval:
+        """Mean over seeds of the gain in PAR per leaf area [%].
+
+        Raises HistoryError if it is not known."""
+        self.need_pairs()
+        return interval([pair.gain_per_leaf_area for pair in self.pairs])
+
     def mean(self, who: str, name: str | None = None) -> Interval:
         """Mean over seeds of a column of "baseline" or "best", by default of
         the objective.

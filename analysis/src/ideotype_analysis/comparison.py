@@ -61,13 +61,22 @@ def draw_gains(cases: Sequence[Case], cross: Cross | None = None) -> Figure:
             "over the elite plant, 95 % confidence" if i == 0 else None,
         )  # fmt: skip
     axes.axvline(0, color=style.BASELINE, linewidth=1, linestyle="--")
-    axes.set_yticks(range(len(known)), [case.name for case in known])
+    axes.set_yticks(range(len(known)), [_with_leaf_area(c) for c in known])
     axes.set_ylim(len(known) - 0.5, -0.5)
     names = {case.best.row.objectives.names[0] for case in known}
     what = style.words(names.pop()) if len(names) == 1 else "the objective"
     axes.set_xlabel(f"gain in {what} [%]")
     figure.legend(loc="outside lower center", ncols=3, fontsize=8)
     return figure
+
+
+def _with_leaf_area(case: Case) -> str:
+    """The case's name, and how far a gain is one of more leaves."""
+    try:
+        lais = [case.mean(who, "lai").mean for who in ("baseline", "best")]
+    except HistoryError:
+        return case.name
+    return f"{case.name}\nLAI {lais[0]:.2f} \N{RIGHTWARDS ARROW} {lais[1]:.2f}"
 
 
 def _draw_interval(

@@ -39,3 +39,13 @@ class Pair:
         takes both as independent: an upper bound where they share random
         numbers."""
         return relative_gain(self.best.objective, self.baseline.objective)
+
+    @property
+    def gain_per_leaf_area(self) -> Estimate:
+        """By how much more PAR a unit of leaf area absorbs [%], with an error
+        as that of the gain.
+
+        Raises HistoryError if the history does not tell it."""
+        return relative_gain(
+            self.best.per_leaf_area, self.baseline.per_leaf_area
+        )

@@ -21,6 +21,7 @@ from .page import render
 from .places import draw_latitudes, draw_spacings
 from .plan import draw_plan
 from .progress import Progress
+from .provenance import provenance
 from .scene import Plants, export_plants, scene_of
 from .study import Study
 
@@ -229,7 +230,7 @@ def _trade(fidelity: Fidelity | None, gallery: Gallery) -> list[Section]:
 
 
 def _provenance(cases: Sequence[Case], command: str) -> Section:
-    section = Section("Provenance", tables.provenance(cases))
+    section = Section("Provenance", provenance(cases))
     if command:
         section.note(f"This page was made by: {command}")
     return section

@@ -204,6 +204,22 @@ class Evaluation:
             float(found.values[0]), float(found.standard_error[0]), found.unit
         )
 
+    @property
+    def per_leaf_area(self) -> Estimate:
+        """Absorbed PAR per one-sided leaf area. The leaf area is exact, so
+        that the relative error is that of the light.
+
+        Raises HistoryError if the history does not tell it."""
+        if "absorbed_par_per_leaf_area" in self.row.objectives:
+            return self.estimate("absorbed_par_per_leaf_area")
+        try:
+            absorbed, lai = self.estimate("absorbed_par"), self.estimate("lai")
+        except KeyError as error:
+            raise HistoryError(str(error.args[0])) from error
+        if not lai.mean > 0:
+            raise HistoryError("the plant has no leaf area")
+        return absorbed.scaled(1 / lai.mean, absorbed.unit)
+
     def by_hour(self, what: str = "absorbed") -> HourProfile:
         """Diagnostics named <what>_hour_HH_MM, by time; absorbed PAR comes
         in [W m-2] of ground."""

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from datetime import timedelta
 
-from .file import Writer
+from .estimate import Estimate
+from .file import HistoryError, Writer
 from .history import History
 from .pair import Pair
 
@@ -105,9 +106,8 @@ def _pair(pair: Pair) -> list[str]:
     for was, now in zip(baseline.in_common_units(), best.in_common_units()):
         table.append((f"  {was.unit}", was.number(), now.number()))
     lines = [f"{a:<20}{b:>22}{c:>22}" for a, b, c in table]
-    gain = pair.gain
-    lines.append(f"{'gain':<20}{'':22}{f'{gain.mean:+.2f}':>12} +- "
-                 f"{gain.standard_error:.2f} %")  # fmt: skip
+    lines.append(_gain("gain", pair.gain))
+    lines += _leaf_area(pair)
     lines.append("")
     lines.append(
         "All errors are standard errors; both plants were evaluated anew."
@@ -116,3 +116,26 @@ def _pair(pair: Pair) -> list[str]:
         "the final evaluation is not complete."
     )
     return lines
+
+
+def _gain(name: str, gain: Estimate) -> str:
+    error = f"{gain.standard_error:.2f} %"
+    return f"{name:<20}{'':22}{f'{gain.mean:+.2f}':>12} +- {error}"
+
+
+def _leaf_area(pair: Pair) -> list[str]:
+    """Whether the gain is one of more leaves or of better ones."""
+    if "lai" not in pair.best.row.diagnostics:
+        return []
+    lais = [each.estimate("lai").mean for each in (pair.baseline, pair.best)]
+    lines = [f"{'LAI':<20}{lais[0]:>22.3f}{lais[1]:>22.3f}"]
+    try:
+        was, now = pair.baseline.per_leaf_area, pair.best.per_leaf_area
+    except HistoryError:
+        return lines
+    return [
+        *lines,
+        "absorbed PAR per leaf area",
+        f"{f'  {was.unit}':<20}{was.number():>22}{now.number():>22}",
+        _gain("  gain", pair.gain_per_leaf_area),
+    ]

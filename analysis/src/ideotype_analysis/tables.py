@@ -7,20 +7,20 @@ from dataclasses import replace
 
 import numpy as np
 
-from .blocks import Block, Listing, Note, Table
+from .blocks import Block, Note, Table
 from .case import Case
 from .comparison import ELITE
 from .cross import Cross
 from .file import HistoryError
-from .history import History
 from .interval import Interval
 from .style import unit_label
-from .summary import duration
 
-_UNKNOWN = "–"
+UNKNOWN = "–"
+"""In a cell without a figure."""
 
 _GAINS = (
     *("case", "seeds", "baseline", "best", "gain", "gain [%]"),
+    *("LAI baseline", "LAI best", "gain per leaf area [%]"),
     *("over elite [%]", "left to the ceiling [%]"),
 )
 
@@ -69,7 +69,7 @@ def _unit(cases: Sequence[Case]) -> str:
 def _gain_row(case: Case, cross: Cross | None) -> list[str]:
     seeds = str(len(case.histories))
     if not case.pairs:
-        return [case.name, seeds, *[_UNKNOWN] * 6]
+        return [case.name, seeds, *[UNKNOWN] * (len(_GAINS) - 2)]
     elite = cross.relative_gain(case, ELITE) if cross else None
     return [
         case.name,
@@ -78,7 +78,10 @@ def _gain_row(case: Case, cross: Cross | None) -> list[str]:
         _bare(case.mean("best")),
         _bare(case.gain()),
         _bare(case.relative_gain()),
-        _bare(elite) if elite else _UNKNOWN,
+        _lai(case, "baseline"),
+        _lai(case, "best"),
+        _per_leaf_area(case),
+        _bare(elite) if elite else UNKNOWN,
         _room(case),
     ]
 
@@ -88,11 +91,27 @@ def _bare(figure: Interval) -> str:
     return str(replace(figure, unit="1")).replace(" ", "\u00a0")
 
 
+def _lai(case: Case, who: str) -> str:
+    try:
+        lai = case.mean(who, "lai")
+    except HistoryError:
+        return UNKNOWN
+    # Exact for a single plant: seeds give it a scatter, nothing else.
+    return _bare(lai) if lai.half_width > 1e-9 else f"{lai.mean:.2f}"
+
+
+def _per_leaf_area(case: Case) -> str:
+    try:
+        return _bare(case.gain_per_leaf_area())
+    except HistoryError:
+        return UNKNOWN
+
+
 def _room(case: Case) -> str:
     try:
         room = case.headroom()
     except HistoryError:
-        return _UNKNOWN
+        return UNKNOWN
     ceiling = room.mean + case.best.objective.mean
     error = 100 * room.standard_error / ceiling
     return f"{100 * room.mean / ceiling:.2f} ± {1.96 * error:.2f}".replace(
@@ -107,6 +126,9 @@ def _remarks(cases: Sequence[Case], cross: Cross | None) -> list[str]:
         "knows nothing of how seeds differ. Baseline and best share random "
         "numbers but are taken as independent, so that errors of gains are "
         "upper bounds.",
+        "LAI is the one-sided leaf area per ground area, which is known "
+        "without error; the gain per leaf area is that in absorbed PAR per "
+        "one-sided leaf area.",
         "The ceiling is what leaves would absorb if stalks and soil took "
         "nothing: incident light less what the best plant's canopy reflects.",
     ]
@@ -169,69 +191,3 @@ def balance(cases: Sequence[Case]) -> Note:
         "enters; the largest deviation of all plants shown is "
         f"{np.max(errors):.1g} of it."
     )
-
-
-_PROVENANCE = (
-    ("campaign", "campaign"),
-    ("campaign hash", "campaign_sha256"),
-    ("seed", "seed"),
-    ("program", "program_version"),
-    ("commit", "git_sha"),
-    ("changed since", "git_dirty"),
-    ("ISA", "isa"),
-    ("compiler", "compiler"),
-    ("Embree", "embree_version"),
-    ("created", "created"),
-)
-_DIGITS = 12
-"""Shown of a hash."""
-
-
-def provenance(cases: Sequence[Case]) -> list[Block]:
-    """Where the figures come from: a row per history, the commands, and the
-    campaigns with all defaults."""
-    histories = [h for case in cases for h in case.histories]
-    header = (
-        "file",
-        "state",
-        *[title for title, _ in _PROVENANCE],
-        "wall time",
-    )
-    rows = [_provenance_row(history) for history in histories]
-    starts = [
-        (h.path.name, s.started, s.host, str(s.ranks), s.command)
-        for h in histories
-        for s in h.sessions()
-    ]
-    blocks: list[Block] = [
-        Table(header, rows, "Histories"),
-        Table(
-            ("file", "started (UTC)", "host", "ranks", "command"),
-            starts,
-            "Starts of the program",
-        ),
-    ]
-    shown: set[str] = set()
-    for history in histories:
-        name = str(history.attributes.get("campaign", history.path.stem))
-        text = history.campaign("resolved")
-        if text not in shown:
-            shown.add(text)
-            title = f"campaign {name}, every default written out"
-            blocks.append(Listing(title, text))
-    return blocks
-
-
-def _provenance_row(history: History) -> list[str]:
-    has = history.attributes
-    cells = [str(has.get(key, _UNKNOWN)) for _, key in _PROVENANCE]
-    state = history.state()
-    return [
-        history.path.name,
-        str(state),
-        *[
-            cell[:_DIGITS] if key in ("campaign_sha256", "git_sha") else cell
-            for cell, (_, key) in zip(cells, _PROVENANCE)
-        ],
-        duration(state.wall_time),
-    ]

@@ -1,6 +1,5 @@
 #include <csignal>
 #include <cstdio>
-#include <regex>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -8,6 +7,7 @@
 #include "ideotype/app/mesh_study.hpp"
 #include "ideotype/app/provenance.hpp"
 #include "ideotype/app/verbs.hpp"
+#include "ideotype/app/wall_time.hpp"
 #include "mesh_command.hpp"
 
 namespace ideotype {
@@ -26,14 +26,12 @@ std::string joined_command(int argc, char** argv) {
     return command;
 }
 
-//! "HH:MM:SS" in seconds.
 double to_seconds(const std::string& text) {
-    std::smatch match;
-    if (!std::regex_match(text, match,
-                          std::regex(R"((\d+):([0-5]\d):([0-5]\d))")))
-        throw CLI::ValidationError("--wall-time", text + " is not HH:MM:SS");
-    return 3600 * std::stod(match[1]) + 60 * std::stod(match[2]) +
-           std::stod(match[3]);
+    if (const auto seconds = parse_wall_time(text)) return *seconds;
+    throw CLI::ValidationError(
+        "--wall-time", fmt::format("'{}' is no time; write for example 90, "
+                                   "90s, 30m, 2h, 1h30m or 01:30:00",
+                                   text));
 }
 
 void add_row_choice(CLI::App& verb, RowChoice& row) {
@@ -120,7 +118,8 @@ int run_command_line(int argc, char** argv) {
                      "folder for <campaign>/<case>.h5")
         ->capture_default_str();
     run_verb->add_option("--wall-time", wall_time,
-                         "HH:MM:SS after which to stop cleanly");
+                         "time after which to stop cleanly: seconds, or for "
+                         "example 30m, 1h30m, 01:30:00");
     run_options.command = joined_command(argc, argv);
     run_verb->callback([&] {
         if (!wall_time.empty()) run_options.wall_time = to_seconds(wall_time);

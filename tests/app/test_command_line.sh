@@ -24,7 +24,7 @@ says "evaluate"
 expect 2 "$ideotype" fly
 expect 2 "$ideotype"
 expect 2 "$ideotype" run campaigns/verbs.toml --wall-time soon
-says "HH:MM:SS"
+says "'soon' is no time; write for example 90, 90s, 30m, 2h, 1h30m or 01:30:00"
 expect 1 "$ideotype" check campaigns/missing.toml
 says "missing.toml"
 
@@ -136,5 +136,5 @@ says "gain"
 
 # A time limit of this start stops cleanly.
 write_campaign limited 12 400
-expect 0 "$ideotype" run campaigns/limited.toml --wall-time 00:00:01
+expect 0 "$ideotype" run campaigns/limited.toml --wall-time 1s
 says "stopped before the end"

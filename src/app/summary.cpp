@@ -35,6 +35,10 @@ Estimate diagnostic(const History& history, const Row& row,
     return {std::nan(""), std::nan("")};
 }
 
+double lai_of(const History& history, const Row& row) {
+    return diagnostic(history, row, "lai").mean;
+}
+
 std::string described(const History& history, const Row& row) {
     const Quantity& objective = history.header().schema.objectives.front();
     const Estimate value = row.outcome.objectives.front();
@@ -44,10 +48,49 @@ std::string described(const History& history, const Row& row) {
             : fmt::format("{} {}", format(value), objective.unit);
     text += fmt::format("\n            {} of the incident light, LAI {:.2f}",
                         format(diagnostic(history, row, "absorbed_fraction")),
-                        diagnostic(history, row, "lai").mean);
+                        lai_of(history, row));
     const double violation = diagnostic(history, row, "violation").mean;
     if (violation > 0)
         text += fmt::format("; FAILS ITS CONSTRAINTS by {:.3g}", violation);
+    return text;
+}
+
+//! " = 23.1 +- 0.2 %", or nothing relative to no light.
+std::string percent(Estimate before, Estimate after) {
+    if (!(before.mean > 0)) return "";
+    const double ratio = after.mean / before.mean;
+    return fmt::format(
+        " = {} %",
+        format({100 * (ratio - 1), 100 / before.mean *
+                                       std::hypot(ratio * before.standard_error,
+                                                  after.standard_error)}));
+}
+
+//! Both plants share their random numbers, so these errors are, if anything,
+//! too large.
+std::string gain(Estimate before, Estimate after) {
+    return format({after.mean - before.mean,
+                   std::hypot(before.standard_error, after.standard_error)}) +
+           " MJ m-2 day-1" + percent(before, after);
+}
+
+//! Much of a gain may be leaf area: it stands beside it, and the gain that is
+//! left of it per leaf area.
+std::string gains(const History& history, const Row& baseline,
+                  const Row& best) {
+    const Estimate before = baseline.outcome.objectives.front();
+    const Estimate after = best.outcome.objectives.front();
+    const double lai_before = lai_of(history, baseline);
+    const double lai_after = lai_of(history, best);
+    std::string text =
+        fmt::format("  gain      {}, with LAI {:.2f} instead of {:.2f}\n",
+                    gain(before, after), lai_after, lai_before);
+    const bool is_per_ground =
+        history.header().schema.objectives.front().name == "absorbed_par";
+    if (is_per_ground && lai_before > 0 && lai_after > 0)
+        text += fmt::format(
+            "            {} per leaf area\n",
+            gain(scaled(before, 1 / lai_before), scaled(after, 1 / lai_after)));
     return text;
 }
 
@@ -81,24 +124,15 @@ std::string final_summary(const History& history, const Campaign& campaign) {
         best == 0)
         return "no finalist could be evaluated; see the messages of failed "
                "rows\n";
-    const Estimate a = finalists[0].outcome.objectives.front();
-    const Estimate b = finalists[best].outcome.objectives.front();
-    // Both share their random numbers, so these errors are, if anything, too
-    // large.
-    const Estimate gain{b.mean - a.mean,
-                        std::hypot(a.standard_error, b.standard_error)};
-    const double ratio = b.mean / a.mean;
-    const Estimate percent{
-        100 * (ratio - 1),
-        100 / a.mean * std::hypot(ratio * a.standard_error, b.standard_error)};
     return fmt::format(
         "absorbed by leaves, {} of {} paths with a new field each:\n"
         "  baseline  {}\n"
         "  best      {}\n"
-        "  gain      {} MJ m-2 day-1 = {} %\n{}",
+        "{}{}",
         campaign.final_rule.sampling.randomisations,
         campaign.final_rule.sampling.paths, described(history, finalists[0]),
-        described(history, finalists[best]), format(gain), format(percent),
+        described(history, finalists[best]),
+        gains(history, finalists[0], finalists[best]),
         left_to_gain(history, campaign, finalists[best]));
 }
 

@@ -13,11 +13,11 @@ namespace ideotype {
 std::string format_daily(Estimate mj_per_m2);
 
 //! Slot in /final of the best finalist other than the baseline in slot 0, or
-//! 0 if nothing but the baseline has been judged.
+//! 0 if nothing but the baseline has been evaluated.
 std::size_t best_finalist(const std::vector<Row>& finalists);
 
 //! Best plant against the baseline after a finished evolution, both evaluated
-//! anew under the same fresh random numbers.
+//! again under the same fresh random numbers.
 std::string final_summary(const History& history, const Campaign& campaign);
 
 }  // namespace ideotype

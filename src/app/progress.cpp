@@ -5,10 +5,13 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 
 namespace ideotype {
 
@@ -26,6 +29,7 @@ double now() {
 }
 
 std::string format(Estimate x) {
+    if (!std::isfinite(x.mean)) return "unknown";
     const double error = std::abs(x.standard_error);
     if (!std::isfinite(error)) return fmt::format("{:.6g}", x.mean);
     if (error == 0) return fmt::format("{:.9g}", x.mean);
@@ -39,6 +43,11 @@ std::string format_duration(double seconds) {
     if (s >= 3600)
         return fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
     return fmt::format("{}:{:02}", s / 60, s % 60);
+}
+
+std::string utc_now() {
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                       fmt::gmtime(std::time(nullptr)));
 }
 
 LiveLine::LiveLine() : is_terminal_(isatty(STDERR_FILENO) == 1) {}
@@ -55,17 +64,28 @@ void LiveLine::show(const std::string& text) {
 
 namespace {
 
-//! Whether somebody watches standard output. Open MPI gives its ranks a
-//! terminal whatever its own output is, so there mpirun's is what counts.
-bool is_watched() {
-    if (isatty(STDOUT_FILENO) != 1) return false;
-    if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) return true;
+//! Width of this terminal, 0 if it is none.
+int columns_of(int file) {
+    if (isatty(file) != 1) return 0;
+    struct winsize size {};
+    const bool is_known =
+        ioctl(file, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+    return is_known ? size.ws_col : 80;
+}
+
+//! Width of the terminal on which somebody watches standard output, 0 if there
+//! is none. Open MPI gives its ranks a terminal whatever its own output is, so
+//! there mpirun's is what counts.
+int watched_columns() {
+    const int columns = columns_of(STDOUT_FILENO);
+    if (columns == 0 || std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr)
+        return columns;
     const int starter = open(fmt::format("/proc/{}/fd/1", getppid()).c_str(),
                              O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-    if (starter < 0) return false;
-    const bool is_terminal = isatty(starter) == 1;
+    if (starter < 0) return 0;
+    const int width = columns_of(starter);
     close(starter);
-    return is_terminal;
+    return width;
 }
 
 }  // namespace
@@ -88,20 +108,23 @@ class ProgressLog::CaseWatcher : public Watcher {
     void on_generation(std::uint32_t generation,
                        const GenerationSummary& summary) override {
         entry_.generation = generation;
-        entry_.best = format({summary.best, summary.best_standard_error}) +
-                      " MJ m-2 day-1";
+        ++entry_.complete;
+        entry_.best =
+            fmt::format("{} MJ m-2 day-1 {}",
+                        format({summary.best, summary.best_standard_error}),
+                        not_evaluated_again);
         to_evaluate_ = log_.all_after(generation + 1);
         std::string line = log_.text(entry_);
         if (summary.failures > 0)
             line += fmt::format("  {} failed", summary.failures);
-        if (!log_.is_terminal_) log_.print(line);
+        if (log_.columns_ == 0) log_.print(line);
         log_.show_live();
     }
 
     void on_final(const std::string& reason) override {
         to_evaluate_ = 0;
         log_.print(fmt::format(
-            "{}  ended by {}; evaluating the best anew with fresh random "
+            "{}  ended by {}; evaluating the best again with fresh random "
             "numbers",
             entry_.name, reason));
     }
@@ -115,7 +138,7 @@ class ProgressLog::CaseWatcher : public Watcher {
 ProgressLog::ProgressLog(const Campaign& campaign,
                          const std::vector<Case>& chosen)
     : campaign_(campaign),
-      is_terminal_(is_watched()),
+      columns_(watched_columns()),
       started_(now()),
       cases_(static_cast<int>(chosen.size())) {
     for (const Case& each : chosen) to_evaluate_[each.index] = all_after(0);
@@ -127,7 +150,7 @@ ProgressLog::~ProgressLog() {
 
 std::unique_ptr<Watcher> ProgressLog::watch(const Case& chosen,
                                             std::uint32_t generation) {
-    in_flight_[chosen.index] = {chosen.name, generation, "-"};
+    in_flight_[chosen.index] = {chosen.name, generation, generation, "-"};
     to_evaluate_[chosen.index] = all_after(generation);
     return std::make_unique<CaseWatcher>(*this, chosen.index);
 }
@@ -139,7 +162,8 @@ void ProgressLog::end(const Case& chosen) {
 }
 
 void ProgressLog::print(const std::string& text) {
-    fmt::print("{}{}\n", is_live_ ? "\r\x1b[K" : "", text);
+    const std::string before = columns_ > 0 ? "" : utc_now() + "  ";
+    fmt::print("{}{}{}\n", is_live_ ? "\r\x1b[K" : "", before, text);
     std::fflush(stdout);
     is_live_ = false;
 }
@@ -155,20 +179,24 @@ std::string ProgressLog::text(const Entry& entry) const {
     long long left = 0;
     for (const auto& [index, count] : to_evaluate_) left += count;
     return fmt::format(
-        "{}  generation {}/{}  best {}  {:.1f} evaluations/s  {} left",
-        entry.name, entry.generation + 1, campaign_.stop.generations,
-        entry.best, rate,
-        rate > 0 ? format_duration(static_cast<double>(left) / rate) : "?");
+        "{}  generation {}, {} of {} complete, {} left, {:.1f} evaluations/s, "
+        "best {}",
+        entry.name, entry.generation, entry.complete,
+        campaign_.stop.generations,
+        rate > 0 ? format_duration(static_cast<double>(left) / rate) : "?",
+        rate, entry.best);
 }
 
 //! The case that comes first stands for those in flight.
 void ProgressLog::show_live() {
-    if (!is_terminal_ || in_flight_.empty() || now() - shown_ < calm) return;
+    if (columns_ == 0 || in_flight_.empty() || now() - shown_ < calm) return;
     const std::string cases =
         cases_ == 1 ? ""
                     : fmt::format("{} of {} cases done, {} in flight  ", ended_,
                                   cases_, in_flight_.size());
-    fmt::print("\r\x1b[K{}{}", cases, text(in_flight_.begin()->second));
+    // A line that wraps could not be written over.
+    const std::string line = cases + text(in_flight_.begin()->second);
+    fmt::print("\r\x1b[K{:.{}}", line, columns_ - 1);
     std::fflush(stdout);
     shown_ = now();
     is_live_ = true;

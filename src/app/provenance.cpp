@@ -1,14 +1,13 @@
 #include "ideotype/app/provenance.hpp"
 
 #include <array>
-#include <ctime>
 #include <unistd.h>
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "ideotype/app/canopy.hpp"
+#include "ideotype/app/progress.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/version.hpp"
 #include "ideotype/light/device.hpp"
@@ -17,11 +16,6 @@
 namespace ideotype {
 
 namespace {
-
-std::string utc_now() {
-    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
-                       fmt::gmtime(std::time(nullptr)));
-}
 
 std::string host_name() {
     std::array<char, 256> name{};

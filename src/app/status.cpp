@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "ideotype/app/progress.hpp"
+#include "ideotype/app/summary.hpp"
 #include "ideotype/app/verbs.hpp"
 #include "ideotype/history/history.hpp"
 
@@ -137,6 +138,21 @@ Report report_remains(const std::string& path, const History& history) {
     return {line, ExitCode::refused};
 }
 
+//! Of the final evaluation, or of the last generation.
+std::string best_of(const History& history) {
+    const std::string unit = history.header().schema.objectives.front().unit;
+    const std::vector<Row> finalists = history.finalists();
+    const std::size_t slot = best_finalist(finalists);
+    if (slot > 0 && history.finished())
+        return fmt::format("{} {} (evaluated again)",
+                           format(finalists[slot].outcome.objectives.front()),
+                           unit);
+    const GenerationSummary last = history.summaries().back();
+    return fmt::format("{} {} {}",
+                       format({last.best, last.best_standard_error}), unit,
+                       not_evaluated_again);
+}
+
 Report report_on(const std::string& path, Overview& overview) {
     const History history = History::salvage(path);
     if (history.missing_bytes() > 0) return report_remains(path, history);
@@ -158,10 +174,7 @@ Report report_on(const std::string& path, Overview& overview) {
     const bool is_stopped = state == State::drained || state == State::dead;
     overview.add(state, rate, is_stopped ? way_on(history) : "");
     if (summaries.empty()) return {line};
-    const GenerationSummary& last = summaries.back();
-    line += fmt::format(", best {} {}, {} failed",
-                        format({last.best, last.best_standard_error}),
-                        header.schema.objectives.front().unit, failures);
+    line += fmt::format(", best {}, {} failed", best_of(history), failures);
     if (rate > 0) line += fmt::format(", {:.1f} evaluations/s", rate);
     const double generations = static_cast<double>(summaries.size());
     if (!reason)

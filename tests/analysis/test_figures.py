@@ -55,12 +55,14 @@ def test_convergence_shows_best_mean_spread_and_baseline(
     with open_study(finished) as study:
         figure = draw_convergence(study.cases()[0])
     axes = figure.axes[0]
-    values, errors = bars(axes, "best of its generation")
+    values, errors = bars(
+        axes, "best of its generation ± standard error (not evaluated again)"
+    )
     expected = [absorbed(g, POPULATION - 1) for g in range(6)]
     assert values == pytest.approx(expected)
     assert errors == pytest.approx([ERROR] * 6)
-    anew, error = bars(axes, "best plant, evaluated anew")
-    assert anew == pytest.approx([final_absorbed(2)])
+    again, error = bars(axes, "best plant, evaluated again")
+    assert again == pytest.approx([final_absorbed(2)])
     assert error == pytest.approx([ERROR / 4])
     level = {line.get_label(): line.get_ydata() for line in axes.lines}
     assert level["baseline ± standard error"][0] == BASELINE
@@ -174,20 +176,20 @@ def test_seeds_are_a_band(sweep: Path) -> None:
     axes = figure.axes[0]
     lines = {line.get_label(): line.get_ydata() for line in axes.lines}
     highest = np.array([absorbed(g, POPULATION - 1) for g in range(6)])
-    best = lines["best of its generation, mean of seeds"]
+    best = lines["best of its generation (not evaluated again), mean of seeds"]
     assert best == pytest.approx(highest + np.mean(SHIFTS))
     (band,) = [
         c
         for c in axes.collections
-        if c.get_label() == "best of its generation, range of seeds"
+        if c.get_label() == "best of its generation (not evaluated again), range of seeds"
     ]
     edges = band.get_paths()[0].vertices
     at_start = edges[edges[:, 0] == 0, 1]
     assert at_start.min() == pytest.approx(highest[0] + SHIFTS[0])
     assert at_start.max() == pytest.approx(highest[0] + SHIFTS[1])
-    anew, _ = bars(axes, "best plant, evaluated anew")
+    again, _ = bars(axes, "best plant, evaluated again")
     expected = [final_absorbed(2) + shift for shift in SHIFTS]
-    assert anew == pytest.approx(expected)
+    assert again == pytest.approx(expected)
 
 
 def test_the_ten_fittest_come_from_all_seeds(sweep: Path) -> None:

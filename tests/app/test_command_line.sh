@@ -61,6 +61,16 @@ expect 2 "$ideotype" evaluate campaigns/verbs.toml --case 1
 
 expect 0 "$ideotype" run campaigns/verbs.toml
 says "gain"
+says "with LAI .* instead of 3.44"
+# A log file has the time (UTC); its generations are counted as in the history.
+says "^20[0-9-]*T[0-9:]*Z  ames.*  generation 1, 2 of 2 complete, "
+says "best .* MJ m-2 day-1 (not evaluated again)$"
+# On a terminal one line is written over and over; it must not wrap.
+expect 0 script -qec "stty cols 60; '$ideotype' run campaigns/verbs.toml \
+    --out terminal" /dev/null
+says "generation 0, "
+longest=$(tr '\r' '\n' <out.log | sed 's/\x1b\[K//' | grep " of 2 complete" | wc -L)
+[ "$longest" -le 59 ] || fail "a live line has $longest columns: $(cat out.log)"
 history=$(history_of results verbs)
 expect 0 "$ideotype" evaluate "$history" campaigns/verbs.toml \
     --under campaigns/verbs.toml --json
@@ -69,7 +79,7 @@ says '"standard_error"'
 expect 2 "$ideotype" evaluate "$history" campaigns/verbs.toml
 says "need --under"
 expect 0 "$ideotype" status "$history"
-says "2 of 2 generations"
+says "2 of 2 generations, best .* MJ m-2 day-1 (evaluated again)"
 says "finished by generations"
 expect 0 "$ideotype" status "$history" --resumable
 [ ! -s out.log ] || fail "a finished history is not resumable"

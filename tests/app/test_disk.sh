@@ -42,7 +42,7 @@ says "MiB are needed and .* MiB are free"
 # One that comes in the middle, as a write error does: what was recorded is kept.
 "${run[@]}" --out cut >cut.log 2>&1 &
 job=$!
-until grep -qs "generation 3/" cut.log; do sleep 0.05; done
+until grep -qs "generation 2, " cut.log; do sleep 0.05; done
 prlimit --pid $job --fsize=4096
 code=0
 wait $job || code=$?

@@ -13,6 +13,7 @@ TEST(Format, ShowsTwoDigitsOfTheStandardError) {
     EXPECT_EQ(format({1234.5, 67}), "1234 +- 67");
     EXPECT_EQ(format({3, 0}), "3");
     EXPECT_EQ(format({3.5, std::numeric_limits<double>::quiet_NaN()}), "3.5");
+    EXPECT_EQ(format({std::numeric_limits<double>::quiet_NaN(), 1}), "unknown");
 }
 
 TEST(Format, DurationsReadLikeAClock) {

@@ -14,7 +14,7 @@ start() {
         >"$log" 2>&1 &
     job=$!
     for _ in $(seq 300); do
-        ! grep -q "generation 2/" "$log" || return 0
+        ! grep -q "generation 1, " "$log" || return 0
         sleep 0.02
     done
     fail "it does not begin: $(cat "$log")"

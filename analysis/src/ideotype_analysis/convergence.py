@@ -16,8 +16,8 @@ from .state import Generations
 
 
 def draw_convergence(case: Case) -> Figure:
-    """Fitness by generation against the baseline, and the best evaluated
-    anew. Of one seed: best with standard error, mean with the spread of the
+    """Fitness by generation, numbered from 0 as in the file, against the
+    baseline, and the best evaluated again. Of one seed: best with standard error, mean with the spread of the
     population. Of several: means over seeds, with the range of seeds as a
     band."""
     runs = [history.generations() for history in case.histories]
@@ -54,7 +54,7 @@ def _draw_seed(axes: Axes, run: Generations) -> None:
         marker="o",
         markersize=3,
         elinewidth=1,
-        label="best of its generation ± standard error",
+        label="best of its generation ± standard error (not evaluated again)",
     )
     mean, spread = run.mean.values, run.spread.values
     axes.plot(number, mean, color=style.MEAN, label="mean")
@@ -66,7 +66,7 @@ def _draw_seed(axes: Axes, run: Generations) -> None:
 
 def _draw_seeds(axes: Axes, runs: list[Generations]) -> None:
     for what, color, label in (
-        ("best", style.BEST, "best of its generation"),
+        ("best", style.BEST, "best of its generation (not evaluated again)"),
         ("mean", style.MEAN, "mean of the population"),
     ):
         table = _by_generation([getattr(run, what).values for run in runs])
@@ -116,26 +116,26 @@ def _draw_pairs(axes: Axes, case: Case, end: int) -> None:
         alpha=0.15,
         linewidth=0,
     )
-    anew = [pair.best.objective for pair in case.pairs if pair.is_final]
-    if anew:
+    again = [pair.best.objective for pair in case.pairs if pair.is_final]
+    if again:
         axes.errorbar(
-            [end] * len(anew),
-            [best.mean for best in anew],
-            [best.standard_error for best in anew],
+            [end] * len(again),
+            [best.mean for best in again],
+            [best.standard_error for best in again],
             color=style.ANEW,
             marker="D",
             linestyle="none",
-            label="best plant, evaluated anew ± standard error",
+            label="best plant, evaluated again ± standard error",
         )
 
 
 def _set_ticks(axes: Axes, count: int, has_final: bool) -> None:
-    """Whole generations, and "anew" after them for the final evaluation."""
+    """Whole generations, and "final" after them for the final evaluation."""
     ticks = MaxNLocator(8, integer=True).tick_values(0, max(count - 1, 1))
     room = 0.07 * count if has_final else 0
     shown = [int(t) for t in ticks if 0 <= t <= min(count - 1, count - room)]
     labels = [str(t) for t in shown]
     if has_final:
         shown.append(count)
-        labels.append("anew")
+        labels.append("final")
     axes.set_xticks(shown, labels)

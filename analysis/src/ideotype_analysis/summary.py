@@ -110,10 +110,10 @@ def _pair(pair: Pair) -> list[str]:
     lines += _leaf_area(pair)
     lines.append("")
     lines.append(
-        "All errors are standard errors; both plants were evaluated anew."
+        "All errors are standard errors; both plants were evaluated again."
         if pair.is_final
-        else "Provisional: the best of a generation is too high on average; "
-        "the final evaluation is not complete."
+        else "Provisional: the best of a generation (not evaluated again) is too high "
+        "on average; the final evaluation is not complete."
     )
     return lines
 

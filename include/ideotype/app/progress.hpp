@@ -29,7 +29,7 @@ class ProgressLog {
     //! A case has ended, also if nobody watched it.
     void end(const Case& chosen);
 
-    //! Lines that stay, above the live one.
+    //! Lines that stay, above the live one; in a log file with the time.
     void print(const std::string& text);
 
   private:
@@ -38,7 +38,8 @@ class ProgressLog {
     //! A case in flight.
     struct Entry {
         std::string name;
-        std::uint32_t generation = 0;
+        std::uint32_t generation = 0;  //!< from 0, as in the history
+        std::uint32_t complete = 0;    //!< generations
         std::string best = "-";
     };
 
@@ -48,7 +49,7 @@ class ProgressLog {
     void show_live();
 
     const Campaign& campaign_;
-    bool is_terminal_;
+    int columns_;           //!< of the terminal; 0: a log file
     bool is_live_ = false;  //!< the live line is on the terminal
     double started_;
     double shown_ = 0;
@@ -76,11 +77,18 @@ class LiveLine {
     double shown_ = 0;
 };
 
+//! What is said of the best of a generation: it was chosen by the same figure,
+//! which is too high on average for that.
+inline constexpr const char* not_evaluated_again = "(not evaluated again)";
+
 //! "12.345 +- 0.006": as many digits as the standard error allows.
 std::string format(Estimate x);
 
 //! "1:02:03" or "2:03".
 std::string format_duration(double seconds);
+
+//! "2025-08-07T12:00:00Z"
+std::string utc_now();
 
 //! Seconds of a steady clock.
 double now();

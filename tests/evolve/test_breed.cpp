@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -57,6 +58,34 @@ TEST(Breed, IsAPureFunctionOfItsArguments) {
     EXPECT_EQ(genomes(7, 1), genomes(7, 1));
     EXPECT_NE(genomes(7, 1), genomes(8, 1));
     EXPECT_NE(genomes(7, 1), genomes(7, 2));
+}
+
+// Contract C3: another order of random numbers or of operations would make
+// other children. Write new values only with a change that is meant to do that.
+TEST(Breed, ChildrenOfASeedStayTheSame) {
+    struct Child {
+        std::array<std::int32_t, 2> parents;
+        double length, azimuth;
+    };
+    const Child expected[]{{{35, 38}, 1.0267507584486153, 45.690095471594503},
+                           {{38, 35}, 1.0199458617718744, 345.97144121514339},
+                           {{7, 33}, 1.0314798684108246, 311.28735183111371},
+                           {{33, 7}, 0.79891001066969458, 283.23988899599806},
+                           {{17, 5}, 0.74890761955041629, 238.39932495100061},
+                           {{5, 17}, 0.48206519316227509, 337.73144000148335},
+                           {{24, 0}, 0.90261582956160313, 107.94439402888037},
+                           {{0, 24}, 0.68144722408303704, 88.718537666155399},
+                           {{19, 11}, 1.0258171986935358, 180.32462170641767}};
+    const auto children =
+        breed(small_optimizer(), genes, baseline, 7, 1, first_generation());
+    std::size_t slot = 3;
+    for (const Child& child : expected) {
+        EXPECT_EQ(children[slot].parents, child.parents) << slot;
+        EXPECT_EQ(children[slot].genome,
+                  (Genome{child.length, child.azimuth, baseline[2]}))
+            << slot;
+        ++slot;
+    }
 }
 
 TEST(Breed, ChildrenStayInsideBounds) {

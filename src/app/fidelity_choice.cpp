@@ -123,7 +123,8 @@ Combination sampled(const Model& model, const PathLaw& law,
         std::sqrt(model.field_variance / drawn +
                   model.path_ratio * squared(law.at(sampling.paths)) / n);
     result.cost = {drawn * model.cost.geometry, drawn * model.cost.scene,
-                   model.cost.path * n * sampling.paths};
+                   model.cost.path * n * sampling.paths,
+                   1.0 * n * sampling.paths};
     return result;
 }
 

@@ -118,6 +118,7 @@ Probe::Randomised Probe::evaluate(const Genome& genome, std::uint32_t draw) {
     geometry_.push_back(built - began);
     scene_.push_back(committed - built);
     path_.push_back((ended - committed) / traced);
+    paths_traced_.push_back(traced);
     seconds_ += ended - began;
     return result;
 }
@@ -148,7 +149,8 @@ Scatter Probe::scatter(Goal goal) const {
 }
 
 Cost Probe::cost() const {
-    return {median(geometry_), median(scene_), median(path_)};
+    return {median(geometry_), median(scene_), median(path_),
+            median(paths_traced_)};
 }
 
 }  // namespace ideotype

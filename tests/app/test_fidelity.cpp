@@ -73,7 +73,9 @@ TEST_F(Fidelity, MorePathsScatterLessAndCostMore) {
     const MeasuredKnob& paths = trade().knob("paths");
     const KnobPoint& few = paths.points.front();
     const KnobPoint& many = paths.points.back();
-    // 64 times as many: independent ones would scatter an eighth.
+    EXPECT_GE(few.cost.paths, 64);
+    EXPECT_EQ(many.cost.paths, 64 * few.cost.paths);
+    // Independent ones would scatter an eighth.
     EXPECT_LT(many.of(Goal::value).scatter.path.mean,
               few.of(Goal::value).scatter.path.mean / 5);
     EXPECT_GT(many.of(Goal::value).scatter.path.mean,

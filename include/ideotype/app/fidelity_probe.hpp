@@ -12,11 +12,12 @@
 namespace ideotype {
 
 //! What one field costs [s of the processor], and one path on average of all
-//! draws' paths.
+//! draws' paths; and how many paths were traced in a field.
 struct Cost {
     double geometry = 0;
     double scene = 0;
     double path = 0;
+    double paths = 0;
 };
 
 //! How an estimate scatters, as standard deviations: from field to field, and
@@ -88,7 +89,7 @@ class Probe {
     Rivals rivals_;
     std::array<std::vector<double>, 2> means_;
     std::array<std::vector<double>, 2> squares_;  //!< within draws
-    std::vector<double> geometry_, scene_, path_;
+    std::vector<double> geometry_, scene_, path_, paths_traced_;
     double seconds_ = 0;
 };
 

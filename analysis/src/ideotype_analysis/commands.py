@@ -11,17 +11,24 @@ from pathlib import Path
 
 from .file import HistoryError
 from .progress import Progress
-from .study import open_study
+from .study import Study, open_study
 from .summary import summarize
 
 
+_EXIT_CODES = (
+    "Exit codes: 0 ok, 1 failed, 2 wrong usage, 3 done without the histories "
+    "that can't be read, which are named."
+)
+
+
 def summary(arguments: Sequence[str] | None = None) -> int:
-    """Prints summaries and returns the exit code: 0, 1 if a file can't be
-    used, 2 for a wrong command line."""
+    """Prints summaries and returns the exit code: 0, 1 if no file can be
+    used, 2 for a wrong command line, 3 if only some files can be used."""
     parser = argparse.ArgumentParser(
         prog="ideotype-summary",
         description="Prints a summary of each history, also while it is "
         "being written.",
+        epilog=_EXIT_CODES,
     )
     _add_results(parser)
     parser.add_argument(
@@ -40,6 +47,7 @@ def report(arguments: Sequence[str] | None = None) -> int:
         description="Writes one HTML page about all histories, which needs "
         "nothing else to be viewed, and its figures as PNG and PDF; also "
         "while they are being written.",
+        epilog=_EXIT_CODES,
     )
     _add_results(parser)
     parser.add_argument(
@@ -83,11 +91,15 @@ def _add_results(parser: argparse.ArgumentParser) -> None:
 def _guard(
     parser: argparse.ArgumentParser,
     arguments: Sequence[str] | None,
-    run: Callable[[argparse.Namespace], None],
+    run: Callable[[argparse.Namespace, Study], None],
 ) -> int:
     options = parser.parse_args(arguments)
     try:
-        run(options)
+        with open_study(*options.results, skip_damaged=True) as study:
+            for error in study.damaged:
+                print(f"{parser.prog}: left out: {error}", file=sys.stderr)
+            run(options, study)
+            return 3 if study.damaged else 0
     except BrokenPipeError:
         # Whoever read our output has seen enough; nothing is left to flush.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
@@ -95,21 +107,19 @@ def _guard(
     except (HistoryError, OSError) as error:
         print(f"{parser.prog}: {error}", file=sys.stderr)
         return 1
-    return 0
 
 
-def _summarize(options: argparse.Namespace) -> None:
-    with open_study(*options.results) as study:
-        if options.gains:
-            # Here, so that summaries need not wait for the plotting library.
-            from .tables import gains, markdown
+def _summarize(options: argparse.Namespace, study: Study) -> None:
+    if options.gains:
+        # Here, so that summaries need not wait for the plotting library.
+        from .tables import gains, markdown
 
-            print(markdown(gains(study.cases(), cross=None)), flush=True)
-        else:
-            print("\n\n".join(map(summarize, study)), flush=True)
+        print(markdown(gains(study.cases(), cross=None)), flush=True)
+    else:
+        print("\n\n".join(map(summarize, study)), flush=True)
 
 
-def _report(options: argparse.Namespace) -> None:
+def _report(options: argparse.Namespace, study: Study) -> None:
     # Here, so that summaries and wrong command lines need not wait for the
     # plotting library.
     from .cross import read_cross
@@ -120,16 +130,15 @@ def _report(options: argparse.Namespace) -> None:
     program = find_program(options.ideotype)
     cross = read_cross(options.cross) if options.cross else None
     fidelity = read_fidelity(options.fidelity) if options.fidelity else None
-    with open_study(*options.results) as study:
-        written = write_report(
-            study,
-            options.output,
-            cross=cross,
-            fidelity=fidelity,
-            program=program,
-            command=shlex.join(["ideotype-report", *sys.argv[1:]]),
-            progress=Progress(len(study.cases()) + 1),
-        )
+    written = write_report(
+        study,
+        options.output,
+        cross=cross,
+        fidelity=fidelity,
+        program=program,
+        command=shlex.join(["ideotype-report", *sys.argv[1:]]),
+        progress=Progress(len(study.cases()) + 1),
+    )
     size = written.page.stat().st_size / 1e6
     print(f"{written.page} ({size:.1f} MB)")
     print(

@@ -30,7 +30,9 @@ def open_history(path: str | Path) -> History:
     """Opens a history to read: finished, stopped, killed, or being written.
 
     Raises FileNotFoundError, or HistoryError if the file is no history, is
-    damaged, or is of another major format version."""
+    damaged, or is of another major format version. HDF5 may take minutes over
+    a damaged file: where one is to be expected, open_study() tries each file
+    for a limited time first."""
     return History(path)
 
 
@@ -195,6 +197,18 @@ class History:
         except tomllib.TOMLDecodeError:
             return False
         return campaign.get("field", {}).get("boundary") == "isolated"
+
+    def read_all(self) -> None:
+        """Reads all that the other calls read. Raises HistoryError if some of
+        it is missing or damaged."""
+        self.evaluations()
+        self.finalists()
+        self.generations()
+        self.state()
+        self.sessions()
+        self.messages()
+        for form in ("source", "resolved"):
+            self.campaign(form)
 
     def _final_pair(self) -> Pair | None:
         """The finalists' verdict, once none of them is pending."""

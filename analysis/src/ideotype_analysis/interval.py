@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import stdtrit
 
 from .estimate import Estimate
 
@@ -16,6 +15,9 @@ _NORMAL = 1.960
 
 def student(degrees_of_freedom: int) -> float:
     """The two-sided 95 % quantile of Student's t."""
+    # Here, since it takes as long to load as all else together.
+    from scipy.special import stdtrit
+
     return float(stdtrit(degrees_of_freedom, 0.975))
 
 

@@ -82,7 +82,7 @@ def write_report(
         each[0].is_folded = False
     progress.part("all cases together")
     sections = [
-        _overview(cases, cross, gallery),
+        _overview(study, cases, cross, gallery),
         _places(cases, cross, gallery),
         _view(shapes),
         *each,
@@ -111,9 +111,12 @@ def _subtitle(study: Study) -> str:
 
 
 def _overview(
-    cases: Sequence[Case], cross: Cross | None, gallery: Gallery
+    study: Study, cases: Sequence[Case], cross: Cross | None, gallery: Gallery
 ) -> Section:
-    section = Section("Gains", tables.gains(cases, cross))
+    section = Section("Gains")
+    for error in study.damaged:
+        section.note(f"A history is left out. {error}.")
+    section.blocks += tables.gains(cases, cross)
     section.blocks.append(
         gallery.draw(
             "gains",

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Self
 from .case import Case
 from .file import HistoryError
 from .history import History, open_history
+from .trial import Trial
 
 if TYPE_CHECKING:
     import pandas
@@ -22,13 +23,15 @@ if TYPE_CHECKING:
 Place = str | os.PathLike[str]
 
 
-def open_study(*places: Place) -> Study:
+def open_study(*places: Place, skip_damaged: bool = False) -> Study:
     """Opens histories: files, folders (looked through to any depth) and glob
-    patterns, in the order of their names and each only once.
+    patterns, in the order of their names and each only once. Each is read in
+    another process first, since damaged ones can stop a process for minutes.
 
     Raises FileNotFoundError or HistoryError, naming what can't be used and
-    what to do about it."""
-    return Study(find_histories(*places))
+    what to do about it; with `skip_damaged` only if no history can be used,
+    and else remembers the errors of the others in `damaged`."""
+    return Study(find_histories(*places), skip_damaged)
 
 
 def find_histories(*places: Place) -> list[Path]:
@@ -57,22 +60,32 @@ def _histories_of(place: Place) -> list[Path]:
         if not matches:
             raise HistoryError(f"{place}: no file matches this pattern")
         return [file for match in matches for file in _histories_of(match)]
+    if not path.exists():
+        raise FileNotFoundError(f"{path}: no such file")
     return [path]
 
 
 class Study:
     """A context manager, and a sequence of its histories."""
 
-    def __init__(self, paths: list[Path]) -> None:
-        self._stack = ExitStack()
+    def __init__(self, paths: list[Path], skip_damaged: bool = False) -> None:
         self._histories: list[History] = []
-        try:
+        self.damaged: list[Exception] = []
+        """Why histories were left out."""
+        with ExitStack() as stack, Trial() as trial:
             for path in paths:
-                history = self._stack.enter_context(open_history(path))
-                self._histories.append(history)
-        except BaseException:
-            self._stack.close()
-            raise
+                try:
+                    trial.read(path)
+                    history = stack.enter_context(open_history(path))
+                except (HistoryError, OSError) as error:
+                    if not skip_damaged:
+                        raise
+                    self.damaged.append(error)
+                else:
+                    self._histories.append(history)
+            if not self._histories:
+                raise self.damaged[0]
+            self._stack = stack.pop_all()
 
     def __repr__(self) -> str:
         return f"<Study, histories: {len(self)}>"

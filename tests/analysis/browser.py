@@ -15,7 +15,13 @@ from typing import Any
 import pytest
 
 _TIMEOUT = 120
-_NAMES = ("chromium", "chromium-browser", "google-chrome")
+NAMES = ("chromium", "chromium-browser", "google-chrome")
+OPTIONS = [
+    *("--headless", "--no-sandbox", "--disable-gpu", "--no-first-run"),
+    *("--disable-dev-shm-usage", "--disable-background-networking"),
+    *("--disable-component-update", "--host-resolver-rules=MAP * ~NOTFOUND"),
+]
+"""Without a window and without a network."""
 
 _EARLY = """<script>
 const failures = [];
@@ -32,13 +38,15 @@ addEventListener("load", () => {
 </script>"""
 
 
-def run_in_browser(page: Path, script: str, folder: Path) -> tuple[Any, list]:
+def run_in_browser(
+    page: Path, script: str, folder: Path, width: int = 1000
+) -> tuple[Any, list]:
     """What the script, the body of a function, returns in the loaded page,
     and all errors: of scripts, of the console, of refused loads."""
-    name = next(filter(shutil.which, _NAMES), None)
+    name = next(filter(shutil.which, NAMES), None)
     if name is None:
         pytest.fail(
-            f"no browser: install one of {', '.join(_NAMES)} "
+            f"no browser: install one of {', '.join(NAMES)} "
             "(./test.sh does, with apt-get)"
         )
     text = page.read_text(encoding="utf-8")
@@ -48,10 +56,8 @@ def run_in_browser(page: Path, script: str, folder: Path) -> tuple[Any, list]:
     copy = folder / "page.html"
     copy.write_text(text, encoding="utf-8")
     options = [
-        *("--headless", "--no-sandbox", "--disable-gpu", "--no-first-run"),
-        *("--disable-dev-shm-usage", "--disable-background-networking"),
-        *("--disable-component-update", "--window-size=1000,800"),
-        "--host-resolver-rules=MAP * ~NOTFOUND",
+        *OPTIONS,
+        f"--window-size={width},800",
         f"--user-data-dir={folder / 'profile'}",
         "--virtual-time-budget=5000",
         *("--enable-logging=stderr", "--dump-dom"),

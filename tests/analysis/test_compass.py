@@ -9,7 +9,7 @@ import h5py
 import numpy as np
 import pytest
 from ideotype_analysis.case import Case
-from ideotype_analysis.compass import row_direction
+from ideotype_analysis.stand import places, row_direction
 from ideotype_analysis.geometry import Mesh
 from ideotype_analysis.plan import draw_plan, draw_roses
 from ideotype_analysis.shape import draw_azimuths
@@ -24,14 +24,19 @@ SQUARE = Mesh(
 )
 
 
-def turned(history: Path, folder: Path, direction: float) -> Path:
-    """A copy whose rows run that way."""
-    copy = folder / "turned.h5"
+def copy_with(history: Path, folder: Path, campaign: str) -> Path:
+    """A copy of another campaign."""
+    copy = folder / "copy.h5"
     shutil.copy(history, copy)
     with h5py.File(copy, "r+") as file:
-        text = f'[[spacing]]\nname = "30x6"\nrow_direction = {direction}'
-        file["campaign/resolved"][...] = text.encode()
+        file["campaign/resolved"][...] = campaign.encode()
     return copy
+
+
+def turned(history: Path, folder: Path, direction: float) -> Path:
+    """A copy whose rows run that way."""
+    text = f'[[spacing]]\nname = "30x6"\nrow_direction = {direction}'
+    return copy_with(history, folder, text)
 
 
 def figures(case: Case) -> list[Figure]:
@@ -78,6 +83,22 @@ def test_a_compass_tells_the_row_and_the_turn_without_north(
         assert not norths(figure)
         said = {t.get_text() for axes in figure.axes for t in axes.texts}
         assert {"row, 0°", "azimuths\nclockwise"} <= said
+
+
+def test_a_stand_goes_on_and_a_plot_alone_ends(
+    finished: Path, tmp_path: Path
+) -> None:
+    with open_study(finished) as study:
+        around = places(study.cases()[0], 2)
+    expected = {(0.762 * i, 0.1524 * j) for i in (-1, 0, 1) for j in range(-2, 3)}
+    assert not around[0].any()
+    assert {tuple(place) for place in around} == expected
+    alone = '[field]\nboundary = "isolated"\nrows = 1\nplants = 3'
+    with open_study(copy_with(finished, tmp_path, alone)) as study:
+        around = places(study.cases()[0], 2)
+    assert {tuple(place) for place in around} == {
+        (0.0, 0.1524 * j) for j in (-1, 0, 1)
+    }
 
 
 def test_the_plan_has_no_seams(finished: Path) -> None:

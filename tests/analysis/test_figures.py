@@ -67,7 +67,8 @@ def test_convergence_shows_best_mean_spread_and_baseline(
     level = {line.get_label(): line.get_ydata() for line in axes.lines}
     assert level["baseline ± standard error"][0] == BASELINE
     assert len(level["mean"]) == 6
-    assert {"generation", "absorbed PAR [MJ m⁻² day⁻¹ of ground]"} <= labels(figure)
+    light = "absorbed PAR [MJ m⁻² day⁻¹ of ground]"
+    assert {"generation", light} <= labels(figure)
     assert "mean ± standard deviation" in labels(figure)
 
 

@@ -171,10 +171,15 @@ def test_a_browser_shows_the_page(made: Made, tmp_path: Path) -> None:
       const first = look();
       press("ArrowLeft");
       const turned = look();
-      view.dispatchEvent(new PointerEvent("pointermove",
-        { buttons: 1, movementX: 40, movementY: 10 }));
+      for (const [kind, clientX, clientY] of
+          [["pointerdown", 10, 10], ["pointermove", 50, 20]])
+        view.dispatchEvent(
+          new PointerEvent(kind, { buttons: 1, clientX, clientY }));
       const dragged = look();
-      view.dispatchEvent(new WheelEvent("wheel", { deltaY: -200 }));
+      const turn = (ctrlKey) => view.dispatchEvent(
+        new WheelEvent("wheel", { deltaY: -200, ctrlKey, cancelable: true }));
+      const scrolls = turn(false) && look() === dragged;
+      const zooms = !turn(true);
       const zoomed = look();
       press("Home");
       const home = look();
@@ -190,6 +195,7 @@ def test_a_browser_shows_the_page(made: Made, tmp_path: Path) -> None:
         quantities: quantity.options.length,
         states: new Set(states).size,
         isHome: home === first,
+        scrolls, zooms,
         pictures: [...document.images].map((image) => image.naturalWidth),
         wide: document.documentElement.scrollWidth <= innerWidth,
       };
@@ -197,9 +203,10 @@ def test_a_browser_shows_the_page(made: Made, tmp_path: Path) -> None:
     shown, errors = run_in_browser(made.page, script, tmp_path)
     assert errors == []
     assert shown["faces"] == 2 * FACES
-    # ten leaves in two plants, and a scale of viridis
+    # ten leaves in two plants, and smooth edges
     assert shown["colors"] > 100
     assert shown["states"] == 6 and shown["isHome"]
+    assert shown["scrolls"] and shown["zooms"]
     assert shown["cases"] == list(CASES) and shown["quantities"] == 2
     assert len(shown["pictures"]) == 4 + 2 * (len(CASE_FIGURES) + 1)
     assert min(shown["pictures"]) > 200
@@ -216,6 +223,7 @@ def test_the_browser_test_sees_errors(tmp_path: Path) -> None:
 def test_leaf_colours_are_per_ground_and_per_leaf_area(made: Made) -> None:
     (text,) = re.findall(r'(?s)id="scene">(.*?)</script>', made.text)
     first = json.loads(text)["cases"][0]
+    assert len(first["neighbours"]) == 3 * 7 - 1
     ground, leaf = (q["values"] for q in first["quantities"])
     plants = zip(first["plants"], ground, leaf, (AREA, 2 * AREA))
     for plant, by_ground, by_leaf, area in plants:

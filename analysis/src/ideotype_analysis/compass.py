@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tomllib
 from typing import Any
 
 import numpy as np
@@ -10,23 +9,9 @@ from matplotlib.axes import Axes
 
 from . import style
 from .case import Case
-from .file import HistoryError
+from .stand import row_direction
 
 _ARROW: dict[str, Any] = {"arrowstyle": "-|>", "shrinkA": 0, "shrinkB": 0}
-
-
-def row_direction(case: Case) -> float | None:
-    """Of the case's rows [deg], clockwise from north; azimuth 0 points there.
-    None if the history does not say it."""
-    try:
-        campaign = tomllib.loads(case.histories[0].campaign("resolved"))
-    except (HistoryError, tomllib.TOMLDecodeError):
-        return None
-    name = case.attributes.get("spacing")
-    for spacing in campaign.get("spacing", []):
-        if spacing.get("name") == name and "row_direction" in spacing:
-            return float(spacing["row_direction"])
-    return None
 
 
 def draw_compass(axes: Axes, case: Case) -> None:

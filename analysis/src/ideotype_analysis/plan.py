@@ -19,6 +19,7 @@ from .compass import draw_compass
 from .file import HistoryError
 from .geometry import Mesh
 from .shape import COUNT
+from .stand import places
 
 _BINS = 24
 
@@ -98,14 +99,7 @@ def draw_plan(case: Case, baseline: Mesh, best: Mesh) -> Figure:
 def _draw_field(
     axes: Axes, case: Case, mesh: Mesh, norm: BoundaryNorm
 ) -> None:
-    row = float(case.attributes.get("row_spacing", 0))
-    plant = float(case.attributes.get("plant_spacing", 0))
-    places = [
-        np.array([row * i, plant * j])
-        for i in (-1, 0, 1)
-        for j in (-1, 0, 1)
-        if (row or not i) and (plant or not j)
-    ]
+    around = places(case)
     # Upper leaves hide lower ones, as seen from the sun at its highest.
     height = [mesh.vertices[list(face), 2].mean() for face in mesh.faces]
     order = np.argsort(height)
@@ -115,7 +109,7 @@ def _draw_field(
         group = mesh.groups[i]
         is_leaf = group.startswith("leaf")
         color = colormaps["viridis"](norm(int(group[4:]))) if is_leaf else "k"
-        for place in places:
+        for place in around:
             polygons.append(outline + place)
             colors.append(color)
     axes.add_collection(
@@ -124,7 +118,7 @@ def _draw_field(
             polygons, facecolors=colors, edgecolors="face", linewidths=0.4
         )
     )
-    for x in sorted({place[0] for place in places}):
+    for x in sorted({place[0] for place in around}):
         axes.axvline(x, color=style.QUIET, linewidth=0.8, linestyle="--")
     axes.set_aspect("equal")
     axes.autoscale_view()

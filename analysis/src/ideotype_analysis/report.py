@@ -31,8 +31,10 @@ _PLAN = (
 )
 _VIEW = (
     "Baseline (left) and best plant (right). Leaves are coloured by what they "
-    "absorb over the day; stalks are grey. Drag or use the arrow keys to "
-    "turn, the wheel or + and - to zoom, Home to start again."
+    "absorb over the day; stalks are grey, neighbours pale and all turned "
+    "alike. Lines on the ground are the rows. Drag (on a touch screen "
+    "sideways) or use the arrow keys to turn; pinch, Ctrl and the wheel, or + "
+    "and - to zoom; Home to start again."
 )
 _READING = (
     "All figures use the palette of Okabe and Ito and the maps viridis and "

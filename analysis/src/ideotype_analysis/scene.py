@@ -16,10 +16,14 @@ from .file import HistoryError
 from .geometry import Mesh, export_plant
 from .history import History
 from .rows import Evaluation, LeafProfile, Origin
+from .stand import places, row_direction
 from .style import unit_label
 
 _DECIMALS = 4
 """Of a coordinate: a tenth of a millimetre."""
+
+_NEIGHBOURS = 3
+"""Shown before and behind a plant in its row."""
 
 
 @dataclass(frozen=True)
@@ -76,6 +80,10 @@ def _case(case: Case, plants: Plants) -> dict[str, Any]:
             for title, (_, mesh) in zip(titles, pairs)
         ],
         "quantities": _quantities(case, pairs),
+        "row_direction": row_direction(case),
+        "neighbours": [
+            place.tolist() for place in places(case, _NEIGHBOURS)[1:]
+        ],
     }
 
 

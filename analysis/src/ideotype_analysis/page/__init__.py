@@ -9,6 +9,8 @@ from jinja2 import Environment, StrictUndefined
 
 from ..blocks import Section
 
+_VIEWER = ("raster.js", "drawing.js", "viewer.js")
+
 
 def render(title: str, subtitle: str, sections: Sequence[Section]) -> str:
     """One page; all texts are escaped."""
@@ -25,7 +27,7 @@ def render(title: str, subtitle: str, sections: Sequence[Section]) -> str:
         subtitle=subtitle,
         sections=sections,
         css=_text("page.css"),
-        viewer=_text("viewer.js"),
+        viewer="".join(map(_text, _VIEWER)),
     )
 
 

@@ -1,0 +1,115 @@
+"""A page on a phone: Chromium without a window, 390 points wide, touched by
+fingers. It is told what to do over a pipe, in the DevTools protocol."""
+
+from __future__ import annotations
+
+import contextlib
+import fcntl
+import json
+import os
+import shutil
+import signal
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from browser import NAMES, OPTIONS
+
+WIDTH, HEIGHT = 390, 844
+
+
+class Phone:
+    """One open page."""
+
+    def __init__(self, read: int, write: int) -> None:
+        self._from, self._to = os.fdopen(read, "rb"), os.fdopen(write, "wb")
+        self._session = ""
+        self._count = 0
+
+    def open(self, page: Path) -> None:
+        """Returns when it is loaded."""
+        target = self.ask("Target.createTarget", url="about:blank")
+        session = self.ask("Target.attachToTarget", flatten=True, **target)
+        self._session = session["sessionId"]
+        self.ask(
+            "Emulation.setDeviceMetricsOverride",
+            width=WIDTH, height=HEIGHT, deviceScaleFactor=2, mobile=True,
+        )  # fmt: skip
+        self.ask("Emulation.setTouchEmulationEnabled", enabled=True)
+        self.ask("Page.enable")
+        self.ask("Page.navigate", url=page.as_uri())
+        while self._message().get("method") != "Page.loadEventFired":
+            pass
+
+    def value(self, expression: str) -> Any:
+        """Of a JavaScript expression in the page."""
+        said = self.ask(
+            "Runtime.evaluate", expression=expression, returnByValue=True
+        )
+        assert "exceptionDetails" not in said, said
+        return said["result"].get("value")
+
+    def swipe(self, start: tuple[float, float], step: tuple[float, float]) -> None:
+        """One finger, from a point on the screen in ten steps."""
+        x, y = start
+        touch = "Input.dispatchTouchEvent"
+        self.ask(touch, type="touchStart", touchPoints=[{"x": x, "y": y}])
+        for _ in range(10):
+            x, y = x + step[0], y + step[1]
+            self.ask(touch, type="touchMove", touchPoints=[{"x": x, "y": y}])
+        self.ask(touch, type="touchEnd", touchPoints=[])
+
+    def ask(self, method: str, **params: Any) -> dict[str, Any]:
+        """Sends a command and waits for its answer."""
+        self._count += 1
+        message: dict[str, Any] = {"id": self._count, "method": method}
+        message["params"] = params
+        if self._session:
+            message["sessionId"] = self._session
+        self._to.write(json.dumps(message).encode() + b"\0")
+        self._to.flush()
+        while (answer := self._message()).get("id") != self._count:
+            pass
+        assert "error" not in answer, answer
+        return answer["result"]
+
+    def _message(self) -> dict[str, Any]:
+        data = bytearray()
+        while (byte := self._from.read(1)) != b"\0":
+            assert byte, "the browser ended"
+            data += byte
+        return json.loads(data)
+
+
+@contextlib.contextmanager
+def phone_with(page: Path, folder: Path) -> Iterator[Phone]:
+    """The page on a phone."""
+    name = next(filter(shutil.which, NAMES), None)
+    if name is None:
+        pytest.fail(f"no browser: install one of {', '.join(NAMES)}")
+    orders, to_browser = os.pipe()
+    from_browser, answers = os.pipe()
+    # out of the way of 3 and 4, which the browser reads and writes
+    ends = [fcntl.fcntl(end, fcntl.F_DUPFD, 10) for end in (orders, answers)]
+    command = [
+        *(name, *OPTIONS, "--remote-debugging-pipe"),
+        f"--user-data-dir={folder / 'phone'}",
+    ]
+    process = subprocess.Popen(
+        command,
+        stderr=subprocess.DEVNULL,
+        close_fds=False,
+        preexec_fn=lambda: (os.dup2(ends[0], 3), os.dup2(ends[1], 4)),
+        start_new_session=True,
+    )
+    for end in (orders, answers, *ends):
+        os.close(end)
+    try:
+        phone = Phone(from_browser, to_browser)
+        phone.open(page)
+        yield phone
+    finally:
+        os.killpg(process.pid, signal.SIGKILL)
+        process.communicate()

@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from ideotype_analysis.gallery import Gallery
+from ideotype_analysis.blocks import Drawing, Picture
+from ideotype_analysis.gallery import draw
 from matplotlib.figure import Figure
 from PIL import Image
 
@@ -18,8 +19,8 @@ def test_figures_for_documents_are_small(tmp_path: Path) -> None:
         figure.add_subplot().imshow(random.random((500, 500)))
         return figure
 
-    gallery = Gallery(tmp_path, 1, lambda _: None)
-    gallery.draw("noise", "Noise.", noise)
+    picture = draw(tmp_path, 1e6, Drawing("noise", "Noise.", noise))
+    assert isinstance(picture, Picture)
     assert (tmp_path / "noise.png").stat().st_size <= 150_000
     with Image.open(tmp_path / "noise.png") as image:
         assert image.width == image.height > 200

@@ -149,8 +149,10 @@ def test_provenance_is_told(made: Made) -> None:
 
 def test_a_log_gets_a_line_for_each_part(made: Made) -> None:
     assert made.log.split("\n") == [
-        *(f"[{i}/3] {case}" for i, case in enumerate(CASES, start=1)),
-        *("[3/3] all cases together", ""),
+        "[1/4] Gains",
+        "[2/4] Latitudes, spacings, cross-evaluation",
+        *(f"[{i}/4] {case}" for i, case in enumerate(CASES, start=3)),
+        "",
     ]
 
 
@@ -270,13 +272,14 @@ def test_a_terminal_sees_one_live_line() -> None:
             return True
 
     terminal = Terminal()
-    progress = Progress(2, terminal)
+    progress = Progress(terminal)
+    progress.start(2)
     progress.part("ames")
-    progress.step("hours")
+    progress.part("edmonton")
     progress.done()
     assert "\n" not in terminal.getvalue()
     assert terminal.getvalue().split("\r\x1b[K")[1:] == [
-        *("[1/2] ames", "[1/2] ames hours", ""),
+        *("[1/2] ames", "[2/2] edmonton", ""),
     ]
 
 

@@ -2,8 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A figure that is still to be drawn, by any process: `make` is a
+    function of a module, or a partial of one."""
+
+    name: str
+    caption: str
+    make: Callable[[], Figure]
 
 
 @dataclass(frozen=True)
@@ -48,7 +62,7 @@ class Viewer:
     caption: str
 
 
-Block = Picture | Note | Table | Listing | Viewer
+Block = Drawing | Picture | Note | Table | Listing | Viewer
 
 
 @dataclass

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from functools import cached_property
 
 import numpy as np
@@ -42,6 +43,12 @@ class Case:
     def _known(self) -> tuple[tuple[History, Pair], ...]:
         found = ((h, h.comparison()) for h in self.histories)
         return tuple((h, pair) for h, pair in found if pair is not None)
+
+    def remember(self) -> None:
+        """Reads what several figures show, so that a copy in another process
+        shows the same moment of a run."""
+        with suppress(HistoryError):
+            _ = self._known, self._latest
 
     @property
     def pairs(self) -> tuple[Pair, ...]:

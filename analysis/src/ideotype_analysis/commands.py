@@ -76,6 +76,14 @@ def report(arguments: Sequence[str] | None = None) -> int:
         help="the program, which knows the shape of plants (default: "
         "IDEOTYPE_EXECUTABLE, else ideotype on PATH)",
     )
+    parser.add_argument(
+        "-j",
+        "--jobs",
+        type=int,
+        default=0,
+        metavar="N",
+        help="processes that draw figures (default: one per core)",
+    )
     return _guard(parser, arguments, _report)
 
 
@@ -127,6 +135,8 @@ def _report(options: argparse.Namespace, study: Study) -> None:
     from .geometry import find_program
     from .report import write_report
 
+    # Processes use all cores; more threads in each would be in their way.
+    os.environ.setdefault("OMP_NUM_THREADS", "1")
     program = find_program(options.ideotype)
     cross = read_cross(options.cross) if options.cross else None
     fidelity = read_fidelity(options.fidelity) if options.fidelity else None
@@ -137,7 +147,8 @@ def _report(options: argparse.Namespace, study: Study) -> None:
         fidelity=fidelity,
         program=program,
         command=shlex.join(["ideotype-report", *sys.argv[1:]]),
-        progress=Progress(len(study.cases()) + 1),
+        progress=Progress(),
+        jobs=options.jobs or len(os.sched_getaffinity(0)),
     )
     size = written.page.stat().st_size / 1e6
     print(f"{written.page} ({size:.1f} MB)")

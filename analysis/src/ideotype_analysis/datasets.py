@@ -18,6 +18,10 @@ class Datasets:
         self.path = Path(path)
         self._file = open_file(path)
 
+    def __reduce__(self) -> tuple[type[Datasets], tuple[Path]]:
+        """Another process opens the file for itself."""
+        return Datasets, (self.path,)
+
     def close(self) -> None:
         """Lets go of the file."""
         self._file.close()

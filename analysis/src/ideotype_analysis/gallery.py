@@ -5,17 +5,20 @@ from __future__ import annotations
 import base64
 import io
 import re
-from collections.abc import Callable
+from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeGuard
 
 import matplotlib
 from matplotlib.figure import Figure
 from PIL import Image
 
-from .blocks import Block, Note, Picture
+from .blocks import Block, Drawing, Note, Picture, Section
 from .file import HistoryError
+from .progress import Progress
 from .style import RC
+from .workers import Map
 
 _BYTES = 5_000_000
 """Of all pictures in a page: in base64, and with plants, less than 8 MB."""
@@ -30,40 +33,54 @@ _FILE_BYTES = 150_000
 _COLORS = 256
 
 
-class Gallery:
-    """Draws figures into a folder, each as PNG and PDF."""
+def draw_all(
+    sections: Sequence[Section], folder: Path, run: Map, progress: Progress
+) -> list[Path]:
+    """Puts pictures in the place of drawings, and returns their files, PNG
+    and PDF. `run` is map() or does the same."""
+    folder.mkdir(parents=True, exist_ok=True)
+    drawings = [b for s in sections for b in s.blocks if _is_drawing(b)]
+    most = _BYTES / max(len(drawings), 1)
+    drawn = iter(run(partial(draw, folder, most), drawings))
+    parts = [s for s in sections if any(map(_is_drawing, s.blocks))]
+    progress.start(len(parts))
+    for section in parts:
+        progress.part(section.title)
+        section.blocks = [
+            next(drawn) if _is_drawing(block) else block
+            for block in section.blocks
+        ]
+    progress.done()
+    return [
+        folder / f"{block.name}.{end}"
+        for section in parts
+        for block in section.blocks
+        if isinstance(block, Picture)
+        for end in ("png", "pdf")
+    ]
 
-    def __init__(
-        self, folder: Path, count: int, step: Callable[[str], None]
-    ) -> None:
-        """For about `count` figures; `step` is told each one's name."""
-        self.folder = folder
-        self.folder.mkdir(parents=True, exist_ok=True)
-        self.paths: list[Path] = []
-        self._step = step
-        self._bytes = _BYTES / max(count, 1)
 
-    def draw(
-        self, name: str, caption: str, make: Callable[[], Figure]
-    ) -> Block:
-        """The picture; or where the data are missing, a sentence that says
-        so."""
-        self._step(name)
-        name = file_name(name)
-        with matplotlib.rc_context(RC):
-            try:
-                figure = make()
-            except HistoryError as reason:
-                return Note(f"{caption.split('.')[0]}: not drawn, {reason}.")
-            image = _painted(figure)
-            pdf = self.folder / f"{name}.pdf"
-            # Laid out once is enough, and the same in both files.
-            figure.set_layout_engine("none")
-            figure.savefig(pdf, metadata={"CreationDate": None})
-        png = self.folder / f"{name}.png"
-        png.write_bytes(_png(image))
-        self.paths += [png, pdf]
-        return Picture(name, caption, _small(image, self._bytes))
+def _is_drawing(block: Block) -> TypeGuard[Drawing]:
+    return isinstance(block, Drawing)
+
+
+def draw(folder: Path, most: float, drawing: Drawing) -> Block:
+    """The picture, of at most so many bytes in the page, and its files; or
+    where the data are missing, a sentence that says so."""
+    name = file_name(drawing.name)
+    with matplotlib.rc_context(RC):
+        try:
+            figure = drawing.make()
+        except HistoryError as reason:
+            what = drawing.caption.split(".")[0]
+            return Note(f"{what}: not drawn, {reason}.")
+        image = _painted(figure)
+        # Laid out once is enough, and the same in both files.
+        figure.set_layout_engine("none")
+        pdf = folder / f"{name}.pdf"
+        figure.savefig(pdf, metadata={"CreationDate": None})
+    (folder / f"{name}.png").write_bytes(_png(image))
+    return Picture(name, drawing.caption, _small(image, most))
 
 
 def _painted(figure: Figure) -> Image.Image:

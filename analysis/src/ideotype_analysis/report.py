@@ -9,14 +9,14 @@ from functools import partial
 from pathlib import Path
 
 from . import tables
-from .blocks import Block, Note, Section, Viewer
+from .blocks import Block, Drawing, Note, Section, Viewer
 from .case import Case
 from .case_figures import CASE_FIGURES
 from .comparison import draw_energy, draw_gains
 from .cross import Cross, draw_cross
 from .fidelity import Fidelity, draw_fidelity
 from .file import HistoryError
-from .gallery import Gallery
+from .gallery import draw_all
 from .page import render
 from .places import draw_latitudes, draw_spacings
 from .plan import draw_plan
@@ -24,6 +24,7 @@ from .progress import Progress
 from .provenance import provenance
 from .scene import Plants, export_plants, scene_of
 from .study import Study
+from .workers import workers
 
 _PLAN = (
     "Plan view. The plant among its neighbours, all turned alike; dashed: "
@@ -60,10 +61,12 @@ def write_report(
     program: Path | None = None,
     command: str = "",
     progress: Progress | None = None,
+    jobs: int = 1,
 ) -> Written:
     """Writes report.html and figures/ into the folder, over those of an
     earlier report. `program` is the ideotype that exports shapes of plants,
-    `command` what the page names as its origin.
+    `command` what the page names as its origin. `jobs` processes draw the
+    figures; with several, a script needs `if __name__ == "__main__":`.
 
     Raises HistoryError if nothing is evaluated in any history, OSError if
     the folder can't be written."""
@@ -75,28 +78,36 @@ def write_report(
             f"{'' if len(study) == 1 else ', nor in the other histories'}; "
             "try again when a generation is complete"
         )
-    progress = progress or Progress(len(cases) + 1, io.StringIO())
-    count = len(cases) * len(CASE_FIGURES)
-    gallery = Gallery(folder / "figures", count, progress.step)
-    shapes: list[tuple[Case, Plants]] = []
-    each = [_case(case, gallery, progress, program, shapes) for case in cases]
-    if len(each) == 1:
-        each[0].is_folded = False
-    progress.part("all cases together")
-    sections = [
-        _overview(study, cases, cross, gallery),
-        _places(cases, cross, gallery),
-        _view(shapes),
-        *each,
-        *_trade(fidelity, gallery),
-        _provenance(cases, command),
-    ]
-    progress.done()
+    for case in cases:
+        case.remember()
+    with workers(jobs) as run:
+        plants = list(run(partial(_plants, program), cases))
+        shapes = [
+            (case, found)
+            for case, found in zip(cases, plants)
+            if isinstance(found, Plants)
+        ]
+        sections = [
+            _overview(study, cases, cross),
+            _places(cases, cross),
+            _view(shapes),
+            *map(_case, cases, plants),
+            *_trade(fidelity),
+            _provenance(cases, command),
+        ]
+        if len(cases) == 1:
+            sections[3].is_folded = False
+        figures = draw_all(
+            sections,
+            folder / "figures",
+            run,
+            progress or Progress(io.StringIO()),
+        )
     page = folder / "report.html"
     fresh = page.with_suffix(".html.part")
     fresh.write_text(render(_title(cases), _subtitle(study), sections))
     fresh.replace(page)
-    return Written(page, gallery.paths)
+    return Written(page, figures)
 
 
 def _title(cases: Sequence[Case]) -> str:
@@ -113,14 +124,14 @@ def _subtitle(study: Study) -> str:
 
 
 def _overview(
-    study: Study, cases: Sequence[Case], cross: Cross | None, gallery: Gallery
+    study: Study, cases: Sequence[Case], cross: Cross | None
 ) -> Section:
     section = Section("Gains")
     for error in study.damaged:
         section.note(f"A history is left out. {error}.")
     section.blocks += tables.gains(cases, cross)
     section.blocks.append(
-        gallery.draw(
+        Drawing(
             "gains",
             "Gains over the baseline by case. Mean over seeds with its 95 % "
             "confidence interval; grey strokes are single seeds.",
@@ -128,7 +139,7 @@ def _overview(
         )
     )
     section.blocks.append(
-        gallery.draw(
+        Drawing(
             "energy",
             "Energy balance. Parts of the incident PAR; error bars are 95 % "
             "confidence intervals over seeds.",
@@ -139,18 +150,16 @@ def _overview(
     return section
 
 
-def _places(
-    cases: Sequence[Case], cross: Cross | None, gallery: Gallery
-) -> Section:
+def _places(cases: Sequence[Case], cross: Cross | None) -> Section:
     bars = "Error bars are 95 % confidence intervals over seeds."
     section = Section("Latitudes, spacings, cross-evaluation")
     section.blocks += [
-        gallery.draw(
+        Drawing(
             "latitudes",
             f"Latitudes compared. {bars}",
             partial(draw_latitudes, cases),
         ),
-        gallery.draw(
+        Drawing(
             "spacings",
             f"Spacings compared. {bars}",
             partial(draw_spacings, cases),
@@ -160,7 +169,7 @@ def _places(
         section.note("Cross-evaluation: none is given (--cross FILE).")
     else:
         section.blocks.append(
-            gallery.draw(
+            Drawing(
                 "cross",
                 "Cross-evaluation. Each plant under the light of each case, "
                 "in % of the best there ± half of the 95 % confidence "
@@ -180,49 +189,41 @@ def _view(shapes: list[tuple[Case, Plants]]) -> Section:
     return section
 
 
-def _case(
-    case: Case,
-    gallery: Gallery,
-    progress: Progress,
-    program: Path | None,
-    shapes: list[tuple[Case, Plants]],
-) -> Section:
-    progress.part(case.name)
+def _plants(program: Path | None, case: Case) -> Plants | Note:
+    """The shapes of baseline and best, or why they are not known."""
+    try:
+        return export_plants(case, program)
+    except HistoryError as reason:
+        return Note(f"Plan view and 3D view: not drawn, {reason}.")
+
+
+def _case(case: Case, plants: Plants | Note) -> Section:
     section = Section(case.name, is_folded=True)
     for name, (draw, caption) in CASE_FIGURES.items():
         section.blocks.append(
-            gallery.draw(f"{case.name}_{name}", caption, partial(draw, case))
+            Drawing(f"{case.name}_{name}", caption, partial(draw, case))
         )
         if name == "roses":
-            section.blocks.append(_plan(case, gallery, program, shapes))
+            section.blocks.append(_plan(case, plants))
     return section
 
 
-def _plan(
-    case: Case,
-    gallery: Gallery,
-    program: Path | None,
-    shapes: list[tuple[Case, Plants]],
-) -> Block:
-    """The plan view; remembers the shapes for the 3D view."""
-    try:
-        plants = export_plants(case, program)
-    except HistoryError as reason:
-        return Note(f"Plan view and 3D view: not drawn, {reason}.")
-    shapes.append((case, plants))
-    return gallery.draw(
+def _plan(case: Case, plants: Plants | Note) -> Block:
+    if isinstance(plants, Note):
+        return plants
+    return Drawing(
         f"{case.name}_plan",
         _PLAN,
         partial(draw_plan, case, plants.baseline, plants.best),
     )
 
 
-def _trade(fidelity: Fidelity | None, gallery: Gallery) -> list[Section]:
+def _trade(fidelity: Fidelity | None) -> list[Section]:
     if fidelity is None:
         return []
     section = Section("Speed for accuracy")
     section.blocks.append(
-        gallery.draw(
+        Drawing(
             "fidelity",
             f"Speed for accuracy in {fidelity.case}. Lines: the cheapest "
             "settings for each error, as predicted; points: some of them "

@@ -170,7 +170,7 @@ Vec3 Scene::wrapped(const Vec3& point) const {
 Vec3 Scene::beside(const Vec3& point, const Vec3& normal) const {
     return wrapped({point.x + clearance_ * normal.x,
                     point.y + clearance_ * normal.y,
-                    std::clamp(point.z + clearance_ * normal.z, 0.0, top_)});
+                    std::clamp(point.z + clearance_ * normal.z, soil(), top_)});
 }
 
 Scene::~Scene() = default;

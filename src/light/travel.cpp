@@ -21,8 +21,8 @@ Met travel_periodic(const Scene& scene, Bundle& bundle, Hit& hit) {
     for (;;) {
         const double to_x = to_side(p.x, d.x, scene.period_x());
         const double to_y = to_side(p.y, d.y, scene.period_y());
-        const double to_z =
-            std::max(0.0, d.z < 0 ? -p.z / d.z : (scene.top() - p.z) / d.z);
+        const double end = d.z < 0 ? scene.soil() : scene.top();
+        const double to_z = std::max(0.0, (end - p.z) / d.z);
         const double distance = std::max(0.0, std::min({to_x, to_y, to_z}));
         const Vec3 from{p.x - before * d.x, p.y - before * d.y,
                         p.z - before * d.z};
@@ -30,7 +30,7 @@ Met travel_periodic(const Scene& scene, Bundle& bundle, Hit& hit) {
             return Met::face;
         before = seam;
         if (to_z <= to_x && to_z <= to_y) {
-            p = {p.x + to_z * d.x, p.y + to_z * d.y, d.z < 0 ? 0 : scene.top()};
+            p = {p.x + to_z * d.x, p.y + to_z * d.y, end};
             return d.z < 0 ? Met::soil : Met::sky;
         }
         p = {p.x + distance * d.x, p.y + distance * d.y, p.z + distance * d.z};
@@ -48,7 +48,7 @@ Met travel_isolated(const Scene& scene, Bundle& bundle, Hit& hit) {
     const auto [lower, upper] = scene.box();
     const Box box{{lower.x - margin, lower.y - margin, lower.z - margin},
                   {upper.x + margin, upper.y + margin, upper.z + margin}};
-    double to_soil = d.z < 0 ? std::max(0.0, -p.z / d.z)
+    double to_soil = d.z < 0 ? std::max(0.0, (scene.soil() - p.z) / d.z)
                              : std::numeric_limits<double>::infinity();
     // From the soil far away the way to the box is long: single precision
     // must begin only there.
@@ -60,7 +60,7 @@ Met travel_isolated(const Scene& scene, Bundle& bundle, Hit& hit) {
         if (scene.intersect(from, d, last - first, hit)) return Met::face;
     }
     if (d.z > 0) return Met::sky;
-    p = {p.x + to_soil * d.x, p.y + to_soil * d.y, 0};
+    p = {p.x + to_soil * d.x, p.y + to_soil * d.y, scene.soil()};
     return Met::soil;
 }
 

@@ -27,6 +27,18 @@ TEST(Energy, AStandWithoutLeavesIsItsSoil) {
     EXPECT_NEAR(f.reflected.mean, .25, 4 * f.soil.standard_error + 1e-12);
 }
 
+TEST(Energy, ALeafOnTheSoilLetsLightThroughToIt) {
+    Mesh mesh = leaves_only();
+    add_sheet(mesh, {1, 1}, 0, 0);
+    // Of what the leaf transmits, .4, half comes back from the soil, and .4
+    // of that once more ...
+    const Fractions f = trace(mesh, {1, 1}, leaf_optics(.4, .4, .5),
+                              sun_from(60, 0), {1 << 14, 16});
+    expect_agreement(f.leaves, {.25, 0}, 1e-3, "leaves");
+    expect_agreement(f.soil, {.25, 0}, 1e-3, "soil");
+    expect_agreement(f.reflected, {.5, 0}, 1e-3, "reflected");
+}
+
 TEST(Energy, EverySourceKeepsItsOwnEnergy) {
     Illumination light = sun_from(30, 10);
     light.sources[0].energy = 3;

@@ -136,6 +136,16 @@ TEST(Isolated, InTheFurnaceIrradianceIsOneOnBothFacesOfEverything) {
                 4 * plot.leaves.standard_error / expected + 2e-3);
 }
 
+TEST(Isolated, ALeafOnTheSoilLetsLightThroughToIt) {
+    Mesh mesh = leaves_only();
+    add_leaf(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    const Plot plot =
+        trace_plot(mesh, leaf_optics(.4, .4, .5), sun_from(60, 0));
+    expect_agreement(plot.leaves, {.25, 0}, 1e-3, "leaves");
+    expect_agreement(plot.soil, {.25, 0}, 1e-3, "soil");
+    expect_agreement(plot.reflected, {.5, 0}, 1e-3, "reflected");
+}
+
 TEST(Isolated, FiguresReferToTheGroundArea) {
     const Mesh mesh = load_reference_mesh("maize1");
     const Optics par = leaf_optics(.05, .05, .1);

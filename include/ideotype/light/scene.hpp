@@ -72,6 +72,10 @@ class Scene {
     double ground_area() const { return ground_area_; }  //!< [m2]
     const Box& box() const { return box_; }  //!< around the plot, if isolated
     double top() const { return top_; }      //!< above all surfaces [m]
+
+    //! Height of the soil [m]: below zero by the rounding error, so that light
+    //! can pass between it and a face that lies on it.
+    double soil() const { return -2 * clearance_; }
     std::size_t faces() const { return face_group_.size(); }
 
     //! The first face within a distance [m] of a point of the cell, along a

@@ -57,7 +57,7 @@ double final_effort(const Campaign& campaign) {
     const Sampling& final = campaign.final_rule.sampling;
     // With a tolerance an evaluation may need the least that there is.
     Sampling usual = campaign.sampling;
-    if (usual.tolerance > 0) usual.paths = std::min(usual.paths, 16);
+    if (usual.tolerance > 0) usual.paths = std::min(usual.paths, fewest_paths);
     return std::max<double>(paths(final) / paths(usual), final.randomisations);
 }
 
@@ -110,7 +110,7 @@ CanopyReport study(const Campaign& campaign, const Case& chosen,
     CanopyReport result;
     result.layers = canopy_layers(campaign);
     std::vector<Tally> tallies;
-    std::vector<std::vector<double>> sunlit;
+    SunlitFractions sunlit;
     const auto append = [](auto& all, auto more) {
         all.insert(all.end(), more.begin(), more.end());
     };
@@ -124,10 +124,13 @@ CanopyReport study(const Campaign& campaign, const Case& chosen,
         sampling.paths = found.paths;
         result.paths += sampling.all_paths();
         result.is_capped |= found.is_capped;
-        if (detail == Detail::full)
-            append(sunlit,
-                   sunlit_fractions(scene, field.mesh, light.light,
-                                    sunlit_sampling(sampling), randomness));
+        if (detail == Detail::full) {
+            SunlitFractions found_sunlit =
+                sunlit_fractions(scene, field.mesh, light.light,
+                                 sunlit_sampling(sampling), randomness);
+            append(sunlit.fractions, std::move(found_sunlit.fractions));
+            sunlit.step = std::max(sunlit.step, found_sunlit.step);
+        }
         result.groups = field.mesh.groups;
         result.boundary = field.boundary;
         result.ground_area = field.ground_area;

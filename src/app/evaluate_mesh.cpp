@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdio>
 
 #include <fmt/format.h>
@@ -27,10 +28,28 @@ std::string light_name(const MeshOptions& options) {
                        90 - options.sun->zenith, options.sun->azimuth);
 }
 
-//! Of the leaves' light.
+//! Of the leaves' light; infinite if no path has met a leaf.
 double relative_error(const MeshReport& report) {
     const Estimate& leaves = report.canopy.light.day.leaves;
     return leaves.standard_error > 0 ? leaves.standard_error / leaves.mean : 0;
+}
+
+//! JSON has no infinity.
+Json relative_error_json(const MeshReport& report) {
+    const double error = relative_error(report);
+    return std::isfinite(error) ? Json(error) : Json(nullptr);
+}
+
+void warn_of_tolerance(const MeshReport& report, double tolerance) {
+    const double error = relative_error(report);
+    fmt::print(stderr, "ideotype: warning: {} after the most paths ({}); ",
+               std::isfinite(error)
+                   ? fmt::format("the relative standard error is {:.2g}, not "
+                                 "{:.2g},",
+                                 error, tolerance)
+                   : "no path has met a leaf",
+               report.canopy.paths);
+    fmt::print(stderr, "ask for less with --tolerance\n");
 }
 
 Span span_of(const MeshOptions& options) {
@@ -43,7 +62,7 @@ Json to_json(const MeshReport& report, const MeshOptions& options) {
               {"light", light_name(options)}};
     json.update(to_json(report.canopy, span_of(options)));
     json["paths"] = report.canopy.paths;
-    json["relative_standard_error"] = relative_error(report);
+    json["relative_standard_error"] = relative_error_json(report);
     if (!options.paths)
         json["tolerance"] = {{"asked", options.tolerance},
                              {"is_met", !report.canopy.is_capped},
@@ -68,12 +87,7 @@ ExitCode evaluate_mesh(const MeshOptions& options) {
     for (const std::string& warning : report.warnings)
         fmt::print(stderr, "ideotype: warning: {}: {}\n", options.path,
                    warning);
-    if (report.canopy.is_capped)
-        fmt::print(stderr,
-                   "ideotype: warning: the relative standard error is {:.2g}, "
-                   "not {:.2g}, after the most paths ({})\n",
-                   relative_error(report), options.tolerance,
-                   report.canopy.paths);
+    if (report.canopy.is_capped) warn_of_tolerance(report, options.tolerance);
     if (options.is_json)
         fmt::print("{}\n", to_text(to_json(report, options)));
     else

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace ideotype {
 
@@ -31,10 +32,10 @@ class Sum {
 
     void add(const Field& field, const Sampling& sampling,
              const Randomness& randomness) {
-        const auto tallies =
-            simulate(Scene::of(device_, field), field.mesh.groups,
-                     campaign_.optics, light_.light, sampling, randomness);
-        for (const Tally& tally : tallies) energy_.push_back(tally.groups);
+        for (Tally& tally :
+             simulate(Scene::of(device_, field), field.mesh.groups,
+                      campaign_.optics, light_.light, sampling, randomness))
+            tallies_.push_back(std::move(tally));
         const std::vector<double> areas = face_areas(field.mesh);
         for (std::size_t f = 0; f < areas.size(); ++f)
             area_[field.mesh.face_group[f]] += areas[f];
@@ -43,15 +44,11 @@ class Sum {
     }
 
     std::vector<Estimate> per_area() const {
-        std::vector<Estimate> result;
-        std::vector<double> replicates(energy_.size());
+        std::vector<Estimate> result = absorbed_by_group(tallies_);
         for (std::size_t face = 0; face < area_.size(); ++face) {
-            for (std::size_t i = 0; i < energy_.size(); ++i)
-                replicates[i] = energy_[i][face];
             const double area = area_[face] / fields_;
-            result.push_back(
-                area > 0 ? scaled(estimate(replicates), ground_area_ / area)
-                         : Estimate{});
+            result[face] = area > 0 ? scaled(result[face], ground_area_ / area)
+                                    : Estimate{};
         }
         return result;
     }
@@ -60,8 +57,8 @@ class Sum {
     const Campaign& campaign_;
     const DayIllumination& light_;
     const Device& device_;
-    std::vector<std::vector<double>> energy_;  //!< [randomisation][face]
-    std::vector<double> area_;                 //!< of all copies [m2]
+    std::vector<Tally> tallies_;
+    std::vector<double> area_;  //!< of all copies [m2]
     double ground_area_ = 0;
     int fields_ = 0;
 };

@@ -211,7 +211,19 @@ void Scene::add_face(const Mesh& mesh, std::size_t face, const Vec3& shift) {
                             static_cast<float>(p.y + shift.y),
                             static_cast<float>(p.z), 0});
     }
-    face_group_.push_back(mesh.face_group[face]);
+    const std::uint32_t group = mesh.face_group[face];
+    face_group_.push_back(group);
+    if (group >= group_heights_.size()) group_heights_.resize(group + 1);
+    std::optional<Heights>& heights = group_heights_[group];
+    for (const std::uint32_t v : mesh.faces[face]) {
+        const double z = mesh.vertices[v].z;
+        if (!heights) heights = {z, z};
+        heights = {std::min(heights->lower, z), std::max(heights->upper, z)};
+    }
+}
+
+std::optional<Heights> Scene::heights(std::size_t group) const {
+    return group < group_heights_.size() ? group_heights_[group] : std::nullopt;
 }
 
 void Scene::commit(const Device& device) {

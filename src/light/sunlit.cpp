@@ -91,18 +91,20 @@ bool sees(const Scene& scene, const LeafArea::Point& point, const Vec3& sun) {
 
 }  // namespace
 
-std::vector<std::vector<double>> sunlit_fractions(
-    const Scene& scene, const Mesh& mesh, const Illumination& illumination,
-    const Sampling& sampling, const Randomness& randomness) {
+SunlitFractions sunlit_fractions(const Scene& scene, const Mesh& mesh,
+                                 const Illumination& illumination,
+                                 const Sampling& sampling,
+                                 const Randomness& randomness) {
     const std::vector<Source>& sources = illumination.sources;
     const LeafArea leaves(mesh);
     const auto points = static_cast<std::uint32_t>(sampling.paths);
-    std::vector<std::vector<double>> result(
-        static_cast<std::size_t>(sampling.randomisations),
-        std::vector<double>(sources.size()));
+    SunlitFractions result;
+    result.fractions.assign(static_cast<std::size_t>(sampling.randomisations),
+                            std::vector<double>(sources.size()));
     if (!(leaves.total() > 0)) return result;
+    result.step = 1. / points;
     auto randomisation = randomness.first_randomisation;
-    for (std::vector<double>& fractions : result) {
+    for (std::vector<double>& fractions : result.fractions) {
         PathSampler sampler(randomness.seed, randomness.generation,
                             randomisation++, 0);
         for (std::uint32_t i = 0; i < points; ++i) {
@@ -114,7 +116,7 @@ std::vector<std::vector<double>> sunlit_fractions(
                 if (!sources[k].direction) continue;
                 const Vec3 d = not_level(*sources[k].direction);
                 if (sees(scene, point, {-d.x, -d.y, -d.z}))
-                    fractions[k] += 1. / points;
+                    fractions[k] += result.step;
             }
         }
     }

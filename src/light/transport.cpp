@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "ideotype/core/error.hpp"
 #include "ideotype/light/sampler.hpp"
 #include "launch.hpp"
+#include "resolution_of.hpp"
 #include "travel.hpp"
 
 namespace ideotype {
@@ -178,24 +180,30 @@ std::vector<Tally> simulate(
     std::vector<Tally> tallies(
         static_cast<std::size_t>(sampling.randomisations),
         {std::vector<Budget>(sources.size()),
-         std::vector<double>(groups.size()), std::vector<double>(layers.count),
-         0, 0});
+         std::vector<double>(groups.size()),
+         std::vector<double>(layers.count)});
     if (sources.empty()) return tallies;
 
     std::vector<Launcher> launchers;
     for (const Source& source : sources)
         launchers.emplace_back(scene, source, optics.soil_albedo);
     const std::vector<std::uint32_t> counts = share_paths(illumination, paths);
+    std::vector<double> path_energy;
+    for (std::size_t s = 0; s < sources.size(); ++s)
+        path_energy.push_back(sources[s].energy * launchers[s].entering() /
+                              counts[s]);
+    const auto resolution = std::make_shared<const Resolution>(
+        resolution_of(scene, groups, optics, layers, path_energy));
     auto randomisation = randomness.first_randomisation;
     for (Tally& tally : tallies) {
+        tally.resolution = resolution;
         for (std::uint32_t s = 0; s < sources.size(); ++s) {
             Tracer tracer(scene, groups, optics, layers,
                           PathSampler(randomness.seed, randomness.generation,
                                       randomisation, s));
-            const double energy =
-                sources[s].energy * launchers[s].entering() / counts[s];
             for (std::uint32_t p = 0; p < counts[s]; ++p)
-                tracer.trace(p, launchers[s], energy, tally.sources[s], tally);
+                tracer.trace(p, launchers[s], path_energy[s], tally.sources[s],
+                             tally);
         }
         ++randomisation;
     }

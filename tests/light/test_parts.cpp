@@ -126,9 +126,9 @@ TEST(Parts, APlotIsSunlitWhereverItStands) {
     add_leaf(mesh, {500, -30, .5}, {1, 0, 0}, {0, 1, 0});
     const Scene plot = Scene::isolated(widest_device(), mesh, 1);
     // The lower sheet is shifted out of the shade by half its width.
-    const auto fractions =
+    const SunlitFractions sunlit =
         sunlit_fractions(plot, mesh, sun_from(45, 90), {4096, 2}, {1, 0, 0});
-    EXPECT_NEAR(fractions[0][0], .75, 2e-3);
+    EXPECT_NEAR(sunlit.fractions[0][0], .75, 2e-3);
 }
 
 }  // namespace

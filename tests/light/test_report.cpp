@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "extremes.hpp"
 #include "ideotype/light/report.hpp"
 
 namespace ideotype {
@@ -89,6 +90,86 @@ TEST_F(MadeUpDay, HasAClearSkyForEachInstantThatFollowsTheSun) {
     EXPECT_DOUBLE_EQ(r.steps[1].budget.leaves.mean, 2);
     EXPECT_DOUBLE_EQ(r.steps[2].budget.leaves.mean, 2);
     EXPECT_EQ(r.steps[2].budget.incident, 50);
+}
+
+//! A leaf over black soil, and what is certain about its light.
+class Certainty : public ::testing::Test {
+  protected:
+    //! Of the light of one second.
+    DayReport seen(double side, const Optics& optics, double stalk = 0) const {
+        Mesh mesh;
+        mesh.groups = {{"leaf01", Tissue::leaf},
+                       {"leaf02", Tissue::leaf},
+                       {"stalk", Tissue::stalk}};
+        const auto add_square = [&](double size, std::uint32_t group) {
+            if (size > 0) add_sheet(mesh, {size, size}, .3, group);
+        };
+        add_square(side, 0);
+        add_square(stalk, 2);
+        Day day;
+        day.steps = {{8, 1, {60, 90}, {1, 0}}, {9, 1, {40, 90}, {1, 0}}};
+        const DayIllumination light = illuminate(day, SkyModel::uniform, 0);
+        const Scene scene(widest_device(), mesh, 1, 1);
+        const Layers layers{.25, 3};
+        return report(simulate(scene, mesh.groups, optics, light.light,
+                               {512, 8}, {1, 0, 0}, layers),
+                      light);
+    }
+
+    //! Of 2 J, 2 x 256 paths in each of 8 randomisations.
+    static constexpr double path = 2. / 512 / 8;
+};
+
+TEST_F(Certainty, IsThatOfAPathWhereNoneHasMetALeaf) {
+    const DayReport r = seen(1e-5, {});
+    EXPECT_EQ(r.day.leaves.mean, 0);
+    EXPECT_DOUBLE_EQ(r.day.leaves.standard_error, path);
+    EXPECT_EQ(r.day.soil.mean, 2);
+    EXPECT_DOUBLE_EQ(r.day.soil.standard_error, path);
+    EXPECT_DOUBLE_EQ(r.groups[0].standard_error, path);
+    EXPECT_DOUBLE_EQ(r.layers[1].standard_error, path);
+    EXPECT_DOUBLE_EQ(r.day.leaves_beam.standard_error, path);
+    EXPECT_DOUBLE_EQ(r.steps[0].budget.leaves.standard_error, path);
+}
+
+TEST_F(Certainty, IsThatOfAPathWhereAllHaveMetALeaf) {
+    const DayReport r = seen(1 - 1e-6, {});
+    EXPECT_EQ(r.day.leaves.mean, 2);
+    EXPECT_DOUBLE_EQ(r.day.leaves.standard_error, path);
+}
+
+TEST_F(Certainty, IsFullOfWhatTheSceneDoesNotHave) {
+    const DayReport r = seen(1e-5, {});
+    const auto expect_none = [](Estimate x) {
+        EXPECT_EQ(x.mean, 0);
+        EXPECT_EQ(x.standard_error, 0);
+    };
+    expect_none(r.day.stalks);            // no face
+    expect_none(r.groups[1]);             // no face
+    expect_none(r.layers[0]);             // no face
+    expect_none(r.day.reflected);         // black surfaces
+    expect_none(r.day.leaves_scattered);  // black surfaces
+    expect_none(r.day.leaves_sky);        // no source
+    EXPECT_EQ(seen(0, {}).day.soil.standard_error, 0);
+    Optics white;
+    white.leaf = {.5, .5};
+    expect_none(seen(1e-5, white).day.leaves);
+}
+
+TEST_F(Certainty, IsNoneOfStalksAndScatteredLightThatMayBeThere) {
+    Optics optics;
+    optics.soil_albedo = 1e-9;
+    const DayReport r = seen(1e-5, optics, 1e-5);
+    for (const Estimate& x :
+         {r.day.stalks, r.groups[2], r.day.reflected, r.day.leaves_scattered}) {
+        EXPECT_EQ(x.mean, 0);
+        EXPECT_DOUBLE_EQ(x.standard_error, path);
+    }
+}
+
+TEST_F(Certainty, LeavesErrorsThatAreSeenAsTheyAre) {
+    const DayReport r = seen(.7, {});
+    EXPECT_GT(r.day.leaves.standard_error, 1.5 * path);
 }
 
 }  // namespace

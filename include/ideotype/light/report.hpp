@@ -5,6 +5,7 @@
 
 #include "ideotype/core/estimate.hpp"
 #include "ideotype/light/illumination.hpp"
+#include "ideotype/light/sunlit.hpp"
 #include "ideotype/light/transport.hpp"
 
 namespace ideotype {
@@ -50,14 +51,21 @@ struct DayReport {
 
 //! Sums up independent tallies of a day; where one sky serves the whole day,
 //! the diffuse part of each instant is its share of that. The standard errors
-//! are those of the mean of the tallies.
+//! are those of the mean of the tallies, and at least what their paths can
+//! tell, see Resolution.
 DayReport report(const std::vector<Tally>& tallies,
                  const DayIllumination& illumination);
 
+//! The light that each group of the mesh absorbs, from all sources
+//! [J m-2 of ground]; standard errors as above.
+std::vector<Estimate> absorbed_by_group(const std::vector<Tally>& tallies);
+
+//! The light that all leaves absorb, from all sources [J m-2 of ground];
+//! standard error as above.
+Estimate absorbed_by_leaves(const std::vector<Tally>& tallies);
+
 //! Adds the sunlit leaf area to each instant; none without a sun.
-//! @param fractions as sunlit_fractions() gives them
-void add_sunlit(DayReport& report,
-                const std::vector<std::vector<double>>& fractions,
+void add_sunlit(DayReport& report, const SunlitFractions& sunlit,
                 const DayIllumination& illumination);
 
 }  // namespace ideotype

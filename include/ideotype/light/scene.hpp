@@ -31,6 +31,11 @@ struct Segment {
     double first, last;
 };
 
+//! From the lowest to the highest point of surfaces [m].
+struct Heights {
+    double lower, upper;
+};
+
 //! Where a ray is inside a box, edges included; nothing if it misses it.
 std::optional<Segment> clip(const Box& box, const Vec3& origin,
                             const Vec3& direction);
@@ -78,6 +83,9 @@ class Scene {
     double soil() const { return -2 * clearance_; }
     std::size_t faces() const { return face_group_.size(); }
 
+    //! Where the faces of a group of the mesh are; nothing if it has none.
+    std::optional<Heights> heights(std::size_t group) const;
+
     //! The first face within a distance [m] of a point of the cell, along a
     //! unit direction; false if there is none.
     bool intersect(const Vec3& origin, const Vec3& direction, double distance,
@@ -117,6 +125,7 @@ class Scene {
     double clearance_ = 0;
     std::vector<std::array<float, 4>> corners_;  //!< four per face, x y z 0
     std::vector<std::uint32_t> face_group_;
+    std::vector<std::optional<Heights>> group_heights_;
     std::unique_ptr<Handle> handle_;
 };
 

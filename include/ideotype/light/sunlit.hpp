@@ -10,14 +10,23 @@
 
 namespace ideotype {
 
+//! Replicates of the sunlit part of the leaf area.
+struct SunlitFractions {
+    //! [randomisation][source]; 0 for skies.
+    std::vector<std::vector<double>> fractions;
+    //! Of one point in one randomisation: what its points can tell; 0 where
+    //! there are no leaves.
+    double step = 0;
+};
+
 //! The part of the leaf area from which the sun can be seen, one-sided; for
-//! each source, 0 for skies. Points are spread evenly over all leaves, the
+//! each source. Points are spread evenly over all leaves, the
 //! same for every sun, and sent towards it. What is below the soil is shaded.
 //! @param mesh that the scene was built from
 //! @param sampling as many points as paths, for each randomisation
-//! @return one vector over the sources per randomisation
-std::vector<std::vector<double>> sunlit_fractions(
-    const Scene& scene, const Mesh& mesh, const Illumination& illumination,
-    const Sampling& sampling, const Randomness& randomness);
+SunlitFractions sunlit_fractions(const Scene& scene, const Mesh& mesh,
+                                 const Illumination& illumination,
+                                 const Sampling& sampling,
+                                 const Randomness& randomness);
 
 }  // namespace ideotype

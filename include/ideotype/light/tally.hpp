@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <vector>
+
+#include "ideotype/light/resolution.hpp"
 
 namespace ideotype {
 
@@ -40,6 +43,8 @@ struct Tally {
     //! from which the corners of a face are seen counter-clockwise.
     double adaxial = 0;
     double abaxial = 0;
+    //! What its paths can tell; shared by all randomisations of a simulation.
+    std::shared_ptr<const Resolution> resolution{};
 
     //! Absorbed by leaves, from all sources.
     double leaves() const {

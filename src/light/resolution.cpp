@@ -1,0 +1,33 @@
+#include "ideotype/light/resolution.hpp"
+
+#include <algorithm>
+
+namespace ideotype {
+
+double Resolution::largest_path() const {
+    return path_energy.empty()
+               ? 0
+               : *std::max_element(path_energy.begin(), path_energy.end());
+}
+
+Resolution combined(const Resolution& a, const Resolution& b) {
+    Resolution both = a;
+    for (std::size_t i = 0; i < b.path_energy.size(); ++i)
+        both.path_energy[i] = std::max(a.path_energy[i], b.path_energy[i]);
+    for (bool Resolution::*figure :
+         {&Resolution::leaves, &Resolution::stalks, &Resolution::soil,
+          &Resolution::reflected, &Resolution::unscattered,
+          &Resolution::scattered})
+        both.*figure = a.*figure || b.*figure;
+    for (std::size_t i = 0; i < b.groups.size(); ++i)
+        both.groups[i] = a.groups[i] || b.groups[i];
+    for (std::size_t i = 0; i < b.layers.size(); ++i)
+        both.layers[i] = a.layers[i] || b.layers[i];
+    return both;
+}
+
+Estimate at_least(Estimate x, double standard_error) {
+    return {x.mean, std::max(x.standard_error, standard_error)};
+}
+
+}  // namespace ideotype

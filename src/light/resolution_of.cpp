@@ -1,0 +1,58 @@
+#include "resolution_of.hpp"
+
+#include <utility>
+
+namespace ideotype {
+
+namespace {
+
+double scattered_part(const Lambertian& surface) {
+    return surface.reflectance + surface.transmittance;
+}
+
+}  // namespace
+
+Resolution resolution_of(const Scene& scene, const std::vector<Group>& groups,
+                         const Optics& optics, const Layers& layers,
+                         std::vector<double> path_energy) {
+    Resolution result;
+    result.path_energy = std::move(path_energy);
+    result.groups.resize(groups.size());
+    result.layers.resize(layers.count);
+    // Light ends in groups that absorb, in soil that absorbs, or, if anything
+    // scatters it, in the sky.
+    bool scatters = optics.soil_albedo > 0;
+    const bool soil_absorbs = optics.soil_albedo < 1;
+    std::size_t absorbing_leaves = 0, absorbing_stalks = 0;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        const std::optional<Heights> heights = scene.heights(g);
+        if (!heights) continue;
+        const bool is_leaf = groups[g].tissue == Tissue::leaf;
+        const double scattered =
+            scattered_part(is_leaf ? optics.leaf : optics.stalk);
+        scatters |= scattered > 0;
+        if (!(scattered < 1)) continue;
+        result.groups[g] = true;
+        ++(is_leaf ? absorbing_leaves : absorbing_stalks);
+        if (!is_leaf) continue;
+        for (std::size_t l = layers.at(heights->lower);
+             l <= layers.at(heights->upper); ++l)
+            result.layers[l] = true;
+    }
+    const std::size_t ends = absorbing_leaves + absorbing_stalks +
+                             (soil_absorbs ? 1 : 0) + (scatters ? 1 : 0);
+    // Where light can end, and could have ended elsewhere.
+    const auto is_open = [ends](std::size_t own) {
+        return own > 0 && ends > own;
+    };
+    result.leaves = is_open(absorbing_leaves);
+    result.stalks = is_open(absorbing_stalks);
+    result.soil = soil_absorbs && is_open(1);
+    result.reflected = scatters && is_open(1);
+    result.unscattered = absorbing_leaves > 0 && (result.leaves || scatters);
+    result.scattered = absorbing_leaves > 0 && scatters;
+    if (!is_open(1)) result.groups.assign(groups.size(), false);
+    return result;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "ideotype/light/optics.hpp"
+#include "ideotype/light/resolution.hpp"
+#include "ideotype/light/scene.hpp"
+#include "ideotype/light/tally.hpp"
+
+namespace ideotype {
+
+//! Which figures of a scene depend on the paths of light, and the energy of a
+//! path of each source.
+Resolution resolution_of(const Scene& scene, const std::vector<Group>& groups,
+                         const Optics& optics, const Layers& layers,
+                         std::vector<double> path_energy);
+
+}  // namespace ideotype

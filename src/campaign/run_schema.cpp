@@ -28,9 +28,9 @@ Section light_section(Campaign& campaign) {
         "light paths per randomisation; with a tolerance at most";
     section.keys.push_back(
         fraction("tolerance", campaign.sampling.tolerance,
-                 "relative standard error of the leaves' light that each "
-                 "evaluation meets with as few paths as that takes; 0: none, "
-                 "all paths"));
+                 "relative standard error of the leaves' light that is "
+                 "expected of each evaluation, with as few paths as that "
+                 "takes; 0: none, all paths"));
     section.keys.push_back(
         fraction("first_tolerance", campaign.first_tolerance,
                  "that of the first generation, from which it falls to that "

@@ -2,39 +2,70 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <functional>
+#include <limits>
 
-#include "ideotype/core/estimate.hpp"
+#include "ideotype/light/report.hpp"
 
 namespace ideotype {
 
 namespace {
 
-//! A trial has so many paths per randomisation, and one for each source.
-constexpr int fewest_paths = 32;
+//! Of a trial at least: with so many the error is known to a fifth.
+constexpr int trial_randomisations = 16;
 
-//! Relative standard error of the leaves' light as far as it can be known:
-//! where all paths agree, it is not known to be below what one of them carries,
-//! and where none has met a leaf, what leaves absorb is only known to be little
-//! of all light.
-double relative_error(const std::vector<Tally>& tallies, int paths) {
-    std::vector<double> leaves;
-    for (const Tally& tally : tallies) leaves.push_back(tally.leaves());
-    const Estimate found = estimate(leaves);
-    const double all =
-        static_cast<double>(paths) * static_cast<double>(tallies.size());
-    return found.mean > 0 ? std::max(found.standard_error / found.mean, 1 / all)
-                          : 1 / std::sqrt(all);
+//! Trials have randomisations that no result has.
+constexpr std::uint32_t first_of_trials = 1u << 16;
+
+//! A trial with fewer paths than the result over this is followed by another.
+constexpr double longest_step = 8;
+
+//! Of the first trial, and of the result: one path for each source too.
+int fewest(const Sampling& sampling, std::size_t sources) {
+    int paths = fewest_paths;
+    while (paths < static_cast<int>(sources)) paths *= 2;
+    return std::min(paths, sampling.paths);
 }
 
-//! Paths for an error to fall to a tolerance, if it falls with their square
-//! root: doubled so often that it should, so at least once if it is above.
-int more_paths(int paths, double error, double tolerance, int most) {
-    double wanted = paths;
-    const double enough = std::min<double>(
-        most, paths * (error / tolerance) * (error / tolerance));
-    while (wanted < enough) wanted *= 2;
-    return static_cast<int>(std::min<double>(wanted, most));
+//! Relative standard error of the leaves' light; 0 if that is certain,
+//! infinite if no path has met a leaf.
+double relative_error(const std::vector<Tally>& tallies) {
+    const Estimate found = absorbed_by_leaves(tallies);
+    if (found.standard_error == 0) return 0;
+    return found.mean > 0 ? found.standard_error / found.mean
+                          : std::numeric_limits<double>::infinity();
+}
+
+//! A trial that underestimates the error leads to too few paths. The expected
+//! error stays within the tolerance if all estimates are multiplied by the
+//! mean of sqrt(v / X), X from a chi-square distribution with v degrees of
+//! freedom: 1 + 3 / (4 v) and a little.
+double caution(int randomisations) {
+    return 1 + 0.8 / (randomisations - 1);
+}
+
+//! How many paths per randomisation a tolerance asks for.
+//! @param trials randomisations of each trial
+//! @param error relative error of the n-th trial, with so many paths
+double enough_paths(const Sampling& sampling, int trials, int first,
+                    const std::function<double(int, std::uint32_t)>& error) {
+    const double wanted = sampling.tolerance / caution(trials) *
+                          std::sqrt(1. * sampling.randomisations / trials);
+    int paths = first;
+    for (std::uint32_t n = 0;; ++n) {
+        // Scrambled nets converge a little faster than independent paths.
+        const double excess = error(paths, n) / wanted;
+        const double enough = paths * excess * excess;
+        const double next = std::isfinite(enough) ? enough / longest_step
+                                                  : paths * longest_step;
+        if (next <= paths || next >= sampling.paths) {
+            // Nothing is known more finely than to one path.
+            const double coarsest =
+                1 / (sampling.tolerance * sampling.randomisations);
+            return std::max(enough, coarsest);
+        }
+        paths = static_cast<int>(next);
+    }
 }
 
 }  // namespace
@@ -43,28 +74,30 @@ Simulation simulate_to_tolerance(
     const Scene& scene, const std::vector<Group>& groups, const Optics& optics,
     const Illumination& illumination, const Sampling& sampling,
     const Randomness& randomness, const Layers& layers) {
-    const auto trace = [&](int paths, const Randomness& numbers) {
+    const auto trace = [&](int paths, int randomisations,
+                           const Randomness& numbers) {
         return simulate(scene, groups, optics, illumination,
-                        {paths, sampling.randomisations}, numbers, layers);
+                        {paths, randomisations}, numbers, layers);
     };
     if (!(sampling.tolerance > 0) || illumination.sources.empty())
-        return {trace(sampling.paths, randomness), sampling.paths, false};
+        return {trace(sampling.paths, sampling.randomisations, randomness),
+                sampling.paths, false};
 
-    Randomness of_trial = randomness;
-    of_trial.first_randomisation +=
-        static_cast<std::uint32_t>(sampling.randomisations);
-    int paths = fewest_paths;
-    while (paths < static_cast<int>(illumination.sources.size())) paths *= 2;
-    paths = std::min(paths, sampling.paths);
-    double error = relative_error(trace(paths, of_trial), paths);
-    for (;;) {
-        paths = more_paths(paths, error, sampling.tolerance, sampling.paths);
-        std::vector<Tally> tallies = trace(paths, randomness);
-        error = relative_error(tallies, paths);
-        const bool is_met = error <= sampling.tolerance;
-        if (is_met || paths == sampling.paths)
-            return {std::move(tallies), paths, !is_met};
-    }
+    const int trials = std::max(trial_randomisations, sampling.randomisations);
+    const auto error_of_trial = [&](int paths, std::uint32_t n) {
+        Randomness numbers = randomness;
+        numbers.first_randomisation += (n + 1) * first_of_trials;
+        return relative_error(trace(paths, trials, numbers));
+    };
+    const int least = fewest(sampling, illumination.sources.size());
+    const double enough = enough_paths(sampling, trials, least, error_of_trial);
+    const int paths = static_cast<int>(
+        std::clamp<double>(std::ceil(enough), least, sampling.paths));
+    Simulation result{trace(paths, sampling.randomisations, randomness), paths,
+                      false};
+    result.is_capped = enough > sampling.paths &&
+                       relative_error(result.tallies) > sampling.tolerance;
+    return result;
 }
 
 }  // namespace ideotype

@@ -10,14 +10,19 @@ namespace ideotype {
 struct Simulation {
     std::vector<Tally> tallies;
     int paths = 0;           //!< per randomisation
-    bool is_capped = false;  //!< the most paths did not meet the tolerance
+    bool is_capped = false;  //!< more paths would be needed
 };
 
-//! As simulate(), with as few paths as the tolerance asks for: those are
-//! guessed from a short trial and doubled until the standard error is within
-//! the tolerance. The trial has random numbers of its own, of the
-//! randomisations that follow, and is not part of the result: else an error
-//! that is too small by chance would be likelier to be reported (Stein 1945,
+//! Paths per randomisation that an evaluation takes at least.
+inline constexpr int fewest_paths = 32;
+
+//! As simulate(), with as few paths as the tolerance asks for, at most those of
+//! the sampling: the tolerance bounds the expected standard error, and the
+//! one that is found may exceed it by as much as it is uncertain itself. How
+//! many that is comes from trials with random numbers of their own, each with
+//! more paths than the one before; none is part of the result, and the result
+//! does not decide when to stop: else an error that is too small by chance
+//! would be likelier to be reported (Stein 1945,
 //! doi:10.1214/aoms/1177731088). With equal paths two scenes share all random
 //! numbers, and the result is that of simulate() with these paths.
 Simulation simulate_to_tolerance(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import matplotlib
 import numpy as np
 import pytest
 from conftest import SHIFTS
@@ -17,7 +18,7 @@ from ideotype_analysis.profiles import (
 )
 from ideotype_analysis.shape import draw_azimuths, draw_traits
 from ideotype_analysis.study import open_study
-from ideotype_analysis.style import unit_label
+from ideotype_analysis.style import RC, unit_label
 from made_numbers import (
     BASELINE,
     ERROR,
@@ -116,6 +117,30 @@ def test_circular_means_and_their_bars_stay_on_the_axis(
     away = (top + 180) % 360 - 180
     assert len(lengths) == 2 and min(lengths) > 0
     assert sum(lengths) == pytest.approx(2 * away.std(), rel=0.01)
+
+
+def test_deviations_are_drawn_whole(finished: Path) -> None:
+    """Of plants at both bounds: the deviation reaches past them."""
+    with open_study(finished) as study:
+        case = study.cases()[0]
+        top = case.top(10)
+        top.traits.values[:7, 0] = case.traits.upper[0]
+        top.traits.values[7:, 0] = case.traits.lower[0]
+        case.top = lambda count: top
+        figure = draw_traits(case)
+    means, half = horizontal_bars(figure.axes[0])
+    assert means[0] + half[0] > case.traits.upper[0]
+    left, right = figure.axes[0].get_xlim()
+    assert left < means[0] - half[0] and means[0] + half[0] < right
+
+
+def test_the_legend_of_many_seeds_fits(sweep: Path) -> None:
+    with matplotlib.rc_context(RC), open_study(sweep) as study:
+        figure = draw_convergence(study.cases()[0])
+        figure.draw_without_rendering()
+    (legend,) = figure.legends
+    box = legend.get_window_extent()
+    assert 0 <= box.x0 and box.x1 <= figure.bbox.width
 
 
 def horizontal_bars(axes: Axes, index: int = 0) -> tuple[np.ndarray, ...]:

@@ -24,7 +24,7 @@ def draw_convergence(case: Case) -> Figure:
     runs = [run for run in runs if len(run)]
     if not runs:
         raise HistoryError("no generation is complete yet")
-    figure = style.new_figure(6.4, 4.8)
+    figure = style.new_figure(style.WIDTH, 4.8)
     axes = figure.add_subplot()
     if len(runs) == 1:
         _draw_seed(axes, runs[0])

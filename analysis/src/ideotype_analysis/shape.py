@@ -199,7 +199,8 @@ def _draw_trait(
         axes.plot(plain, leaves, **_BASELINE_MARKER)
     for values in _bests(case, columns):
         axes.plot(values, leaves, **_BEST_MARKER)
-    lower, upper = traits.lower[columns].min(), traits.upper[columns].max()
+    # of the bounds, and of deviations that reach past them
+    lower, upper = axes.dataLim.intervalx
     margin = 0.04 * (upper - lower)
     axes.set_xlim(lower - margin, upper + margin)
     if is_circular:

@@ -133,6 +133,18 @@ function paintPlant(raster, plant, colors, { seen, points, shifts, columns }) {
   });
 }
 
+let last = null;
+
+// An empty raster as large as the canvas; that of the last picture if it fits.
+function rasterOf(canvas, width, height) {
+  if (last === null || last.width !== width || last.height !== height) {
+    [canvas.width, canvas.height] = [width, height];
+    last = new Raster(width, height);
+  }
+  last.clear();
+  return last;
+}
+
 // Returns how many faces of plants were drawn, the pixels of a metre, and the
 // length of the scale.
 function drawScene(canvas, chosen, quantity, view, hasNeighbours) {
@@ -141,9 +153,8 @@ function drawScene(canvas, chosen, quantity, view, hasNeighbours) {
   const dense = Math.min(
     Math.max(window.devicePixelRatio || 1, 2),
     Math.sqrt(3e6 / (width * height)));
-  canvas.width = Math.round(width * dense);
-  canvas.height = Math.round(height * dense);
-  const raster = new Raster(canvas.width, canvas.height);
+  const raster = rasterOf(
+    canvas, Math.round(width * dense), Math.round(height * dense));
   // kept in memory, where the raster is too
   const context = canvas.getContext("2d", { willReadFrequently: true });
   const places = [[0, 0], ...(hasNeighbours ? chosen.neighbours : [])];

@@ -4,8 +4,13 @@ class Raster {
   constructor(width, height) {
     [this.width, this.height] = [width, height];
     this.image = new ImageData(width, height);
-    this.pixels = new Uint32Array(this.image.data.buffer).fill(0xffffffff);
-    this.depth = new Float32Array(width * height).fill(Infinity);
+    this.pixels = new Uint32Array(this.image.data.buffer);
+    this.depth = new Float32Array(width * height);
+  }
+
+  clear() {
+    this.pixels.fill(0xffffffff);
+    this.depth.fill(Infinity);
   }
 
   // Corners are [x, y, depth] in pixels, moved by `shift`; only columns from

@@ -134,6 +134,7 @@ def test_missing_things_are_plain_sentences(made: Made) -> None:
     assert (
         "Spacings compared: not drawn, all cases have the same plant density." in words
     )
+    assert "4.57 mol for each MJ of PAR" in words
     assert "Saturated" not in words and "Provisional" not in words
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# From a fresh Debian 12 to an evolved canopy: installs what is missing,
+# From a fresh Debian 12 or 13 to an evolved canopy: installs what is missing,
 # builds, runs the quick Ames campaign on all cores, writes its report.
 # May be run again: finished parts are not repeated.
 set -euo pipefail

@@ -32,3 +32,4 @@ lead=120
 # Ranks are single threads and need not be tied to cores. Tie them
 # (`core`) only where jobs have nodes of their own.
 export OMPI_MCA_hwloc_base_binding_policy=none
+export PRTE_MCA_hwloc_default_binding_policy=none  # Open MPI 5

@@ -146,7 +146,7 @@ int run_command_line(int argc, char** argv) {
         "or many plants under the cases of a campaign");
     CrossOptions cross_options;
     auto* evaluate_path =
-        evaluate_verb->add_option("paths", cross_options.plants,
+        evaluate_verb->add_option("files", cross_options.plants,
                                   "campaign (.toml: its baseline) or history "
                                   "(.h5); with --under several, "
                                   "plant files (.toml) too");

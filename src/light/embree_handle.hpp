@@ -1,8 +1,12 @@
 #pragma once
 
-// The only file that says which Embree this is: version 4 needs its header
-// here and the changed call of rtcIntersect1 below.
+// The only file that says which Embree this is: version 4 has no context of a
+// query but optional arguments.
+#if IDEOTYPE_EMBREE >= 4
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 
 #include "ideotype/light/device.hpp"
 #include "ideotype/light/scene.hpp"
@@ -22,10 +26,60 @@ struct Scene::Handle {
     RTCScene scene;
 };
 
+#if IDEOTYPE_EMBREE >= 4
+
+inline void intersect_first(RTCScene scene, RTCRayHit& ray) {
+    rtcIntersect1(scene, &ray);
+}
+
+//! What is said of rays that are neighbours in space.
+inline RTCIntersectArguments coherent() {
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    return arguments;
+}
+
+inline void intersect_first(const int* valid, RTCScene scene,
+                            RTCRayHit8& packet) {
+    RTCIntersectArguments arguments = coherent();
+    rtcIntersect8(valid, scene, &packet, &arguments);
+}
+
+inline void intersect_first(const int* valid, RTCScene scene,
+                            RTCRayHit16& packet) {
+    RTCIntersectArguments arguments = coherent();
+    rtcIntersect16(valid, scene, &packet, &arguments);
+}
+
+#else
+
 inline void intersect_first(RTCScene scene, RTCRayHit& ray) {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     rtcIntersect1(scene, &context, &ray);
 }
+
+//! What is said of rays that are neighbours in space.
+inline RTCIntersectContext coherent() {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    return context;
+}
+
+inline void intersect_first(const int* valid, RTCScene scene,
+                            RTCRayHit8& packet) {
+    RTCIntersectContext context = coherent();
+    rtcIntersect8(valid, scene, &context, &packet);
+}
+
+inline void intersect_first(const int* valid, RTCScene scene,
+                            RTCRayHit16& packet) {
+    RTCIntersectContext context = coherent();
+    rtcIntersect16(valid, scene, &context, &packet);
+}
+
+#endif
 
 }  // namespace ideotype

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include <benchmark/benchmark.h>
-#include <embree3/rtcore.h>
 
+#include "embree_handle.hpp"
 #include "stand.hpp"
 
 namespace ideotype {
@@ -115,9 +115,7 @@ void set_lane(RayHit& packet, std::size_t lane, const Rays& rays,
 }
 
 template <class RayHit>
-void trace_packets(benchmark::State& state, RTCIntersectContextFlags coherence,
-                   void (*intersect)(const int*, RTCScene, RTCIntersectContext*,
-                                     RayHit*)) {
+void trace_packets(benchmark::State& state) {
     constexpr std::size_t lanes = sizeof(RayHit::ray.org_x) / sizeof(float);
     const Stand stand(Stand::ames());
     const Field field = stand.field(stand.baseline);
@@ -130,10 +128,7 @@ void trace_packets(benchmark::State& state, RTCIntersectContextFlags coherence,
             alignas(64) RayHit packet;
             for (std::size_t l = 0; l < lanes; ++l)
                 set_lane(packet, l, rays, i + l);
-            RTCIntersectContext context;
-            rtcInitIntersectContext(&context);
-            context.flags = coherence;
-            intersect(valid, raw.scene(), &context, &packet);
+            intersect_first(valid, raw.scene(), packet);
             benchmark::DoNotOptimize(packet);
         }
     state.counters["rays"] =
@@ -142,14 +137,12 @@ void trace_packets(benchmark::State& state, RTCIntersectContextFlags coherence,
 }
 
 void raw_packets_8(benchmark::State& state) {
-    trace_packets<RTCRayHit8>(state, RTC_INTERSECT_CONTEXT_FLAG_COHERENT,
-                              rtcIntersect8);
+    trace_packets<RTCRayHit8>(state);
 }
 BENCHMARK(raw_packets_8)->Unit(benchmark::kMillisecond);
 
 void raw_packets_16(benchmark::State& state) {
-    trace_packets<RTCRayHit16>(state, RTC_INTERSECT_CONTEXT_FLAG_COHERENT,
-                               rtcIntersect16);
+    trace_packets<RTCRayHit16>(state);
 }
 BENCHMARK(raw_packets_16)->Unit(benchmark::kMillisecond);
 
@@ -182,9 +175,7 @@ void trace_single(benchmark::State& state, RTCSceneFlags flags,
                          0};
             query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
             query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-            RTCIntersectContext context;
-            rtcInitIntersectContext(&context);
-            rtcIntersect1(raw.scene(), &context, &query);
+            intersect_first(raw.scene(), query);
             benchmark::DoNotOptimize(query);
         }
     state.counters["rays"] =

@@ -43,6 +43,12 @@ KillWait=5
 NodeName=node[1-$nodes] NodeHostname=$host NodeAddr=127.0.0.1 Port=[$((port + 1))-$((port + nodes))] CPUs=4 State=UNKNOWN
 PartitionName=debug Nodes=ALL Default=YES MaxTime=INFINITE State=UP OverSubscribe=FORCE:4
 CONF
+    # Debian 12's version does without control groups if there are none, later
+    # ones only if told.
+    case $(slurmd -V) in
+    *" 22."*) ;;
+    *) echo "CgroupPlugin=disabled" >"$cluster/cgroup.conf" ;;
+    esac
     export SLURM_CONF=$cluster/slurm.conf
     munged --key-file="$cluster/munge.key" \
         --socket="$cluster/run/munge.socket" \
@@ -83,12 +89,13 @@ wait_for_jobs() {
 }
 
 # What a site's file would say: $1 a name, the rest the launcher. Nodes that
-# share one machine cannot share memory by node.
+# share one machine cannot share memory by node, and reach each other by the
+# loopback interface, whatever networks there are.
 write_site() {
     cat >"$1.sh" <<SITE
 sbatch_options=(--ntasks=3 --time=10)
 launcher=(${*:2})
-export OMPI_MCA_btl=tcp,self
+export OMPI_MCA_btl=tcp,self OMPI_MCA_btl_tcp_if_include=lo
 SITE
 }
 

@@ -7,7 +7,9 @@ program=build/dev/tests/app/master_cost
 [ $# -gt 0 ] || set -- 2 3 5 9 17 33 64
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 \
     OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1 \
-    OMPI_MCA_hwloc_base_binding_policy=none
+    OMPI_MCA_hwloc_base_binding_policy=none \
+    PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe \
+    PRTE_MCA_hwloc_default_binding_policy=none
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 

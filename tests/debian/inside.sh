@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# What run.sh runs inside of the new root: both commands of README.md, then
+# versions, times and digests of results to compare between two Debians.
+set -euo pipefail
+export DEBIAN_FRONTEND=noninteractive
+apt-get -qq update
+apt-get -qq install -y --no-install-recommends git >/dev/null
+cd /root/ideotype
+
+rm -rf results
+start=$SECONDS
+./quickstart.sh
+quick=$((SECONDS - start))
+code=0
+./test.sh 2>&1 | tee /root/test.log || code=$?
+
+echo
+. /etc/os-release
+echo "$PRETTY_NAME, $(git describe --tags --always)"
+dpkg-query -W -f '${Package} ${Version}\n' g++ cmake libembree-dev libhdf5-dev \
+    libopenmpi-dev libcli11-dev libtomlplusplus-dev slurmctld python3
+tests/debian/digests.sh build/release/src/ideotype
+echo "quickstart.sh: $quick s; test.sh: $((SECONDS - start - quick)) s"
+grep -E 'tests passed|[0-9]+ (passed|failed)' /root/test.log || true
+exit $code

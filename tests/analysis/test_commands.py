@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -115,11 +116,14 @@ def test_a_report_without_results_is_refused(
 
 
 def test_a_closed_pipe_is_quiet(finished: Path) -> None:
-    done = subprocess.run(
-        f"'{BIN}/ideotype-summary' '{finished}' | head -n 1",
-        shell=True,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.stderr == ""
+    reader, writer = os.pipe()
+    os.close(reader)
+    with os.fdopen(writer, "w") as closed:
+        done = subprocess.run(
+            [str(BIN / "ideotype-summary"), str(finished)],
+            stdout=closed,
+            stderr=subprocess.PIPE,
+            text=True,
+            check=False,
+        )
+    assert (done.returncode, done.stderr) == (1, "")

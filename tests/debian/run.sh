@@ -25,7 +25,7 @@ command -v debootstrap >/dev/null || {
 # $1 the label of an archive. Its first address here.
 mirror_of() {
     apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' \
-        'Origin: Debian' "Label: $1" | head -n 1
+        'Origin: Debian' "Label: $1" | sed -n 1p
 }
 
 # The mark tells a whole root from one whose making was interrupted.

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <filesystem>
 #include <limits>
 
 #include <fmt/format.h>
@@ -92,7 +91,7 @@ ExitCode list_left(const PlanOptions& options, const Campaign& campaign) {
     for (const Case& each : cases(campaign)) {
         const std::string path = path_of(options.out, campaign, each);
         std::uint64_t evaluated = 0;
-        if (std::filesystem::exists(path)) {
+        if (history_exists(path)) {
             const History history = History::read(path);
             if (history.finished()) continue;
             evaluated = history.evaluated();

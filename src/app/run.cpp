@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 
 #include <fmt/format.h>
@@ -13,8 +12,6 @@
 namespace ideotype {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 std::vector<Case> chosen_cases(const RunOptions& options,
                                const Campaign& campaign) {
@@ -42,7 +39,7 @@ Start prepare(const RunOptions& options, const Campaign& campaign) {
     bool is_pinned = false;
     for (const Case& chosen : chosen_cases(options, campaign)) {
         const std::string path = path_of(options.out, campaign, chosen);
-        if (!fs::exists(path)) continue;
+        if (!history_exists(path)) continue;
         if (!options.is_resumed)
             throw Error(fmt::format("{}: exists already and a run never "
                                     "overwrites; add --resume to go on with "

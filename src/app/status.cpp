@@ -20,13 +20,15 @@ namespace fs = std::filesystem;
 std::vector<std::string> histories_in(const std::vector<std::string>& paths) {
     std::vector<std::string> files;
     for (const std::string& path : paths) {
-        if (!fs::is_directory(path)) {
+        std::error_code unknown;  // told when the path is opened
+        if (!fs::is_directory(path, unknown)) {
             files.push_back(path);
             continue;
         }
         std::vector<std::string> found;
         for (const auto& entry : fs::recursive_directory_iterator(path))
-            if (entry.path().extension() == ".h5")
+            if (entry.path().extension() == ".h5" &&
+                !entry.is_directory(unknown))
                 found.push_back(entry.path().string());
         if (found.empty())
             throw Error(path + ": there is no history (*.h5) in this folder");

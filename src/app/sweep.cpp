@@ -103,7 +103,7 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
 
 History Sweep::open_history(const Case& chosen) const {
     const std::string path = path_of(options_.out, campaign_, chosen);
-    if (fs::exists(path)) return History::resume(path);
+    if (history_exists(path)) return History::resume(path);
     const fs::path folder = fs::path(path).parent_path();
     std::error_code failure;
     fs::create_directories(folder, failure);

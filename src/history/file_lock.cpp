@@ -14,10 +14,10 @@
 
 #include <fmt/format.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 
 #include "ideotype/core/error.hpp"
 #include "ideotype/history/history.hpp"
+#include "place.hpp"
 
 namespace ideotype {
 
@@ -76,18 +76,11 @@ Attempt try_lock(int descriptor, int operation) {
         std::generic_category().message(errno)));
 }
 
-// A former holder may have removed the file between our open and our lock.
-bool is_still_at(const std::string& path, int descriptor) {
-    struct stat opened {};
-    struct stat named {};
-    return fstat(descriptor, &opened) == 0 && stat(path.c_str(), &named) == 0 &&
-           opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
-}
-
 }  // namespace
 
 Writer writer_of(const std::string& path) {
-    const int descriptor = open((path + ".lock").c_str(), O_RDONLY | O_CLOEXEC);
+    const int descriptor =
+        open((path + ".lock").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (descriptor < 0) return Writer::closed;
     // A shared lock, held for an instant: others may look at the same time,
     // and a writer that wants to start tries again.
@@ -115,12 +108,13 @@ FileLock::FileLock(const std::string& file) : path_(file + ".lock") {
             }
             const std::string who = holder(descriptor_);
             close(descriptor_);
-            throw Error(fmt::format("{}: in use by {}; only one program can "
-                                    "write a history at a time",
-                                    file, who),
-                        ExitCode::refused);
+            throw InUseError(
+                fmt::format("{}: in use by {}; only one program can write a "
+                            "history at a time",
+                            file, who));
         }
-        if (is_still_at(path_, descriptor_)) break;
+        // A former holder may have removed it between our open and our lock.
+        if (is_at(path_, descriptor_)) break;
         close(descriptor_);
     }
     sign(descriptor_);
@@ -134,8 +128,9 @@ FileLock::FileLock(FileLock&& other) noexcept
 FileLock::~FileLock() {
     if (descriptor_ < 0) return;
     // Removed before it is unlocked, so that nobody locks a file that is
-    // about to vanish.
-    unlink(path_.c_str());
+    // about to vanish. If the folder was removed and the file written anew, the
+    // lock at this path is another's.
+    if (is_at(path_, descriptor_)) unlink(path_.c_str());
     close(descriptor_);
 }
 

@@ -10,7 +10,7 @@ namespace ideotype {
 //! loses it; what remains of the file is harmless.
 class FileLock {
   public:
-    //! @throws Error (refused) naming the process that has the lock. Where the
+    //! @throws InUseError naming the process that has the lock. Where the
     //! file system has no locks, only processes of this host are kept out.
     explicit FileLock(const std::string& file);
 

@@ -1,7 +1,6 @@
 #include "ideotype/history/history.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 
 #include <fmt/format.h>
@@ -20,7 +19,7 @@ History::~History() = default;
 History History::create(const std::string& path, const HistoryHeader& header) {
     initialize_hdf5();
     FileLock lock(path);
-    if (std::filesystem::exists(path))
+    if (history_exists(path))
         throw Error(path + ": exists already; add --resume to go on with it",
                     ExitCode::refused);
     return with_name_of(path, [&] {
@@ -32,8 +31,7 @@ History History::create(const std::string& path, const HistoryHeader& header) {
 
 History History::resume(const std::string& path) {
     initialize_hdf5();
-    if (!std::filesystem::exists(path))
-        throw Error(path + ": there is no such file");
+    if (!history_exists(path)) throw Error(path + ": there is no such file");
     FileLock lock(path);
     return with_name_of(path, [&] {
         return History(

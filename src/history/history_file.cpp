@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "open.hpp"
+#include "place.hpp"
 #include "space.hpp"
 #include "verify.hpp"
 
@@ -86,6 +87,15 @@ void History::File::record(Columns& columns, const std::string& label,
         columns.set_statuses(row, {outcome.status});
         flush(id);
     });
+}
+
+void History::File::require_in_place() const {
+    if (!is_at(path, descriptor_of(id)))
+        fail(
+            "this file was deleted, moved or replaced while it was written "
+            "(nothing more can be saved in it); put it back if it was moved, "
+            "then go on with --resume",
+            ExitCode::refused);
 }
 
 void History::File::fail_to_write(const Hdf5Error& error) const {

@@ -51,6 +51,7 @@ struct History::File {
     void write(Action action) {
         if (!lock) fail("opened to read only");
         if (is_broken) fail("an earlier write failed");
+        require_in_place();
         // After a failed write HDF5 takes more data and stores zeros.
         is_broken = true;
         try {
@@ -88,6 +89,9 @@ struct History::File {
     hsize_t intact_generations = 0;  //!< if bytes are missing
 
   private:
+    //! A file that was deleted or replaced would take writes that nobody can
+    //! ever read. @throws Error (refused)
+    void require_in_place() const;
     [[noreturn]] void fail_to_write(const Hdf5Error& error) const;
     void check(const std::string& label, const Outcome& outcome) const;
 };

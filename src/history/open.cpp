@@ -61,6 +61,7 @@ Length length_of(const std::string& path) {
                                                  '\n', 0x1a, '\n', 3};
     constexpr std::size_t end_of_file_at = 28;
     std::array<unsigned char, 48> block{};
+    if (!history_exists(path)) throw Error(path + ": there is no such file");
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) throw Error(path + ": " + system_reason());
     const ssize_t size = pread(descriptor, block.data(), block.size(), 0);
@@ -126,15 +127,19 @@ void write_everything(hid_t file, const HistoryHeader& header) {
                      .row_label = "row"});
 }
 
-void write_file(const std::string& unfinished, const HistoryHeader& header,
-                const std::string& path) {
-    const Handle access = access_properties();
+void place_objects(hid_t access) {
     // A kill can cut a write in two where a page ends, but not within a number
     // at a multiple of its size.
     checked(H5Pset_alignment(access, 8, 8), "align the datasets");
     // All that describes the data stands at the beginning, so that a file of
     // which the end is lost can be opened.
     checked(H5Pset_meta_block_size(access, 1 << 16), "place the descriptions");
+}
+
+void write_file(const std::string& unfinished, const HistoryHeader& header,
+                const std::string& path) {
+    const Handle access = access_properties();
+    place_objects(access);
     Handle file(
         H5Fcreate(unfinished.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access),
         H5Fclose, "create the file");
@@ -226,10 +231,15 @@ void flush(hid_t file) {
 }
 
 void synchronize(hid_t file) {
-    void* descriptor = nullptr;
-    checked(H5Fget_vfd_handle(file, H5P_DEFAULT, &descriptor), "synchronize");
-    if (fsync(*static_cast<int*>(descriptor)) != 0)
+    if (fsync(descriptor_of(file)) != 0)
         throw Hdf5Error("cannot write: " + system_reason());
+}
+
+int descriptor_of(hid_t file) {
+    void* descriptor = nullptr;
+    checked(H5Fget_vfd_handle(file, H5P_DEFAULT, &descriptor),
+            "find the open file");
+    return *static_cast<int*>(descriptor);
 }
 
 }  // namespace ideotype

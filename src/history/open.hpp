@@ -48,4 +48,7 @@ void flush(hid_t file);
 //! Waits until the disk has all writes: they survive a power failure.
 void synchronize(hid_t file);
 
+//! The system's descriptor of an open file.
+int descriptor_of(hid_t file);
+
 }  // namespace ideotype

@@ -154,7 +154,7 @@ void write_packed(hid_t source, const std::string& path) {
 
 PackedSize pack_file(const std::string& path) {
     initialize_hdf5();
-    if (!fs::exists(path)) throw Error(path + ": there is no such file");
+    if (!history_exists(path)) throw Error(path + ": there is no such file");
     const FileLock lock(path);
     const std::string packed = path + ".packed";
     const std::uintmax_t before = room_of(path);

@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 
 #include "ideotype/core/error.hpp"
+#include "open.hpp"
 
 namespace ideotype {
 
@@ -55,11 +56,9 @@ int allocate(int descriptor, std::uintmax_t size) {
 void reserve_space(hid_t file, const std::string& path,
                    const std::string& advice) {
     const std::string action = "reserve room";
-    void* descriptor = nullptr;
-    checked(H5Fget_vfd_handle(file, H5P_DEFAULT, &descriptor), action);
     haddr_t size = 0;
     checked(H5Fget_eoa(file, &size), action);
-    const int own = *static_cast<int*>(descriptor);
+    const int own = descriptor_of(file);
     struct stat status {};
     if (fstat(own, &status) != 0) throw_hdf5_error(action);
     const std::uintmax_t needed = missing_bytes(status, size);

@@ -1,6 +1,7 @@
 #include <cerrno>
 #include <csignal>
 #include <functional>
+#include <optional>
 #include <unistd.h>
 
 #include <gtest/gtest.h>
@@ -93,6 +94,22 @@ TEST_P(WithoutLocks, AKilledRunIsResumedAndTheUserIsWarned) {
 
 INSTANTIATE_TEST_SUITE_P(FileLock, WithoutLocks,
                          testing::Values(ENOLCK, EOPNOTSUPP, ENOSYS));
+
+TEST(FileLock, OfTheNextWriterIsLeftWhenTheFolderWasRemoved) {
+    const Folder folder;
+    const std::string path = folder / "results/case.h5";
+    const std::string results = folder / "results";
+    std::filesystem::create_directory(results);
+    std::optional<History> first = History::create(path, sample_header());
+    std::filesystem::remove_all(results);
+    std::filesystem::create_directory(results);
+    const History second = History::create(path, sample_header());
+    first.reset();
+    EXPECT_EQ(writer_of(path), Writer::alive);
+    EXPECT_EQ(in_other_process(
+                  [&] { return code_of([&] { History::resume(path); }); }),
+              refused);
+}
 
 TEST(FileLock, FolderThatCannotBeWrittenIsNamedWithARemedy) {
     const Folder folder;

@@ -60,6 +60,41 @@ TEST(WriteFailure, NamesTheFileAndKeepsWhatWasRecorded) {
     EXPECT_EQ(history.next_generation(), 2U);
 }
 
+// What it says when it is to commit a generation; empty if it does.
+std::string message_of_commit(History& history) {
+    try {
+        complete(history, 0);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.exit_code(), ExitCode::refused);
+        return error.what();
+    }
+    return "";
+}
+
+TEST(WriteFailure, DeletedFileTakesNoMore) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    History history = History::create(path, sample_header());
+    std::filesystem::remove(path);
+    const std::string message = message_of_commit(history);
+    EXPECT_TRUE(message.starts_with(path + ": this file was deleted"))
+        << message;
+}
+
+TEST(WriteFailure, ReplacedFileTakesNoMoreAndTheNewOneIsLeftAlone) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    History history = History::create(path, sample_header());
+    std::filesystem::rename(path, folder / "away.h5");
+    std::filesystem::copy_file(folder / "away.h5", path);
+    EXPECT_NE(message_of_commit(history), "");
+    EXPECT_EQ(History::read(path).evaluated(), 0U);
+    // Put back in its place, it goes on.
+    std::filesystem::rename(folder / "away.h5", path);
+    EXPECT_EQ(message_of_commit(history), "");
+    EXPECT_EQ(history.next_generation(), 1U);
+}
+
 TEST(WriteFailure, DoesNotCrashAtExit) {
     const Folder folder;
     const std::string path = folder / "case.h5";

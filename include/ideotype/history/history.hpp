@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "ideotype/core/error.hpp"
 #include "ideotype/evolve/evaluation.hpp"
 #include "ideotype/evolve/genome.hpp"
 #include "ideotype/evolve/population.hpp"
@@ -61,6 +62,17 @@ enum class Writer {
 //! file system has no locks, a living writer on another host looks killed.
 Writer writer_of(const std::string& path);
 
+//! Is there a file at this path? Never waits, as opening a pipe would.
+//! @throws Error if there is something else, or if that cannot be known.
+bool history_exists(const std::string& path);
+
+//! Another program writes this history at this moment.
+class InUseError : public Error {
+  public:
+    explicit InUseError(const std::string& message)
+        : Error(message, ExitCode::refused) {}
+};
+
 //! The file of one case: written by rank 0 as the evolution goes, in SWMR
 //! mode, and its only checkpoint. Every function throws Error with the file's
 //! name if HDF5 fails.
@@ -71,8 +83,8 @@ class History {
     static History create(const std::string& path, const HistoryHeader& header);
 
     //! Opens the file of a killed, drained or finished run to go on.
-    //! @throws Error (refused) if another process writes it, if it is not a
-    //! history, or of another format version.
+    //! @throws InUseError if another process writes it, Error (refused) if it
+    //! is not a history, or of another format version.
     static History resume(const std::string& path);
 
     //! Opens to read only, also while another process writes.

@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# What must not go on with a history does not, and says why: other maths,
+# another instruction set, a file that is no file or not there any more.
+. "$(dirname "$0")/common.sh"
+
+# $1 the expected exit code, the rest a command; its output is in out.log.
+expect() {
+    local expected=$1 code=0
+    shift
+    timeout 60 "$@" >out.log 2>&1 || code=$?
+    [ $code -eq "$expected" ] ||
+        fail "'$*' ended with $code, not $expected: $(cat out.log)"
+}
+
+says() {
+    grep -q -- "$1" out.log || fail "no '$1' in: $(cat out.log)"
+}
+
+write_campaign maths 8 3
+
+# What is not a file does not keep anybody waiting.
+mkdir -p odd/maths folder/x.h5
+mkfifo pipe.h5
+ln -s loop.h5 loop.h5
+for thing in "pipe.h5 a.named.pipe 4" "folder/x.h5 a.folder 4" \
+    "/dev/zero a.device 4" "loop.h5 lead.in.a.circle 1"; do
+    read -r path what code <<<"$thing"
+    if [ "$path" != folder/x.h5 ]; then
+        expect "$code" "$ideotype" status "$path"
+        says "$path: .*$what"
+    fi
+    expect "$code" "$ideotype" pack "$path"
+    says "$path: .*$what"
+    expect "$code" "$ideotype" export "$path" --best --to new.csv
+    says "$path: .*$what"
+    ln -sfn "$(realpath -ms "$path")" "$(history_of odd maths)"
+    expect "$code" "$ideotype" run campaigns/maths.toml --out odd --resume
+    says "$what"
+    expect "$code" "$ideotype" plan campaigns/maths.toml --left --out odd
+    says "$what"
+done
+expect 1 "$ideotype" evaluate loop.h5 --best
+says "lead in a circle"
+expect 1 "$ideotype" status folder
+says "there is no history"
+
+# A folder that is removed under a run, and the run that follows in its place:
+# the first notices, and leaves the second its lock.
+write_campaign long 12 300
+"$ideotype" run campaigns/long.toml --out place >first.log 2>&1 &
+first=$!
+until grep -q "generation 2," first.log; do sleep 0.05; done
+kill -STOP $first
+rm -r place
+"$ideotype" run campaigns/long.toml --out place >second.log 2>&1 &
+second=$!
+until grep -q "generation 2," second.log; do sleep 0.05; done
+kill -TERM $first
+kill -CONT $first
+code=0
+wait $first || code=$?
+[ $code -eq 4 ] || fail "the first run ended with $code: $(cat first.log)"
+grep -q "this file was deleted, moved or replaced" first.log ||
+    fail "$(cat first.log)"
+[ -e "$(history_of place long).lock" ] || fail "the second run lost its lock"
+expect 4 "$ideotype" run campaigns/long.toml --out place --resume
+says "in use by process $second "
+kill -TERM $second
+wait $second || true
+

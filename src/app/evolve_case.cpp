@@ -17,13 +17,16 @@ namespace ideotype {
 
 namespace {
 
+void add(Progress& progress, const GenerationSummary& summary) {
+    progress.mean.push_back(summary.mean);
+    progress.best.push_back(summary.best);
+    progress.evaluations += summary.evaluations;
+}
+
 Progress progress_of(const History& history) {
     Progress progress;
-    for (const GenerationSummary& summary : history.summaries()) {
-        progress.mean.push_back(summary.mean);
-        progress.best.push_back(summary.best);
-        progress.evaluations += summary.evaluations;
-    }
+    for (const GenerationSummary& summary : history.summaries())
+        add(progress, summary);
     progress.wall_time = history.wall_time();
     return progress;
 }
@@ -119,8 +122,8 @@ Routine<Ending> evolve_case(Evolution evolution, History& history) {
     const Genome baseline = to_genome(campaign.baseline);
     const double spent_before = history.wall_time();
 
-    std::optional<std::string> reason =
-        finished(campaign.stop, progress_of(history));
+    Progress progress = progress_of(history);
+    std::optional<std::string> reason = finished(campaign.stop, progress);
     Population parents = history.last_committed();
     for (std::uint32_t g = history.next_generation(); !reason; ++g) {
         const std::vector<Candidate> children =
@@ -139,7 +142,9 @@ Routine<Ending> evolve_case(Evolution evolution, History& history) {
         require_few_failures(evolution, history, g, summary);
         history.commit(g, summary);
         watcher.on_generation(g, summary);
-        reason = finished(campaign.stop, progress_of(history));
+        add(progress, summary);
+        progress.wall_time = summary.wall_time;
+        reason = finished(campaign.stop, progress);
         if (!reason && stop.requested()) co_return Ending::drained;
     }
     watcher.on_final(*reason);

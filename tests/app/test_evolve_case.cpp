@@ -1,5 +1,6 @@
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <unistd.h>
 
 #include <gtest/gtest.h>
@@ -94,6 +95,49 @@ TEST_F(EvolveCase, EndsWithJudgedFinalistsAndAReason) {
     ASSERT_GE(finalists.size(), 2u);
     EXPECT_EQ(finalists[0].candidate.origin, Origin::baseline);
     EXPECT_GT(finalists[1].fitness, finalists[0].fitness);
+}
+
+//! Bytes that this process has read so far.
+long long bytes_read() {
+    std::ifstream io("/proc/self/io");
+    std::string name;
+    long long bytes = 0;
+    io >> name >> bytes;
+    EXPECT_EQ(name, "rchar:");
+    return bytes;
+}
+
+//! How much was read in each generation.
+class ReadingWatcher : public NoWatcher {
+  public:
+    void on_generation(std::uint32_t, const GenerationSummary&) override {
+        const long long now = bytes_read();
+        bytes.push_back(now - before_);
+        before_ = now;
+    }
+
+    std::vector<long long> bytes;
+
+  private:
+    long long before_ = bytes_read();
+};
+
+TEST_F(EvolveCase, LateGenerationsReadNoMoreThanEarlyOnes) {
+    campaign.stop.generations = 400;
+    const HistoryHeader h = header();
+    History history = History::create(path("long.h5"), h);
+    SumEvaluator evaluator(h.schema, stop);
+    const auto dispatcher = make_dispatcher(evaluator, stop);
+    ReadingWatcher reading;
+    Once once(evolve_case(
+        {campaign, chosen, *dispatcher, stop, reading, [] { return 1.0; }},
+        history));
+    dispatcher->run(once);
+    ASSERT_EQ(reading.bytes.size(), 400U);
+    const long long early = reading.bytes[2];
+    EXPECT_GT(early, 0);
+    // Numbers in /proc/self/io grow; 400 summaries have 24 kB.
+    EXPECT_LE(reading.bytes.back(), early + 1000);
 }
 
 TEST_F(EvolveCase, StopAndResumeGiveWhatAnUninterruptedRunGives) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "ideotype/app/provenance.hpp"
 #include "ideotype/app/summary.hpp"
@@ -41,7 +42,8 @@ void Sweep::evolve(Dispatcher& dispatcher) {
                     error.exit_code());
     }
     report_failures();
-    if (finished_ == static_cast<int>(chosen_.size())) return;
+    report_in_use();
+    if (finished_ + in_use_.size() == chosen_.size()) return;
     progress_.print(
         fmt::format("stopped before the end: {} of {} cases are "
                     "finished",
@@ -76,6 +78,8 @@ Routine<Ending> Sweep::evolve_guarded(const Case& chosen) {
     try {
         const Ending ending = co_await evolve_one(chosen);
         if (ending == Ending::finished) ++finished_;
+    } catch (const InUseError& error) {
+        note_in_use(chosen, error);
     } catch (const std::exception&) {
         note_failure(chosen);
     }
@@ -115,6 +119,15 @@ History Sweep::open_history(const Case& chosen) const {
     return History::create(path, header_of(campaign_, chosen, isa_));
 }
 
+//! Another job works on this case: no failure, and nothing to do here.
+void Sweep::note_in_use(const Case& chosen, const InUseError& error) {
+    if (chosen_.size() == 1) return note_failure(chosen);
+    in_use_.push_back(chosen.name);
+    progress_.end(chosen);
+    progress_.print(
+        fmt::format("{}  passed over: {}", chosen.name, error.what()));
+}
+
 //! Keeps the exception that is being handled. What is no matter of one case,
 //! such as a full disk, stops the others too.
 void Sweep::note_failure(const Case& chosen) {
@@ -138,6 +151,18 @@ void Sweep::print_failure(const Case& chosen, const std::exception& error) {
     if (chosen_.size() > 1)
         progress_.print(
             fmt::format("{}  failed: {}", chosen.name, error.what()));
+}
+
+//! @throws Error (refused) if there was nothing to do at all.
+void Sweep::report_in_use() {
+    if (in_use_.empty()) return;
+    const std::string message =
+        fmt::format("other programs work on {} of {} cases: {}", in_use_.size(),
+                    chosen_.size(), fmt::join(in_use_, ", "));
+    if (in_use_.size() == chosen_.size())
+        throw Error(message + "; see ideotype status " + options_.out,
+                    ExitCode::refused);
+    progress_.print(message);
 }
 
 void Sweep::report_failures() const {

@@ -24,7 +24,8 @@ class Sweep : public Director {
           StopFlag& stop);
 
     //! Evolves all cases until they have ended or a stop is requested.
-    //! @throws Error that names each case that failed.
+    //! @throws Error that names each case that failed, or (refused) if others
+    //! work on all of them.
     void evolve(Dispatcher& dispatcher);
 
     bool start_next() override;
@@ -40,6 +41,8 @@ class Sweep : public Director {
     Routine<Ending> evolve_guarded(const Case& chosen);
     Routine<Ending> evolve_one(const Case& chosen);
     History open_history(const Case& chosen) const;
+    void note_in_use(const Case& chosen, const InUseError& error);
+    void report_in_use();
     void note_failure(const Case& chosen);
     void print_failure(const Case& chosen, const std::exception& error);
     void report_failures() const;
@@ -52,9 +55,10 @@ class Sweep : public Director {
     StopFlag& stop_;
     Dispatcher* dispatcher_ = nullptr;  //!< while evolving
     ProgressLog progress_;
-    std::size_t next_ = 0;  //!< case to start
-    int finished_ = 0;      //!< cases
+    std::size_t next_ = 0;      //!< case to start
+    std::size_t finished_ = 0;  //!< cases
     bool has_said_how_to_go_on_ = false;
+    std::vector<std::string> in_use_;  //!< by other programs
     std::vector<Failure> failures_;
     std::list<Routine<Ending>> running_;
 };

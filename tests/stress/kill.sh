@@ -104,9 +104,9 @@ look() {
         unreadable=$((unreadable + 1))
         return
     fi
-    reported=$(sed -n "s/.*  generation \([0-9]*\)\/.*/\1/p" "$log" | tail -1)
+    reported=$(sed -n "s/.*  generation [0-9]*, \([0-9]*\) of .*/\1/p" "$log" | tail -1)
     if [ "$(committed "$history")" -lt "${reported:-0}" ]; then
-        echo "lost: the log had generation $reported; $text" >&2
+        echo "lost: the log had $reported generations; $text" >&2
         lost=$((lost + 1))
     fi
     [ -n "$python" ] || return 0

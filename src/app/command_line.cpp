@@ -117,6 +117,12 @@ int run_command_line(int argc, char** argv) {
         ->add_option("--out", run_options.out,
                      "folder for <campaign>/<case>.h5")
         ->capture_default_str();
+    run_verb
+        ->add_option("--isa", run_options.isa,
+                     "instruction set to begin with, the same on all ranks; "
+                     "if not given the widest that all have, and for a "
+                     "history that is resumed its own")
+        ->check(CLI::IsMember({"sse2", "sse4.2", "avx", "avx2", "avx512"}));
     run_verb->add_option("--wall-time", wall_time,
                          "time after which to stop cleanly: seconds, or for "
                          "example 30m, 1h30m, 01:30:00");

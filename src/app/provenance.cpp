@@ -7,8 +7,10 @@
 #include <fmt/ranges.h>
 
 #include "ideotype/app/canopy.hpp"
+#include "ideotype/app/machines.hpp"
 #include "ideotype/app/progress.hpp"
 #include "ideotype/core/error.hpp"
+#include "ideotype/core/maths.hpp"
 #include "ideotype/core/version.hpp"
 #include "ideotype/light/device.hpp"
 #include "ideotype/parallel/session.hpp"
@@ -31,12 +33,9 @@ HistoryHeader header_of(const Campaign& campaign, const Case& chosen,
     HistoryHeader header;
     header.text = {
         {"program", "ideotype"},
-        {"program_version", build.version},
         {"git_sha", build.git_sha},
         {"git_dirty", build.git_dirty},
-        {"compiler", build.compiler},
         {"build_type", build.build_type},
-        {"embree_version", Device::library_version()},
         {"hdf5_version", History::library_version()},
         {"mpi_version", Session::library_version()},
         {"isa", isa},
@@ -49,6 +48,7 @@ HistoryHeader header_of(const Campaign& campaign, const Case& chosen,
         {"trait_set", chosen.trait_set_name},
         {"created", utc_now()},
     };
+    header.text.merge(program_facts());
     header.numbers = {
         {"latitude", chosen.site.latitude},
         {"longitude", chosen.site.longitude},
@@ -67,6 +67,8 @@ HistoryHeader header_of(const Campaign& campaign, const Case& chosen,
     header.finalists = campaign.final_rule.candidates + 1;
     return header;
 }
+
+namespace {
 
 void require_same_campaign(const HistoryHeader& header,
                            const Campaign& campaign, const Case& chosen,
@@ -89,6 +91,34 @@ void require_same_campaign(const HistoryHeader& header,
                     ExitCode::refused);
 }
 
+// A history of a program that did not yet keep one of these facts is taken.
+void require_same_program(const HistoryHeader& header,
+                          const std::string& path) {
+    std::vector<std::string> changed;
+    for (const auto& [name, value] : program_facts()) {
+        const auto was = header.text.find(name);
+        if (was != header.text.end() && was->second != value)
+            changed.push_back(
+                fmt::format("{} was {}, is {}", name, was->second, value));
+    }
+    if (!changed.empty())
+        throw Error(
+            fmt::format("{}: this program would not go on with the same bits "
+                        "as the one that began this history:\n  {}\nResume it "
+                        "with what began it, or write to another folder with "
+                        "--out",
+                        path, fmt::join(changed, "\n  ")),
+            ExitCode::refused);
+}
+
+}  // namespace
+
+void require_resumable(const HistoryHeader& header, const Campaign& campaign,
+                       const Case& chosen, const std::string& path) {
+    require_same_campaign(header, campaign, chosen, path);
+    require_same_program(header, path);
+}
+
 SessionRecord session_record(const std::string& command, int ranks) {
     return {utc_now(), host_name(), command, ranks};
 }
@@ -100,10 +130,12 @@ std::string version_text() {
         "commit   {} (changed: {})\n"
         "compiler {} ({})\n"
         "{}\n{}\n{}\n"
+        "maths    {} (of the C library, see README.md, C3)\n"
         "instruction sets of this processor: {}",
         build.version, build.git_sha, build.git_dirty, build.compiler,
         build.build_type, Device::library_version(), History::library_version(),
-        Session::library_version(), fmt::join(Device::supported_isas(), ", "));
+        Session::library_version(), maths_fingerprint(),
+        fmt::join(Device::supported_isas(), ", "));
 }
 
 }  // namespace ideotype

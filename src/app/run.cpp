@@ -1,12 +1,11 @@
-#include <algorithm>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "ideotype/app/canopy.hpp"
+#include "ideotype/app/machines.hpp"
 #include "ideotype/app/provenance.hpp"
 #include "ideotype/app/verbs.hpp"
-#include "ideotype/light/device.hpp"
 #include "sweep.hpp"
 
 namespace ideotype {
@@ -32,13 +31,15 @@ struct Start {
     std::string resolved;
 };
 
-//! Finds the instruction set of the histories to be resumed, so that results
-//! go on bit for bit, and refuses what would overwrite one.
-Start prepare(const RunOptions& options, const Campaign& campaign) {
-    Start start{Device::supported_isas().back(), campaign.resolved};
-    bool is_pinned = false;
-    for (const Case& chosen : chosen_cases(options, campaign)) {
-        const std::string path = path_of(options.out, campaign, chosen);
+//! The instruction set that histories to be resumed were begun with, so that
+//! results go on bit for bit; none if there are none. Refuses what would
+//! overwrite one.
+std::optional<std::string> isa_of_histories(const RunOptions& options,
+                                            const Campaign& campaign,
+                                            const std::vector<Case>& chosen) {
+    std::optional<std::string> common;
+    for (const Case& each : chosen) {
+        const std::string path = path_of(options.out, campaign, each);
         if (!history_exists(path)) continue;
         if (!options.is_resumed)
             throw Error(fmt::format("{}: exists already and a run never "
@@ -47,18 +48,46 @@ Start prepare(const RunOptions& options, const Campaign& campaign) {
                                     path),
                         ExitCode::refused);
         const HistoryHeader header = History::read(path).header();
-        require_same_campaign(header, campaign, chosen, path);
+        require_resumable(header, campaign, each, path);
         const std::string& isa = header.text.at("isa");
-        if (is_pinned && isa != start.isa)
+        if (options.isa && isa != *options.isa)
+            throw Error(fmt::format("{}: was begun with instruction set {}, "
+                                    "not {}; leave --isa out",
+                                    path, isa, *options.isa),
+                        ExitCode::refused);
+        if (common && isa != *common)
             throw Error(fmt::format("{}: was begun with instruction set {}, "
                                     "other cases with {}; resume them one by "
                                     "one with --case",
-                                    path, isa, start.isa),
+                                    path, isa, *common),
                         ExitCode::refused);
-        start.isa = isa;
-        is_pinned = true;
+        common = isa;
     }
-    return start;
+    return common;
+}
+
+//! Looks at all that could keep the job from going on, before any work.
+Start prepare(const RunOptions& options, const Campaign& campaign,
+              const std::vector<Machine>& machines) {
+    const std::vector<Case> chosen = chosen_cases(options, campaign);
+    require_same_program(machines);
+    const auto begun_with = isa_of_histories(options, campaign, chosen);
+    const std::string isa =
+        begun_with
+            ? choose_isa(machines, begun_with,
+                         "this history was begun with it, resume it where all "
+                         "ranks have it")
+            : choose_isa(machines, options.isa,
+                         "name one that all ranks have with --isa");
+    return {isa, campaign.resolved};
+}
+
+//! Those of all ranks, on rank 0.
+std::vector<Machine> machines_of(const Session& session, const Machine& own) {
+    std::vector<Machine> machines;
+    for (const std::string& text : session.gather(to_text(own)))
+        machines.push_back(machine_of(text));
+    return machines;
 }
 
 //! Rank 0: evolves the cases, then lets the workers go.
@@ -92,14 +121,20 @@ void direct(const RunOptions& options, const Campaign& campaign,
 
 ExitCode run(const RunOptions& options, const Session& session,
              StopFlag& stop) {
+    return run_on(this_machine(), options, session, stop);
+}
+
+ExitCode run_on(const Machine& own, const RunOptions& options,
+                const Session& session, StopFlag& stop) {
     if (options.wall_time) stop.request_after(*options.wall_time);
+    const std::vector<Machine> machines = machines_of(session, own);
     std::optional<Campaign> campaign;
     Start start;
     // Rank 0 alone looks at files. An empty text tells the others to leave.
     std::exception_ptr failure;
     if (session.rank() == 0) try {
             campaign = read_campaign(options.campaign_path);
-            start = prepare(options, *campaign);
+            start = prepare(options, *campaign, machines);
         } catch (...) {
             failure = std::current_exception();
         }
@@ -108,20 +143,6 @@ ExitCode run(const RunOptions& options, const Session& session,
     if (isa.empty()) return ExitCode::ok;
     const std::string resolved = session.broadcast(start.resolved);
     if (!campaign) campaign = parse_campaign(resolved, options.campaign_path);
-
-    const auto supported = Device::supported_isas();
-    const bool lacks_isa =
-        std::find(supported.begin(), supported.end(), isa) == supported.end();
-    if (session.largest(lacks_isa) != 0) {
-        if (session.rank() == 0)
-            throw Error(
-                fmt::format("a processor of this job lacks instruction set "
-                            "{}, which this history was begun with; resume it "
-                            "where it is available",
-                            isa),
-                ExitCode::refused);
-        return ExitCode::ok;
-    }
 
     CanopyEvaluator evaluator(*campaign, isa);
     if (session.rank() != 0) {

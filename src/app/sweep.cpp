@@ -107,7 +107,7 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
 
 History Sweep::open_history(const Case& chosen) const {
     const std::string path = path_of(options_.out, campaign_, chosen);
-    if (history_exists(path)) return History::resume(path);
+    if (history_exists(path)) return resume_history(chosen, path);
     const fs::path folder = fs::path(path).parent_path();
     std::error_code failure;
     fs::create_directories(folder, failure);
@@ -117,6 +117,21 @@ History Sweep::open_history(const Case& chosen) const {
                         "another with --out",
                         folder.string(), failure.message()));
     return History::create(path, header_of(campaign_, chosen, isa_));
+}
+
+//! Another job may have begun it after this one had looked.
+History Sweep::resume_history(const Case& chosen,
+                              const std::string& path) const {
+    History history = History::resume(path);
+    require_resumable(history.header(), campaign_, chosen, path);
+    const std::string& isa = history.header().text.at("isa");
+    if (isa != isa_)
+        throw Error(fmt::format("{}: was begun with instruction set {}, but "
+                                "this job works with {}; resume it by itself "
+                                "with --case {}",
+                                path, isa, isa_, chosen.index),
+                    ExitCode::refused);
+    return history;
 }
 
 //! Another job works on this case: no failure, and nothing to do here.

@@ -41,6 +41,7 @@ class Sweep : public Director {
     Routine<Ending> evolve_guarded(const Case& chosen);
     Routine<Ending> evolve_one(const Case& chosen);
     History open_history(const Case& chosen) const;
+    History resume_history(const Case& chosen, const std::string& path) const;
     void note_in_use(const Case& chosen, const InUseError& error);
     void report_in_use();
     void note_failure(const Case& chosen);

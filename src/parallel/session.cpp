@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
+#include <numeric>
 
 #include <mpi.h>
 
@@ -59,6 +60,27 @@ std::string Session::broadcast(const std::string& text) const {
                MPI_COMM_WORLD, &request);
     wait_for(request);
     return copy;
+}
+
+std::vector<std::string> Session::gather(const std::string& text) const {
+    const auto ranks = static_cast<std::size_t>(size());
+    const auto length = static_cast<int>(text.size());
+    std::vector<int> lengths(ranks), starts(ranks);
+    MPI_Request request;
+    MPI_Igather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, 0,
+                MPI_COMM_WORLD, &request);
+    wait_for(request);
+    std::exclusive_scan(lengths.begin(), lengths.end(), starts.begin(), 0);
+    std::string all(static_cast<std::size_t>(starts.back() + lengths.back()),
+                    '\0');
+    MPI_Igatherv(text.data(), length, MPI_CHAR, all.data(), lengths.data(),
+                 starts.data(), MPI_CHAR, 0, MPI_COMM_WORLD, &request);
+    wait_for(request);
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; rank() == 0 && i < ranks; ++i)
+        texts.push_back(all.substr(static_cast<std::size_t>(starts[i]),
+                                   static_cast<std::size_t>(lengths[i])));
+    return texts;
 }
 
 int Session::largest(int value) const {

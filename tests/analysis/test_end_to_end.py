@@ -22,7 +22,7 @@ from real_program import start
 
 PROMISED = {
     *("program", "program_version", "git_sha", "git_dirty"),
-    *("compiler", "build_type", "isa"),
+    *("compiler", "build_type", "isa", "maths"),
     *("embree_version", "hdf5_version", "mpi_version"),
     *("campaign", "campaign_sha256", "case", "created"),
     *("site", "day", "spacing", "trait_set", "replicate"),

@@ -2,6 +2,7 @@
 # What must not go on with a history does not, and says why: other maths,
 # another instruction set, a file that is no file or not there any more.
 . "$(dirname "$0")/common.sh"
+mixed_cluster=$(readlink -f "$4")
 
 # $1 the expected exit code, the rest a command; its output is in out.log.
 expect() {
@@ -17,6 +18,46 @@ says() {
 }
 
 write_campaign maths 8 3
+maths=$(history_of run maths)
+expect 0 "$ideotype" run campaigns/maths.toml --out run
+expect 0 "$ideotype" run campaigns/maths.toml --out run --resume
+
+# The C library's variants for processors with fused multiply-add and without
+# differ in last bits.
+plain=(env GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2)
+if [ "$("$ideotype" --version | grep maths)" = \
+    "$("${plain[@]}" "$ideotype" --version | grep maths)" ]; then
+    grep -qw fma /proc/cpuinfo && fail "the maths of both variants look alike"
+    echo "NO FUSED MULTIPLY-ADD HERE: OTHER MATHS ARE NOT TESTED" >&2
+else
+    expect 4 "${plain[@]}" "$ideotype" run campaigns/maths.toml --out run --resume
+    says "$maths: .*would not go on with the same bits"
+    says "maths was [0-9a-f]*, is [0-9a-f]*"
+    says "another folder with --out"
+    # Ranks that differ do not begin at all.
+    expect 4 mpirun -n 1 "$ideotype" run campaigns/maths.toml --out ranks : \
+        -n 1 "${plain[@]}" "$ideotype" run campaigns/maths.toml --out ranks
+    says "the ranks of this job would not give the same bits (maths is "
+    [ ! -e ranks ] || fail "something was written"
+fi
+
+# An instruction set by the user's choice, and what it does not fit.
+expect 0 "$ideotype" run campaigns/maths.toml --out sse2 --isa sse2
+h5dump -a isa "$(history_of sse2 maths)" | grep -q '"sse2"' || fail "no sse2"
+expect 0 "$ideotype" run campaigns/maths.toml --out sse2 --resume
+expect 4 "$ideotype" run campaigns/maths.toml --out sse2 --resume --isa sse4.2
+says "was begun with instruction set sse2, not sse4.2; leave --isa out"
+expect 2 "$ideotype" run campaigns/maths.toml --out sse3 --isa sse3
+
+# Ranks of which all but the first have sse2 only take what all have.
+expect 0 mpirun -n 3 "$mixed_cluster" campaigns/maths.toml mixed 1
+h5dump -a isa "$(history_of mixed maths)" | grep -q '"sse2"' ||
+    fail "the ranks did not agree on sse2"
+same_results "$(history_of sse2 maths)" "$(history_of mixed maths)"
+if ! h5dump -a isa "$maths" | grep -q '"sse2"'; then
+    expect 4 mpirun -n 3 "$mixed_cluster" campaigns/maths.toml run 1
+    says "narrow has no instruction set .* (it has sse2); this history was"
+fi
 
 # What is not a file does not keep anybody waiting.
 mkdir -p odd/maths folder/x.h5

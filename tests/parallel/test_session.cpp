@@ -29,6 +29,21 @@ TEST_F(SessionOnAllRanks, BroadcastsTheTextOfRankZero) {
     }
 }
 
+TEST_F(SessionOnAllRanks, GathersTheTextsOfAllRanksOnRankZero) {
+    const auto text_of = [](int rank) {
+        return std::string(static_cast<std::size_t>(3 * rank), 'x') + '\0' +
+               std::to_string(rank);
+    };
+    const auto texts = session().gather(text_of(session().rank()));
+    if (!is_master()) {
+        EXPECT_TRUE(texts.empty());
+        return;
+    }
+    ASSERT_EQ(texts.size(), static_cast<std::size_t>(session().size()));
+    for (int rank = 0; rank < session().size(); ++rank)
+        EXPECT_EQ(texts[static_cast<std::size_t>(rank)], text_of(rank));
+}
+
 TEST_F(SessionOnAllRanks, SleepsWhileItWaitsForABroadcast) {
     const double before = cpu_seconds();
     if (is_master()) std::this_thread::sleep_for(std::chrono::seconds(1));

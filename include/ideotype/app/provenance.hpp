@@ -11,11 +11,11 @@ namespace ideotype {
 HistoryHeader header_of(const Campaign& campaign, const Case& chosen,
                         const std::string& isa);
 
-//! Refuses to go on with a history that another campaign or case wrote.
+//! Refuses to go on with a history that another campaign, case, program,
+//! compiler, ray tracer or C library wrote.
 //! @throws Error (refused) that names each difference.
-void require_same_campaign(const HistoryHeader& header,
-                           const Campaign& campaign, const Case& chosen,
-                           const std::string& path);
+void require_resumable(const HistoryHeader& header, const Campaign& campaign,
+                       const Case& chosen, const std::string& path);
 
 //! This start of the program.
 SessionRecord session_record(const std::string& command, int ranks);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ideotype/app/machines.hpp"
 #include "ideotype/campaign/campaign.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/stop_flag.hpp"
@@ -36,11 +37,16 @@ struct RunOptions {
     bool is_resumed = false;
     std::string out = "results";
     std::optional<double> wall_time;  //!< of this start [s]
+    std::optional<std::string> isa;   //!< instruction set to begin with
     std::string command;              //!< as typed, for the record
 };
 
 //! Collective over all ranks of the session.
 ExitCode run(const RunOptions& options, const Session& session, StopFlag& stop);
+
+//! The same on a rank that is this machine.
+ExitCode run_on(const Machine& own, const RunOptions& options,
+                const Session& session, StopFlag& stop);
 
 //! `status PATH...`: one line per history or history in a folder, also of live
 //! ones, and how to go on with what stopped.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace ideotype {
 
@@ -18,6 +19,10 @@ class Session {
 
     //! Rank 0's text on all ranks. Collective. Sleeps while it waits.
     std::string broadcast(const std::string& text) const;
+
+    //! The texts of all ranks, in their order, on rank 0; nothing on the
+    //! others. Collective. Sleeps while it waits.
+    std::vector<std::string> gather(const std::string& text) const;
 
     //! The worst value of all ranks on all ranks. Collective.
     int largest(int value) const;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "ideotype/app/canopy.hpp"
+#include "ideotype/app/disk.hpp"
 #include "ideotype/app/progress.hpp"
 #include "ideotype/app/verbs.hpp"
 #include "ideotype/history/history.hpp"
@@ -103,9 +104,10 @@ ExitCode list_left(const PlanOptions& options, const Campaign& campaign) {
 
 }  // namespace
 
-ExitCode check(const std::string& campaign_path) {
+ExitCode check(const std::string& campaign_path, const std::string& out) {
     const Campaign campaign = read_campaign(campaign_path);
     const std::vector<Case> all = cases(campaign);
+    require_names_fit(campaign, all, out);
     const Case& first = all.front();
     const Genome baseline = to_genome(campaign.baseline);
     const Mesh plant = build_plant(campaign, baseline);
@@ -143,6 +145,14 @@ ExitCode check(const std::string& campaign_path) {
             excess);
     fmt::print("genes     {} of {} free\n", free_genes, baseline.size());
     fmt::print("cost      {} per case\n", cost.text());
+    const DiskRoom room = disk_room(campaign, all);
+    const auto mebibytes = [](std::uint64_t bytes) {
+        return static_cast<double>(bytes) / (1 << 20);
+    };
+    fmt::print(
+        "disk      {:.2f} MiB per case, {:.2f} MiB for all of them, "
+        "reserved when a case begins\n",
+        mebibytes(room.largest), mebibytes(room.all));
     return ExitCode::ok;
 }
 

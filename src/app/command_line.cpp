@@ -85,7 +85,11 @@ int run_command_line(int argc, char** argv) {
         "check", "validate a campaign; report its size and cost");
     check_verb->add_option("campaign", check_path, "campaign file (TOML)")
         ->required();
-    on(check_verb, [&] { return check(check_path); });
+    std::string check_out = "results";
+    check_verb
+        ->add_option("--out", check_out, "folder that the histories will be in")
+        ->capture_default_str();
+    on(check_verb, [&] { return check(check_path, check_out); });
 
     PlanOptions plan_options;
     auto* plan_verb = app.add_subcommand(

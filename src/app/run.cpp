@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "ideotype/app/canopy.hpp"
+#include "ideotype/app/disk.hpp"
 #include "ideotype/app/machines.hpp"
 #include "ideotype/app/provenance.hpp"
 #include "ideotype/app/verbs.hpp"
@@ -70,6 +71,7 @@ std::optional<std::string> isa_of_histories(const RunOptions& options,
 Start prepare(const RunOptions& options, const Campaign& campaign,
               const std::vector<Machine>& machines) {
     const std::vector<Case> chosen = chosen_cases(options, campaign);
+    require_names_fit(campaign, chosen, options.out);
     require_same_program(machines);
     const auto begun_with = isa_of_histories(options, campaign, chosen);
     const std::string isa =

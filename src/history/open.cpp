@@ -152,7 +152,37 @@ void write_file(const std::string& unfinished, const HistoryHeader& header,
     synchronize_path(unfinished);
 }
 
+// Of a file with so many generations, which is only made in memory.
+std::uint64_t bytes_with(HistoryHeader header, int generations) {
+    header.generations = generations;
+    const std::string action = "measure a file";
+    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, action);
+    checked(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110),
+            action);
+    checked(H5Pset_fapl_core(access, 1 << 20, false), action);
+    place_objects(access);
+    const Handle file(H5Fcreate("measured", H5F_ACC_TRUNC, H5P_DEFAULT, access),
+                      H5Fclose, action);
+    write_everything(file, header);
+    flush(file);
+    return static_cast<std::uint64_t>(
+        checked(H5Fget_file_image(file, nullptr, 0), action));
+}
+
 }  // namespace
+
+std::uint64_t history_bytes(const HistoryHeader& header) {
+    initialize_hdf5();
+    // Every dataset is one block, at a multiple of 8 bytes: 8 more generations
+    // take the same room each time.
+    constexpr int step = 8;
+    if (header.generations <= 2 * step)
+        return bytes_with(header, header.generations);
+    const std::uint64_t small = bytes_with(header, step);
+    const std::uint64_t large = bytes_with(header, 2 * step);
+    const auto more = static_cast<std::uint64_t>(header.generations - step);
+    return small + (large - small) * more / step;
+}
 
 void create_file(const std::string& path, const HistoryHeader& header) {
     const std::string unfinished = path + ".new";

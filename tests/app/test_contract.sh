@@ -109,3 +109,22 @@ says "in use by process $second "
 kill -TERM $second
 wait $second || true
 
+# Names that are too long are told before any work.
+long=$(printf 'x%.0s' $(seq 64))
+sed "s/^name = \"Ames\"/name = \"$long\"/; s/^\[\(day\|spacing\)\]/&\nname = \"$long\"/
+    \$a [traits]\nname = \"$long\"\nfree = [\"azimuth\"]" campaigns/maths.toml >campaigns/names.toml
+for verb in check run; do
+    expect 3 "$ideotype" $verb campaigns/names.toml --out names
+    says "$long.*: this name of a file is 27[0-9] bytes long .*allows 255); shorten"
+done
+[ ! -e names ] || fail "something was written"
+deep=$(printf '%0199d/' $(seq 21))
+for verb in check run; do
+    expect 3 "$ideotype" $verb campaigns/maths.toml --out "$deep"
+    says "this path is 42.. bytes long .*allows 4096); choose a shorter folder"
+done
+
+# What check says of the disk is what a history takes.
+expect 0 "$ideotype" check campaigns/maths.toml
+size=$(stat -c %s "$maths" | awk '{ printf "%.2f", $1 / 1048576 }')
+says "^disk      $size MiB per case, $size MiB for all of them"

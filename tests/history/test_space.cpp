@@ -65,6 +65,22 @@ TEST(Space, IsTakenAtOnceForTheWholeRun) {
     EXPECT_LE(hole_bytes(path), 0);
 }
 
+TEST(Space, IsKnownBeforeTheFileIsWritten) {
+    for (const int generations : {1, 5, 16, 17, 24, 1000})
+        for (const int population : {4, 7, 1000}) {
+            HistoryHeader header = sample_header();
+            header.generations = generations;
+            header.population = population;
+            const Folder folder;
+            const std::string path = folder / "case.h5";
+            History::create(path, header);
+            const auto size =
+                static_cast<double>(std::filesystem::file_size(path));
+            EXPECT_NEAR(static_cast<double>(history_bytes(header)), size, 128)
+                << generations << " x " << population;
+        }
+}
+
 TEST(Space, LackOfItIsToldBeforeARunBegins) {
     const Folder folder;
     const std::string path = folder / "case.h5";

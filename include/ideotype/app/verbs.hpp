@@ -13,8 +13,9 @@
 
 namespace ideotype {
 
-//! `check CAMPAIGN`: validates, builds one plant, reports size and cost.
-ExitCode check(const std::string& campaign_path);
+//! `check CAMPAIGN`: validates, builds one plant, reports size and cost, and
+//! whether the names of its files fit into the folder out.
+ExitCode check(const std::string& campaign_path, const std::string& out);
 
 //! `plan CAMPAIGN`: lists the cases with index, seed and cost, or only those
 //! that are left to do.

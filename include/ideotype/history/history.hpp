@@ -66,6 +66,9 @@ Writer writer_of(const std::string& path);
 //! @throws Error if there is something else, or if that cannot be known.
 bool history_exists(const std::string& path);
 
+//! Bytes that the file of such a history reserves on the disk.
+std::uint64_t history_bytes(const HistoryHeader& header);
+
 //! Another program writes this history at this moment.
 class InUseError : public Error {
   public:

@@ -1,0 +1,47 @@
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "ideotype/core/error.hpp"
+#include "ideotype/history/pack.hpp"
+#include "sample_history.hpp"
+
+namespace ideotype {
+namespace {
+
+// Whoever opens it must say that there is such a thing instead of a history.
+void expect_no_history(const std::string& path, const std::string& thing) {
+    for (const auto& open : std::vector<std::function<void()>>{
+             [&] { History::create(path, sample_header()); },
+             [&] { History::resume(path); }, [&] { History::salvage(path); },
+             [&] { History::read(path); }, [&] { pack_file(path); }})
+        try {
+            open();
+            ADD_FAILURE() << path << " was taken for a history";
+        } catch (const Error& error) {
+            const std::string what = error.what();
+            EXPECT_TRUE(what.starts_with(path + ": ")) << what;
+            EXPECT_NE(what.find(thing), std::string::npos) << what;
+        }
+}
+
+TEST(Place, ThatIsNoFileIsNamedWithoutWaitingForIt) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+    expect_no_history(path, "a named pipe");
+    std::filesystem::remove(path);
+    std::filesystem::create_directory(path);
+    expect_no_history(path, "a folder");
+    std::filesystem::remove(path);
+    std::filesystem::create_symlink(path, path);
+    expect_no_history(path, "symbolic links lead in a circle");
+    expect_no_history("/dev/null", "a device");
+}
+
+}  // namespace
+}  // namespace ideotype

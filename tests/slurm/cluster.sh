@@ -50,7 +50,8 @@ CONF
     *) echo "CgroupPlugin=disabled" >"$cluster/cgroup.conf" ;;
     esac
     export SLURM_CONF=$cluster/slurm.conf
-    munged --key-file="$cluster/munge.key" \
+    # By force: in a folder of root's own, which others may not enter, too.
+    munged --force --key-file="$cluster/munge.key" \
         --socket="$cluster/run/munge.socket" \
         --pid-file="$cluster/run/munged.pid" \
         --log-file="$cluster/log/munged.log" \

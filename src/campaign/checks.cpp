@@ -32,7 +32,7 @@ void check_names(const std::string& axis, const std::vector<Entry>& entries,
             report.add(
                 name,
                 fmt::format("{}.name is \"{}\" (already used in line "
-                            "{}) give each a name of its own",
+                            "{}); give each a name of its own",
                             axis, *name, report.where(earlier->second).line));
     }
 }
@@ -49,7 +49,7 @@ void check_case_names(const Campaign& campaign, Report& report) {
         if (report.usable({&named->name}))
             report.add(&named->name,
                        fmt::format("site.name is \"{}\" (with the names of "
-                                   "the other axes two cases are called {}) "
+                                   "the other axes two cases are called {}); "
                                    "rename one of the entries",
                                    named->name, chosen.name));
         return;
@@ -65,7 +65,7 @@ void check_site(const Site& site, Report& report) {
         report.add(
             &site.utc_offset,
             fmt::format("site.utc_offset is {} h (noon would be {:.1f} "
-                        "h off the sun's at longitude {} deg) check "
+                        "h off the sun's at longitude {} deg); check "
                         "the signs: east is positive in both",
                         site.utc_offset, std::abs(error), site.longitude));
 }
@@ -75,7 +75,7 @@ void check_day(const DaySpan& day, Report& report) {
     if (day.end <= day.start)
         return report.add(
             &day.end, fmt::format("day.end is {} (not after the start at "
-                                  "{}) give a later end",
+                                  "{}); give a later end",
                                   clock_text(day.end), clock_text(day.start)));
     if (!report.usable({&day.step_minutes})) return;
     const double span = (day.end - day.start) * 60;
@@ -85,7 +85,7 @@ void check_day(const DaySpan& day, Report& report) {
     report.add(
         &day.step_minutes,
         fmt::format("day.step_minutes is {} min (does not divide the "
-                    "{:.6g} min from start to end) use {:.6g} or "
+                    "{:.6g} min from start to end); use {:.6g} or "
                     "{:.6g}",
                     day.step_minutes, span, span / (fewer + 1), span / fewer));
 }
@@ -97,7 +97,7 @@ void check_surface(const std::string& name, const Lambertian& surface,
     if (surface.reflectance + surface.transmittance <= 1 + 1e-12) return;
     report.add(&surface.transmittance,
                fmt::format("optics.{}_transmittance is {} (more than all "
-                           "light with a reflectance of {}) use {:.6g} or "
+                           "light with a reflectance of {}); use {:.6g} or "
                            "less",
                            name, surface.transmittance, surface.reflectance,
                            1 - surface.reflectance));
@@ -110,7 +110,7 @@ void check_evolution(const Campaign& campaign, Report& report) {
                              int most) {
         if (report.usable({&optimizer.population, &value}) && value > most)
             report.add(&value,
-                       fmt::format("{} is {} (the population is {}) use {} "
+                       fmt::format("{} is {} (the population is {}); use {} "
                                    "or fewer",
                                    name, value, population, most));
     };
@@ -127,14 +127,14 @@ void check_light(const Campaign& campaign, Report& report) {
         light.randomisations < fewest)
         report.add(&light.randomisations,
                    fmt::format("light.randomisations is {} (too few to tell "
-                               "whether a tolerance is met) use {} or more",
+                               "whether a tolerance is met); use {} or more",
                                light.randomisations, fewest));
     if (campaign.first_tolerance > 0 &&
         report.usable({&campaign.first_tolerance}) &&
         !(light.tolerance > 0 && campaign.first_tolerance >= light.tolerance))
         report.add(&campaign.first_tolerance,
                    fmt::format("light.first_tolerance is {} (the tolerance "
-                               "that it falls to is {}) give a tolerance "
+                               "that it falls to is {}); give a tolerance "
                                "above 0 and at most that",
                                campaign.first_tolerance, light.tolerance));
 }
@@ -149,18 +149,18 @@ void check_leaves(const Draft& draft, Report& report) {
             traits.width > traits.length)
             report.add(&traits.width,
                        fmt::format("leaf.width is {} m (wider than its length "
-                                   "of {} m) check the units: both are in m",
+                                   "of {} m); check the units: both are in m",
                                    traits.width, traits.length));
         if (report.usable({&height, &stalk.height}) && height > stalk.height)
             report.add(&height,
                        fmt::format("leaf.insertion_height is {} m (above the "
-                                   "stalk's height of {} m) use {} m or less",
+                                   "stalk's height of {} m); use {} m or less",
                                    height, stalk.height, stalk.height));
         if (below && report.usable({&height, &below->form.insertion_height}) &&
             height < below->form.insertion_height)
             report.add(&height,
                        fmt::format("leaf.insertion_height is {} m (below the "
-                                   "leaf before it, at {} m) list the lowest "
+                                   "leaf before it, at {} m); list the lowest "
                                    "leaf first",
                                    height, below->form.insertion_height));
         below = &leaf;
@@ -173,11 +173,11 @@ void check_field(const FieldForm& field, Report& report) {
     if (field.boundary == Boundary::periodic)
         report.add(&field.cut,
                    "field.cut is not 0 (a field that repeats without end has "
-                   "no edges) add boundary = \"isolated\" or leave it out");
+                   "no edges); add boundary = \"isolated\" or leave it out");
     else if (2 * field.cut >= std::min(field.rows, field.plants))
         report.add(&field.cut,
                    fmt::format("field.cut is {} (nothing is left of {} x {} "
-                               "plants) use {} or less",
+                               "plants); use {} or less",
                                field.cut, field.rows, field.plants,
                                (std::min(field.rows, field.plants) - 1) / 2));
 }
@@ -185,7 +185,7 @@ void check_field(const FieldForm& field, Report& report) {
 void check_constraints(const Constraints& constraints, Report& report) {
     if (report.usable({&constraints.lai}) && constraints.lai.upper <= 0)
         report.add(&constraints.lai,
-                   "constraints.lai allows no leaves (its upper bound is 0) "
+                   "constraints.lai allows no leaves (its upper bound is 0); "
                    "write [lower, upper]");
 }
 
@@ -194,7 +194,7 @@ void check_blade(const BladeForm& blade, Report& report) {
     if (report.usable({&controls}) &&
         *std::max_element(controls.begin(), controls.end()) <= 0)
         report.add(&controls,
-                   "blade.width_controls are all 0 (a blade has a width) "
+                   "blade.width_controls are all 0 (a blade has a width); "
                    "leave the key out for the usual profile");
 }
 
@@ -224,7 +224,7 @@ void check_baseline(const Draft& draft, Report& report) {
                 &value,
                 fmt::format("leaf.{} of leaf {} is {} {} (outside the {} "
                             "bounds {:.6g} .. {:.6g} {}, and trait set "
-                            "\"{}\" breeds it) change the baseline, the "
+                            "\"{}\" breeds it); change the baseline, the "
                             "bounds or the free traits",
                             name, i + 1, value, unit,
                             is_table ? "table's" : '"' + bounds.rule + '"',

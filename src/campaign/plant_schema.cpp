@@ -13,6 +13,10 @@ constexpr Range any_inclination{0, 90};
 
 }  // namespace
 
+std::vector<MistakenUnit> metric_units() {
+    return {{"centimetres", 0.01}};
+}
+
 Section plant_section(Draft& draft) {
     Campaign& campaign = draft.campaign;
     return {"plant",
@@ -50,6 +54,7 @@ Section bounds_section(LeafBounds& bounds) {
               .value = &bounds.length,
               .presence = required,
               .unit = "m",
+              .mistaken = metric_units(),
               .lower = any_length.lower,
               .upper = any_length.upper,
               .example = "[0.4, 1.1]",
@@ -58,6 +63,7 @@ Section bounds_section(LeafBounds& bounds) {
               .value = &bounds.width,
               .presence = required,
               .unit = "m",
+              .mistaken = metric_units(),
               .lower = any_width.lower,
               .upper = any_width.upper,
               .example = "[0.05, 0.14]",
@@ -87,12 +93,14 @@ Section stalk_section(StalkForm& stalk) {
             {{.name = "height",
               .value = &stalk.height,
               .unit = "m",
+              .mistaken = metric_units(),
               .lower = 0.05,
               .upper = 6,
               .meaning = "above the soil"},
              {.name = "diameter",
               .value = &stalk.diameter,
               .unit = "m",
+              .mistaken = metric_units(),
               .lower = 0.001,
               .upper = 0.2,
               .meaning = "the same at all heights"}}};
@@ -128,6 +136,7 @@ Section leaf_section(LeafEntry& leaf) {
               .value = &leaf.traits.length,
               .presence = required,
               .unit = "m",
+              .mistaken = metric_units(),
               .lower = any_length.lower,
               .upper = any_length.upper,
               .example = "0.651",
@@ -136,6 +145,7 @@ Section leaf_section(LeafEntry& leaf) {
               .value = &leaf.traits.width,
               .presence = required,
               .unit = "m",
+              .mistaken = metric_units(),
               .lower = any_width.lower,
               .upper = any_width.upper,
               .example = "0.073",
@@ -168,6 +178,7 @@ Section leaf_section(LeafEntry& leaf) {
               .value = &leaf.form.insertion_height,
               .presence = required,
               .unit = "m",
+              .mistaken = metric_units(),
               .lower = 0,
               .upper = 6,
               .example = "0.09",

@@ -31,6 +31,11 @@ std::string nearest_file(const fs::path& missing) {
     return nearest_name(missing.stem().string(), names);
 }
 
+//! Only plants have leaves; only campaigns have sites.
+bool is_plant(const toml::table& top) {
+    return top.contains("leaf") && !top.contains("site");
+}
+
 class DraftReader {
   public:
     DraftReader(const std::string& file, PlantSource source, Draft& draft,
@@ -120,7 +125,7 @@ class DraftReader {
         if (!path || source_ == PlantSource::table)
             return report_.add(
                 tables_.where(baseline),
-                fmt::format("plant.baseline is {} (expected: {}) write {}",
+                fmt::format("plant.baseline is {} (expected: {}); write {}",
                             kind(baseline),
                             path ? "the plant itself" : "path or table",
                             path ? "it as [plant.baseline]"
@@ -138,10 +143,10 @@ class DraftReader {
             const std::string near = nearest_file(full);
             report_.add(
                 named_at,
-                fmt::format("cannot read {} (named by plant.baseline) {}", file,
-                            near.empty()
-                                ? "give a path relative to this file"
-                                : "did you mean '" + near + ".toml'?"));
+                fmt::format(
+                    "cannot read {} (named by plant.baseline); {}", file,
+                    near.empty() ? "give a path relative to this file"
+                                 : "did you mean '" + near + ".toml'?"));
             return;
         }
         report_.open(file);
@@ -163,7 +168,7 @@ class DraftReader {
         if (draft_.leaves.size() > most_leaves)
             report_.add(&draft_.leaves[most_leaves],
                         fmt::format("the plant has {} leaves (the limit is "
-                                    "{}) remove some",
+                                    "{}); remove some",
                                     draft_.leaves.size(), most_leaves));
     }
 
@@ -179,7 +184,13 @@ class DraftReader {
 void read_draft(const std::string& text, const std::string& file,
                 PlantSource source, Draft& draft, Report& report) {
     report.open(file);
-    if (const auto table = parse_toml(text, file, report))
+    const auto table = parse_toml(text, file, report);
+    if (table && is_plant(*table))
+        report.add(Location{file, 1, 1},
+                   "this is a plant file (it has leaves, but no site to "
+                   "light them); give a campaign, or evaluate the plant in "
+                   "one: ideotype evaluate PLANT --under CAMPAIGN");
+    else if (table)
         DraftReader(file, source, draft, report).read(*table);
 }
 
@@ -187,9 +198,7 @@ bool read_plant_draft(const std::string& text, const std::string& file,
                       Draft& draft, Report& report) {
     report.open(file);
     const auto table = parse_toml(text, file, report);
-    // Only plants have leaves; only campaigns have sites.
-    if (table && (!table->contains("leaf") || table->contains("site")))
-        return false;
+    if (table && !is_plant(*table)) return false;
     if (table)
         DraftReader(file, PlantSource::table, draft, report).read_plant(*table);
     return true;

@@ -14,8 +14,7 @@ const Location& Report::where(const void* value) const {
 }
 
 void Report::add(const Location& where, const std::string& what) {
-    if (muted_.count({where.file, where.line}) == 0)
-        problems_.push_back({where, what});
+    problems_.push_back({where, what});
 }
 
 void Report::spoil(const void* value) {
@@ -33,27 +32,35 @@ bool Report::usable(std::initializer_list<const void*> values) const {
     });
 }
 
-void Report::mute(const std::string& file, int line) {
-    muted_.insert({file, line});
+void Report::add_once(const void* value, const std::string& kind,
+                      const std::string& what) {
+    spoil(value);
+    if (once_.insert({where(value).file, kind}).second) add(where(value), what);
+}
+
+void Report::warn(const void* value, const std::string& what) {
+    warnings_.push_back({where(value), what});
 }
 
 void Report::open(const std::string& file) {
     files_.push_back(file);
 }
 
-void Report::throw_if_any() const {
-    if (problems_.empty()) return;
+std::vector<Problem> Report::sorted(std::vector<Problem> problems) const {
     const auto position = [&](const Problem& problem) {
         const Location& where = problem.where;
         return std::tuple(std::find(files_.begin(), files_.end(), where.file),
                           where.line, where.column);
     };
-    std::vector<Problem> sorted = problems_;
-    std::stable_sort(sorted.begin(), sorted.end(),
+    std::stable_sort(problems.begin(), problems.end(),
                      [&](const Problem& a, const Problem& b) {
                          return position(a) < position(b);
                      });
-    throw InputError(std::move(sorted));
+    return problems;
+}
+
+void Report::throw_if_any() const {
+    if (!problems_.empty()) throw InputError(sorted(problems_));
 }
 
 }  // namespace ideotype

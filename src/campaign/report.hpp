@@ -35,22 +35,33 @@ class Report {
     //! Whether nothing is wrong so far.
     bool empty() const { return problems_.empty(); }
 
-    //! Drops all later problems of a line whose syntax is wrong.
-    void mute(const std::string& file, int line);
+    //! Reports the first problem of this kind in a file and spoils the values
+    //! of all.
+    void add_once(const void* value, const std::string& kind,
+                  const std::string& what);
+
+    //! Notes what may be wrong with a value; it stays usable.
+    void warn(const void* value, const std::string& what);
 
     //! @throws InputError if there is any problem: file by file in the order
     //! in which they were read, by position in each.
     void throw_if_any() const;
 
+    //! In the same order.
+    std::vector<Problem> warnings() const { return sorted(warnings_); }
+
     //! Fixes the order of files.
     void open(const std::string& file);
 
   private:
+    std::vector<Problem> sorted(std::vector<Problem> problems) const;
+
     std::vector<std::string> files_;
     std::map<const void*, Location> places_;
     std::set<const void*> unusable_;
-    std::set<std::pair<std::string, int>> muted_;
+    std::set<std::pair<std::string, std::string>> once_;
     std::vector<Problem> problems_;
+    std::vector<Problem> warnings_;
 };
 
 }  // namespace ideotype

@@ -6,6 +6,15 @@ namespace {
 
 constexpr double most_paths = 1 << 24;
 
+//! Errors above this tell nothing about a plant.
+Key relative_error(const std::string& name, double& value,
+                   const std::string& meaning) {
+    Key key = fraction(name, value, meaning);
+    key.upper = 0.1;
+    key.mistaken = {{"per cent", 0.01}};
+    return key;
+}
+
 std::vector<Key> sampling_keys(Sampling& sampling) {
     return {{.name = "paths",
              .value = &sampling.paths,
@@ -26,15 +35,15 @@ Section light_section(Campaign& campaign) {
     Section section{"light", sampling_keys(campaign.sampling)};
     section.keys.front().meaning =
         "light paths per randomisation; with a tolerance at most";
-    section.keys.push_back(
-        fraction("tolerance", campaign.sampling.tolerance,
-                 "relative standard error of the leaves' light that is "
-                 "expected of each evaluation, with as few paths as that "
-                 "takes; 0: none, all paths"));
-    section.keys.push_back(
-        fraction("first_tolerance", campaign.first_tolerance,
-                 "that of the first generation, from which it falls to that "
-                 "of the last one by an equal factor each; 0: all the same"));
+    section.keys.push_back(relative_error(
+        "tolerance", campaign.sampling.tolerance,
+        "relative standard error of the leaves' light that is expected "
+        "of each evaluation, with as few paths as that takes; 0: none, "
+        "all paths"));
+    section.keys.push_back(relative_error(
+        "first_tolerance", campaign.first_tolerance,
+        "that of the first generation, from which it falls to that "
+        "of the last one by an equal factor each; 0: all the same"));
     section.keys.push_back({.name = "sky",
                             .value = &campaign.sky_model,
                             .choices = {"uniform", "overcast", "clear"},

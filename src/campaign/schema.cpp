@@ -20,6 +20,12 @@ Key entry_name(std::string& name, const std::string& initial,
             .meaning = "part of the names of cases"};
 }
 
+std::vector<MistakenUnit> spacing_units() {
+    std::vector<MistakenUnit> units = metric_units();
+    units.push_back({"inches", 0.0254});
+    return units;
+}
+
 }  // namespace
 
 Key fraction(const std::string& name, double& value,
@@ -131,6 +137,7 @@ Section spacing_section(Named<Spacing>& spacing) {
               .value = &spacing.value.row,
               .presence = required,
               .unit = "m",
+              .mistaken = spacing_units(),
               .lower = 0.02,
               .upper = 10,
               .example = "0.762",
@@ -139,6 +146,7 @@ Section spacing_section(Named<Spacing>& spacing) {
               .value = &spacing.value.plant,
               .presence = required,
               .unit = "m",
+              .mistaken = spacing_units(),
               .lower = 0.02,
               .upper = 10,
               .example = "0.1524",

@@ -29,6 +29,12 @@ enum class Notation {
     duration,  //!< seconds or "HH:MM:SS", kept as seconds
 };
 
+//! A unit that numbers are given in by mistake, and what it is in the key's.
+struct MistakenUnit {
+    const char* name;
+    double value;
+};
+
 //! One key, bound to the place of its value. This is the only declaration of
 //! a key: parsing, the canonical text and the documentation all use it.
 struct Key {
@@ -37,6 +43,8 @@ struct Key {
     Presence presence = Presence::optional;
     Notation notation = Notation::plain;
     std::string unit = "";
+    //! Units that a number above the range may have been given in.
+    std::vector<MistakenUnit> mistaken = {};
     double lower = 0;
     double upper = 0;       //!< of numbers; lower == upper: none
     std::size_t count = 0;  //!< of the numbers of a list
@@ -56,6 +64,9 @@ struct Section {
     std::string name;
     std::vector<Key> keys;
 };
+
+//! What lengths are given in instead of metres.
+std::vector<MistakenUnit> metric_units();
 
 //! An optional number from 0 to 1.
 Key fraction(const std::string& name, double& value,

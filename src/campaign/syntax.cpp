@@ -6,38 +6,65 @@
 
 #include <fmt/format.h>
 
+#include "spelling.hpp"
+
 namespace ideotype {
 
 namespace {
 
-//! The first and one-past-last character of a line.
-struct Span {
-    std::size_t begin;
-    std::size_t end;
-};
+//! The parser and its tables recurse by the parts of a key, and have a limit
+//! of their own for nested values only. Campaigns need four parts.
+constexpr int most_parts = 8;
 
-Span find_line(const std::string& text, int line) {
-    std::size_t begin = 0;
-    for (int i = 1; i < line; ++i) begin = text.find('\n', begin) + 1;
-    return {begin, std::min(text.find('\n', begin), text.size())};
+//! The end of a comment or text that begins at a place.
+std::size_t end_of_opaque(std::string_view text, std::size_t begin) {
+    const char quote = text[begin];
+    if (quote == '#') return std::min(text.find('\n', begin), text.size());
+    const std::string triple(3, quote);
+    const bool is_long = text.substr(begin).starts_with(triple);
+    const std::string_view end = is_long ? triple : std::string_view(&quote, 1);
+    for (std::size_t at = begin + end.size(); at < text.size(); ++at) {
+        if (text[at] == '\\' && quote == '"')
+            ++at;
+        else if (text.substr(at).starts_with(end))
+            return at + end.size();
+        else if (text[at] == '\n' && !is_long)
+            return at;
+    }
+    return text.size();
 }
 
-//! Whether a line is a whole assignment, so that the lines after it make sense
-//! without it.
-bool is_assignment(const std::string& line) {
-    const std::size_t equals = line.find('=');
-    if (equals == std::string::npos) return false;
-    const std::string key = line.substr(0, equals);
-    const bool is_plain = std::all_of(key.begin(), key.end(), [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) ||
-               std::string_view("_-. \t").find(c) != std::string_view::npos;
-    });
-    const auto count = [&](char c) {
-        return std::count(line.begin(), line.end(), c);
-    };
-    return is_plain && count('[') == count(']') && count('{') == count('}') &&
-           line.find("\"\"\"") == std::string::npos &&
-           line.find("'''") == std::string::npos;
+//! Where a key has more parts than any campaign needs.
+std::optional<std::size_t> find_deep_key(std::string_view text) {
+    int parts = 1;
+    for (std::size_t at = 0; at < text.size();) {
+        const char c = text[at];
+        if (c == '"' || c == '\'' || c == '#') {
+            at = end_of_opaque(text, at);
+            continue;
+        }
+        if (c == '.' && ++parts > most_parts) return at;
+        if (std::string_view("=,[]{}\n").find(c) != std::string_view::npos)
+            parts = 1;
+        ++at;
+    }
+    return std::nullopt;
+}
+
+Location place(const std::string& text, std::size_t at,
+               const std::string& file) {
+    const auto begin = text.begin();
+    const auto end = begin + static_cast<std::ptrdiff_t>(at);
+    const std::size_t line_end = text.rfind('\n', at);
+    return {file, 1 + static_cast<int>(std::count(begin, end, '\n')),
+            static_cast<int>(at - line_end)};
+}
+
+std::string line_of(const std::string& text, std::uint32_t number) {
+    std::size_t begin = 0;
+    for (std::uint32_t i = 1; i < number; ++i)
+        begin = text.find('\n', begin) + 1;
+    return text.substr(begin, text.find_first_of("\r\n", begin) - begin);
 }
 
 //! What the parser says, in the style of the other messages.
@@ -51,37 +78,39 @@ std::string reason(const toml::parse_error& error) {
     return text;
 }
 
+//! What is wrong, why, and what to do about it.
+std::string problem(const toml::parse_error& error, const std::string& line) {
+    const std::string why = reason(error);
+    const bool is_twice = why.find("cannot redefine") != std::string::npos;
+    const bool is_table =
+        why.find("table '") != std::string::npos || why.ends_with("as table");
+    if (is_twice && is_table && why.find("bounds'") != std::string::npos)
+        return "plant.bounds is given twice (as a rule and as a table); keep "
+               "either bounds = \"...\" or [plant.bounds]";
+    return fmt::format("not valid TOML ({}); {}", why,
+                       is_twice ? "remove one of the two" : line_advice(line));
+}
+
 }  // namespace
 
-std::optional<toml::table> parse_toml(std::string text, const std::string& file,
-                                      Report& report) {
-    int last_line = 0;
-    while (true) {
-        try {
-            return toml::parse(text, file);
-        } catch (const toml::parse_error& error) {
-            const toml::source_position at = error.source().begin;
-            const Location where{file, static_cast<int>(at.line),
-                                 static_cast<int>(at.column)};
-            const Span span = find_line(text, where.line);
-            const std::string line =
-                text.substr(span.begin, span.end - span.begin);
-            const bool recovers = is_assignment(line);
-            report.add(where,
-                       fmt::format("not valid TOML ({}) {}", reason(error),
-                                   recovers ? "correct this line"
-                                            : "correct this line, then "
-                                              "check the rest again"));
-            if (!recovers) return std::nullopt;
-            // An empty text keeps the key from being reported as missing; a
-            // line that is wrong even so is left out.
-            const std::string kept =
-                line.substr(0, line.find('=') + 1) + " \"\"";
-            text.replace(span.begin, line.size(),
-                         where.line == last_line ? "" : kept);
-            report.mute(file, where.line);
-            last_line = where.line;
-        }
+std::optional<toml::table> parse_toml(const std::string& text,
+                                      const std::string& file, Report& report) {
+    if (const auto at = find_deep_key(text)) {
+        report.add(place(text, *at, file),
+                   fmt::format("a key has more than {} parts (joined by dots, "
+                               "the keys of a campaign have at most 4); "
+                               "correct this line",
+                               most_parts));
+        return std::nullopt;
+    }
+    try {
+        return toml::parse(text, file);
+    } catch (const toml::parse_error& error) {
+        const toml::source_position at = error.source().begin;
+        report.add(Location{file, static_cast<int>(at.line),
+                            static_cast<int>(at.column)},
+                   problem(error, line_of(text, at.line)));
+        return std::nullopt;
     }
 }
 

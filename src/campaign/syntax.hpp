@@ -9,10 +9,9 @@
 
 namespace ideotype {
 
-//! Parses TOML text. Lines `key = value` with wrong syntax are reported, then
-//! muted and skipped so that the rest can still be checked; nothing is
-//! returned if the rest can't be told from the text.
-std::optional<toml::table> parse_toml(std::string text, const std::string& file,
-                                      Report& report);
+//! Parses TOML text; if its syntax is wrong, reports where first and returns
+//! nothing.
+std::optional<toml::table> parse_toml(const std::string& text,
+                                      const std::string& file, Report& report);
 
 }  // namespace ideotype

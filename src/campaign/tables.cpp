@@ -73,7 +73,7 @@ void TableReader::read(const toml::table& table, const Section& section,
             report_.spoil(id);
         } else if (key.presence == Presence::required) {
             report_.add(id, fmt::format("missing key '{}' {} (it has no "
-                                        "default) add {} = {}",
+                                        "default); add {} = {}",
                                         key.name, place(section.name), key.name,
                                         key.example));
         }
@@ -86,7 +86,7 @@ void TableReader::read_child(const toml::table& parent, const std::string& name,
     if (node && !node->is_table())
         report_.add(
             where(*node),
-            fmt::format("{} is {} (expected: one table) write [{}] once", name,
+            fmt::format("{} is {} (expected: one table); write [{}] once", name,
                         kind(*node), section.name));
     const bool requires_any = std::any_of(
         section.keys.begin(), section.keys.end(),
@@ -108,7 +108,7 @@ std::vector<const toml::table*> TableReader::entries(const toml::table& parent,
     std::vector<const toml::table*> tables;
     const auto refuse = [&](const toml::node& found) {
         report_.add(where(found),
-                    fmt::format("{} is {} (expected: tables) write [[{}]] "
+                    fmt::format("{} is {} (expected: tables); write [[{}]] "
                                 "before the keys of each",
                                 name, kind(found), name));
     };
@@ -132,7 +132,7 @@ void TableReader::report_missing(const toml::table& parent,
     for (const Key& key : section.keys)
         if (key.presence == Presence::required) needed.push_back(key.name);
     report_.add(where(parent),
-                fmt::format("missing table [{}] (it has no default) add it "
+                fmt::format("missing table [{}] (it has no default); add it "
                             "with {}",
                             name, fmt::join(needed, ", ")));
 }
@@ -156,7 +156,7 @@ std::set<std::string> TableReader::report_unknown(
         report_.add(
             Location{file_, static_cast<int>(begin.line),
                      static_cast<int>(begin.column)},
-            fmt::format("unknown {} '{}' {} (nothing would read it) "
+            fmt::format("unknown {} '{}' {} (nothing would read it); "
                         "{}",
                         is_table ? "table" : "key", name, place(section.name),
                         advice(name, nearest, section.name, known)));

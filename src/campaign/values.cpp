@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "nodes.hpp"
+#include "spelling.hpp"
 
 namespace ideotype {
 
@@ -28,10 +29,25 @@ struct Reader {
         report.add(address(key.value), name() + ' ' + what);
     }
 
+    //! What a text would be without its quotes, if that is of the right type.
+    std::optional<std::string> without_quotes(const toml::node& found) const {
+        const auto text = found.value<std::string>();
+        if (!text) return std::nullopt;
+        if (std::holds_alternative<Date*>(key.value)) return meant_date(*text);
+        if (!std::holds_alternative<double*>(key.value)) return std::nullopt;
+        return key.notation == Notation::clock ? meant_time(*text)
+                                               : meant_number(*text);
+    }
+
     void fail_type(const toml::node& found) const {
+        if (const auto meant = without_quotes(found))
+            return fail(
+                fmt::format("is a text (expected: {}); write {} = {} "
+                            "without quotes",
+                            type_text(key), key.name, *meant));
         const std::string example =
             key.example.empty() ? toml_text(key) : key.example;
-        fail(fmt::format("is {} (expected: {}) write for example {} = {}",
+        fail(fmt::format("is {} (expected: {}); write for example {} = {}",
                          kind(found), type_text(key), key.name, example));
     }
 
@@ -40,17 +56,50 @@ struct Reader {
         const std::string unit = key.unit.empty() ? "" : ' ' + key.unit;
         if (!std::isfinite(value))
             return fmt::format(
-                "is {} (not a finite number) give a number{}", value,
+                "is {} (not a finite number); give a number{}", value,
                 key.lower == key.upper ? std::string()
                                        : " in " + range_text(key));
         if (key.lower == key.upper) return "";
         if (value < key.lower)
-            return fmt::format("is {}{} (below the range {}) use {}{} or more",
+            return fmt::format("is {}{} (below the range {}); use {}{} or more",
                                value, unit, range_text(key), key.lower, unit);
         if (value > key.upper)
-            return fmt::format("is {}{} (above the range {}) use {}{} or less",
+            return fmt::format("is {}{} (above the range {}); use {}{} or less",
                                value, unit, range_text(key), key.upper, unit);
         return "";
+    }
+
+    //! Reports a number that is in the range in another unit; a file has most
+    //! likely all its lengths in that unit.
+    bool is_mistaken(double value) const {
+        if (!(value > key.upper)) return false;
+        std::vector<std::string> units, values;
+        for (const auto& [unit, in_ours] : key.mistaken) {
+            const double meant = value * in_ours;
+            if (meant < key.lower || meant > key.upper) continue;
+            units.push_back(unit);
+            values.push_back(fmt::format("{:.6g}", meant));
+        }
+        if (units.empty()) return false;
+        const bool is_length = key.unit == "m";
+        report.add_once(
+            address(key.value), is_length ? "metres" : key.name,
+            fmt::format(
+                "{} is {}{}{} (above the range {}, it looks like {}); "
+                "give {}: {}{}",
+                name(), value, key.unit.empty() ? "" : " ", key.unit,
+                range_text(key), fmt::join(units, " or "),
+                is_length ? "metres" : "a fraction", fmt::join(values, " or "),
+                is_length ? ", and check all lengths of this file" : ""));
+        return true;
+    }
+
+    //! Whether a number is in the range; otherwise reports.
+    bool accepts(double value) const {
+        if (is_mistaken(value)) return false;
+        const std::string why = fault(value);
+        if (!why.empty()) fail(why);
+        return why.empty();
     }
 
     //! A number of either TOML type, in range; otherwise reports.
@@ -64,10 +113,7 @@ struct Reader {
             return fail_type(found), std::nullopt;
         // Adding zero turns -0 into 0, which has only one text.
         const double value = plain + 0.0;
-        if (const std::string why = fault(value); !why.empty()) {
-            fail(why);
-            return std::nullopt;
-        }
+        if (!accepts(value)) return std::nullopt;
         return value;
     }
 
@@ -82,7 +128,7 @@ struct Reader {
         for (const toml::node& element : *array)
             if (const auto value = number(element)) values.push_back(*value);
         if (array->size() != count)
-            fail(fmt::format("has {} values (expected: {}) give {} of them",
+            fail(fmt::format("has {} values (expected: {}); give {} of them",
                              array->size(), type_text(key), count));
         if (values.size() != count) return std::nullopt;
         return values;
@@ -94,7 +140,7 @@ struct Reader {
         if (std::find(key.choices.begin(), key.choices.end(), text) !=
             key.choices.end())
             return true;
-        fail(fmt::format("is \"{}\" (not one of its values) use {}", text,
+        fail(fmt::format("is \"{}\" (not one of its values); use {}", text,
                          range_text(key)));
         return false;
     }
@@ -120,7 +166,7 @@ struct Reader {
             if (!is_choice(*text)) return;
         } else if (!is_name(*text)) {
             return fail(
-                fmt::format("is \"{}\" (allowed: {}) use for example "
+                fmt::format("is \"{}\" (allowed: {}); use for example "
                             "\"{}\"",
                             *text, range_text(key), make_name(*text)));
         }
@@ -131,7 +177,7 @@ struct Reader {
         const toml::value<std::int64_t>* found = node.as_integer();
         if (!found) return fail_type(node);
         if (found->get() < 0)
-            return fail(fmt::format("is {} (below the range {}) use 0 or more",
+            return fail(fmt::format("is {} (below the range {}); use 0 or more",
                                     found->get(), range_text(key)));
         *value = static_cast<std::uint64_t>(found->get());
     }
@@ -168,12 +214,10 @@ struct Reader {
         const auto seconds = parse_duration(text);
         if (!seconds)
             return fail(
-                fmt::format("is \"{}\" (not a duration HH:MM:SS) "
+                fmt::format("is \"{}\" (not a duration HH:MM:SS); "
                             "write for example {} = {}",
                             text, key.name, key.example));
-        if (const std::string why = fault(*seconds); !why.empty())
-            return fail(why);
-        *value = *seconds;
+        if (accepts(*seconds)) *value = *seconds;
     }
 
     void operator()(bool* value) const {
@@ -188,7 +232,7 @@ struct Reader {
         const toml::date date = found->get();
         *value = {date.year, date.month, date.day};
         if (date.year < 1950 || date.year > 2100)
-            fail(fmt::format("is {} (outside the range {}) use a year within",
+            fail(fmt::format("is {} (outside the range {}); use a year within",
                              toml_text(key), range_text(key)));
     }
 
@@ -198,7 +242,7 @@ struct Reader {
         const double lower = (*found)[0], upper = (*found)[1];
         if (lower >= upper)
             return fail(fmt::format(
-                "is [{}, {}] (the lower bound is not below the upper) write "
+                "is [{}, {}] (the lower bound is not below the upper); write "
                 "[lower, upper]",
                 lower, upper));
         *value = {lower, upper};
@@ -214,7 +258,7 @@ struct Reader {
         TraitSet set{false, false, false, false};
         for (const toml::node& element : *array) mark(element, set);
         if (array->empty())
-            fail(fmt::format("is empty (nothing could be bred) name {}",
+            fail(fmt::format("is empty (nothing could be bred); name {}",
                              range_text(key)));
         *value = set;
     }
@@ -228,14 +272,14 @@ struct Reader {
             if (*text != trait) continue;
             if (set.*member)
                 fail(
-                    fmt::format("has \"{}\" twice (once is enough) remove "
+                    fmt::format("has \"{}\" twice (once is enough); remove "
                                 "one",
                                 *text));
             set.*member = true;
             return;
         }
         const std::string nearest = nearest_name(*text, known);
-        fail(fmt::format("has \"{}\" (not a trait) {}", *text,
+        fail(fmt::format("has \"{}\" (not a trait); {}", *text,
                          nearest.empty()
                              ? "use " + range_text(key)
                              : "did you mean \"" + nearest + "\"?"));

@@ -38,7 +38,7 @@ struct Location {
 //! One thing that is wrong with an input file.
 struct Problem {
     Location where;
-    std::string what;  //!< "problem (why) suggestion"
+    std::string what;  //!< "problem (why); remedy"
 };
 
 //! `file:line:column: what`

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace ideotype {
+
+//! What a value that TOML does not know was meant to be, as TOML: "5:00" is
+//! 05:00:00, "15.07.2025" is 2025-07-15, ".8" is 0.8. Nothing if it can't be
+//! told.
+std::optional<std::string> meant_time(const std::string& text);
+std::optional<std::string> meant_date(const std::string& text);
+std::optional<std::string> meant_number(const std::string& text);
+
+//! How to correct a line that is not valid TOML.
+std::string line_advice(const std::string& line);
+
+}  // namespace ideotype

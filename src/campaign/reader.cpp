@@ -57,6 +57,9 @@ class DraftReader {
         read_plant_choice(top);
         tables_.read_child(top, "optics", optics_section(campaign));
         tables_.read_child(top, "light", light_section(campaign));
+        // A number of paths alone means all of them.
+        if (top["light"]["paths"] && !top["light"]["tolerance"])
+            campaign.sampling.tolerance = 0;
         tables_.read_child(top, "objective", objective_section(campaign));
         tables_.read_child(top, "constraints",
                            constraints_section(campaign.constraints));

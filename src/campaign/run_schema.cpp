@@ -40,6 +40,7 @@ Section light_section(Campaign& campaign) {
         "relative standard error of the leaves' light that is expected "
         "of each evaluation, with as few paths as that takes; 0: none, "
         "all paths"));
+    section.keys.back().initial = "0.008, or 0 if paths is given";
     section.keys.push_back(relative_error(
         "first_tolerance", campaign.first_tolerance,
         "that of the first generation, from which it falls to that "

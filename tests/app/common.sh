@@ -29,6 +29,7 @@ utc_offset = -5
 date = 2025-08-07
 start = 07:00:00
 end = 20:00:00
+step_minutes = 60
 [spacing]
 row = 0.762
 plant = 0.1524

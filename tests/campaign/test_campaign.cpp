@@ -68,6 +68,25 @@ TEST(Campaign, AmesQuickIsTheSameCaseWithLessWork) {
             EXPECT_NE(line.rfind(same, 0), 0u) << line;
 }
 
+TEST(Campaign, WhatIsLeftOutIsAsInTheStudyOfThePaper) {
+    std::string text = sample_text();
+    const std::string reduced =
+        "name = \"ames\"\nreplicates = 3\n" + text.substr(text.find('\n'));
+    for (const std::string& line :
+         differences(ames().resolved, parse_campaign(reduced, "x").resolved))
+        EXPECT_TRUE(line.starts_with("site[0].name") ||
+                    line.starts_with("plant.baseline"))
+            << line;
+}
+
+TEST(Campaign, PathsWithoutAToleranceAreAllFollowed) {
+    EXPECT_EQ(sample().sampling.tolerance, 0.008);
+    EXPECT_EQ(sample("", "[light]\npaths = 512\n").sampling.tolerance, 0);
+    EXPECT_EQ(sample("", "[light]\npaths = 512\ntolerance = 0.01\n")
+                  .sampling.tolerance,
+              0.01);
+}
+
 TEST(Campaign, PlantsAreWrittenAsTheyAreRead) {
     const KnownPlant b73 = read_plant(IDEOTYPE_CAMPAIGNS "/plants/b73.toml");
     EXPECT_EQ(b73.traits.size(), 10u);
@@ -198,7 +217,8 @@ TEST(Campaign, ClockTimesKeepTheirSeconds) {
 TEST(Campaign, SameMeaningHasTheSameResolvedText) {
     const Campaign one = sample("seed = 1\nreplicates = 1\n");
     const Campaign other =
-        sample("# a comment\nreplicates = 1\n", "[light]\npaths = 4_096\n");
+        sample("# a comment\nreplicates = 1\n",
+               "[light]\ntolerance = 8e-3\npaths = 16_384\n");
     EXPECT_EQ(one.sha256, other.sha256);
     EXPECT_NE(one.source, other.source);
 }

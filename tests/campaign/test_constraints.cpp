@@ -56,7 +56,8 @@ TEST(Constraints, ATolerancesRandomisationsAndScheduleMustMakeSense) {
     EXPECT_THROW(sample("", tolerance + "randomisations = 7\n"), InputError);
     EXPECT_THROW(sample("", tolerance + "first_tolerance = 0.004\n"),
                  InputError);
-    EXPECT_THROW(sample("", "[light]\nfirst_tolerance = 0.01\n"), InputError);
+    EXPECT_THROW(sample("", "[light]\npaths = 64\nfirst_tolerance = 0.01\n"),
+                 InputError);
     EXPECT_EQ(
         sample("", tolerance + "first_tolerance = 0.01\n").first_tolerance,
         .01);

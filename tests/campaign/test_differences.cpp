@@ -17,9 +17,10 @@ TEST(Differences, EqualCampaignsHaveNone) {
 TEST(Differences, ChangedKeysHaveDottedNames) {
     const std::string was = sample().resolved;
     const std::string is =
-        sample("seed = 2\n", "[light]\npaths = 8192\n").resolved;
-    EXPECT_EQ(differences(was, is),
-              (Lines{"seed was 1, is 2", "light.paths was 4096, is 8192"}));
+        sample("seed = 2\n", "[light]\nrandomisations = 32\n").resolved;
+    EXPECT_EQ(
+        differences(was, is),
+        (Lines{"seed was 1, is 2", "light.randomisations was 16, is 32"}));
 }
 
 TEST(Differences, EntriesOfAxesAreCountedFromZero) {

@@ -29,13 +29,18 @@ campaign=$folder/latitudes.toml
 date = 2025-06-21
 start = 06:00:00
 end = 18:00:00
+step_minutes = 60
 [[spacing]]
 row = 0.762
 plant = 0.1524
+[field]
+rows = 6
+plants = 6
 [plant]
 baseline = "plants/b73.toml"
 [light]
 paths = ${PATHS:-4096}
+randomisations = 8
 [evolution]
 population = ${POPULATION:-50}
 [stop]

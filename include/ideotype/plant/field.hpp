@@ -21,8 +21,8 @@ struct Spacing {
 
 //! A lattice of plants, which repeats without end or is a plot alone.
 struct FieldForm {
-    int rows = 6;
-    int plants = 6;  //!< per row
+    int rows = 4;
+    int plants = 4;  //!< per row
     Spacing spacing;
     double jitter = 10;  //!< largest random turn of a plant [deg]
     Boundary boundary = Boundary::periodic;

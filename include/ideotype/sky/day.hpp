@@ -13,7 +13,7 @@ struct DaySpan {
     Date date;
     double start = 7;          //!< local clock [h]
     double end = 20;           //!< local clock [h], after start
-    double step_minutes = 60;  //!< divides end - start
+    double step_minutes = 30;  //!< divides end - start
 };
 
 //! One instant that stands for the time around it.

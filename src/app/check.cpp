@@ -10,6 +10,7 @@
 #include "ideotype/history/history.hpp"
 #include "ideotype/light/device.hpp"
 #include "ideotype/light/scene.hpp"
+#include "sky_table.hpp"
 
 namespace ideotype {
 
@@ -106,6 +107,7 @@ ExitCode list_left(const PlanOptions& options, const Campaign& campaign) {
 
 ExitCode check(const std::string& campaign_path, const std::string& out) {
     const Campaign campaign = read_campaign(campaign_path);
+    print_warnings(campaign);
     const std::vector<Case> all = cases(campaign);
     require_names_fit(campaign, all, out);
     const Case& first = all.front();
@@ -135,7 +137,8 @@ ExitCode check(const std::string& campaign_path, const std::string& out) {
         "light     {} instants with the sun up, {:.3f} MJ m-2 day-1 of "
         "PAR, {:.0f} % diffuse\n",
         day.steps.size(), day.incident() / 1e6,
-        day.incident() > 0 ? 100 * day.diffuse() / day.incident() : 0);
+        100 * day.diffuse() / day.incident());
+    fmt::print("{}", sky_table(campaign));
     const double excess = violation(campaign.constraints, campaign.baseline,
                                     leaf_area(field.mesh) / field.ground_area);
     if (excess > 0)

@@ -67,10 +67,6 @@ ExitCode fidelity(const FidelityOptions& options) {
                     ExitCode::usage);
     const auto index = static_cast<std::size_t>(options.case_index);
     const Case& chosen = all[index];
-    if (!(clear_day(chosen.site, chosen.day, 1).incident() > 0))
-        throw Error(
-            "the sun stays below the horizon: there is no light to "
-            "measure accuracy with");
     const Device device(Device::supported_isas().back());
     LiveLine live;
     const Trade trade = measure_trade(

@@ -7,6 +7,7 @@
 #include "ideotype/app/machines.hpp"
 #include "ideotype/app/provenance.hpp"
 #include "ideotype/app/verbs.hpp"
+#include "sky_table.hpp"
 #include "sweep.hpp"
 
 namespace ideotype {
@@ -136,6 +137,7 @@ ExitCode run_on(const Machine& own, const RunOptions& options,
     std::exception_ptr failure;
     if (session.rank() == 0) try {
             campaign = read_campaign(options.campaign_path);
+            print_warnings(*campaign);
             start = prepare(options, *campaign, machines);
         } catch (...) {
             failure = std::current_exception();

@@ -23,7 +23,8 @@ KnownPlant known_plant(const Draft& draft) {
     return plant;
 }
 
-Campaign complete(Draft& draft, const std::string& source) {
+Campaign complete(Draft& draft, const std::string& source,
+                  const Report& report) {
     Campaign campaign = draft.campaign;
     KnownPlant plant = known_plant(draft);
     campaign.plant = std::move(plant.form);
@@ -31,6 +32,7 @@ Campaign complete(Draft& draft, const std::string& source) {
     for (const LeafTraits& traits : campaign.baseline)
         campaign.bounds.push_back(leaf_bounds(draft.bounds, traits));
     campaign.source = source;
+    campaign.warnings = report.warnings();
     campaign.resolved = resolved_text(draft);
     campaign.sha256 = sha256(campaign.resolved);
     return campaign;
@@ -43,7 +45,7 @@ Campaign parse(const std::string& text, const std::string& file,
     read_draft(text, file, source, draft, report);
     check_draft(draft, report);
     report.throw_if_any();
-    return complete(draft, text);
+    return complete(draft, text, report);
 }
 
 }  // namespace

@@ -56,38 +56,20 @@ void check_case_names(const Campaign& campaign, Report& report) {
     }
 }
 
-void check_site(const Site& site, Report& report) {
-    if (!report.usable({&site.longitude, &site.utc_offset})) return;
-    // Real clocks are within four hours of the sun, summer time included.
-    const double error =
-        std::remainder(site.utc_offset - site.longitude / 15, 24);
-    if (std::abs(error) > 4)
-        report.add(
-            &site.utc_offset,
-            fmt::format("site.utc_offset is {} h (noon would be {:.1f} "
-                        "h off the sun's at longitude {} deg); check "
-                        "the signs: east is positive in both",
-                        site.utc_offset, std::abs(error), site.longitude));
-}
-
-void check_day(const DaySpan& day, Report& report) {
-    if (!report.usable({&day.start, &day.end})) return;
-    if (day.end <= day.start)
-        return report.add(
-            &day.end, fmt::format("day.end is {} (not after the start at "
-                                  "{}); give a later end",
-                                  clock_text(day.end), clock_text(day.start)));
-    if (!report.usable({&day.step_minutes})) return;
-    const double span = (day.end - day.start) * 60;
-    const double steps = span / day.step_minutes;
-    if (std::abs(steps - std::round(steps)) < 1e-6 && steps > 0.5) return;
-    const double fewer = std::max(1.0, std::floor(steps));
-    report.add(
-        &day.step_minutes,
-        fmt::format("day.step_minutes is {} min (does not divide the "
-                    "{:.6g} min from start to end); use {:.6g} or "
-                    "{:.6g}",
-                    day.step_minutes, span, span / (fewer + 1), span / fewer));
+void check_spacing(const Spacing& spacing, Report& report) {
+    // Wider than crops stand, and too wide for plants to meet.
+    constexpr double usual = 2;
+    const auto check = [&](const std::string& name, const double& value) {
+        if (report.usable({&value}) && value > usual)
+            report.warn(
+                &value,
+                fmt::format("spacing.{} is {} m (crops stand closer; {} inches "
+                            "are {:.4g} m, {} feet {:.4g} m); give metres",
+                            name, value, value, value * 0.0254, value,
+                            value * 0.3048));
+    };
+    check("row", spacing.row);
+    check("plant", spacing.plant);
 }
 
 void check_surface(const std::string& name, const Lambertian& surface,
@@ -249,9 +231,9 @@ void check_draft(const Draft& draft, Report& report) {
     check_names("traits", campaign.trait_sets, report);
     // Repeated names of one axis have been told apart already.
     if (report.empty()) check_case_names(campaign, report);
-    for (const Site& site : campaign.sites) check_site(site, report);
-    for (const Named<DaySpan>& day : campaign.days)
-        check_day(day.value, report);
+    check_sky(campaign, report);
+    for (const Named<Spacing>& spacing : campaign.spacings)
+        check_spacing(spacing.value, report);
     check_surface("leaf", campaign.optics.leaf, report);
     check_surface("stalk", campaign.optics.stalk, report);
     check_field(campaign.field, report);

@@ -12,4 +12,7 @@ void check_draft(const Draft& draft, Report& report);
 //! That part of it which concerns the plant alone.
 void check_plant(const Draft& draft, Report& report);
 
+//! That part of it which concerns sites, days and the light of their cases.
+void check_sky(const Campaign& campaign, Report& report);
+
 }  // namespace ideotype

@@ -30,6 +30,17 @@ says "missing.toml"
 
 expect 0 "$ideotype" check campaigns/verbs.toml
 says "LAI 3.44"
+says "Ames  *42 N 93.6 W  *0807  *06:19  *13:20  *64.2 deg  *20:20  *0.3 %  *+1.24 h"
+sed -e 's/^start = .*/start = 01:00:00/' -e 's/^end = .*/end = 05:00:00/' \
+    campaigns/verbs.toml >campaigns/dark.toml
+for verb in check run plan evaluate; do
+    expect 3 "$ideotype" $verb campaigns/dark.toml
+    says "dark.toml:10:9: day .* no light .* from 06:19 to 20:20); give"
+done
+sed 's/^utc_offset = .*/utc_offset = -4/' campaigns/verbs.toml \
+    >campaigns/clock.toml
+expect 0 "$ideotype" check campaigns/clock.toml
+says "warning: campaigns/clock.toml:7:14: site.utc_offset is -4 h"
 expect 0 "$ideotype" plan campaigns/verbs.toml
 says "ames_0807_762x152_all_r1"
 says "^ *128  *[0-9:]*  *[0-9:]*$"

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ideotype/core/error.hpp"
 #include "ideotype/evolve/genome.hpp"
 #include "ideotype/evolve/optimizer.hpp"
 #include "ideotype/light/optics.hpp"
@@ -82,6 +83,7 @@ struct Campaign {
     std::string resolved;  //!< a complete campaign in canonical form: every
                            //!< key with its value, the plant inlined
     std::string sha256;    //!< of resolved
+    std::vector<Problem> warnings;  //!< what may be wrong with it
 
     std::string name;
     std::uint64_t seed = 1;

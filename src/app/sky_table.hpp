@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "ideotype/campaign/campaign.hpp"
+
+namespace ideotype {
+
+//! Prints what may be wrong with a campaign to the standard error.
+void print_warnings(const Campaign& campaign);
+
+//! A line for each site and day of a campaign: when the sun is up by the local
+//! clock, what the day leaves out, and how far the clock is ahead of the sun.
+std::string sky_table(const Campaign& campaign);
+
+}  // namespace ideotype

@@ -1,0 +1,96 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "checks.hpp"
+#include "ideotype/sky/daylight.hpp"
+#include "schema.hpp"
+
+namespace ideotype {
+
+namespace {
+
+void check_site(const Site& site, Report& report) {
+    if (!report.usable({&site.longitude, &site.utc_offset})) return;
+    // Real clocks are within four hours of the sun, summer time included, and
+    // few are more than two off.
+    constexpr double unusual = 2, impossible = 4;
+    const double ahead = clock_ahead(site);
+    if (std::abs(ahead) <= unusual) return;
+    const std::string what = fmt::format(
+        "site.utc_offset is {} h (the clock would be {:.1f} h {} the sun's at "
+        "longitude {} deg)",
+        site.utc_offset, std::abs(ahead), ahead > 0 ? "ahead of" : "behind",
+        site.longitude);
+    if (std::abs(ahead) > impossible)
+        report.add(&site.utc_offset,
+                   what + "; check the signs: east is positive in both");
+    else
+        report.warn(&site.utc_offset,
+                    what + "; check both, few places have such a clock");
+}
+
+void check_day(const DaySpan& day, Report& report) {
+    if (!report.usable({&day.start, &day.end})) return;
+    if (day.end <= day.start)
+        return report.add(
+            &day.end, fmt::format("day.end is {} (not after the start at "
+                                  "{}); give a later end",
+                                  clock_text(day.end), clock_text(day.start)));
+    if (!report.usable({&day.step_minutes})) return;
+    const double span = (day.end - day.start) * 60;
+    const double steps = span / day.step_minutes;
+    if (std::abs(steps - std::round(steps)) < 1e-6 && steps > 0.5) return;
+    const double fewer = std::max(1.0, std::floor(steps));
+    report.add(
+        &day.step_minutes,
+        fmt::format("day.step_minutes is {} min (does not divide the "
+                    "{:.6g} min from start to end); use {:.6g} or "
+                    "{:.6g}",
+                    day.step_minutes, span, span / (fewer + 1), span / fewer));
+}
+
+//! When the sun is up, as "06:12 to 20:30".
+std::string hours_of(const Daylight& sun) {
+    // A clock of another day reads the same.
+    const auto clock = [](double hour) {
+        return clock_text(std::fmod(std::round(hour * 60) / 60 + 24, 24))
+            .substr(0, 5);
+    };
+    return fmt::format("{} to {}", clock(*sun.sunrise), clock(*sun.sunset));
+}
+
+void check_light(const Site& site, const Named<DaySpan>& day, Report& report) {
+    const DaySpan& span = day.value;
+    if (!report.usable({&site.latitude, &site.longitude, &site.utc_offset,
+                        &site.elevation, &site.linke_turbidity, &span.date,
+                        &span.start, &span.end, &span.step_minutes}) ||
+        clear_day(site, span, 1).incident() > 0)
+        return;
+    const Daylight sun = daylight(site, span.date);
+    const std::string what = fmt::format(
+        "day \"{}\" has no light at site \"{}\" ", day.name, site.name);
+    if (sun.sunrise && sun.sunset)
+        report.add(report.where(&span.start),
+                   what + fmt::format("(the sun is up from {}); give a start "
+                                      "and an end within, or a shorter step",
+                                      hours_of(sun)));
+    else
+        report.add(report.where(&span.date),
+                   what +
+                       "(the sun is down all day); take another date or "
+                       "site");
+}
+
+}  // namespace
+
+void check_sky(const Campaign& campaign, Report& report) {
+    for (const Site& site : campaign.sites) check_site(site, report);
+    for (const Named<DaySpan>& day : campaign.days)
+        check_day(day.value, report);
+    for (const Site& site : campaign.sites)
+        for (const Named<DaySpan>& day : campaign.days)
+            check_light(site, day, report);
+}
+
+}  // namespace ideotype

@@ -1,0 +1,92 @@
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "ideotype/core/error.hpp"
+#include "sample_campaign.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! The sample with another value in a line.
+std::string with(const std::string& line, const std::string& other) {
+    std::string text = sample_text();
+    return text.replace(text.find(line), line.size(), other);
+}
+
+std::string problem_of(const std::string& text) {
+    try {
+        parse_campaign(text, "sample.toml");
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+std::string warnings_of(const std::string& text) {
+    std::string all;
+    for (const Problem& warning : parse_campaign(text, "sample.toml").warnings)
+        all += to_string(warning) + '\n';
+    return all;
+}
+
+std::string with_utc_offset(double offset) {
+    return with("utc_offset = -5", fmt::format("utc_offset = {}", offset));
+}
+
+}  // namespace
+
+TEST(SkyChecks, ADayWithoutLightIsRefused) {
+    EXPECT_EQ(problem_of(with("07:00:00\nend = 20", "06:00:00\nend = 07")), "");
+    EXPECT_EQ(problem_of(with("07:00:00\nend = 20", "01:00:00\nend = 06")),
+              "sample.toml:10:9: day \"0807\" has no light at site \"Ames\" "
+              "(the sun is up from 06:19 to 20:20); give a start and an end "
+              "within, or a shorter step");
+    const std::string polar = with("latitude = 42.0", "latitude = -85");
+    EXPECT_EQ(problem_of(polar),
+              "sample.toml:9:8: day \"0807\" has no light at site \"Ames\" "
+              "(the sun is down all day); take another date or site");
+}
+
+TEST(SkyChecks, ClocksFarFromTheSunAreWarnedOfAndThenRefused) {
+    // At 93.6 degrees west the sun's clock is UTC - 6.24 h.
+    for (const double fine : {-8.2, -6.0, -5.0, -4.3})
+        EXPECT_EQ(warnings_of(with_utc_offset(fine)), "") << fine;
+    EXPECT_NE(warnings_of(with_utc_offset(-4)).find("2.2 h ahead of the sun's"),
+              std::string::npos);
+    EXPECT_NE(warnings_of(with_utc_offset(-9)).find("2.8 h behind the sun's"),
+              std::string::npos);
+    EXPECT_TRUE(
+        warnings_of(with_utc_offset(-4)).starts_with("sample.toml:7:14: site"));
+    EXPECT_EQ(problem_of(with_utc_offset(-2.3)), "");
+    EXPECT_NE(problem_of(with_utc_offset(-2.2)).find("check the signs"),
+              std::string::npos);
+    EXPECT_NE(problem_of(with_utc_offset(-10.3)).find("4.1 h behind"),
+              std::string::npos);
+}
+
+TEST(SkyChecks, SpacingsOfOtherUnitsAreWarnedOf) {
+    EXPECT_EQ(warnings_of(with("row = 0.762", "row = 2")), "");
+    EXPECT_EQ(warnings_of(with("row = 0.762", "row = 7.5")),
+              "sample.toml:13:7: spacing.row is 7.5 m (crops stand closer; 7.5 "
+              "inches are 0.1905 m, 7.5 feet 2.286 m); give metres\n");
+    EXPECT_NE(warnings_of(with("plant = 0.1524", "plant = 6"))
+                  .find("spacing.plant is 6 m"),
+              std::string::npos);
+}
+
+TEST(SkyChecks, ThereIsNothingToWarnOfInTheCampaigns) {
+    int campaigns = 0;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(IDEOTYPE_CAMPAIGNS))
+        if (entry.path().extension() == ".toml") {
+            ++campaigns;
+            EXPECT_TRUE(read_campaign(entry.path().string()).warnings.empty())
+                << entry.path();
+        }
+    EXPECT_GE(campaigns, 8);
+}
+
+}  // namespace ideotype

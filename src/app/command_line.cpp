@@ -9,6 +9,7 @@
 #include "ideotype/app/verbs.hpp"
 #include "ideotype/app/wall_time.hpp"
 #include "mesh_command.hpp"
+#include "verb_name.hpp"
 
 namespace ideotype {
 
@@ -270,6 +271,7 @@ int run_command_line(int argc, char** argv) {
     on(pack_verb, [&] { return pack(packed_paths); });
 
     try {
+        check_verb_name(app, argc > 1 ? argv[1] : "");
         app.parse(argc, argv);
         return action();
     } catch (const CLI::ParseError& error) {

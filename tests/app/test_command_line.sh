@@ -22,6 +22,11 @@ says "HDF5 1"
 expect 0 "$ideotype" --help
 says "evaluate"
 expect 2 "$ideotype" fly
+says "use one of check, plan, run"
+expect 2 "$ideotype" chek campaigns/verbs.toml
+says "did you mean 'check'"
+expect 3 "$ideotype" evaluate campaigns/plants/b73.toml
+says "b73.toml:1:1: this is a plant file .*--under CAMPAIGN"
 expect 2 "$ideotype"
 expect 2 "$ideotype" run campaigns/verbs.toml --wall-time soon
 says "'soon' is no time; write for example 90, 90s, 30m, 2h, 1h30m or 01:30:00"

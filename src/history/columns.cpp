@@ -147,6 +147,11 @@ hsize_t Columns::rows_before(haddr_t end) const {
     return count;
 }
 
+hsize_t Columns::diagnostics_before(haddr_t end) const {
+    return std::min(diagnostics_.rows_before(end),
+                    diagnostics_error_.rows_before(end));
+}
+
 std::vector<Status> Columns::statuses(hsize_t first, hsize_t count) const {
     return status_.read<Status>(first, count);
 }

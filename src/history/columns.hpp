@@ -38,6 +38,9 @@ class Columns {
     //! position in the file.
     hsize_t rows_before(haddr_t end) const;
 
+    //! Leading rows of which the diagnostics do too.
+    hsize_t diagnostics_before(haddr_t end) const;
+
     std::vector<Status> statuses(hsize_t first, hsize_t count) const;
 
     //! Rows with NaN in everything that their status does not vouch for.

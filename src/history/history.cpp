@@ -56,6 +56,9 @@ History History::salvage(const std::string& path) {
         file->missing_bytes = remains.missing;
         file->intact_generations =
             file->evaluations.rows_before(remains.bytes) / file->population();
+        if (remains.missing > 0)
+            file->intact_diagnostics =
+                file->evaluations.diagnostics_before(remains.bytes);
         return History(std::move(file));
     });
 }
@@ -140,16 +143,26 @@ Row History::row(std::uint32_t generation, std::uint32_t slot) const {
     return file_->read([&] { return file_->evaluations.read(at, 1)[0]; });
 }
 
-Population History::generation(std::uint32_t generation) const {
+std::vector<Row> History::rows(std::uint32_t generation) const {
     const hsize_t first = file_->row(generation);
-    const auto rows = file_->read(
+    auto rows = file_->read(
         [&] { return file_->evaluations.read(first, file_->population()); });
-    Population population;
-    for (const Row& row : rows) {
-        const Outcome& outcome = row.outcome;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        Outcome& outcome = rows[i].outcome;
         if (!is_recorded(outcome.status))
             file_->fail(
                 fmt::format("generation {} is not complete", generation));
+        if (first + i >= file_->intact_diagnostics)
+            outcome.diagnostics =
+                failed_outcome(file_->header.schema, "").diagnostics;
+    }
+    return rows;
+}
+
+Population History::generation(std::uint32_t generation) const {
+    Population population;
+    for (const Row& row : rows(generation)) {
+        const Outcome& outcome = row.outcome;
         population.push_back({row.candidate, outcome.status, row.fitness,
                               outcome.objectives[0].standard_error});
     }

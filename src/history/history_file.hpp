@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -87,6 +88,8 @@ struct History::File {
     bool is_broken = false;
     std::uint64_t missing_bytes = 0;
     hsize_t intact_generations = 0;  //!< if bytes are missing
+    //! Leading rows of which the diagnostics are there.
+    hsize_t intact_diagnostics = std::numeric_limits<hsize_t>::max();
 
   private:
     //! A file that was deleted or replaced would take writes that nobody can

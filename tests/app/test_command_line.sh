@@ -136,6 +136,18 @@ expect 0 "$ideotype" export "$(history_of results cut)" --generation 0 --slot 0 
     fail "a group of a cut plot is in two pieces"
 expect 0 "$ideotype" export "$history" --best --to plant.csv
 [ "$(wc -l <plant.csv)" -eq 11 ] || fail "not ten leaves"
+expect 0 "$ideotype" export "$history" --generations --to all.csv
+[ "$(wc -l <all.csv)" -eq 13 ] || fail "not one line for each row and its head"
+head -1 all.csv | tr , '\n' >heads
+[ -z "$(grep '[^A-Za-z0-9_]' heads)" ] || fail "odd letters in $(cat heads)"
+head -1 plant.csv | tr , '\n' | tail -4 | sed 's/^/leaf07_/' >expected
+grep '^leaf07' heads | cmp - expected || fail "not the heads of --best"
+for name in origin absorbed_par_MJ_per_m2_per_day stalk_fraction paths lai_m2_per_m2 \
+    absorbed_beam_standard_error_MJ_per_m2_per_day balance_error; do
+    grep -qx $name heads || fail "no $name in $(cat heads)"
+done
+grep -q 'absorbed_hour_\|absorbed_leaf0' heads && fail "profiles are no scalars"
+awk -F, 'NF != '"$(wc -l <heads)"' { exit 1 }' all.csv || fail "uneven lines"
 expect 0 "$ideotype" export "$history" --best --to bred.toml
 expect 0 "$ideotype" evaluate "$history" bred.toml \
     --under campaigns/verbs.toml --json

@@ -94,9 +94,9 @@ class History {
     static History read(const std::string& path);
 
     //! As read(), but opens also what is left of a file that was cut short.
-    //! Then only header(), next_generation(), generation() and summaries()
-    //! mean something: a generation counts if candidates, fitness and
-    //! objectives of its rows are left.
+    //! Then only header(), next_generation(), rows(), generation() and
+    //! summaries() mean something: a generation counts if candidates, fitness
+    //! and objectives of its rows are left.
     static History salvage(const std::string& path);
 
     History(History&&) noexcept;
@@ -140,7 +140,11 @@ class History {
     //! One row, complete or not.
     Row row(std::uint32_t generation, std::uint32_t slot) const;
 
-    //! A complete generation.
+    //! The rows of a complete generation. Of a file that was cut short, NaN in
+    //! the diagnostics that are lost.
+    std::vector<Row> rows(std::uint32_t generation) const;
+
+    //! What selection needs of them.
     Population generation(std::uint32_t generation) const;
 
     //! The last committed generation; empty if there is none.

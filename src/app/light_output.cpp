@@ -28,11 +28,14 @@ bool has_sun(const StepReport& step) {
     return step.sunlit && step.budget.leaves_beam.mean > 0;
 }
 
-Json to_json(const BudgetEstimate& budget, const CanopyReport& report) {
+Json to_json(const BudgetEstimate& budget, const CanopyReport& report,
+             const char* incident_unit) {
     const auto part = [&](Estimate x) {
         return to_json(fraction(x, budget.incident));
     };
-    Json json{{"incident", budget.incident}};
+    Json json{{"incident", budget.incident},
+              {"incident_unit", incident_unit},
+              {"unit", "fraction of incident"}};
     if (report.boundary == Boundary::isolated)
         json["entered"] = part(budget.entered);
     json["leaf"] = part(budget.leaves);
@@ -127,8 +130,8 @@ Json to_json(const CanopyReport& report, Span span) {
     const auto part = [&](Estimate x) {
         return to_json(fraction(x, light.day.incident));
     };
-    Json json{{"unit", span == Span::day ? "J m-2 day-1" : "1"}};
-    json.update(to_json(light.day, report));
+    Json json =
+        to_json(light.day, report, span == Span::day ? "J m-2 day-1" : "1");
     json["leaf_by_face"] = {{"upper", part(light.adaxial)},
                             {"lower", part(light.abaxial)}};
     json["leaf_by_layer"] = Json::array();
@@ -150,8 +153,8 @@ Json to_json(const CanopyReport& report, Span span) {
     json["ground_area_m2"] = report.ground_area;
     json["balance_error"] = light.balance_error;
     for (const StepReport& step : light.steps) {
-        Json hour{{"hour", step.hour}, {"unit", "W m-2"}};
-        hour.update(to_json(step.budget, report));
+        Json hour{{"hour", step.hour}};
+        hour.update(to_json(step.budget, report, "W m-2"));
         if (has_sun(step)) hour["sunlit_leaf_area"] = to_json(*step.sunlit);
         if (span == Span::day)
             json["hours"].push_back(hour);

@@ -52,6 +52,11 @@ void warn_of_tolerance(const MeshReport& report, double tolerance) {
     fmt::print(stderr, "ask for less with --tolerance\n");
 }
 
+Json to_json(const Lambertian& surface) {
+    return {{"reflectance", surface.reflectance},
+            {"transmittance", surface.transmittance}};
+}
+
 Span span_of(const MeshOptions& options) {
     return options.site ? Span::day : Span::single;
 }
@@ -61,6 +66,9 @@ Json to_json(const MeshReport& report, const MeshOptions& options) {
               {"boundary", boundary_name(options)},
               {"light", light_name(options)}};
     json.update(to_json(report.canopy, span_of(options)));
+    json["optics"] = {{"leaf", to_json(options.leaf)},
+                      {"stalk", to_json(options.stalk)},
+                      {"soil_albedo", options.soil_albedo}};
     json["paths"] = report.canopy.paths;
     json["relative_standard_error"] = relative_error_json(report);
     if (!options.paths)
@@ -77,6 +85,11 @@ void print_report(const MeshReport& report, const MeshOptions& options) {
     fmt::print("{}, {}, {}\n{:.4g} m2 of ground, {} paths, {:.2g} s\n",
                options.path, boundary_name(options), light_name(options),
                report.canopy.ground_area, report.canopy.paths, report.seconds);
+    fmt::print(
+        "reflectance and transmittance: leaf {} {}, stalk {} {}, soil {} 0\n",
+        options.leaf.reflectance, options.leaf.transmittance,
+        options.stalk.reflectance, options.stalk.transmittance,
+        options.soil_albedo);
     print_light(report.canopy, span_of(options));
 }
 

@@ -142,8 +142,12 @@ Json to_json(const CanopyReport& report, Span span) {
              {"to_m", lower + report.layers.thickness},
              {"leaf", part(light.layers[l])}});
     }
+    // Names differ; to look each up among the others takes too long.
+    Json groups = Json::object();
     for (std::size_t g = 0; g < report.groups.size(); ++g)
-        json["groups"][report.groups[g].name] = part(light.groups[g]);
+        groups.get_ref<Json::object_t&>().emplace_back(report.groups[g].name,
+                                                       part(light.groups[g]));
+    json["groups"] = std::move(groups);
     if (report.boundary == Boundary::isolated)
         json["surface"] =
             "bounding box of the plot, down to the soil: the balance closes "

@@ -120,6 +120,14 @@ void add_mesh_options(CLI::App& verb, MeshOptions& options) {
     verb.add_option("--leaf-transmittance", options.leaf.transmittance)
         ->capture_default_str()
         ->needs(mesh);
+    verb.add_option("--stalk-reflectance", options.stalk.reflectance,
+                    "of groups whose names begin with stalk, or with "
+                    "plantN_stalk")
+        ->capture_default_str()
+        ->needs(mesh);
+    verb.add_option("--stalk-transmittance", options.stalk.transmittance)
+        ->capture_default_str()
+        ->needs(mesh);
     verb.add_option("--soil-albedo", options.soil_albedo)
         ->capture_default_str()
         ->needs(mesh);

@@ -97,13 +97,20 @@ void check_light(const MeshOptions& options) {
             "--sun: the azimuth is -360 to 360, clockwise from north");
 }
 
-void check_optics(const MeshOptions& options) {
-    const auto& [reflectance, transmittance] = options.leaf;
-    require(is_fraction(reflectance), "--leaf-reflectance: from 0 to 1");
-    require(is_fraction(transmittance), "--leaf-transmittance: from 0 to 1");
-    require(is_fraction(options.soil_albedo), "--soil-albedo: from 0 to 1");
+void check_surface(const std::string& name, const Lambertian& surface) {
+    const auto& [reflectance, transmittance] = surface;
+    require(is_fraction(reflectance), name + "-reflectance: from 0 to 1");
+    require(is_fraction(transmittance), name + "-transmittance: from 0 to 1");
     require(reflectance + transmittance <= 1 + 1e-12,
-            "--leaf-reflectance and --leaf-transmittance exceed 1 together");
+            fmt::format("{0}-reflectance and {0}-transmittance exceed 1 "
+                        "together",
+                        name));
+}
+
+void check_optics(const MeshOptions& options) {
+    check_surface("--leaf", options.leaf);
+    check_surface("--stalk", options.stalk);
+    require(is_fraction(options.soil_albedo), "--soil-albedo: from 0 to 1");
 }
 
 }  // namespace

@@ -32,8 +32,13 @@ Day day_of(const MeshOptions& options) {
     return {{{0, 1, options.sun.value_or(SunPosition{}), one}}};
 }
 
-//! Beyond this many faces a stand needs more memory than most computers have.
-constexpr double most_faces = 2e7;
+constexpr double most_faces = most_obj_faces;
+
+//! Crops are lower [m].
+constexpr double usual_height = 20;
+
+//! Light may have to cross a periodic cell this often to get through.
+constexpr double most_crossings = 1000;
 
 Field field_of(Mesh mesh, const MeshOptions& options) {
     Field field;
@@ -81,6 +86,25 @@ void check_images(const Field& field) {
             field.period_x, field.period_y, images, most_faces));
 }
 
+//! Of the highest face above the soil [m].
+double height(const Mesh& mesh) {
+    double highest = 0;
+    for (const auto& face : mesh.faces)
+        for (const std::uint32_t vertex : face)
+            highest = std::max(highest, mesh.vertices[vertex].z);
+    return highest;
+}
+
+//! Light would take almost for ever through a tower in a narrow cell.
+void check_height(const Field& field, double height) {
+    const double period = std::min(field.period_x, field.period_y);
+    if (height > most_crossings * period)
+        throw Error(fmt::format(
+            "the mesh is {:.6g} m high over a period of {:.6g} m (the limit is "
+            "{:.0f} times the period); is it in metres?",
+            height, period, most_crossings));
+}
+
 //! At least this many paths in all.
 Sampling share(std::uint64_t paths) {
     const std::uint64_t randomisations =
@@ -107,10 +131,19 @@ MeshReport study(const MeshOptions& options) {
     canopy.lai = leaf_area(field.mesh) / field.ground_area;
 
     const Device device(Device::supported_isas().back());
-    if (field.boundary == Boundary::periodic) check_images(field);
+    const double top = height(field.mesh);
+    if (top > usual_height)
+        result.warnings.push_back(fmt::format(
+            "the mesh is {:.4g} m high (coordinates are taken as metres); if "
+            "they are centimetres, divide them by 100",
+            top));
+    if (field.boundary == Boundary::periodic) {
+        check_images(field);
+        check_height(field, top);
+    }
     const Scene scene = Scene::of(device, field);
     canopy.layers = {scene.top() / layers, layers};
-    const Optics optics{options.leaf, {}, options.soil_albedo};
+    const Optics optics{options.leaf, options.stalk, options.soil_albedo};
     Sampling sampling = share(options.paths.value_or(most_tolerance_paths));
     if (!options.paths) sampling.tolerance = options.tolerance;
     const Randomness randomness{options.seed, 0, 0};

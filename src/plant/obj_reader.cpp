@@ -4,6 +4,7 @@
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <string_view>
 #include <tiny_obj_loader.h>
 #include <utility>
 
@@ -17,11 +18,28 @@ namespace ideotype {
 
 namespace {
 
+//! Whether a group is named as `export` names stalks: "stalk", or in a field
+//! "plant004_stalk".
+bool is_stalk(std::string_view name) {
+    constexpr std::string_view plant = "plant";
+    if (name.starts_with(plant)) {
+        const std::size_t end =
+            name.find_first_not_of("0123456789", plant.size());
+        if (end == plant.size() || end == name.npos || name[end] != '_')
+            return false;
+        name.remove_prefix(end + 1);
+    }
+    return name.starts_with("stalk");
+}
+
 //! Collects what the library finds in the statements.
 class ObjBuilder {
   public:
     ObjBuilder(const std::string& file, const ObjStatements& statements)
-        : file_(file), statements_(statements) {}
+        : file_(file), statements_(statements) {
+        polygons_.reserve(statements.face_lines.size());
+        result_.mesh.vertices.reserve(statements.vertex_lines.size());
+    }
 
     //! The library calls these with this builder as `self`.
     static tinyobj::callback_t callbacks() {
@@ -43,6 +61,8 @@ class ObjBuilder {
     }
 
     ObjMesh finish() {
+        result_.mesh.faces.reserve(polygons_.size());
+        result_.mesh.face_group.reserve(polygons_.size());
         for (const Polygon& polygon : polygons_) add_faces(polygon);
         if (result_.mesh.faces.empty())
             throw InputError(
@@ -58,10 +78,12 @@ class ObjBuilder {
     }
 
   private:
+    //! There may be millions: their corners are in one list.
     struct Polygon {
-        std::vector<long long> corners;  //!< from 0; not yet checked
-        std::uint32_t group = 0;
-        int line = 0;
+        std::size_t first;  //!< of corners_
+        std::uint32_t count;
+        std::uint32_t group;
+        int line;
     };
 
     static ObjBuilder& of(void* self) {
@@ -74,27 +96,27 @@ class ObjBuilder {
             if (!(std::abs(x) <= largest_obj_coordinate))
                 fail(statements_.vertex_lines[vertices.size()],
                      fmt::format("the coordinate {:.6g} is not within {:.0g} m "
-                                 "of the origin (the unit is the metre)",
+                                 "of the origin (the unit is the metre); scale "
+                                 "the mesh",
                                  x, largest_obj_coordinate));
         vertices.push_back(v);
     }
 
     void add_polygon(const tinyobj::index_t* corners, int count) {
-        Polygon polygon;
-        polygon.line = statements_.face_lines[polygons_.size()];
-        polygon.group = group();
+        const Polygon polygon{corners_.size(),
+                              static_cast<std::uint32_t>(count), group(),
+                              statements_.face_lines[polygons_.size()]};
         for (int i = 0; i < count; ++i) {
             const long long index = corners[i].vertex_index;
             if (index == 0)
                 fail(polygon.line, "a corner is vertex 0 (the first is 1)");
             // Below zero means backwards from the last vertex so far.
-            polygon.corners.push_back(
-                index > 0
-                    ? index - 1
-                    : static_cast<long long>(result_.mesh.vertices.size()) +
-                          index);
+            const auto vertices =
+                static_cast<long long>(result_.mesh.vertices.size());
+            corners_.push_back(
+                static_cast<int>(index > 0 ? index - 1 : vertices + index));
         }
-        polygons_.push_back(std::move(polygon));
+        polygons_.push_back(polygon);
     }
 
     void begin_group(std::string name) {
@@ -106,7 +128,9 @@ class ObjBuilder {
         std::vector<Group>& groups = result_.mesh.groups;
         const auto [found, is_new] = index_of_.try_emplace(
             name_, static_cast<std::uint32_t>(groups.size()));
-        if (is_new) groups.push_back({name_, Tissue::leaf});
+        if (is_new)
+            groups.push_back(
+                {name_, is_stalk(name_) ? Tissue::stalk : Tissue::leaf});
         return found->second;
     }
 
@@ -114,7 +138,8 @@ class ObjBuilder {
         Mesh& mesh = result_.mesh;
         const auto count = static_cast<long long>(mesh.vertices.size());
         Corners corners;
-        for (const long long corner : polygon.corners) {
+        for (std::uint32_t i = 0; i < polygon.count; ++i) {
+            const long long corner = corners_[polygon.first + i];
             if (corner < 0 || corner >= count)
                 fail(polygon.line,
                      corner < 0
@@ -149,6 +174,7 @@ class ObjBuilder {
     const std::string& file_;
     const ObjStatements& statements_;
     ObjMesh result_;
+    std::vector<int> corners_;  //!< vertices from 0; not yet checked
     std::vector<Polygon> polygons_;
     std::string name_ = "unnamed";
     std::map<std::string, std::uint32_t> index_of_;
@@ -158,14 +184,18 @@ class ObjBuilder {
 
 }  // namespace
 
-ObjMesh parse_obj(const std::string& text, const std::string& file) {
-    const ObjStatements statements = pick_statements(text, file);
+ObjMesh parse_obj(std::string text, const std::string& file) {
+    ObjStatements statements = pick_statements(text, file);
+    // Of large meshes one text at a time is enough.
+    text = {};
     ObjBuilder builder(file, statements);
-    std::istringstream stream(statements.text);
-    std::string warning, error;
-    if (!tinyobj::LoadObjWithCallback(stream, ObjBuilder::callbacks(), &builder,
-                                      nullptr, &warning, &error))
-        throw InputError({{{file}, error}});
+    {
+        std::istringstream stream(std::move(statements.text));
+        std::string warning, error;
+        if (!tinyobj::LoadObjWithCallback(stream, ObjBuilder::callbacks(),
+                                          &builder, nullptr, &warning, &error))
+            throw InputError({{{file}, error}});
+    }
     return builder.finish();
 }
 
@@ -176,7 +206,7 @@ ObjMesh read_obj(const std::string& path) {
     // The end of an empty file is no failure; a folder cannot be read at all.
     text << stream.rdbuf();
     if (stream.bad() || text.bad()) throw Error(path + ": cannot be read");
-    return parse_obj(text.str(), path);
+    return parse_obj(std::move(text).str(), path);
 }
 
 }  // namespace ideotype

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "ideotype/core/error.hpp"
+#include "ideotype/plant/obj_reader.hpp"
 
 namespace ideotype {
 
@@ -116,6 +117,15 @@ class Checker {
             check_index(line, words[i]);
     }
 
+    void check_count(int line, const std::vector<Word>& words,
+                     std::size_t faces) const {
+        if (faces == most_obj_faces)
+            fail(line, words.front(),
+                 fmt::format("there are more than {} faces (too many for the "
+                             "memory); leave out what is not needed",
+                             most_obj_faces));
+    }
+
   private:
     [[noreturn]] void fail(int line, const Word& word, std::string what) const {
         throw InputError({{{file_, line, word.column}, std::move(what)}});
@@ -154,6 +164,7 @@ class Checker {
 ObjStatements pick_statements(const std::string& text,
                               const std::string& file) {
     ObjStatements result;
+    result.text.reserve(text.size());
     const Checker checker(file);
     Lines lines(text);
     for (std::string line; lines.next(line);) {
@@ -165,6 +176,8 @@ ObjStatements pick_statements(const std::string& text,
             result.vertex_lines.push_back(lines.number());
         } else if (keyword == "f" || keyword == "fo") {
             checker.check_face(lines.number(), words);
+            checker.check_count(lines.number(), words,
+                                result.face_lines.size());
             result.face_lines.push_back(lines.number());
         } else if (keyword != "g" && keyword != "o") {
             if (std::ranges::find(harmless, keyword) == std::end(harmless))

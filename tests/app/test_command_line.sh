@@ -35,7 +35,7 @@ says "missing.toml"
 
 expect 0 "$ideotype" check campaigns/verbs.toml
 says "LAI 3.44"
-says "Ames  *42 N 93.6 W  *0807  *06:19  *13:20  *64.2 deg  *20:20  *0.3 %  *+1.24 h"
+says "Ames  *42 N 93.6 W  *0807  *06:19  *13:20  *64.2 deg  *20:20  *0.2 %  *+1.24 h"
 sed -e 's/^start = .*/start = 01:00:00/' -e 's/^end = .*/end = 05:00:00/' \
     campaigns/verbs.toml >campaigns/dark.toml
 for verb in check run plan evaluate; do
@@ -64,10 +64,10 @@ says "fails the .constraints."
 
 sed 's/plants = 3/plnats = 3/' campaigns/verbs.toml >campaigns/typo.toml
 expect 3 "$ideotype" check campaigns/typo.toml
-says "typo.toml:17:1"
+says "typo.toml:18:1"
 says "plants"
 expect 3 mpirun -n 3 "$ideotype" run campaigns/typo.toml
-says "typo.toml:17:1"
+says "typo.toml:18:1"
 
 expect 0 "$ideotype" evaluate campaigns/verbs.toml
 says "incident"
@@ -125,6 +125,11 @@ expect 0 "$ideotype" export "$history" --best --to plant.obj
 expect 0 "$ideotype" export "$history" --generation 0 --slot 0 --field \
     --to field.obj
 [ "$(grep -c '^g plant.*leaf' field.obj)" -eq 90 ] || fail "not nine plants"
+# Read again, it has the leaf area of the baseline and its stalks.
+expect 0 "$ideotype" evaluate --mesh field.obj --period 2.286 .4572 \
+    --sun 60 180 --tolerance .05
+says "^LAI 3.4[34]"
+says "^stalk "
 # Of a plot that is cut, plants keep different numbers of faces.
 sed -e 's/"verbs"/"cut"/' -e '/^\[field\]/a boundary = "isolated"\ncut = 1' \
     campaigns/verbs.toml >campaigns/cut.toml

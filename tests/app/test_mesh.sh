@@ -49,6 +49,16 @@ expect 2 "excludes" "${maize[@]}" campaign.toml --sun 60 180
 expect 2 "requires --mesh" --period 1 1
 expect 2 "--mesh FILE.obj"
 
+expect 2 "--stalk-reflectance and --stalk-transmittance exceed 1" "${maize[@]}" \
+    --sun 60 180 --stalk-reflectance .9 --stalk-transmittance .2
+expect 0 "stalk 0.31 0.12" "${maize[@]}" --sun 60 180 --tolerance .1
+expect 0 '"unit": "fraction of incident"' "${maize[@]}" --sun 60 180 --json \
+    --tolerance .1
+expect 0 '"incident_unit": "W m-2"' "${maize[@]}" --site 42 -93.6 -5 \
+    --date 2025-08-07 --tolerance .1 --json
+[ "$(grep -c '"incident_unit": "J m-2 day-1"' out.log)" -eq 1 ] ||
+    fail "not one unit of the day's light in: $(cat out.log)"
+
 square=(--period 1 1 --sun 60 180 --mesh square.obj)
 expect 1 "cannot be opened" "${square[@]}"
 printf 'v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n' >vertices
@@ -62,3 +72,12 @@ expect 3 "square.obj:1:5: 'nan'" "${square[@]}"
 expect 3 "square.obj:5:1: the coordinate 1e+09" "${square[@]}"
 (cat vertices && printf 'g \xff\nf 1 2 3 4\nf 1 1 2\n') >square.obj
 expect 0 "1 faces without area" "${square[@]}" --json
+
+# Very many groups take no longer than very many faces.
+awk 'BEGIN { for (i = 0; i < 200000; ++i) {
+    x = i % 447 / 447; y = int(i / 447) / 448
+    printf "v %.5f %.5f 1\nv %.5f %.5f 1\nv %.5f %.5f 1\ng g%d\nf -3 -2 -1\n",
+        x, y, x + .001, y, x, y + .001, i } }' >square.obj
+timeout 40 "$ideotype" evaluate "${square[@]}" --paths 1000 --json >out.log ||
+    fail "200,000 groups took too long, or failed"
+grep -q '"g199999"' out.log || fail "a group is missing"

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <fstream>
 
 #include <gtest/gtest.h>
 
@@ -65,6 +66,49 @@ TEST(MeshStudy, OneSheetOverSoilIsExact) {
     expect(day.leaves, .9090909);
     expect(day.soil, .0404040);
     expect(day.reflected, .0505051);
+}
+
+TEST(MeshStudy, StalksAreNoLeavesAndHaveTheirOwnOptics) {
+    // A sheet of leaf over half of the ground, one of stalk over the other.
+    const std::string path = testing::TempDir() + "halves.obj";
+    std::ofstream(path) << "v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                           "v .5 0 1\nv .5 1 1\n"
+                           "g plant001_leaf01\nf 1 5 6 4\n"
+                           "g plant001_stalk\nf 5 2 3 6\n";
+    MeshOptions options;
+    options.path = path;
+    options.period = {1, 1};
+    options.sun = {30, 180};
+    options.soil_albedo = 0;
+    options.leaf = {0, 0};
+    options.stalk = {.3, 0};
+    options.tolerance = 1e-3;
+    const CanopyReport canopy = study(options).canopy;
+    EXPECT_NEAR(canopy.lai, .5, 1e-12);
+    const BudgetEstimate& day = canopy.light.day;
+    EXPECT_NEAR(day.leaves.mean, .5, 4 * day.leaves.standard_error + 1e-6);
+    EXPECT_NEAR(day.stalks.mean, .35, 4 * day.stalks.standard_error + 1e-6);
+    EXPECT_NEAR(day.reflected.mean, .15,
+                4 * day.reflected.standard_error + 1e-6);
+}
+
+TEST(MeshStudy, AMeshInCentimetresIsWarnedOf) {
+    const std::string path = testing::TempDir() + "tall.obj";
+    const auto warnings = [&](double height) {
+        std::ofstream(path)
+            << "v 0 0 0\nv 1 0 0\nv 0 1 " << height << "\nf 1 2 3\n";
+        MeshOptions options;
+        options.path = path;
+        options.period = {1, 1};
+        options.sun = {30, 180};
+        options.paths = 1000;
+        return study(options).warnings;
+    };
+    EXPECT_TRUE(warnings(19).empty());
+    ASSERT_EQ(warnings(230).size(), 1u);
+    EXPECT_NE(warnings(230)[0].find("230 m high"), std::string::npos);
+    // Light would cross the cell a million times.
+    EXPECT_THROW(warnings(1e6), Error);
 }
 
 TEST(MeshStudy, TheSameOptionsGiveTheSameBits) {
@@ -175,6 +219,8 @@ TEST(MeshStudy, ContradictionsAreWrongUsage) {
     refuses([](auto& o) { o.site = Site{}; });
     refuses([](auto& o) { o.leaf = {.6, .5}; });
     refuses([](auto& o) { o.leaf = {-.1, .5}; });
+    refuses([](auto& o) { o.stalk = {.6, .5}; });
+    refuses([](auto& o) { o.stalk = {.6, -.5}; });
     refuses([](auto& o) { o.soil_albedo = 1.1; });
     refuses([](auto& o) { o.tolerance = 0; });
     refuses([](auto& o) { o.paths = 0; });

@@ -2,6 +2,7 @@
 #include <numeric>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include "ideotype/core/error.hpp"
 #include "ideotype/plant/obj_reader.hpp"
@@ -71,6 +72,35 @@ TEST(ObjReader, CrossingPolygonsAreCounted) {
     ASSERT_EQ(bow_tie.warnings.size(), 1u);
     EXPECT_NE(bow_tie.warnings[0].find("1 polygons cross"), std::string::npos);
     EXPECT_GT(area(bow_tie), 0.4);
+}
+
+TEST(ObjReader, GroupsNamedAsExportedStalksAreStalks) {
+    const std::pair<const char*, Tissue> groups[] = {
+        {"stalk", Tissue::stalk},          {"stalk_2", Tissue::stalk},
+        {"plant004_stalk", Tissue::stalk}, {"plant12_stalk01", Tissue::stalk},
+        {"leaf07", Tissue::leaf},          {"plant004_leaf07", Tissue::leaf},
+        {"plant_stalk", Tissue::leaf},     {"plant004", Tissue::leaf},
+        {"beanstalk", Tissue::leaf},       {"plant4stalk", Tissue::leaf}};
+    for (const auto& [name, tissue] : groups) {
+        const ObjMesh obj =
+            parse(square + std::string("g ") + name + "\nf 1 2 3 4\n");
+        ASSERT_EQ(obj.mesh.groups.size(), 1u);
+        EXPECT_EQ(obj.mesh.groups[0].tissue, tissue) << name;
+    }
+}
+
+TEST(ObjReader, AMillionFacesTakeLittleMemory) {
+    constexpr std::size_t faces = 1'000'000;
+    std::string text = square;
+    for (std::size_t i = 0; i < faces; ++i) text += "f 1 2 3\n";
+    const auto most_kb = [] {
+        rusage usage{};
+        getrusage(RUSAGE_SELF, &usage);
+        return static_cast<double>(usage.ru_maxrss);
+    };
+    const double before = most_kb();
+    EXPECT_EQ(parse_obj(std::move(text), "a.obj").mesh.faces.size(), faces);
+    EXPECT_LT((most_kb() - before) * 1024 / faces, 100);
 }
 
 TEST(ObjReader, GroupAndObjectNamesGatherTheirFaces) {
@@ -158,7 +188,7 @@ TEST(ObjReader, BrokenFilesAreErrorsWithTheirPlace) {
               "a.obj:5:1: a corner lies before the first vertex");
     EXPECT_EQ(error_of("v 2e6 0 0\n"),
               "a.obj:1:1: the coordinate 2e+06 is not within 1e+06 m of the "
-              "origin (the unit is the metre)");
+              "origin (the unit is the metre); scale the mesh");
 }
 
 TEST(ObjReader, AFileThatCannotBeReadIsAnError) {

@@ -33,6 +33,7 @@ struct MeshOptions {
     std::optional<Date> date;
 
     Lambertian leaf{0.05, 0.05};
+    Lambertian stalk{0.31, 0.12};
     double soil_albedo = 0.1;
 
     double tolerance = 1e-3;             //!< relative standard error

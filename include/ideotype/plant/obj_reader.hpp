@@ -16,21 +16,25 @@ struct ObjMesh {
 //! Largest coordinate that is taken for one in metres [m].
 inline constexpr double largest_obj_coordinate = 1e6;
 
+//! More faces than this need more memory than most computers have.
+inline constexpr std::size_t most_obj_faces = 20'000'000;
+
 //! Reads the surfaces of a Wavefront OBJ file in metres, z up.
 //!
 //! Polygons may have any number of corners and need be neither convex nor
 //! quite plane. Faces that follow the same group (g) or object (o) name are
-//! one group, wherever they are in the file; all are leaves. Materials,
+//! one group, wherever they are in the file. Groups whose names begin with
+//! "stalk", or with "plantN_stalk", are stalks, all others leaves. Materials,
 //! normals and textures are ignored. Faces without area are left out with a
 //! warning.
 //!
 //! @throws Error if the file cannot be read.
 //! @throws InputError with the place of the first thing wrong: what is not a
 //! number, not finite or too large, a corner that is no vertex, a face of
-//! fewer than three corners; or if no face has an area.
+//! fewer than three corners; or if no face has an area, or there are too many.
 ObjMesh read_obj(const std::string& path);
 
 //! As read_obj, from text; file is used in messages.
-ObjMesh parse_obj(const std::string& text, const std::string& file);
+ObjMesh parse_obj(std::string text, const std::string& file);
 
 }  // namespace ideotype

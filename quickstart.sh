@@ -21,8 +21,7 @@ echo
 echo
 "$ideotype" plan "$campaign"
 echo
-# One worker per core and a master that sleeps.
-mpirun -n $(($(nproc) + 1)) "$ideotype" run "$campaign" --out "$out" --resume
+"$ideotype" run "$campaign" --ranks auto --out "$out" --resume
 
 echo
 .venv/bin/ideotype-summary "$out/ames_quick"

@@ -11,7 +11,7 @@ patience=${IDEOTYPE_PATIENCE:-60}
 most_idle_starts=${IDEOTYPE_IDLE_STARTS:-3}
 
 say() {
-    echo "$(date '+%F %T') job $SLURM_JOB_ID: $*"
+    echo "$(date -u +%FT%TZ)  job $SLURM_JOB_ID: $*"
 }
 
 give_up() {
@@ -117,7 +117,8 @@ run_until_complete() {
     [ -z "$cancelled" ] || give_up "SLURM told it to; if SLURM does not" \
         "requeue it by itself, submit again to go on"
     case $code in
-    0) requeue "drained" ;;
+    5) requeue "drained" ;;
+    0) requeue "others work on what is left" ;;
     # The program has said what is wrong, and that would be so again.
     1 | 2 | 3 | 4) give_up "the program ended with $code" ;;
     *) requeue "the ranks were lost ($code)" ;;

@@ -1,39 +1,22 @@
 #include <csignal>
 #include <cstdio>
+#include <sstream>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "ideotype/app/mesh_study.hpp"
 #include "ideotype/app/provenance.hpp"
+#include "ideotype/app/ranks.hpp"
 #include "ideotype/app/verbs.hpp"
-#include "ideotype/app/wall_time.hpp"
 #include "mesh_command.hpp"
+#include "report_error.hpp"
+#include "run_command.hpp"
 #include "verb_name.hpp"
 
 namespace ideotype {
 
 namespace {
-
-int report_error(const std::exception& error, ExitCode code) {
-    fmt::print(stderr, "ideotype: {}\n", error.what());
-    return static_cast<int>(code);
-}
-
-std::string joined_command(int argc, char** argv) {
-    std::string command;
-    for (int i = 0; i < argc; ++i)
-        command += (i > 0 ? " " : "") + std::string(argv[i]);
-    return command;
-}
-
-double to_seconds(const std::string& text) {
-    if (const auto seconds = parse_wall_time(text)) return *seconds;
-    throw CLI::ValidationError(
-        "--wall-time", fmt::format("'{}' is no time; write for example 90, "
-                                   "90s, 30m, 2h, 1h30m or 01:30:00",
-                                   text));
-}
 
 void add_row_choice(CLI::App& verb, RowChoice& row) {
     auto* best = verb.add_flag(
@@ -44,25 +27,26 @@ void add_row_choice(CLI::App& verb, RowChoice& row) {
     verb.add_option("--slot", row.slot, "slot of the row")->excludes(best);
 }
 
-//! run is the one verb that may have many ranks.
-int run_with_session(const RunOptions& options) {
-    StopFlag stop;
-    const Session session;
-    int code = 0;
-    try {
-        return static_cast<int>(run(options, session, stop));
-    } catch (const Error& error) {
-        code = report_error(error, error.exit_code());
-    } catch (const std::exception& error) {
-        code = report_error(error, ExitCode::runtime);
-    }
-    // Rank 0 has told the others to leave. It would wait for ever for one
-    // that fails by itself.
-    if (session.rank() != 0) session.abort(code);
-    return code;
+//! Most verbs would do the same work on each rank.
+void require_shared_work(const CLI::App& verb, const Launch& launch) {
+    const std::string name = verb.get_name();
+    if (launch.size == 1 || name == "run" ||
+        (name == "evaluate" && verb.count("--under") > 0))
+        return;
+    throw Error(
+        fmt::format("{}: {} copies of this were started, which would all do "
+                    "the same work; start it without mpirun or srun (run and "
+                    "evaluate --under share their work between ranks)",
+                    name, launch.size),
+        ExitCode::usage);
 }
 
 }  // namespace
+
+int report_error(const std::exception& error, ExitCode code) {
+    fmt::print(stderr, "ideotype: {}\n", error.what());
+    return static_cast<int>(code);
+}
 
 int run_command_line(int argc, char** argv) {
     // A file beyond `ulimit -f` shall fail with a reason, not kill.
@@ -70,7 +54,8 @@ int run_command_line(int argc, char** argv) {
     CLI::App app(
         "Designs crop canopies: evolves plants that make the best use of "
         "light.\nExit codes: 0 ok, 1 failed, 2 wrong usage, 3 invalid "
-        "campaign, 4 refused.",
+        "campaign, 4 refused, 5 a run stopped early on request and can be "
+        "resumed.",
         "ideotype");
     app.set_version_flag("--version", version_text());
     app.require_subcommand(1);
@@ -109,33 +94,10 @@ int run_command_line(int argc, char** argv) {
         ->capture_default_str();
     on(plan_verb, [&] { return plan(plan_options); });
 
-    RunOptions run_options;
-    std::string wall_time;
-    auto* run_verb = app.add_subcommand(
-        "run", "evolve the cases of a campaign, alone or under mpirun");
-    run_verb->add_option("campaign", run_options.campaign_path)->required();
-    run_verb->add_option("--case", run_options.case_index,
-                         "only the case of this index (see plan)");
-    run_verb->add_flag("--resume", run_options.is_resumed,
-                       "go on with histories that exist; start the others");
-    run_verb
-        ->add_option("--out", run_options.out,
-                     "folder for <campaign>/<case>.h5")
-        ->capture_default_str();
-    run_verb
-        ->add_option("--isa", run_options.isa,
-                     "instruction set to begin with, the same on all ranks; "
-                     "if not given the widest that all have, and for a "
-                     "history that is resumed its own")
-        ->check(CLI::IsMember({"sse2", "sse4.2", "avx", "avx2", "avx512"}));
-    run_verb->add_option("--wall-time", wall_time,
-                         "time after which to stop cleanly: seconds, or for "
-                         "example 30m, 1h30m, 01:30:00");
-    run_options.command = joined_command(argc, argv);
-    run_verb->callback([&] {
-        if (!wall_time.empty()) run_options.wall_time = to_seconds(wall_time);
-        action = [&] { return run_with_session(run_options); };
-    });
+    RunCommand run_command;
+    run_command.add_to(app, argc, argv);
+    app.get_subcommand("run")->callback(
+        [&] { action = [&] { return run_command.start(); }; });
 
     StatusOptions status_options;
     auto* status_verb = app.add_subcommand(
@@ -270,14 +232,22 @@ int run_command_line(int argc, char** argv) {
     pack_verb->add_option("files", packed_paths, "histories")->required();
     on(pack_verb, [&] { return pack(packed_paths); });
 
+    const Launch launch = launch_of_this_process();
     try {
         check_verb_name(app, argc > 1 ? argv[1] : "");
         app.parse(argc, argv);
+        require_shared_work(*app.get_subcommands().front(), launch);
         return action();
     } catch (const CLI::ParseError& error) {
-        const bool is_fine = app.exit(error) == 0;
+        // What is wrong with a command line is told once, not by all ranks.
+        std::ostringstream unheard;
+        const bool is_fine =
+            (launch.rank == 0 ? app.exit(error)
+                              : app.exit(error, unheard, unheard)) == 0;
         return static_cast<int>(is_fine ? ExitCode::ok : ExitCode::usage);
     } catch (const Error& error) {
+        if (error.exit_code() == ExitCode::usage && launch.rank != 0)
+            return static_cast<int>(ExitCode::usage);
         return report_error(error, error.exit_code());
     } catch (const std::exception& error) {
         return report_error(error, ExitCode::runtime);

@@ -94,30 +94,32 @@ std::vector<Machine> machines_of(const Session& session, const Machine& own) {
 }
 
 //! Rank 0: evolves the cases, then lets the workers go.
-void direct(const RunOptions& options, const Campaign& campaign,
-            const std::string& isa, CanopyEvaluator& evaluator,
-            const Session& session, StopFlag& stop) {
+ExitCode direct(const RunOptions& options, const Campaign& campaign,
+                const std::string& isa, CanopyEvaluator& evaluator,
+                const Session& session, StopFlag& stop) {
     const std::vector<Case> chosen = chosen_cases(options, campaign);
     const auto dispatcher = make_dispatcher(
         session, evaluator, stop,
         {campaign.answer_limits.deadline, campaign.answer_limits.attempts,
          final_effort(campaign)});
     std::optional<Error> failure;
+    ExitCode code = ExitCode::ok;
     {
         Sweep sweep(options, campaign, chosen, isa, session.size(), stop);
         try {
-            sweep.evolve(*dispatcher);
+            if (!sweep.evolve(*dispatcher)) code = ExitCode::stopped;
         } catch (const Error& error) {
             failure = error;
+            code = error.exit_code();
         }
     }
     // All histories are closed. A worker that hangs would keep MPI from ending.
     if (!dispatcher->dismiss()) {
         if (failure) fmt::print(stderr, "ideotype: {}\n", failure->what());
-        session.abort(
-            static_cast<int>(failure ? failure->exit_code() : ExitCode::ok));
+        session.abort(static_cast<int>(code));
     }
     if (failure) throw Error(*failure);
+    return code;
 }
 
 }  // namespace
@@ -153,8 +155,7 @@ ExitCode run_on(const Machine& own, const RunOptions& options,
         serve(session, evaluator);
         return ExitCode::ok;
     }
-    direct(options, *campaign, isa, evaluator, session, stop);
-    return ExitCode::ok;
+    return direct(options, *campaign, isa, evaluator, session, stop);
 }
 
 }  // namespace ideotype

@@ -8,6 +8,7 @@
 #include "ideotype/app/progress.hpp"
 #include "ideotype/app/summary.hpp"
 #include "ideotype/app/verbs.hpp"
+#include "ideotype/app/way_on.hpp"
 #include "ideotype/history/history.hpp"
 
 namespace ideotype {
@@ -71,13 +72,10 @@ std::string name_of(State state) {
 
 //! How the last start of a case would be repeated; empty if it is not known
 //! in full.
-std::string way_on(const History& history) {
+std::string way_on_with(const History& history) {
     const auto last = history.last_session();
     if (!last || last->command.size() >= longest_command) return "";
-    const bool is_resumed =
-        last->command.find(" --resume") != std::string::npos;
-    return (last->ranks > 1 ? fmt::format("mpirun -n {} ", last->ranks) : "") +
-           last->command + (is_resumed ? "" : " --resume");
+    return way_on(last->command, last->ranks);
 }
 
 //! Sums over all files.
@@ -174,7 +172,7 @@ Report report_on(const std::string& path, Overview& overview) {
     const double wall_time = summaries.empty() ? 0 : summaries.back().wall_time;
     const double rate = wall_time > 0 ? evaluations / wall_time : 0;
     const bool is_stopped = state == State::drained || state == State::dead;
-    overview.add(state, rate, is_stopped ? way_on(history) : "");
+    overview.add(state, rate, is_stopped ? way_on_with(history) : "");
     if (summaries.empty()) return {line};
     line += fmt::format(", best {}, {} failed", best_of(history), failures);
     if (rate > 0) line += fmt::format(", {:.1f} evaluations/s", rate);

@@ -7,6 +7,7 @@
 
 #include "ideotype/app/provenance.hpp"
 #include "ideotype/app/summary.hpp"
+#include "ideotype/app/way_on.hpp"
 
 namespace ideotype {
 
@@ -15,10 +16,6 @@ namespace fs = std::filesystem;
 std::string path_of(const std::string& out, const Campaign& campaign,
                     const Case& chosen) {
     return (fs::path(out) / campaign.name / (chosen.name + ".h5")).string();
-}
-
-std::string resume_command(const RunOptions& options) {
-    return options.command + (options.is_resumed ? "" : " --resume");
 }
 
 Sweep::Sweep(const RunOptions& options, const Campaign& campaign,
@@ -32,23 +29,24 @@ Sweep::Sweep(const RunOptions& options, const Campaign& campaign,
       stop_(stop),
       progress_(campaign, chosen) {}
 
-void Sweep::evolve(Dispatcher& dispatcher) {
+bool Sweep::evolve(Dispatcher& dispatcher) {
     dispatcher_ = &dispatcher;
     try {
         dispatcher.run(*this);
     } catch (const Error& error) {
         throw Error(fmt::format("{}\ngo on with\n  {}", error.what(),
-                                resume_command(options_)),
+                                way_on(options_.command, ranks_)),
                     error.exit_code());
     }
     report_failures();
     report_in_use();
-    if (finished_ + in_use_.size() == chosen_.size()) return;
+    if (finished_ + in_use_.size() == chosen_.size()) return true;
     progress_.print(
         fmt::format("stopped before the end: {} of {} cases are "
                     "finished",
                     finished_, chosen_.size()));
     if (!has_said_how_to_go_on_) on_stop(0);
+    return false;
 }
 
 bool Sweep::start_next() {
@@ -68,10 +66,15 @@ void Sweep::on_silence(const Task& task, const std::string& what) {
 void Sweep::on_stop(int in_flight) {
     has_said_how_to_go_on_ = true;
     const std::string pending =
-        in_flight > 0 ? fmt::format("stopping; in flight: {}; ", in_flight)
-                      : "";
-    progress_.print(
-        fmt::format("{}go on with\n  {}", pending, resume_command(options_)));
+        in_flight > 0
+            ? fmt::format("stopping after the evaluations in flight ({}){}; ",
+                          in_flight,
+                          progress_.is_on_terminal()
+                              ? ", Ctrl-C again stops at once"
+                              : "")
+            : "";
+    progress_.print(fmt::format("{}go on with\n  {}", pending,
+                                way_on(options_.command, ranks_)));
 }
 
 Routine<Ending> Sweep::evolve_guarded(const Case& chosen) {
@@ -192,7 +195,7 @@ void Sweep::report_failures() const {
             message += fmt::format("\n{}: {}", failure.name, error.what());
         }
     throw Error(fmt::format("{}\nwhen the causes are gone, go on with\n  {}",
-                            message, resume_command(options_)));
+                            message, way_on(options_.command, ranks_)));
 }
 
 }  // namespace ideotype

@@ -11,9 +11,6 @@
 
 namespace ideotype {
 
-//! The command that goes on with a run.
-std::string resume_command(const RunOptions& options);
-
 //! The cases of one start of the program, evolved in one job. A case that
 //! fails by itself does not keep the others from going on; when the disk
 //! fails, the others are drained. All references must outlive it.
@@ -23,10 +20,11 @@ class Sweep : public Director {
           const std::vector<Case>& chosen, const std::string& isa, int ranks,
           StopFlag& stop);
 
-    //! Evolves all cases until they have ended or a stop is requested.
+    //! Evolves all cases until they have ended or a stop is requested; false
+    //! if that left some of them.
     //! @throws Error that names each case that failed, or (refused) if others
     //! work on all of them.
-    void evolve(Dispatcher& dispatcher);
+    bool evolve(Dispatcher& dispatcher);
 
     bool start_next() override;
     void on_silence(const Task& task, const std::string& what) override;

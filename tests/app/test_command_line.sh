@@ -179,5 +179,5 @@ says "gain"
 
 # A time limit of this start stops cleanly.
 write_campaign limited 12 400
-expect 0 "$ideotype" run campaigns/limited.toml --wall-time 1s
+expect 5 "$ideotype" run campaigns/limited.toml --wall-time 1s
 says "stopped before the end"

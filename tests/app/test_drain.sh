@@ -7,7 +7,7 @@ write_campaign long 12 300
 "$ideotype" run campaigns/long.toml --out whole >/dev/null
 whole=$(history_of whole long)
 
-# SIGUSR1 to mpirun drains: exit 0, a message with the command to go on.
+# SIGUSR1 to mpirun drains: exit code 5, a message with the command to go on.
 mpirun -n 3 "$ideotype" run campaigns/long.toml --out drained >drain.log &
 job=$!
 for _ in $(seq 100); do
@@ -25,7 +25,9 @@ code=0
 "$ideotype" pack "$(history_of drained long)" 2>pack.log || code=$?
 [ $code -eq 4 ] || fail "packing a live file ended with $code: $(cat pack.log)"
 kill -USR1 $job
-wait $job || fail "a drain must end with 0"
+code=0
+wait $job || code=$?
+[ $code -eq 5 ] || fail "a drain must end with 5, not $code"
 "$ideotype" status drained >status.log
 grep ": drained, " status.log || fail "does not look drained"
 grep -qx "  mpirun -n 3 $ideotype run campaigns/long.toml --out drained --resume" \

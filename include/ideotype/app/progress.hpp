@@ -29,6 +29,8 @@ class ProgressLog {
     //! A case has ended, also if nobody watched it.
     void end(const Case& chosen);
 
+    bool is_on_terminal() const { return columns_ > 0; }
+
     //! Lines that stay, above the live one; in a log file with the time.
     void print(const std::string& text);
 

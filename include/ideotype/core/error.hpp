@@ -13,6 +13,7 @@ enum class ExitCode {
     usage = 2,             //!< wrong command line
     invalid_campaign = 3,  //!< an input file has errors
     refused = 4,           //!< going on would break the contract C1-C5
+    stopped = 5,           //!< a run stopped early on request; can be resumed
 };
 
 //! An error whose message is meant for the user: what, why, what to do.

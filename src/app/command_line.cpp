@@ -1,6 +1,5 @@
 #include <csignal>
 #include <cstdio>
-#include <sstream>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -239,15 +238,14 @@ int run_command_line(int argc, char** argv) {
         require_shared_work(*app.get_subcommands().front(), launch);
         return action();
     } catch (const CLI::ParseError& error) {
-        // What is wrong with a command line is told once, not by all ranks.
-        std::ostringstream unheard;
-        const bool is_fine =
-            (launch.rank == 0 ? app.exit(error)
-                              : app.exit(error, unheard, unheard)) == 0;
+        // What is wrong with a command line rank 0 tells. Others that end with
+        // a code before it would keep its words from being heard.
+        if (launch.rank != 0) return static_cast<int>(ExitCode::ok);
+        const bool is_fine = app.exit(error) == 0;
         return static_cast<int>(is_fine ? ExitCode::ok : ExitCode::usage);
     } catch (const Error& error) {
         if (error.exit_code() == ExitCode::usage && launch.rank != 0)
-            return static_cast<int>(ExitCode::usage);
+            return static_cast<int>(ExitCode::ok);
         return report_error(error, error.exit_code());
     } catch (const std::exception& error) {
         return report_error(error, ExitCode::runtime);

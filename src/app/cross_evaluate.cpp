@@ -1,12 +1,16 @@
 #include <cstdio>
-#include <unistd.h>
+#include <list>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "ideotype/app/canopy.hpp"
 #include "ideotype/app/choose_row.hpp"
 #include "ideotype/app/progress.hpp"
+#include "ideotype/app/ranks.hpp"
 #include "ideotype/app/verbs.hpp"
+#include "ideotype/core/routine.hpp"
+#include "ideotype/parallel/dispatcher.hpp"
 #include "json.hpp"
 
 namespace ideotype {
@@ -59,41 +63,90 @@ std::vector<Column> columns(const Campaign& campaign) {
     return first;
 }
 
-Estimate objective(const Campaign& campaign, const Column& column,
-                   const Device& device, const Genome& genome) {
-    Task task;
-    task.case_index = static_cast<std::uint32_t>(column.chosen.index);
-    task.is_final = true;
-    const CanopyReport report =
-        study(campaign, column.chosen, column.light, device, genome,
-              draws_of(task, campaign, column.chosen), Detail::history);
-    return to_outcome(campaign, genome, report).objectives.front();
+//! What is to be evaluated; the same on all ranks.
+struct Cross {
+    Campaign under;
+    std::vector<NamedPlant> plants;
+    std::vector<Column> columns;
+    Quantity quantity;
+
+    std::size_t size() const { return plants.size() * columns.size(); }
+};
+
+Cross read(const CrossOptions& options) {
+    Cross cross{read_campaign(options.under), {}, {}, {}};
+    for (const std::string& path : options.plants)
+        cross.plants.push_back(named_plant(path));
+    cross.columns = columns(cross.under);
+    cross.quantity = outcome_schema(cross.under, cross.columns[0].light.day)
+                         .objectives.front();
+    return cross;
 }
 
-//! A column per case, a row per plant.
-class Matrix {
+//! A task's generation is the column, its slot the plant.
+class CrossEvaluator : public Evaluator {
   public:
-    Matrix(std::vector<NamedPlant> plants, std::vector<Column> columns)
-        : plants_(std::move(plants)), columns_(std::move(columns)) {}
+    CrossEvaluator(const Cross& cross, const std::string& isa)
+        : cross_(cross), device_(isa), schema_{{cross.quantity}, {}} {}
 
-    void fill(const Campaign& under) {
-        const Device device(Device::supported_isas().back());
-        for (const NamedPlant& plant : plants_) {
-            show_progress();
-            std::vector<Estimate>& row = rows_.emplace_back();
-            const Campaign campaign = with(plant, under);
-            for (const Column& column : columns_)
-                row.push_back(
-                    objective(campaign, column, device, plant.genome));
-        }
-        show_progress();
+    const OutcomeSchema& schema(const Task&) const override { return schema_; }
+
+    Outcome evaluate(const Task& task, const Genome& genome) override {
+        const Column& column = cross_.columns.at(task.generation);
+        const Campaign campaign =
+            with(cross_.plants.at(task.slot), cross_.under);
+        Task shared;  // all plants of a case share their random numbers
+        shared.case_index = task.case_index;
+        shared.is_final = true;
+        Outcome outcome = to_outcome(
+            campaign, genome,
+            study(campaign, column.chosen, column.light, device_, genome,
+                  draws_of(shared, campaign, column.chosen), Detail::history));
+        outcome.diagnostics.clear();
+        return outcome;
     }
 
-    Json json(const Quantity& quantity) const {
+  private:
+    const Cross& cross_;
+    Device device_;
+    OutcomeSchema schema_;
+};
+
+//! A column per case, a row per plant.
+class Matrix : public Director {
+  public:
+    explicit Matrix(const Cross& cross)
+        : cross_(cross),
+          rows_(cross.plants.size(),
+                std::vector<Estimate>(cross.columns.size())) {}
+
+    //! @throws Error if one cannot be evaluated, or a stop is requested.
+    void fill(Dispatcher& dispatcher) {
+        dispatcher_ = &dispatcher;
+        dispatcher.run(*this);
+        for (auto& each : running_) each.result();
+        if (done_ < cross_.size())
+            throw Error(fmt::format("stopped; {} of {} evaluations were done",
+                                    done_, cross_.size()));
+    }
+
+    bool start_next() override {
+        if (running_.size() == cross_.columns.size()) return false;
+        running_.push_back(fill_column(running_.size()));
+        running_.back().start();
+        return true;
+    }
+    void on_silence(const Task&, const std::string& what) override {
+        fmt::print(stderr, "{}\n", what);
+    }
+    void on_stop(int) override {}
+
+    Json json() const {
+        const Quantity& quantity = cross_.quantity;
         Json json{{"objective", quantity.name}, {"unit", quantity.unit}};
-        for (const NamedPlant& plant : plants_)
+        for (const NamedPlant& plant : cross_.plants)
             json["plants"].push_back(plant.name);
-        for (const Column& column : columns_)
+        for (const Column& column : cross_.columns)
             json["cases"].push_back(light_name(column.chosen));
         for (const auto& row : rows_) {
             Json means = Json::array(), errors = Json::array();
@@ -107,45 +160,121 @@ class Matrix {
         return json;
     }
 
-    void print(const Quantity& quantity) const {
+    void print() const {
+        const auto& [under, plants, columns, quantity] = cross_;
         fmt::print("{} [{}] of each plant in each case\n", quantity.name,
                    quantity.unit);
-        for (std::size_t c = 0; c < columns_.size(); ++c) {
-            fmt::print("\n{}\n", light_name(columns_[c].chosen));
-            for (std::size_t p = 0; p < plants_.size(); ++p)
-                fmt::print("  {:<50} {:>24}\n", plants_[p].name,
+        for (std::size_t c = 0; c < columns.size(); ++c) {
+            fmt::print("\n{}\n", light_name(columns[c].chosen));
+            for (std::size_t p = 0; p < plants.size(); ++p)
+                fmt::print("  {:<50} {:>24}\n", plants[p].name,
                            format(rows_[p][c]));
         }
     }
 
   private:
-    void show_progress() const {
-        if (!isatty(STDERR_FILENO)) return;
-        fmt::print(stderr, "\r{} of {} plants{}", rows_.size(), plants_.size(),
-                   rows_.size() == plants_.size() ? "\n" : "");
+    Routine<bool> fill_column(std::size_t c) {
+        std::vector<Work> work;
+        for (std::size_t p = 0; p < cross_.plants.size(); ++p) {
+            Task task;
+            task.case_index =
+                static_cast<std::uint32_t>(cross_.columns[c].chosen.index);
+            task.generation = static_cast<std::uint32_t>(c);
+            task.slot = static_cast<std::uint32_t>(p);
+            task.is_final = true;
+            work.push_back({task, cross_.plants[p].genome});
+        }
+        co_await dispatcher_->evaluate(
+            std::move(work), [this](const Work& done, const Outcome& outcome) {
+                record(done.task, outcome);
+            });
+        co_return true;
     }
 
-    std::vector<NamedPlant> plants_;
-    std::vector<Column> columns_;
+    void record(const Task& task, const Outcome& outcome) {
+        if (outcome.status != Status::done)
+            throw Error(
+                fmt::format("{} in {}: {}", cross_.plants[task.slot].name,
+                            light_name(cross_.columns[task.generation].chosen),
+                            outcome.message));
+        rows_[task.slot][task.generation] = outcome.objectives.front();
+        live_.show(fmt::format("{} of {} evaluated", ++done_, cross_.size()));
+    }
+
+    const Cross& cross_;
     std::vector<std::vector<Estimate>> rows_;  //!< by plant, then by case
+    std::size_t done_ = 0;
+    LiveLine live_;
+    Dispatcher* dispatcher_ = nullptr;  //!< while filling
+    std::list<Routine<bool>> running_;
 };
+
+void fill_and_tell(const Cross& cross, std::unique_ptr<Dispatcher> dispatcher,
+                   bool is_json) {
+    Matrix matrix(cross);
+    matrix.fill(*dispatcher);
+    if (is_json)
+        fmt::print("{}\n", to_text(matrix.json()));
+    else
+        matrix.print();
+}
+
+//! What this rank reads, if all could read theirs.
+//! @throws Error of what could not be read, on rank 0 if it could not.
+std::optional<Cross> read_on_all(const Session& session,
+                                 const CrossOptions& options) {
+    std::optional<Cross> cross;
+    std::exception_ptr failure;
+    try {
+        cross = read(options);
+        if (cross->size() == 1)
+            throw Error(
+                fmt::format("evaluate: one plant in one case is one "
+                            "evaluation, which {} ranks cannot share; start "
+                            "it without mpirun or srun",
+                            session.size()),
+                ExitCode::usage);
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    const bool has_any_failed = session.largest(failure ? 1 : 0) != 0;
+    const bool has_first_failed =
+        !session.broadcast(failure ? "failed" : "").empty();
+    if (failure && (session.rank() == 0 || !has_first_failed))
+        std::rethrow_exception(failure);
+    if (has_any_failed) return std::nullopt;
+    return cross;
+}
+
+//! Collective over all ranks, which share plants and cases.
+void share(const CrossOptions& options, const Session& session,
+           StopFlag& stop) {
+    const auto cross = read_on_all(session, options);
+    if (!cross) return;
+    CrossEvaluator evaluator(
+        *cross, session.broadcast(Device::supported_isas().back()));
+    if (session.rank() != 0) return serve(session, evaluator);
+    const Campaign& under = cross->under;
+    fill_and_tell(
+        *cross,
+        make_dispatcher(session, evaluator, stop,
+                        {under.answer_limits.deadline,
+                         under.answer_limits.attempts, final_effort(under)}),
+        options.is_json);
+}
 
 }  // namespace
 
 ExitCode cross_evaluate(const CrossOptions& options) {
-    const Campaign under = read_campaign(options.under);
-    std::vector<NamedPlant> plants;
-    for (const std::string& path : options.plants)
-        plants.push_back(named_plant(path));
-    std::vector<Column> lit = columns(under);
-    const Quantity quantity =
-        outcome_schema(under, lit[0].light.day).objectives.front();
-    Matrix matrix(std::move(plants), std::move(lit));
-    matrix.fill(under);
-    if (options.is_json)
-        fmt::print("{}\n", to_text(matrix.json(quantity)));
-    else
-        matrix.print(quantity);
+    StopFlag stop;
+    if (launch_of_this_process().size > 1) {
+        const Session session;
+        share(options, session, stop);
+        return ExitCode::ok;
+    }
+    const Cross cross = read(options);
+    CrossEvaluator evaluator(cross, Device::supported_isas().back());
+    fill_and_tell(cross, make_dispatcher(evaluator, stop), options.is_json);
     return ExitCode::ok;
 }
 

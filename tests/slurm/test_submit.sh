@@ -40,7 +40,7 @@ says "generic.sh"
 expect 1 campaigns/plain.toml
 says "there is no sbatch here"
 expect 3 --dry-run campaigns/typo.toml
-says "typo.toml:17:1"
+says "typo.toml:18:1: unknown key .plnats."
 expect 1 --dry-run campaigns/missing.toml
 IDEOTYPE=$folder/nothing
 expect 1 --dry-run campaigns/plain.toml

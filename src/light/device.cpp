@@ -44,7 +44,17 @@ std::vector<std::string> Device::supported_isas() {
 }
 
 std::string Device::library_version() {
-    return fmt::format("Embree {}", RTC_VERSION_STRING);
+    // Of the library that was loaded, whatever the headers were.
+    RTCDevice device = rtcNewDevice("threads=1");
+    const auto number = [&](RTCDeviceProperty property) {
+        return rtcGetDeviceProperty(device, property);
+    };
+    const std::string version = fmt::format(
+        "Embree {}.{}.{}", number(RTC_DEVICE_PROPERTY_VERSION_MAJOR),
+        number(RTC_DEVICE_PROPERTY_VERSION_MINOR),
+        number(RTC_DEVICE_PROPERTY_VERSION_PATCH));
+    rtcReleaseDevice(device);
+    return version;
 }
 
 }  // namespace ideotype

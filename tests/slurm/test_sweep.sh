@@ -14,17 +14,17 @@ write_site here mpirun
 arguments=(--site here.sh --out out --form sweep --throttle 2
     campaigns/sweep.toml)
 submit first "${arguments[@]}"
+job=$(sed -n 's/^job  *\([0-9]*\);.*/\1/p' submit-first.log)
+wait_for_file out/sweep/ames_0807_762x152_all_r2.h5
+scancel --batch --signal=USR1 "${job}_1"
 wait_for_file out/sweep/ames_0807_762x152_all_r1.h5
+scontrol requeue "${job}_0"
 submit second "${arguments[@]}"
 grep -q "nothing to submit" submit-second.log ||
     fail "cases were submitted twice: $(cat submit-second.log)"
 submit third --site here.sh --out out campaigns/sweep.toml
 grep -q "nothing to submit" submit-third.log ||
     fail "cases were submitted twice: $(cat submit-third.log)"
-job=$(sed -n 's/^job  *\([0-9]*\);.*/\1/p' submit-first.log)
-scontrol requeue "${job}_0"
-wait_for_file out/sweep/ames_0807_762x152_all_r2.h5
-scancel --batch --signal=USR1 "${job}_1"
 
 "$ideotype" run campaigns/sweep.toml --out local >/dev/null
 wait_for_jobs 120 || fail "jobs are still there: $(cat ideotype-*.log)"

@@ -1,0 +1,115 @@
+"""Figures that must stay the same, bit for bit, through changes of the program.
+
+`golden.py write` makes tests/data/golden/*.txt anew with the program that
+IDEOTYPE_EXECUTABLE names, after a change that is meant to change results; the commit
+says why they change. Each line is a figure: its name, how many values it has, a
+digest of their bits, and the first of them to read.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import h5py
+import numpy as np
+from real_program import executable
+
+DATA = Path(__file__).parents[1] / "data"
+CAMPAIGNS = ("stand", "plot", "limited")
+MESHES = {
+    "mesh_sun": ["maize1.obj", "--period", ".76", ".15", "--sun", "30", "100"],
+    "mesh_day": [
+        *("maize1.obj", "--period", ".76", ".15", "--sky", "clear"),
+        *("--date", "2025-08-07", "--site", "42", "-93.6", "-5"),
+    ],
+    "mesh_plot": ["maize1.obj", "--boundary", "isolated", "--ground-area", ".114"]
+    + ["--sky", "overcast"],
+}
+
+
+def figures(name: str) -> dict[str, np.ndarray]:
+    """Of a campaign or a mesh of this module, computed by the program."""
+    if name in MESHES:
+        return _mesh_figures(MESHES[name])
+    with tempfile.TemporaryDirectory() as folder:
+        campaign = DATA / "golden" / f"{name}.toml"
+        _run("run", str(campaign), "--out", folder)
+        (path,) = Path(folder).glob("*/*.h5")
+        return _history_figures(path)
+
+
+def text(found: dict[str, np.ndarray]) -> str:
+    lines = []
+    for name, values in found.items():
+        values = np.ascontiguousarray(values, dtype="<f8").ravel()
+        digest = hashlib.sha256(values.tobytes()).hexdigest()[:16]
+        lines.append(f"{name} {values.size} {digest} {float(values[0])!r}\n")
+    return "".join(lines)
+
+
+def _run(*words: str) -> str:
+    done = subprocess.run(
+        [executable(), *words], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def _history_figures(path: Path) -> dict[str, np.ndarray]:
+    found = {}
+    with h5py.File(path, "r") as file:
+        traits = file["traits/name"].asstr()[:]
+        for part in ("evaluations", "final"):
+            rows = file[part]
+            for i, trait in enumerate(traits):
+                found[f"{part}.{trait}"] = rows["genome"][:, i]
+            for kind in ("objectives", "diagnostics"):
+                for i, name in enumerate(file[kind]["name"].asstr()[:]):
+                    found[f"{part}.{name}"] = rows[kind][:, i]
+                    errors = rows[f"{kind}_standard_error"]
+                    found[f"{part}.{name}.standard_error"] = errors[:, i]
+            for name in ("fitness", "status", "origin", "parents"):
+                found[f"{part}.{name}"] = rows[name][:]
+        for name in ("best", "best_slot", "best_standard_error", "mean", "spread"):
+            found[f"generations.{name}"] = file["generations"][name][:]
+        found["generations.diversity"] = file["generations"]["diversity"][:]
+    return found
+
+
+def _mesh_figures(options: list[str]) -> dict[str, np.ndarray]:
+    mesh, *others = options
+    path = str(DATA / "reference" / mesh)
+    found: dict[str, np.ndarray] = {}
+    report = json.loads(
+        _run("evaluate", "--mesh", path, *others, "--tolerance", ".003", "--json")
+    )
+    _flatten("", report, found)
+    found.pop("seconds")
+    return found
+
+
+def _flatten(name: str, value: object, found: dict[str, np.ndarray]) -> None:
+    if isinstance(value, dict):
+        for key, each in value.items():
+            _flatten(f"{name}.{key}" if name else key, each, found)
+    elif isinstance(value, list):
+        for i, each in enumerate(value):
+            _flatten(f"{name}.{i}", each, found)
+    elif isinstance(value, (int, float)):
+        found[name] = np.array([value], dtype=float)
+
+
+def main() -> None:
+    if sys.argv[1:] != ["write"]:
+        sys.exit(__doc__)
+    for name in (*CAMPAIGNS, *MESHES):
+        (DATA / "golden" / f"{name}.txt").write_text(text(figures(name)))
+
+
+if __name__ == "__main__":
+    main()

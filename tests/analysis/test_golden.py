@@ -1,0 +1,14 @@
+"""The program gives the figures of tests/data/golden, bit for bit."""
+
+from __future__ import annotations
+
+import golden
+import pytest
+
+
+@pytest.mark.parametrize("name", [*golden.CAMPAIGNS, *golden.MESHES])
+def test_figures_have_the_same_bits(name: str) -> None:
+    expected = (golden.DATA / "golden" / f"{name}.txt").read_text()
+    found = golden.text(golden.figures(name))
+    changed = sorted(set(expected.splitlines()) ^ set(found.splitlines()))
+    assert not changed, "\n".join(changed[:20])

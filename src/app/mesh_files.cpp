@@ -82,7 +82,7 @@ void write_cell_data(fmt::ostream& out, const Shape& shape,
 void write_surfaces(fmt::ostream& out, const Mesh& mesh) {
     out.print("<Points>\n");
     write_array(out, "Float64", "points", " NumberOfComponents=\"3\"", [&] {
-        for (const Vec3& v : mesh.vertices)
+        for (const glm::dvec3& v : mesh.vertices)
             out.print("{:.7f} {:.7f} {:.7f}\n", v.x, v.y, v.z);
     });
     out.print("</Points>\n<Polys>\n");
@@ -105,7 +105,7 @@ void write_obj(const std::string& path, const Shape& shape) {
     const Mesh& mesh = shape.mesh;
     auto out = fmt::output_file(path);
     for (const std::string& line : shape.about) out.print("# {}\n", line);
-    for (const Vec3& v : mesh.vertices)
+    for (const glm::dvec3& v : mesh.vertices)
         out.print("v {:.7f} {:.7f} {:.7f}\n", v.x, v.y, v.z);
     std::string current;
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {

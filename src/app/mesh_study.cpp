@@ -68,7 +68,7 @@ Field field_of(Mesh mesh, const MeshOptions& options) {
 void check_images(const Field& field) {
     double images = 0;
     for (const auto& face : field.mesh.faces) {
-        const auto count = [&](double Vec3::*axis, double period) {
+        const auto count = [&](double glm::dvec3::*axis, double period) {
             const auto [least, largest] =
                 std::minmax({field.mesh.vertices[face[0]].*axis,
                              field.mesh.vertices[face[1]].*axis,
@@ -76,8 +76,8 @@ void check_images(const Field& field) {
                              field.mesh.vertices[face[3]].*axis});
             return 1 + (largest - least) / period;
         };
-        images +=
-            count(&Vec3::x, field.period_x) * count(&Vec3::y, field.period_y);
+        images += count(&glm::dvec3::x, field.period_x) *
+                  count(&glm::dvec3::y, field.period_y);
     }
     if (!(images <= most_faces))
         throw Error(fmt::format(

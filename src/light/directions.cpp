@@ -5,25 +5,24 @@
 
 namespace ideotype {
 
-Vec3 not_level(Vec3 d) {
+glm::dvec3 not_level(glm::dvec3 d) {
     constexpr double least = 1e-7;
     if (std::abs(d.z) < least) d.z = std::copysign(least, d.z);
     return d;
 }
 
-Vec3 lambertian(const Vec3& n, double u, double v) {
+glm::dvec3 lambertian(const glm::dvec3& n, double u, double v) {
     const double sign = std::copysign(1.0, n.z);
     const double a = -1 / (sign + n.z);
     const double b = n.x * n.y * a;
-    const Vec3 s{1 + sign * n.x * n.x * a, sign * b, -sign * n.x};
-    const Vec3 t{b, sign + n.y * n.y * a, -n.y};
+    const glm::dvec3 s{1 + sign * n.x * n.x * a, sign * b, -sign * n.x};
+    const glm::dvec3 t{b, sign + n.y * n.y * a, -n.y};
     const double r = std::sqrt(u);
     const double phi = 2 * std::numbers::pi * v;
     const double x = r * std::cos(phi);
     const double y = r * std::sin(phi);
     const double z = std::sqrt(1 - u);
-    return not_level({x * s.x + y * t.x + z * n.x, x * s.y + y * t.y + z * n.y,
-                      x * s.z + y * t.z + z * n.z});
+    return not_level(x * s + y * t + z * n);
 }
 
 }  // namespace ideotype

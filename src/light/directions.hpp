@@ -6,11 +6,11 @@ namespace ideotype {
 
 //! Keeps a direction from being so level that it would cross the stand
 //! almost for ever; a shift far below any measurable angle.
-Vec3 not_level(Vec3 d);
+glm::dvec3 not_level(glm::dvec3 d);
 
 //! A direction around a unit normal with density cos / pi: Lambert's law.
 //! u and v are uniform in [0, 1). Frame after Duff et al. 2017
 //! (jcgt.org/published/0006/01/01).
-Vec3 lambertian(const Vec3& normal, double u, double v);
+glm::dvec3 lambertian(const glm::dvec3& normal, double u, double v);
 
 }  // namespace ideotype

@@ -1,21 +1,16 @@
 #include "launch.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
+
+#include <glm/geometric.hpp>
 
 #include "directions.hpp"
 
 namespace ideotype {
 
-namespace {
-
-std::array<double, 3> as_array(const Vec3& v) {
-    return {v.x, v.y, v.z};
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Launcher::Launcher(const Scene& scene, const Source& source, double soil_albedo)
     : scene_(scene), source_(source) {
@@ -37,7 +32,7 @@ void Launcher::add_portals(double soil_albedo) {
             // horizontal one sees of a uniform soil.
             double lit = 0.5;
             if (source_.direction) {
-                const Vec3 d = not_level(*source_.direction);
+                const glm::dvec3 d = not_level(*source_.direction);
                 const double along = axis == 0 ? d.x : d.y;
                 lit = std::max(0.0, (is_upper ? -along : along) / -d.z);
             }
@@ -67,21 +62,15 @@ Bundle Launcher::launch(PathSampler& sampler, double energy) const {
 
 Bundle Launcher::enter(const Portal& portal, PathSampler& sampler,
                        double energy) const {
-    const auto lower = as_array(scene_.box().lower);
-    const auto upper = as_array(scene_.box().upper);
-    std::array<double, 3> at{}, inwards{};
-    for (int i = 0; i < 3; ++i) {
-        const auto axis = static_cast<std::size_t>(i);
+    const auto& [lower, upper] = scene_.box();
+    glm::dvec3 p(0), n(0);  // n points inwards
+    for (int i = 0; i < 3; ++i)
         if (i == portal.axis)
-            at[axis] = portal.is_upper ? upper[axis] : lower[axis];
+            p[i] = portal.is_upper ? upper[i] : lower[i];
         else
-            at[axis] =
-                lower[axis] + sampler.next() * (upper[axis] - lower[axis]);
-        inwards[axis] = i != portal.axis ? 0 : portal.is_upper ? -1 : 1;
-    }
-    const Vec3 p{at[0], at[1], at[2]};
-    const Vec3 n{inwards[0], inwards[1], inwards[2]};
-    Vec3 d;
+            p[i] = lower[i] + sampler.next() * (upper[i] - lower[i]);
+    n[portal.axis] = portal.is_upper ? -1 : 1;
+    glm::dvec3 d;
     if (portal.from == From::source &&
         (source_.direction || portal.axis == 2)) {
         d = from_above(sampler);
@@ -97,28 +86,24 @@ Bundle Launcher::enter(const Portal& portal, PathSampler& sampler,
         }
     }
     // Start outside, where nothing is, so that a leaf in the face is met.
-    const double back =
-        scene_.clearance() / (d.x * n.x + d.y * n.y + d.z * n.z);
-    return {{p.x - back * d.x, p.y - back * d.y, p.z - back * d.z},
-            d,
-            energy,
-            portal.from == From::soil};
+    const double back = scene_.clearance() / glm::dot(d, n);
+    return {p - back * d, d, energy, portal.from == From::soil};
 }
 
-Vec3 Launcher::from_above(PathSampler& sampler) const {
+glm::dvec3 Launcher::from_above(PathSampler& sampler) const {
     if (source_.direction) return not_level(*source_.direction);
     const double u = sampler.next();
     return not_level(source_.sky.sample(u, sampler.next()));
 }
 
-double Launcher::relative_brightness(const Vec3& direction) const {
+double Launcher::relative_brightness(const glm::dvec3& direction) const {
     return relative_radiance(source_.sky.radiance(), direction) *
            std::numbers::pi / source_.sky.horizontal_irradiance();
 }
 
-bool Launcher::is_lit(const Vec3& soil, PathSampler& sampler) const {
-    const Vec3 d = from_above(sampler);
-    return !clip(scene_.box(), soil, {-d.x, -d.y, -d.z});
+bool Launcher::is_lit(const glm::dvec3& soil, PathSampler& sampler) const {
+    const glm::dvec3 d = from_above(sampler);
+    return !clip(scene_.box(), soil, -d);
 }
 
 }  // namespace ideotype

@@ -45,9 +45,9 @@ class Launcher {
     void add_portals(double soil_albedo);
     Bundle enter(const Portal& portal, PathSampler& sampler,
                  double energy) const;
-    Vec3 from_above(PathSampler& sampler) const;
-    double relative_brightness(const Vec3& direction) const;
-    bool is_lit(const Vec3& soil, PathSampler& sampler) const;
+    glm::dvec3 from_above(PathSampler& sampler) const;
+    double relative_brightness(const glm::dvec3& direction) const;
+    bool is_lit(const glm::dvec3& soil, PathSampler& sampler) const;
 
     const Scene& scene_;
     const Source& source_;

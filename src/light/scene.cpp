@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include "embree_handle.hpp"
 #include "ideotype/core/error.hpp"
@@ -46,7 +47,7 @@ Shifts shifts_into(const Extent& extent, double period) {
 }
 
 void check_vertices(const Mesh& mesh) {
-    for (const Vec3& v : mesh.vertices)
+    for (const glm::dvec3& v : mesh.vertices)
         if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
             throw Error("a vertex of the canopy is not finite");
         else if (std::abs(v.x) > farthest || std::abs(v.y) > farthest ||
@@ -64,8 +65,8 @@ double wrapped_into(double x, double period) {
 
 }  // namespace
 
-std::optional<Segment> clip(const Box& box, const Vec3& origin,
-                            const Vec3& direction) {
+std::optional<Segment> clip(const Box& box, const glm::dvec3& origin,
+                            const glm::dvec3& direction) {
     Segment inside{0, std::numeric_limits<double>::infinity()};
     const auto cut = [&](double lower, double upper, double x, double dx) {
         if (dx == 0) return lower <= x && x <= upper;
@@ -156,21 +157,21 @@ void Scene::add_plot(const Mesh& mesh, const std::vector<double>& areas) {
         if (is_there(f)) add_face(mesh, f, {-x.lower, -y.lower, 0});
 }
 
-Vec3 Scene::placed(const Vec3& point) const {
-    return wrapped(
-        {point.x - plot_corner_.x, point.y - plot_corner_.y, point.z});
+glm::dvec3 Scene::placed(const glm::dvec3& point) const {
+    return wrapped(point - plot_corner_);
 }
 
-Vec3 Scene::wrapped(const Vec3& point) const {
+glm::dvec3 Scene::wrapped(const glm::dvec3& point) const {
     if (boundary_ == Boundary::isolated) return point;
     return {wrapped_into(point.x, period_x_), wrapped_into(point.y, period_y_),
             point.z};
 }
 
-Vec3 Scene::beside(const Vec3& point, const Vec3& normal) const {
-    return wrapped({point.x + clearance_ * normal.x,
-                    point.y + clearance_ * normal.y,
-                    std::clamp(point.z + clearance_ * normal.z, soil(), top_)});
+glm::dvec3 Scene::beside(const glm::dvec3& point,
+                         const glm::dvec3& normal) const {
+    glm::dvec3 beside = point + clearance_ * normal;
+    beside.z = std::clamp(beside.z, soil(), top_);
+    return wrapped(beside);
 }
 
 Scene::~Scene() = default;
@@ -204,11 +205,11 @@ void Scene::add_images(const Mesh& mesh, std::size_t face) {
                       static_cast<double>(j) * period_y_, 0});
 }
 
-void Scene::add_face(const Mesh& mesh, std::size_t face, const Vec3& shift) {
+void Scene::add_face(const Mesh& mesh, std::size_t face,
+                     const glm::dvec3& shift) {
     for (const std::uint32_t v : mesh.faces[face]) {
-        const Vec3& p = mesh.vertices[v];
-        corners_.push_back({static_cast<float>(p.x + shift.x),
-                            static_cast<float>(p.y + shift.y),
+        const glm::dvec3 p = mesh.vertices[v] + shift;
+        corners_.push_back({static_cast<float>(p.x), static_cast<float>(p.y),
                             static_cast<float>(p.z), 0});
     }
     const std::uint32_t group = mesh.face_group[face];
@@ -255,7 +256,7 @@ void Scene::attach_faces(RTCDeviceTy* embree) {
     rtcReleaseGeometry(geometry);
 }
 
-bool Scene::intersect(const Vec3& origin, const Vec3& direction,
+bool Scene::intersect(const glm::dvec3& origin, const glm::dvec3& direction,
                       double distance, Hit& hit) const {
     RTCRayHit query;
     query.ray.org_x = static_cast<float>(origin.x);
@@ -275,9 +276,8 @@ bool Scene::intersect(const Vec3& origin, const Vec3& direction,
     intersect_first(handle_->scene, query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
 
-    const double nx = query.hit.Ng_x, ny = query.hit.Ng_y, nz = query.hit.Ng_z;
-    const double length = std::sqrt(nx * nx + ny * ny + nz * nz);
-    hit.normal = {nx / length, ny / length, nz / length};
+    const glm::dvec3 normal(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
+    hit.normal = normal / glm::length(normal);
     hit.group = face_group_[query.hit.primID];
 
     // The distance along the ray is good to single precision only. Put the
@@ -285,14 +285,9 @@ bool Scene::intersect(const Vec3& origin, const Vec3& direction,
     // face share.
     const auto& corner = corners_[4 * std::size_t{query.hit.primID} + 1];
     const double t = query.ray.tfar;
-    Vec3& p = hit.position;
-    p = {origin.x + t * direction.x, origin.y + t * direction.y,
-         origin.z + t * direction.z};
-    const double off = (p.x - static_cast<double>(corner[0])) * hit.normal.x +
-                       (p.y - static_cast<double>(corner[1])) * hit.normal.y +
-                       (p.z - static_cast<double>(corner[2])) * hit.normal.z;
-    p = {p.x - off * hit.normal.x, p.y - off * hit.normal.y,
-         p.z - off * hit.normal.z};
+    const glm::dvec3 p = origin + t * direction;
+    const glm::dvec3 on_plane(corner[0], corner[1], corner[2]);
+    hit.position = p - glm::dot(p - on_plane, hit.normal) * hit.normal;
     return true;
 }
 

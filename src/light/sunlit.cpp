@@ -1,7 +1,8 @@
 #include "ideotype/light/sunlit.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include <glm/geometric.hpp>
 
 #include "directions.hpp"
 #include "ideotype/light/sampler.hpp"
@@ -11,24 +12,11 @@ namespace ideotype {
 
 namespace {
 
-Vec3 difference(const Vec3& a, const Vec3& b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-Vec3 cross(const Vec3& a, const Vec3& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z,
-            a.x * b.y - a.y * b.x};
-}
-
-double dot(const Vec3& a, const Vec3& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
 //! A flat part of a leaf.
 struct Triangle {
-    Vec3 corner, u, v;
-    Vec3 normal;  //!< unit length
-    double area;  //!< [m2]
+    glm::dvec3 corner, u, v;
+    glm::dvec3 normal;  //!< unit length
+    double area;        //!< [m2]
 };
 
 //! All leaf surface, as the triangles that light meets, and points on it.
@@ -47,7 +35,7 @@ class LeafArea {
     double total() const { return ends_.empty() ? 0 : ends_.back(); }
 
     struct Point {
-        Vec3 position, normal;
+        glm::dvec3 position, normal;
     };
 
     Point at(double share, double s, double t) const {
@@ -60,19 +48,16 @@ class LeafArea {
             t = 1 - t;
         }
         const auto& [corner, u, v, normal, area] = triangle;
-        return {{corner.x + s * u.x + t * v.x, corner.y + s * u.y + t * v.y,
-                 corner.z + s * u.z + t * v.z},
-                normal};
+        return {corner + s * u + t * v, normal};
     }
 
   private:
-    void add(const Vec3& a, const Vec3& b, const Vec3& c) {
-        const Vec3 u = difference(b, a), v = difference(c, a);
-        const Vec3 n = cross(u, v);
-        const double twice = std::sqrt(dot(n, n));
+    void add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+        const glm::dvec3 u = b - a, v = c - a;
+        const glm::dvec3 n = glm::cross(u, v);
+        const double twice = glm::length(n);
         if (!(twice > 0)) return;
-        triangles_.push_back(
-            {a, u, v, {n.x / twice, n.y / twice, n.z / twice}, twice / 2});
+        triangles_.push_back({a, u, v, n / twice, twice / 2});
         ends_.push_back(total() + twice / 2);
     }
 
@@ -80,10 +65,11 @@ class LeafArea {
     std::vector<double> ends_;  //!< summed area up to and with each [m2]
 };
 
-bool sees(const Scene& scene, const LeafArea::Point& point, const Vec3& sun) {
+bool sees(const Scene& scene, const LeafArea::Point& point,
+          const glm::dvec3& sun) {
     if (point.position.z < 0) return false;
-    Vec3 n = point.normal;
-    if (dot(n, sun) < 0) n = {-n.x, -n.y, -n.z};
+    const glm::dvec3 n =
+        glm::dot(point.normal, sun) < 0 ? -point.normal : point.normal;
     Bundle bundle{scene.beside(scene.placed(point.position), n), sun, 1};
     Hit hit;
     return travel(scene, bundle, hit) == Met::sky;
@@ -114,9 +100,8 @@ SunlitFractions sunlit_fractions(const Scene& scene, const Mesh& mesh,
             const LeafArea::Point point = leaves.at(share, s, sampler.next());
             for (std::size_t k = 0; k < sources.size(); ++k) {
                 if (!sources[k].direction) continue;
-                const Vec3 d = not_level(*sources[k].direction);
-                if (sees(scene, point, {-d.x, -d.y, -d.z}))
-                    fractions[k] += result.step;
+                const glm::dvec3 d = not_level(*sources[k].direction);
+                if (sees(scene, point, -d)) fractions[k] += result.step;
             }
         }
     }

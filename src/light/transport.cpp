@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include "directions.hpp"
 #include "ideotype/core/error.hpp"
@@ -64,8 +65,8 @@ class Tracer {
     }
 
   private:
-    static bool against(const Vec3& d, const Vec3& n) {
-        return d.x * n.x + d.y * n.y + d.z * n.z < 0;
+    static bool against(const glm::dvec3& d, const glm::dvec3& n) {
+        return glm::dot(d, n) < 0;
     }
 
     //! What a surface keeps of a bundle; the bundle goes on with the rest.
@@ -122,9 +123,9 @@ class Tracer {
 
     void scatter(Bundle& bundle, const Hit& hit, bool is_reflected, double u,
                  double v) const {
-        Vec3 n = hit.normal;
-        if (against(bundle.direction, n) != is_reflected)
-            n = {-n.x, -n.y, -n.z};
+        const bool is_front = against(bundle.direction, hit.normal);
+        const glm::dvec3 n =
+            is_front == is_reflected ? hit.normal : -hit.normal;
         bundle.position = scene_.beside(hit.position, n);
         bundle.direction = lambertian(n, u, v);
     }

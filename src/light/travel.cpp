@@ -13,8 +13,8 @@ Met travel_periodic(const Scene& scene, Bundle& bundle, Hit& hit) {
     // at the very start of the next one. Both look a little over the seam.
     const double seam = scene.clearance() / 2;
     double before = 0;
-    Vec3& p = bundle.position;
-    const Vec3& d = bundle.direction;
+    glm::dvec3& p = bundle.position;
+    const glm::dvec3& d = bundle.direction;
     const auto to_side = [](double x, double dx, double period) {
         return dx > 0 ? (period - x) / dx : dx < 0 ? -x / dx : never;
     };
@@ -24,16 +24,15 @@ Met travel_periodic(const Scene& scene, Bundle& bundle, Hit& hit) {
         const double end = d.z < 0 ? scene.soil() : scene.top();
         const double to_z = std::max(0.0, (end - p.z) / d.z);
         const double distance = std::max(0.0, std::min({to_x, to_y, to_z}));
-        const Vec3 from{p.x - before * d.x, p.y - before * d.y,
-                        p.z - before * d.z};
-        if (scene.intersect(from, d, before + distance + seam, hit))
+        if (scene.intersect(p - before * d, d, before + distance + seam, hit))
             return Met::face;
         before = seam;
         if (to_z <= to_x && to_z <= to_y) {
-            p = {p.x + to_z * d.x, p.y + to_z * d.y, end};
+            p += to_z * d;
+            p.z = end;
             return d.z < 0 ? Met::soil : Met::sky;
         }
-        p = {p.x + distance * d.x, p.y + distance * d.y, p.z + distance * d.z};
+        p += distance * d;
         if (to_x < to_y)
             p.x = d.x > 0 ? 0 : scene.period_x();
         else
@@ -42,12 +41,11 @@ Met travel_periodic(const Scene& scene, Bundle& bundle, Hit& hit) {
 }
 
 Met travel_isolated(const Scene& scene, Bundle& bundle, Hit& hit) {
-    Vec3& p = bundle.position;
-    const Vec3& d = bundle.direction;
+    glm::dvec3& p = bundle.position;
+    const glm::dvec3& d = bundle.direction;
     const double margin = scene.clearance() / 2;
     const auto [lower, upper] = scene.box();
-    const Box box{{lower.x - margin, lower.y - margin, lower.z - margin},
-                  {upper.x + margin, upper.y + margin, upper.z + margin}};
+    const Box box{lower - margin, upper + margin};
     double to_soil = d.z < 0 ? std::max(0.0, (scene.soil() - p.z) / d.z)
                              : std::numeric_limits<double>::infinity();
     // From the soil far away the way to the box is long: single precision
@@ -55,12 +53,12 @@ Met travel_isolated(const Scene& scene, Bundle& bundle, Hit& hit) {
     if (const auto inside = clip(box, p, d)) {
         const double first = inside->first;
         const double last = std::min(inside->last, to_soil + margin);
-        const Vec3 from{p.x + first * d.x, p.y + first * d.y,
-                        p.z + first * d.z};
-        if (scene.intersect(from, d, last - first, hit)) return Met::face;
+        if (scene.intersect(p + first * d, d, last - first, hit))
+            return Met::face;
     }
     if (d.z > 0) return Met::sky;
-    p = {p.x + to_soil * d.x, p.y + to_soil * d.y, scene.soil()};
+    p += to_soil * d;
+    p.z = scene.soil();
     return Met::soil;
 }
 

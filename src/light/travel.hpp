@@ -6,8 +6,8 @@ namespace ideotype {
 
 //! A bundle of light on its way.
 struct Bundle {
-    Vec3 position;
-    Vec3 direction;
+    glm::dvec3 position;
+    glm::dvec3 direction;
     double energy = 0;
     bool is_scattered = false;  //!< has met a surface
 };

@@ -51,11 +51,9 @@ void cut_out(Field& field, const FieldForm& form) {
     Mesh& mesh = field.mesh;
     std::size_t kept = 0;
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-        Vec3 centre;
-        for (const std::uint32_t v : mesh.faces[f]) {
-            centre.x += mesh.vertices[v].x / 4;
-            centre.y += mesh.vertices[v].y / 4;
-        }
+        glm::dvec3 centre(0);
+        for (const std::uint32_t v : mesh.faces[f])
+            centre += mesh.vertices[v] / 4.;
         if (centre.x < x || centre.x > x + width || centre.y < y ||
             centre.y > y + depth)
             continue;
@@ -100,7 +98,7 @@ Field build_field(const Mesh& plant, const FieldForm& form,
         const double sine = std::sin(turns[p] * degree);
         const double cosine = std::cos(turns[p] * degree);
         const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-        for (const Vec3& v : plant.vertices)
+        for (const glm::dvec3& v : plant.vertices)
             mesh.vertices.push_back({x + v.x * cosine + v.y * sine,
                                      y + v.y * cosine - v.x * sine, v.z});
         for (const auto& face : plant.faces)

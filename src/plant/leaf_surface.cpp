@@ -7,7 +7,6 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
 
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/units.hpp"
@@ -68,13 +67,6 @@ std::array<glm::dvec2, controls_along> interpolate(
             {y[2], z[2]},   {y[3], z[3]}, points.back()};
 }
 
-glm::dvec3 to_glm(const Vec3& v) {
-    return {v.x, v.y, v.z};
-}
-Vec3 to_vec3(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
-
 }  // namespace
 
 LeafSurface::LeafSurface(const LeafTraits& traits, const LeafForm& form,
@@ -114,8 +106,7 @@ LeafSurface::LeafSurface(const LeafTraits& traits, const LeafForm& form,
         const glm::dvec3 foot(0, midrib_controls[i].x, midrib_controls[i].y);
         const glm::dvec3 across(half * std::cos(rise), 0, 0);
         const glm::dvec3 up = half * std::sin(rise) * upper;
-        controls_[i] = {to_vec3(foot - across + up), to_vec3(foot),
-                        to_vec3(foot + across + up)};
+        controls_[i] = {foot - across + up, foot, foot + across + up};
     }
 }
 
@@ -123,11 +114,11 @@ BladeRow LeafSurface::row(double t) const {
     const auto n = basis(t);
     glm::dvec3 left(0), midrib(0), right(0);
     for (std::size_t i = 0; i < controls_along; ++i) {
-        left += n[i] * to_glm(controls_[i].left);
-        midrib += n[i] * to_glm(controls_[i].midrib);
-        right += n[i] * to_glm(controls_[i].right);
+        left += n[i] * controls_[i].left;
+        midrib += n[i] * controls_[i].midrib;
+        right += n[i] * controls_[i].right;
     }
-    return {to_vec3(left), to_vec3(midrib), to_vec3(right)};
+    return {left, midrib, right};
 }
 
 std::vector<BladeRow> LeafSurface::tessellate(int cells) const {
@@ -136,22 +127,20 @@ std::vector<BladeRow> LeafSurface::tessellate(int cells) const {
     double width = 0;
     for (int i = 0; i <= cells; ++i) {
         rows.push_back(row(static_cast<double>(i) / cells));
-        const glm::dvec3 midrib = to_glm(rows.back().midrib);
-        if (i > 0)
-            length += glm::distance(midrib, to_glm(rows.end()[-2].midrib));
-        width = std::max(width,
-                         glm::distance(midrib, to_glm(rows.back().left)) +
-                             glm::distance(midrib, to_glm(rows.back().right)));
+        const glm::dvec3 midrib = rows.back().midrib;
+        if (i > 0) length += glm::distance(midrib, rows.end()[-2].midrib);
+        width = std::max(width, glm::distance(midrib, rows.back().left) +
+                                    glm::distance(midrib, rows.back().right));
     }
     const double along = traits_.length / length;
     const double across = traits_.width / width;
     const glm::dvec3 base(0, 0, insertion_height_);
     for (BladeRow& r : rows) {
-        const glm::dvec3 midrib = to_glm(r.midrib);
+        const glm::dvec3 midrib = r.midrib;
         const glm::dvec3 moved = base + along * (midrib - base);
-        r.left = to_vec3(moved + across * (to_glm(r.left) - midrib));
-        r.right = to_vec3(moved + across * (to_glm(r.right) - midrib));
-        r.midrib = to_vec3(moved);
+        r.left = moved + across * (r.left - midrib);
+        r.right = moved + across * (r.right - midrib);
+        r.midrib = moved;
     }
     return rows;
 }

@@ -90,8 +90,8 @@ class ObjBuilder {
         return *static_cast<ObjBuilder*>(self);
     }
 
-    void add_vertex(const Vec3& v) {
-        std::vector<Vec3>& vertices = result_.mesh.vertices;
+    void add_vertex(const glm::dvec3& v) {
+        std::vector<glm::dvec3>& vertices = result_.mesh.vertices;
         for (const double x : {v.x, v.y, v.z})
             if (!(std::abs(x) <= largest_obj_coordinate))
                 fail(statements_.vertex_lines[vertices.size()],

@@ -15,7 +15,7 @@ namespace {
 
 //! Turned about the stem: an azimuth of 0 points along the row (+y), 90
 //! across it (+x).
-Vec3 turned(const Vec3& v, double sine, double cosine) {
+glm::dvec3 turned(const glm::dvec3& v, double sine, double cosine) {
     return {v.x * cosine + v.y * sine, v.y * cosine - v.x * sine, v.z};
 }
 

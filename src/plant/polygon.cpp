@@ -12,10 +12,6 @@ namespace {
 //! Areas below this part of the squared diameter are rounding.
 constexpr double negligible = 1e-12;
 
-glm::dvec3 to_glm(const Vec3& v) {
-    return {v.x, v.y, v.z};
-}
-
 double cross(const glm::dvec2& u, const glm::dvec2& v) {
     return u.x * v.y - u.y * v.x;
 }
@@ -23,11 +19,11 @@ double cross(const glm::dvec2& u, const glm::dvec2& v) {
 //! A polygon in its mean plane, counter-clockwise.
 class Outline {
   public:
-    Outline(const std::vector<Vec3>& vertices, const Corners& corners) {
-        const glm::dvec3 origin = to_glm(vertices[corners.front()]);
+    Outline(const std::vector<glm::dvec3>& vertices, const Corners& corners) {
+        const glm::dvec3 origin = vertices[corners.front()];
         std::vector<glm::dvec3> points;
         for (const std::uint32_t corner : corners)
-            points.push_back(to_glm(vertices[corner]) - origin);
+            points.push_back(vertices[corner] - origin);
         glm::dvec3 normal(0);
         for (std::size_t i = 0; i + 1 < points.size(); ++i) {
             const glm::dvec3 twice_area = glm::cross(points[i], points[i + 1]);
@@ -161,7 +157,8 @@ SplitPolygon fan(const Corners& corners, PolygonKind kind) {
 
 }  // namespace
 
-SplitPolygon split_polygon(const std::vector<Vec3>& vertices, Corners corners) {
+SplitPolygon split_polygon(const std::vector<glm::dvec3>& vertices,
+                           Corners corners) {
     remove_repeated(corners);
     if (corners.size() < 3) return {PolygonKind::without_area, {}};
     const Outline outline(vertices, corners);

@@ -27,6 +27,7 @@ struct SplitPolygon {
 
 //! Splits a polygon of any shape. Seen along its mean normal the faces do not
 //! overlap, unless the outline crosses itself.
-SplitPolygon split_polygon(const std::vector<Vec3>& vertices, Corners corners);
+SplitPolygon split_polygon(const std::vector<glm::dvec3>& vertices,
+                           Corners corners);
 
 }  // namespace ideotype

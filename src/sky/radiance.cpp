@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/geometric.hpp>
+
 #include "clear_radiance.hpp"
 
 namespace ideotype {
 
-double relative_radiance(const SkyRadiance& sky, const Vec3& travel) {
+double relative_radiance(const SkyRadiance& sky, const glm::dvec3& travel) {
     const double cos_zenith = -travel.z;
     if (cos_zenith < 0) return 0;
     switch (sky.model) {
@@ -18,11 +20,9 @@ double relative_radiance(const SkyRadiance& sky, const Vec3& travel) {
         case SkyModel::clear:
             break;
     }
-    const Vec3 sun = beam_direction(sky.sun);
-    const double cos_to_sun =
-        travel.x * sun.x + travel.y * sun.y + travel.z * sun.z;
-    return indicatrix(std::acos(std::clamp(cos_to_sun, -1.0, 1.0))) *
-           gradation(cos_zenith);
+    const glm::dvec3 sun = beam_direction(sky.sun);
+    const double cos_to_sun = std::clamp(glm::dot(travel, sun), -1.0, 1.0);
+    return indicatrix(std::acos(cos_to_sun)) * gradation(cos_zenith);
 }
 
 }  // namespace ideotype

@@ -16,7 +16,7 @@ namespace {
 using std::numbers::pi;
 
 //! A direction of travel from a place at an angle from the zenith.
-Vec3 travel_from(double cos_zenith, double sin_zenith, double azimuth) {
+glm::dvec3 travel_from(double cos_zenith, double sin_zenith, double azimuth) {
     return {sin_zenith * std::cos(azimuth), -sin_zenith * std::sin(azimuth),
             -cos_zenith};
 }
@@ -53,7 +53,7 @@ class SkySampler::ClearSky {
 
     double irradiance() const { return angles_.total(); }
 
-    Vec3 sample(double u, double v) const {
+    glm::dvec3 sample(double u, double v) const {
         const double to_sun = angle_at(angles_.quantile(u)).to_sun;
         const double side = 2 * v - 1;
         const double around =
@@ -135,7 +135,7 @@ SkySampler::SkySampler(const SkyRadiance& sky) : radiance_(sky) {
     clear_ = std::make_shared<ClearSky>(sky.sun);
 }
 
-Vec3 SkySampler::sample(double u, double v) const {
+glm::dvec3 SkySampler::sample(double u, double v) const {
     if (clear_) return clear_->sample(u, v);
     if (radiance_.model == SkyModel::uniform)
         return travel_from(std::sqrt(1 - u), std::sqrt(u), 2 * pi * v);

@@ -76,7 +76,7 @@ SunPosition sun_position(const Site& site, const Date& date, double hour) {
     };
 }
 
-Vec3 beam_direction(const SunPosition& sun) {
+glm::dvec3 beam_direction(const SunPosition& sun) {
     const double zenith = sun.zenith * degree;
     const double azimuth = sun.azimuth * degree;
     return {

@@ -53,7 +53,7 @@ class RawScene {
         std::array<std::array<float, 4>, 4> quad{};
         bool is_inside[4] = {};
         for (std::size_t k = 0; k < 4; ++k) {
-            const Vec3& v = field.mesh.vertices[face[k]];
+            const glm::dvec3& v = field.mesh.vertices[face[k]];
             const double x = v.x + i * field.period_x;
             const double y = v.y + j * field.period_y;
             quad[k] = {static_cast<float>(x), static_cast<float>(y),

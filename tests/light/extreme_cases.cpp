@@ -106,14 +106,15 @@ void edges_and_vertices(Findings& findings) {
                 for (const double turn : {0., 1.0, 90., 180., 271.}) {
                     const double a = turn * degree;
                     const double length = std::hypot(slope, 1.0);
-                    const Vec3 d{slope * std::sin(a) / length,
-                                 slope * std::cos(a) / length, -1 / length};
+                    const glm::dvec3 d{slope * std::sin(a) / length,
+                                       slope * std::cos(a) / length,
+                                       -1 / length};
                     // Aim from a hair above, so that the ray stays in the
                     // cell.
                     const double up = 1e-4;
-                    const Vec3 from{own_cell.x * i / 14 - d.x / -d.z * up,
-                                    own_cell.y * j / 14 - d.y / -d.z * up,
-                                    0.3 + up};
+                    const glm::dvec3 from{own_cell.x * i / 14 - d.x / -d.z * up,
+                                          own_cell.y * j / 14 - d.y / -d.z * up,
+                                          0.3 + up};
                     Hit hit;
                     ++rays;
                     through += !scene.intersect(from, d, 1, hit);
@@ -173,7 +174,7 @@ void fifty_metres_apart(Findings& findings) {
 void ten_kilometres_away(Findings& findings) {
     const Mesh mesh = load_reference_mesh("maize1");
     Mesh moved = mesh;
-    for (Vec3& v : moved.vertices) v = {v.x + 1e4, v.y - 1e4, v.z};
+    for (glm::dvec3& v : moved.vertices) v = {v.x + 1e4, v.y - 1e4, v.z};
     for (const double elevation : {3., 40.}) {
         const auto leaves = [&](const Mesh& m) {
             return findings

@@ -71,14 +71,10 @@ Mesh leaves_only() {
     return mesh;
 }
 
-void add_leaf(Mesh& mesh, Vec3 corner, Vec3 u, Vec3 v) {
+void add_leaf(Mesh& mesh, glm::dvec3 corner, glm::dvec3 u, glm::dvec3 v) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    const auto& [x, y, z] = corner;
     mesh.vertices.insert(mesh.vertices.end(),
-                         {corner,
-                          {x + u.x, y + u.y, z + u.z},
-                          {x + u.x + v.x, y + u.y + v.y, z + u.z + v.z},
-                          {x + v.x, y + v.y, z + v.z}});
+                         {corner, corner + u, corner + u + v, corner + v});
     mesh.faces.push_back({first, first + 1, first + 2, first + 3});
     mesh.face_group.push_back(0);
 }

@@ -67,7 +67,7 @@ std::vector<ExtremeCase> extreme_cases();
 Mesh leaves_only();
 
 //! A parallelogram from a corner along two edges.
-void add_leaf(Mesh& mesh, Vec3 corner, Vec3 u, Vec3 v);
+void add_leaf(Mesh& mesh, glm::dvec3 corner, glm::dvec3 u, glm::dvec3 v);
 
 //! A plant of two leaves, the upper one across the row.
 Mesh two_leaves(double length, double width, double inclination);

@@ -57,11 +57,11 @@ Mesh random_leaves(LeafAngles angles, double lai, double height,
         const double a = 2 * pi * std::fmod(i * std::numbers::phi, 1.0);
         const double spin = stream.uniform(0, 2 * pi);
         const double margin = side;
-        const Vec3 centre{stream.uniform(), stream.uniform(),
-                          stream.uniform(margin, height - margin)};
-        const Vec3 down{std::cos(t) * std::cos(a), std::cos(t) * std::sin(a),
-                        -std::sin(t)};
-        const Vec3 level{-std::sin(a), std::cos(a), 0};
+        const glm::dvec3 centre{stream.uniform(), stream.uniform(),
+                                stream.uniform(margin, height - margin)};
+        const glm::dvec3 down{std::cos(t) * std::cos(a),
+                              std::cos(t) * std::sin(a), -std::sin(t)};
+        const glm::dvec3 level{-std::sin(a), std::cos(a), 0};
         for (int corner = 0; corner < 4; ++corner) {
             const double turn = spin + corner * pi / 2;
             const double r = side / std::numbers::sqrt2;

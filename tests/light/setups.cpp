@@ -9,20 +9,20 @@ namespace ideotype {
 
 namespace {
 
-using Polygon = std::vector<Vec3>;
+using Polygon = std::vector<glm::dvec3>;
 
-Vec3 between(const Vec3& a, const Vec3& b, double t) {
+glm::dvec3 between(const glm::dvec3& a, const glm::dvec3& b, double t) {
     return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y),
             a.z + t * (b.z - a.z)};
 }
 
 //! The part of a convex polygon where sign * axis >= sign * at.
-Polygon clipped(const Polygon& polygon, double Vec3::*axis, double at,
+Polygon clipped(const Polygon& polygon, double glm::dvec3::*axis, double at,
                 double sign) {
     Polygon part;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Vec3& a = polygon[i];
-        const Vec3& b = polygon[(i + 1) % polygon.size()];
+        const glm::dvec3& a = polygon[i];
+        const glm::dvec3& b = polygon[(i + 1) % polygon.size()];
         const double da = sign * (a.*axis - at);
         const double db = sign * (b.*axis - at);
         if (da >= 0) part.push_back(a);
@@ -33,17 +33,19 @@ Polygon clipped(const Polygon& polygon, double Vec3::*axis, double at,
 }
 
 //! The parts of a polygon in strips of a width, each moved into the first.
-std::vector<Polygon> wrapped(const Polygon& polygon, double Vec3::*axis,
+std::vector<Polygon> wrapped(const Polygon& polygon, double glm::dvec3::*axis,
                              double width) {
-    const auto [least, most] = std::minmax_element(
-        polygon.begin(), polygon.end(),
-        [axis](const Vec3& a, const Vec3& b) { return a.*axis < b.*axis; });
+    const auto [least, most] =
+        std::minmax_element(polygon.begin(), polygon.end(),
+                            [axis](const glm::dvec3& a, const glm::dvec3& b) {
+                                return a.*axis < b.*axis;
+                            });
     std::vector<Polygon> parts;
     for (double i = std::floor(*least.*axis / width); i * width <= *most.*axis;
          ++i) {
         Polygon part = clipped(clipped(polygon, axis, i * width, 1), axis,
                                (i + 1) * width, -1);
-        for (Vec3& v : part) v.*axis -= i * width;
+        for (glm::dvec3& v : part) v.*axis -= i * width;
         if (part.size() >= 3) parts.push_back(std::move(part));
     }
     return parts;
@@ -67,7 +69,7 @@ void cut(Stand& stand) {
 }
 
 void shift(Stand& stand) {
-    for (Vec3& v : stand.mesh.vertices)
+    for (glm::dvec3& v : stand.mesh.vertices)
         v = {v.x + 0.3719 * stand.period.x, v.y - 7.2113 * stand.period.y, v.z};
 }
 
@@ -78,7 +80,7 @@ void repeat(Stand& stand) {
     for (const double x : {0., stand.period.x})
         for (const double y : {0., stand.period.y}) {
             const auto first = static_cast<std::uint32_t>(four.vertices.size());
-            for (const Vec3& v : one.vertices)
+            for (const glm::dvec3& v : one.vertices)
                 four.vertices.push_back({v.x + x, v.y + y, v.z});
             for (const auto& [a, b, c, d] : one.faces)
                 four.faces.push_back(
@@ -93,12 +95,12 @@ void repeat(Stand& stand) {
 }
 
 void turn(Stand& stand) {
-    for (Vec3& v : stand.mesh.vertices) v = {-v.y, v.x, v.z};
+    for (glm::dvec3& v : stand.mesh.vertices) v = {-v.y, v.x, v.z};
     std::swap(stand.period.x, stand.period.y);
     for (Source& source : stand.light.sources)
         if (source.direction) {
-            const Vec3& d = *source.direction;
-            source.direction = Vec3{-d.y, d.x, d.z};
+            const glm::dvec3& d = *source.direction;
+            source.direction = glm::dvec3{-d.y, d.x, d.z};
         }
 }
 
@@ -150,8 +152,8 @@ Mesh cut_and_wrapped(const Mesh& mesh, Period period) {
         Polygon triangle;
         for (std::size_t i = 0; i < 3; ++i)
             triangle.push_back(triangles.vertices[triangles.faces[f][i]]);
-        for (const Polygon& strip : wrapped(triangle, &Vec3::x, period.x))
-            for (const Polygon& part : wrapped(strip, &Vec3::y, period.y))
+        for (const Polygon& strip : wrapped(triangle, &glm::dvec3::x, period.x))
+            for (const Polygon& part : wrapped(strip, &glm::dvec3::y, period.y))
                 add_polygon(result, part, triangles.face_group[f]);
     }
     return result;

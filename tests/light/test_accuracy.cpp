@@ -45,7 +45,7 @@ class LitLeaf : public ::testing::Test {
     static constexpr int most_paths = 1 << 16;
     const Device device{Device::supported_isas().back()};
     const Illumination light{
-        {{Vec3{.6, 0, -.8}, 700, {}}, {std::nullopt, 300, {}}}};
+        {{glm::dvec3{.6, 0, -.8}, 700, {}}, {std::nullopt, 300, {}}}};
 };
 
 TEST_F(LitLeaf, IsMetWithAsManyPathsAsThatTakes) {

@@ -11,7 +11,8 @@ namespace {
 TEST(Energy, ShiftingThePeriodsChangesNothingBeyondTheError) {
     const Mesh mesh = load_reference_mesh("maize1");
     Mesh moved = mesh;
-    for (Vec3& v : moved.vertices) v = {v.x + 10000.3, v.y - 5000.07, v.z};
+    for (glm::dvec3& v : moved.vertices)
+        v = {v.x + 10000.3, v.y - 5000.07, v.z};
     const auto of = [](const Mesh& m) {
         return trace(m, {0.76, 0.15}, leaf_optics(.05, .05, .1),
                      sun_from(40, 20))

@@ -61,7 +61,7 @@ TEST(Setups, KeepTheAreaOfLeaves) {
     EXPECT_NEAR(leaf_area(cut_and_wrapped(mesh, own_cell)), leaf_area(mesh),
                 1e-12);
     EXPECT_NEAR(leaf_area(as_triangles(mesh)), leaf_area(mesh), 1e-12);
-    for (const Vec3& v : cut_and_wrapped(mesh, own_cell).vertices) {
+    for (const glm::dvec3& v : cut_and_wrapped(mesh, own_cell).vertices) {
         EXPECT_GE(v.x, -1e-12);
         EXPECT_LE(v.x, own_cell.x + 1e-12);
         EXPECT_GE(v.y, -1e-12);
@@ -81,8 +81,8 @@ TEST(RandomLeaves, HaveTheirAreaAndTheirProjection) {
         EXPECT_NEAR(leaf_area(mesh), 3, 1e-9);
         double shadow = 0;
         for (const auto& [a, b, c, d] : mesh.faces) {
-            const Vec3 &p = mesh.vertices[a], &q = mesh.vertices[c];
-            const Vec3 &r = mesh.vertices[b], &s = mesh.vertices[d];
+            const glm::dvec3 &p = mesh.vertices[a], &q = mesh.vertices[c];
+            const glm::dvec3 &r = mesh.vertices[b], &s = mesh.vertices[d];
             shadow += std::abs((q.x - p.x) * (s.y - r.y) -
                                (q.y - p.y) * (s.x - r.x)) /
                       2;

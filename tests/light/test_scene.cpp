@@ -13,7 +13,7 @@ Mesh sheet(double x, double y) {
     Mesh mesh;
     mesh.groups.push_back({"sheet", Tissue::leaf});
     add_sheet(mesh, {0.2, 0.2}, 0.5, 0);
-    for (Vec3& v : mesh.vertices) v = {v.x + x, v.y + y, v.z};
+    for (glm::dvec3& v : mesh.vertices) v = {v.x + x, v.y + y, v.z};
     return mesh;
 }
 

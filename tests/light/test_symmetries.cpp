@@ -12,8 +12,8 @@ namespace {
 constexpr Sampling fine{32768, 16};
 const Optics nir = leaf_optics(.42, .42, .2);
 
-Mesh moved(Mesh mesh, const std::function<Vec3(const Vec3&)>& to) {
-    for (Vec3& v : mesh.vertices) v = to(v);
+Mesh moved(Mesh mesh, const std::function<glm::dvec3(const glm::dvec3&)>& to) {
+    for (glm::dvec3& v : mesh.vertices) v = to(v);
     return mesh;
 }
 
@@ -29,8 +29,8 @@ TEST(Symmetry, AnyShiftOfTheFieldIsTheSameField) {
     const Mesh mesh = load_reference_mesh("maize1");
     const auto at = [&](double x, double y) {
         return closing(moved(mesh,
-                             [&](const Vec3& v) {
-                                 return Vec3{v.x + x, v.y + y, v.z};
+                             [&](const glm::dvec3& v) {
+                                 return glm::dvec3{v.x + x, v.y + y, v.z};
                              }),
                        own_cell, nir, sun_from(40, 20), fine);
     };
@@ -45,7 +45,7 @@ TEST(Symmetry, SeveralPeriodsAreOne) {
     Mesh four = mesh;
     for (int i = 1; i < 4; ++i) {
         const auto first = static_cast<std::uint32_t>(four.vertices.size());
-        for (const Vec3& v : mesh.vertices)
+        for (const glm::dvec3& v : mesh.vertices)
             four.vertices.push_back({v.x, v.y + i * own_cell.y, v.z});
         for (const auto& f : mesh.faces)
             four.faces.push_back(
@@ -92,8 +92,8 @@ TEST(Symmetry, TheOrderOfPlantsIsOfNoMatter) {
 
 TEST(Symmetry, AMirroredStandUnderAMirroredSunIsTheSame) {
     const Mesh mesh = load_reference_mesh("maize1");
-    const Mesh mirrored = moved(mesh, [](const Vec3& v) {
-        return Vec3{-v.x, v.y, v.z};
+    const Mesh mirrored = moved(mesh, [](const glm::dvec3& v) {
+        return glm::dvec3{-v.x, v.y, v.z};
     });
     expect_same(closing(mirrored, own_cell, nir, sun_from(30, -65), fine),
                 closing(mesh, own_cell, nir, sun_from(30, 65), fine), 8e-4,
@@ -105,12 +105,12 @@ TEST(Symmetry, AStandUpsideDownTransmitsAsMuch) {
     // soil would send to the sky. Reflection and absorption may differ.
     const Mesh mesh = load_reference_mesh("maize1");
     double top = 0;
-    for (const Vec3& v : mesh.vertices) top = std::max(top, v.z);
-    const Mesh over = moved(mesh, [&](const Vec3& v) {
-        return Vec3{v.x, v.y, v.z < 0 ? top : top - v.z};
+    for (const glm::dvec3& v : mesh.vertices) top = std::max(top, v.z);
+    const Mesh over = moved(mesh, [&](const glm::dvec3& v) {
+        return glm::dvec3{v.x, v.y, v.z < 0 ? top : top - v.z};
     });
-    const Mesh upright = moved(mesh, [&](const Vec3& v) {
-        return Vec3{v.x, v.y, std::max(0., v.z)};
+    const Mesh upright = moved(mesh, [&](const glm::dvec3& v) {
+        return glm::dvec3{v.x, v.y, std::max(0., v.z)};
     });
     const Optics leaves = leaf_optics(.3, .5, 0);
     expect_agreement(

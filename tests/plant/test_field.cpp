@@ -98,7 +98,7 @@ TEST(Field, EveryFaceKnowsItsPlantAlsoInACutPlot) {
         if (field.mesh.face_group[f] != stalk) continue;
         const std::uint32_t p = field.face_plant[f];
         standing.insert(p);
-        const Vec3& v = field.mesh.vertices[field.mesh.faces[f][0]];
+        const glm::dvec3& v = field.mesh.vertices[field.mesh.faces[f][0]];
         EXPECT_NEAR(v.x, (p / 4 + 0.5) * 0.762, 0.02);
         EXPECT_NEAR(v.y, (p % 4 + 0.5) * 0.1524, 0.02);
     }

@@ -9,7 +9,7 @@
 namespace ideotype {
 namespace {
 
-double distance(const Vec3& a, const Vec3& b) {
+double distance(const glm::dvec3& a, const glm::dvec3& b) {
     return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
 }
 
@@ -60,8 +60,8 @@ TEST_P(EveryLeaf, MidribFollowsItsAngles) {
     const LeafSurface leaf = sample_leaf(GetParam(), 0);
     double arc = 0;
     for (int i = 1; i <= 2000; ++i) {
-        const Vec3 a = leaf.row((i - 1) / 2000.).midrib;
-        const Vec3 b = leaf.row(i / 2000.).midrib;
+        const glm::dvec3 a = leaf.row((i - 1) / 2000.).midrib;
+        const glm::dvec3 b = leaf.row(i / 2000.).midrib;
         arc += distance(a, b);
         const double s = arc / traits.length;
         const double expected = traits.inclination + droop * std::pow(s, 1.5);

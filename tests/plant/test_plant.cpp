@@ -40,7 +40,7 @@ TEST(Plant, AzimuthZeroIsAlongTheRowAndNinetyAcross) {
         auto traits = sample.traits;
         traits[1].azimuth = azimuth;
         const Mesh mesh = build_plant(traits, sample.form, {12, 8});
-        const Vec3 tip = mesh.vertices[13 * 3 * 2 - 2];
+        const glm::dvec3 tip = mesh.vertices[13 * 3 * 2 - 2];
         const double reach = std::hypot(tip.x, tip.y);
         EXPECT_NEAR(tip.x / reach, x, 1e-9);
         EXPECT_NEAR(tip.y / reach, y, 1e-9);

@@ -39,7 +39,7 @@ std::string name_of(const SkyRadiance& sky) {
 constexpr std::size_t rings = 20, sectors = 40;
 
 //! Bins of equal extent in zenith angle and azimuth.
-std::size_t bin_of(const Vec3& travel) {
+std::size_t bin_of(const glm::dvec3& travel) {
     const double turn = (std::atan2(travel.y, travel.x) + pi) / (2 * pi);
     const auto index = [](double x, std::size_t count) {
         return std::min(
@@ -54,8 +54,8 @@ std::size_t bin_of(const Vec3& travel) {
 struct SkyIntegrals {
     std::vector<double> bins = std::vector<double>(rings * sectors);
     double irradiance = 0;
-    double cosine = 0;  //!< mean of cos z
-    Vec3 travel;        //!< mean direction
+    double cosine = 0;     //!< mean of cos z
+    glm::dvec3 travel{0};  //!< mean direction
 };
 
 SkyIntegrals integrate(const SkyRadiance& sky, std::size_t fineness) {
@@ -68,17 +68,16 @@ SkyIntegrals integrate(const SkyRadiance& sky, std::size_t fineness) {
             const double zenith = (static_cast<double>(i) + .5) * dz;
             const double azimuth = (static_cast<double>(j) + .5) * da - pi;
             const double z = std::cos(zenith), s = std::sin(zenith);
-            const Vec3 d{s * std::cos(azimuth), s * std::sin(azimuth), -z};
+            const glm::dvec3 d{s * std::cos(azimuth), s * std::sin(azimuth),
+                               -z};
             const double part = relative_radiance(sky, d) * z * s * dz * da;
             sum.bins[bin_of(d)] += part;
             sum.irradiance += part;
             sum.cosine += part * z;
-            sum.travel = {sum.travel.x + part * d.x, sum.travel.y + part * d.y,
-                          sum.travel.z + part * d.z};
+            sum.travel += part * d;
         }
     sum.cosine /= sum.irradiance;
-    sum.travel = {sum.travel.x / sum.irradiance, sum.travel.y / sum.irradiance,
-                  sum.travel.z / sum.irradiance};
+    sum.travel /= sum.irradiance;
     return sum;
 }
 
@@ -115,8 +114,8 @@ double compare(const SkyRadiance& sampled, const SkyRadiance& hypothesis,
 }  // namespace
 
 TEST(RelativeRadiance, FollowsTheStandards) {
-    const Vec3 zenith{0, 0, -1}, horizon{1, 0, 0};
-    const Vec3 half{std::sqrt(.75), 0, -.5};
+    const glm::dvec3 zenith{0, 0, -1}, horizon{1, 0, 0};
+    const glm::dvec3 half{std::sqrt(.75), 0, -.5};
     EXPECT_EQ(relative_radiance({SkyModel::uniform, {}}, half), 1);
     EXPECT_DOUBLE_EQ(relative_radiance({SkyModel::overcast, {}}, zenith), 1);
     EXPECT_DOUBLE_EQ(relative_radiance({SkyModel::overcast, {}}, horizon),
@@ -157,10 +156,10 @@ TEST(SkySampler, DensityIsRadianceTimesCosineEverywhere) {
         double mean_error = 0;
         for (int i = 0; i < n * n; ++i) {
             const double u = (i / n + .5) / n, v = (i % n + .5) / n;
-            const Vec3 east = sampler.sample(u + h, v);
-            const Vec3 west = sampler.sample(u - h, v);
-            const Vec3 north = sampler.sample(u, v + h);
-            const Vec3 south = sampler.sample(u, v - h);
+            const glm::dvec3 east = sampler.sample(u + h, v);
+            const glm::dvec3 west = sampler.sample(u - h, v);
+            const glm::dvec3 north = sampler.sample(u, v + h);
+            const glm::dvec3 south = sampler.sample(u, v - h);
             const double area =
                 std::abs((east.x - west.x) * (north.y - south.y) -
                          (east.y - west.y) * (north.x - south.x)) /
@@ -199,11 +198,12 @@ TEST(SkySampler, EvenPointsGiveTheMeanOfTheSky) {
     for (const SkyRadiance& sky : skies()) {
         const SkySampler sampler(sky);
         const SkyIntegrals expected = integrate(sky, 20);
-        Vec3 mean;
+        glm::dvec3 mean(0);
         for (int i = 0; i < all; ++i) {
-            const Vec3 d = sampler.sample((i / n + .5) / m, (i % n + .5) / n);
+            const glm::dvec3 d =
+                sampler.sample((i / n + .5) / m, (i % n + .5) / n);
             EXPECT_NEAR(std::hypot(d.x, d.y, d.z), 1, 1e-14);
-            mean = {mean.x + d.x / all, mean.y + d.y / all, mean.z + d.z / all};
+            mean += d / (1. * all);
         }
         EXPECT_NEAR(mean.x, expected.travel.x, 1e-4) << name_of(sky);
         EXPECT_NEAR(mean.y, expected.travel.y, 1e-4) << name_of(sky);
@@ -222,7 +222,7 @@ TEST(SkySampler, LightNeverTravelsUpwards) {
         const SkySampler sampler(sky);
         for (const double u : {0., 0x1p-53, 0x1p-32, .3, .5, 1 - 0x1p-32, last})
             for (const double v : {0., 0x1p-32, .25, .5, .75, last}) {
-                const Vec3 d = sampler.sample(u, v);
+                const glm::dvec3 d = sampler.sample(u, v);
                 EXPECT_NEAR(std::hypot(d.x, d.y, d.z), 1, 1e-7)
                     << name_of(sky) << " at " << u << ", " << v;
                 EXPECT_LE(d.z, 0) << name_of(sky) << " at " << u << ", " << v;

@@ -115,17 +115,17 @@ TEST(SunPosition, CountsTheLeapDay) {
 }
 
 TEST(BeamDirection, TravelsAwayFromTheSun) {
-    const Vec3 down = beam_direction({0, 123});
+    const glm::dvec3 down = beam_direction({0, 123});
     EXPECT_NEAR(down.x, 0, 1e-15);
     EXPECT_NEAR(down.y, 0, 1e-15);
     EXPECT_NEAR(down.z, -1, 1e-15);
 
-    const Vec3 westward = beam_direction({90, 90});
+    const glm::dvec3 westward = beam_direction({90, 90});
     EXPECT_NEAR(westward.x, -1, 1e-15);
     EXPECT_NEAR(westward.y, 0, 1e-15);
     EXPECT_NEAR(westward.z, 0, 1e-15);
 
-    const Vec3 northward_and_down = beam_direction({60, 180});
+    const glm::dvec3 northward_and_down = beam_direction({60, 180});
     EXPECT_NEAR(northward_and_down.x, 0, 1e-15);
     EXPECT_NEAR(northward_and_down.y, std::sqrt(0.75), 1e-15);
     EXPECT_NEAR(northward_and_down.z, -0.5, 1e-15);

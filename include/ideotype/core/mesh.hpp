@@ -5,12 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace ideotype {
+#include <glm/vec3.hpp>
 
-//! A point or direction [m]; z is up.
-struct Vec3 {
-    double x = 0, y = 0, z = 0;
-};
+namespace ideotype {
 
 //! What a surface is made of; selects its optical properties.
 enum class Tissue : std::uint8_t { leaf, stalk };
@@ -21,9 +18,9 @@ struct Group {
     Tissue tissue = Tissue::leaf;
 };
 
-//! Surfaces as quadrilaterals [m]. A triangle repeats its last vertex.
+//! Surfaces as quadrilaterals [m], z up. A triangle repeats its last vertex.
 struct Mesh {
-    std::vector<Vec3> vertices;
+    std::vector<glm::dvec3> vertices;
     std::vector<std::array<std::uint32_t, 4>> faces;
     std::vector<std::uint32_t> face_group;  //!< index into groups, per face
     std::vector<Group> groups;

@@ -11,9 +11,9 @@ namespace ideotype {
 
 //! Light that comes from one direction, or, without one, from a sky.
 struct Source {
-    std::optional<Vec3> direction;  //!< of travel, unit length, downwards
-    double energy = 0;              //!< on horizontal ground [J m-2]
-    SkySampler sky;                 //!< in use if there is no direction
+    std::optional<glm::dvec3> direction;  //!< of travel, unit length, downwards
+    double energy = 0;                    //!< on horizontal ground [J m-2]
+    SkySampler sky;                       //!< in use if there is no direction
 };
 
 //! All light that falls on a stand, each source traced for itself.

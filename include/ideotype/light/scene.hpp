@@ -16,14 +16,14 @@ namespace ideotype {
 
 //! Where light meets a face.
 struct Hit {
-    Vec3 position;            //!< on the plane of the face [m]
-    Vec3 normal;              //!< unit length, on the adaxial side
+    glm::dvec3 position;      //!< on the plane of the face [m]
+    glm::dvec3 normal;        //!< unit length, on the adaxial side
     std::uint32_t group = 0;  //!< of the mesh
 };
 
 //! A box along the axes [m].
 struct Box {
-    Vec3 lower, upper;
+    glm::dvec3 lower, upper;
 };
 
 //! The part of a ray inside a box, in multiples of its direction.
@@ -37,8 +37,8 @@ struct Heights {
 };
 
 //! Where a ray is inside a box, edges included; nothing if it misses it.
-std::optional<Segment> clip(const Box& box, const Vec3& origin,
-                            const Vec3& direction);
+std::optional<Segment> clip(const Box& box, const glm::dvec3& origin,
+                            const glm::dvec3& direction);
 
 //! All surfaces of a canopy, ready to be traced.
 //!
@@ -88,18 +88,18 @@ class Scene {
 
     //! The first face within a distance [m] of a point of the cell, along a
     //! unit direction; false if there is none.
-    bool intersect(const Vec3& origin, const Vec3& direction, double distance,
-                   Hit& hit) const;
+    bool intersect(const glm::dvec3& origin, const glm::dvec3& direction,
+                   double distance, Hit& hit) const;
 
     //! Where a point of the mesh is in this scene.
-    Vec3 placed(const Vec3& point) const;
+    glm::dvec3 placed(const glm::dvec3& point) const;
 
     //! The same point of the stand inside the cell; a plot has only itself.
-    Vec3 wrapped(const Vec3& point) const;
+    glm::dvec3 wrapped(const glm::dvec3& point) const;
 
     //! Where light restarts from a point of a face, on the side of the normal:
     //! a clearance away, but not below the soil.
-    Vec3 beside(const Vec3& point, const Vec3& normal) const;
+    glm::dvec3 beside(const glm::dvec3& point, const glm::dvec3& normal) const;
 
     //! How far from a face light must restart so as not to meet it again: a
     //! few times the rounding error of single precision in this cell [m].
@@ -110,14 +110,14 @@ class Scene {
 
     Scene() = default;
     void add_plot(const Mesh& mesh, const std::vector<double>& areas);
-    void add_face(const Mesh& mesh, std::size_t face, const Vec3& shift);
+    void add_face(const Mesh& mesh, std::size_t face, const glm::dvec3& shift);
     void add_images(const Mesh& mesh, std::size_t face);
     void commit(const Device& device);
     void attach_faces(RTCDeviceTy* embree);
 
     Boundary boundary_ = Boundary::periodic;
-    Box box_;
-    Vec3 plot_corner_;  //!< in the axes of the mesh, if isolated
+    Box box_{};
+    glm::dvec3 plot_corner_{0};  //!< in the axes of the mesh, if isolated
     double ground_area_ = 0;
     double period_x_ = 0;
     double period_y_ = 0;

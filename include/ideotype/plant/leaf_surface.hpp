@@ -13,9 +13,9 @@ inline constexpr std::size_t controls_along = 6;
 
 //! One point of each line that runs from base to tip.
 struct BladeRow {
-    Vec3 left;
-    Vec3 midrib;
-    Vec3 right;
+    glm::dvec3 left;
+    glm::dvec3 midrib;
+    glm::dvec3 right;
 };
 
 //! The blade of one leaf as a NURBS surface of 3 x 6 control points with unit

@@ -23,6 +23,6 @@ struct SkyRadiance {
 //!   overcast sky, ISO 15469:2004)
 //! - clear: (0.91 + 10 exp(-3 g) + 0.45 cos^2 g) (1 - exp(-0.32 / cos z))
 //!   (Kittler 1967; CIE publication 22, 1973; ISO 15469:2004)
-double relative_radiance(const SkyRadiance& sky, const Vec3& travel);
+double relative_radiance(const SkyRadiance& sky, const glm::dvec3& travel);
 
 }  // namespace ideotype

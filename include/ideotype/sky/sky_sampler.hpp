@@ -25,7 +25,7 @@ class SkySampler {
 
     //! A direction of travel (unit length, z up, never upwards) from two
     //! numbers uniform in [0, 1).
-    Vec3 sample(double u, double v) const;
+    glm::dvec3 sample(double u, double v) const;
 
     //! Integral of relative_radiance() times cos z over the hemisphere.
     double horizontal_irradiance() const;

@@ -19,6 +19,6 @@ SunPosition sun_position(const Site& site, const Date& date, double hour);
 
 //! Direction in which the light of this sun travels (x east, y north, z up):
 //! -(sin z sin a, sin z cos a, cos z).
-Vec3 beam_direction(const SunPosition& sun);
+glm::dvec3 beam_direction(const SunPosition& sun);
 
 }  // namespace ideotype

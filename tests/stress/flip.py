@@ -35,7 +35,7 @@ def said_of(ideotype: str, path: Path, folder: Path) -> tuple[str, str] | str:
     for reader in readers:
         try:
             done = subprocess.run(
-                reader, capture_output=True, text=True, timeout=LIMIT, check=False
+                reader, capture_output=True, text=True, errors="replace", timeout=LIMIT
             )
         except subprocess.TimeoutExpired:
             return "hangs"
@@ -43,7 +43,7 @@ def said_of(ideotype: str, path: Path, folder: Path) -> tuple[str, str] | str:
             return "noticed" if done.returncode > 0 else "crashes"
         text += done.stdout
         warnings += done.stderr
-    return text + table.read_text(), warnings
+    return text + table.read_text(errors="replace"), warnings
 
 
 def main() -> None:

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/app/canopy.hpp"
 #include "ideotype/app/disk.hpp"
+#include "ideotype/app/evaluator.hpp"
 #include "ideotype/app/progress.hpp"
 #include "ideotype/app/verbs.hpp"
 #include "ideotype/history/history.hpp"
@@ -112,10 +112,11 @@ ExitCode check(const std::string& campaign_path, const std::string& out) {
     require_names_fit(campaign, all, out);
     const Case& first = all.front();
     const Genome baseline = to_genome(campaign.baseline);
-    const Mesh plant = build_plant(campaign, baseline);
+    const CanopyModel model = canopy_model(campaign, first);
+    const Mesh plant = build_plant(model, campaign.baseline);
     const Day day = clear_day(first.site, first.day, campaign.par_fraction);
-    const Field field = build_field(campaign, first, baseline,
-                                    draws_of({}, campaign, first), 0);
+    const Field field =
+        build_field(model, plant, draws_of({}, campaign, first), 0);
     const Cost cost(campaign, measure_cost(campaign, first));
     int free_genes = 0;
     for (const Gene& gene : gene_space(campaign, first))

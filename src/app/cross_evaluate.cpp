@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/app/canopy.hpp"
 #include "ideotype/app/choose_row.hpp"
+#include "ideotype/app/evaluator.hpp"
 #include "ideotype/app/progress.hpp"
 #include "ideotype/app/ranks.hpp"
 #include "ideotype/app/verbs.hpp"
@@ -41,17 +41,9 @@ std::string light_name(const Case& chosen) {
     return chosen.name.substr(0, chosen.name.rfind("_r"));
 }
 
-//! The campaign with this plant in place of its own.
-Campaign with(const NamedPlant& plant, Campaign campaign) {
-    campaign.plant = plant.form;
-    campaign.baseline = to_traits(plant.genome);
-    campaign.bounds.resize(campaign.baseline.size(), campaign.bounds.back());
-    return campaign;
-}
-
 struct Column {
     Case chosen;
-    DayIllumination light;
+    CanopyModel model;
 };
 
 //! The cases without their replicates, which have the same light.
@@ -59,7 +51,7 @@ std::vector<Column> columns(const Campaign& campaign) {
     std::vector<Column> first;
     for (const Case& each : cases(campaign))
         if (each.replicate == 1)
-            first.push_back({each, light_of(campaign, each)});
+            first.push_back({each, canopy_model(campaign, each)});
     return first;
 }
 
@@ -78,8 +70,9 @@ Cross read(const CrossOptions& options) {
     for (const std::string& path : options.plants)
         cross.plants.push_back(named_plant(path));
     cross.columns = columns(cross.under);
-    cross.quantity = outcome_schema(cross.under, cross.columns[0].light.day)
-                         .objectives.front();
+    cross.quantity =
+        outcome_schema(cross.under, cross.columns[0].model.light.day)
+            .objectives.front();
     return cross;
 }
 
@@ -93,15 +86,16 @@ class CrossEvaluator : public Evaluator {
 
     Outcome evaluate(const Task& task, const Genome& genome) override {
         const Column& column = cross_.columns.at(task.generation);
-        const Campaign campaign =
-            with(cross_.plants.at(task.slot), cross_.under);
+        CanopyModel model = column.model;
+        model.plant = cross_.plants.at(task.slot).form;
         Task shared;  // all plants of a case share their random numbers
         shared.case_index = task.case_index;
         shared.is_final = true;
-        Outcome outcome = to_outcome(
-            campaign, genome,
-            study(campaign, column.chosen, column.light, device_, genome,
-                  draws_of(shared, campaign, column.chosen), Detail::history));
+        Outcome outcome =
+            to_outcome(cross_.under, genome,
+                       study(model, device_, to_traits(genome),
+                             draws_of(shared, cross_.under, column.chosen),
+                             Detail::history));
         outcome.diagnostics.clear();
         return outcome;
     }

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/app/canopy.hpp"
 #include "ideotype/app/choose_row.hpp"
+#include "ideotype/app/evaluator.hpp"
 #include "ideotype/app/progress.hpp"
 #include "ideotype/app/summary.hpp"
 #include "ideotype/app/verbs.hpp"
@@ -47,11 +47,11 @@ struct Study {
 Study timed_study(const Campaign& campaign, const Case& chosen,
                   const Genome& genome, const Draws& draws,
                   const std::string& isa) {
-    const DayIllumination light = light_of(campaign, chosen);
+    const CanopyModel model = canopy_model(campaign, chosen);
     const Device device(isa);
     const double began = now();
     CanopyReport report =
-        study(campaign, chosen, light, device, genome, draws, Detail::full);
+        study(model, device, to_traits(genome), draws, Detail::full);
     return {std::move(report), now() - began};
 }
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/app/canopy.hpp"
+#include "ideotype/app/evaluator.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/evolve/breed.hpp"
 #include "ideotype/evolve/rank.hpp"

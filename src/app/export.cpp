@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 #include <fmt/os.h>
 
-#include "ideotype/app/canopy.hpp"
 #include "ideotype/app/choose_row.hpp"
-#include "ideotype/app/face_light.hpp"
+#include "ideotype/app/evaluator.hpp"
 #include "ideotype/app/verbs.hpp"
+#include "ideotype/canopy/face_light.hpp"
 #include "mesh_files.hpp"
 
 namespace ideotype {
@@ -55,16 +55,16 @@ class Lamp {
     Lamp(const ChosenRow& row, std::optional<int> paths)
         : row_(row),
           paths_(paths),
-          light_(light_of(row.campaign, row.chosen)),
+          model_(canopy_model(row.campaign, row.chosen)),
           device_(row.isa) {}
 
     FaceLight on_plant(const Mesh& plant) const {
-        return light_on_plant(row_.campaign, row_.chosen, light_, device_,
-                              plant, draws(plant.faces.size()));
+        return light_on_plant(model_, device_, plant,
+                              draws(plant.faces.size()));
     }
 
     FaceLight on_field(const Field& field) const {
-        return light_on_field(row_.campaign, light_, device_, field,
+        return light_on_field(model_, device_, field,
                               draws(field.mesh.faces.size()));
     }
 
@@ -80,26 +80,26 @@ class Lamp {
 
     const ChosenRow& row_;
     std::optional<int> paths_;
-    DayIllumination light_;
+    CanopyModel model_;
     Device device_;
 };
 
 //! The surfaces of a plant or its field, with the light on them or without.
 void write_shape(const ExportOptions& options, const ChosenRow& row,
                  const std::string& title, bool is_lit) {
-    const Genome& genome = row.row.candidate.genome;
+    const CanopyModel model = canopy_model(row.campaign, row.chosen);
+    Mesh plant = build_plant(model, to_traits(row.row.candidate.genome));
     Shape shape{about(title, row.chosen), {}, {}};
     std::optional<FaceLight> light;
     if (options.is_field) {
-        Field field =
-            build_field(row.campaign, row.chosen, genome,
-                        draws_of(row.task, row.campaign, row.chosen), 0);
+        Field field = build_field(
+            model, plant, draws_of(row.task, row.campaign, row.chosen), 0);
         if (is_lit) light = Lamp(row, options.paths).on_field(field);
         shape.about.push_back(about_ground(field));
         shape.mesh = std::move(field.mesh);
         shape.face_plant = std::move(field.face_plant);
     } else {
-        shape.mesh = build_plant(row.campaign, genome);
+        shape.mesh = std::move(plant);
         if (is_lit) light = Lamp(row, options.paths).on_plant(shape.mesh);
     }
     if (light)

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/app/evaluator.hpp"
 #include "ideotype/app/progress.hpp"
 #include "ideotype/core/hash.hpp"
 
@@ -231,7 +232,7 @@ Check check_combination(const Trade& trade, const Combination& combination,
                         Goal goal, const Device& device, double budget) {
     const Variant variant{applied(trade, combination)};
     const Case chosen = case_of(variant, trade.case_index);
-    const DayIllumination light = light_of(variant.campaign, chosen);
+    const CanopyModel model = canopy_model(variant.campaign, chosen);
     constexpr std::size_t least = 8, most = 64;
     std::vector<double> found, seconds;
     const double until = now() + budget;
@@ -242,8 +243,7 @@ Check check_combination(const Trade& trade, const Combination& combination,
         const auto leaves = [&](const Genome& genome) {
             const double began = processor_seconds();
             const CanopyReport report =
-                study(variant.campaign, chosen, light, device, genome, draws,
-                      Detail::history);
+                study(model, device, to_traits(genome), draws, Detail::history);
             seconds.push_back(processor_seconds() - began);
             return report.light.day.leaves.mean;
         };

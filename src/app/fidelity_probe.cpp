@@ -4,7 +4,7 @@
 #include <cmath>
 #include <ctime>
 
-#include "ideotype/app/canopy.hpp"
+#include "ideotype/app/evaluator.hpp"
 #include "ideotype/core/hash.hpp"
 #include "ideotype/light/transport.hpp"
 
@@ -60,33 +60,34 @@ Probe::Probe(Variant variant, std::size_t case_index, const Device& device,
              const Rivals& plants)
     : variant_(std::move(variant)),
       case_(case_of(variant_, case_index)),
+      model_(canopy_model(variant_.campaign, case_)),
       device_(device),
       rivals_(plants) {
     const Campaign& campaign = variant_.campaign;
-    DayIllumination light = light_of(campaign, case_);
     if (variant_.skies == Variant::Skies::each) {
-        std::vector<Source>& sources = light.light.sources;
+        std::vector<Source>& sources = model_.light.light.sources;
         std::erase_if(sources,
                       [](const Source& source) { return !source.direction; });
-        for (const TimeStep& step : light.day.steps)
+        for (const TimeStep& step : model_.light.day.steps)
             sources.push_back({std::nullopt, step.par.diffuse * step.seconds,
                                SkySampler({campaign.sky_model, step.sun})});
     }
-    arrange(light);
+    arrange();
 }
 
-void Probe::arrange(const DayIllumination& day) {
+void Probe::arrange() {
+    const Illumination& day = model_.light.light;
     const int paths = variant_.campaign.sampling.paths;
     if (variant_.sky_effort == 1) {
-        lights_ = {day.light};
+        lights_ = {day};
         paths_ = {paths};
         return;
     }
     Illumination beam, sky;
-    for (const Source& source : day.light.sources)
+    for (const Source& source : day.sources)
         (source.direction ? beam : sky).sources.push_back(source);
     const double share =
-        std::min(0.9, variant_.sky_effort * sky.energy() / day.light.energy());
+        std::min(0.9, variant_.sky_effort * sky.energy() / day.energy());
     const int of_sky = static_cast<int>(paths * share);
     lights_ = {beam, sky};
     paths_ = {
@@ -98,7 +99,7 @@ Probe::Randomised Probe::evaluate(const Genome& genome, std::uint32_t draw) {
     const std::uint64_t seed = derive_seed(case_.seed, "fidelity");
     const double began = processor_seconds();
     const Field field =
-        build_field(variant_.campaign, case_, genome,
+        build_field(model_, build_plant(model_, to_traits(genome)),
                     {seed, draw, variant_.campaign.sampling}, 0);
     const double built = processor_seconds();
     const Scene scene = Scene::of(device_, field);
@@ -108,8 +109,8 @@ Probe::Randomised Probe::evaluate(const Genome& genome, std::uint32_t draw) {
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         const Sampling sampling{paths_[i], 2};
         const std::vector<Tally> tallies =
-            simulate(scene, field.mesh.groups, variant_.campaign.optics,
-                     lights_[i], sampling, {seed + i, draw, 0});
+            simulate(scene, field.mesh.groups, model_.optics, lights_[i],
+                     sampling, {seed + i, draw, 0});
         result.first += leaves(tallies[0]);
         result.second += leaves(tallies[1]);
         traced += 2 * sampling.paths;

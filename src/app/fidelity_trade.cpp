@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/app/canopy.hpp"
+#include "ideotype/app/evaluator.hpp"
 #include "ideotype/app/progress.hpp"
 #include "ideotype/core/error.hpp"
 
@@ -191,7 +191,7 @@ class Survey {
 int needed_paths(const Campaign& campaign, const Case& chosen,
                  const Device& device, const Genome& genome) {
     const CanopyReport report =
-        study(campaign, chosen, light_of(campaign, chosen), device, genome,
+        study(canopy_model(campaign, chosen), device, to_traits(genome),
               {chosen.seed, 0, campaign.sampling, Draws::Fields::one},
               Detail::history);
     return static_cast<int>(

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ideotype/app/canopy.hpp"
+#include "ideotype/canopy/canopy.hpp"
 #include "json.hpp"
 
 namespace ideotype {

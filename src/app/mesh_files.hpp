@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ideotype/app/face_light.hpp"
+#include "ideotype/canopy/face_light.hpp"
 #include "ideotype/plant/field.hpp"
 
 namespace ideotype {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "ideotype/app/canopy.hpp"
+#include "ideotype/app/evaluator.hpp"
 #include "ideotype/app/machines.hpp"
 #include "ideotype/app/progress.hpp"
 #include "ideotype/core/error.hpp"

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/app/canopy.hpp"
 #include "ideotype/app/disk.hpp"
+#include "ideotype/app/evaluator.hpp"
 #include "ideotype/app/machines.hpp"
 #include "ideotype/app/provenance.hpp"
 #include "ideotype/app/verbs.hpp"

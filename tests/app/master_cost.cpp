@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include "ideotype/app/canopy.hpp"
+#include "ideotype/app/evaluator.hpp"
 #include "ideotype/app/evolve_case.hpp"
 #include "ideotype/app/progress.hpp"
 #include "ideotype/app/provenance.hpp"

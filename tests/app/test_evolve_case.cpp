@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/app/canopy.hpp"
+#include "ideotype/app/evaluator.hpp"
 #include "ideotype/app/evolve_case.hpp"
 #include "ideotype/app/provenance.hpp"
 #include "ideotype/core/error.hpp"

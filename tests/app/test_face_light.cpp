@@ -2,20 +2,20 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/app/face_light.hpp"
+#include "ideotype/app/evaluator.hpp"
+#include "ideotype/canopy/face_light.hpp"
 
 namespace ideotype {
 namespace {
 
 class FaceLightTest : public ::testing::Test {
   protected:
-    FaceLightTest() { campaign.field.rows = campaign.field.plants = 3; }
+    FaceLightTest() { model.field.rows = model.field.plants = 3; }
 
     Draws few(Draws::Fields fields) const { return {5, 2, {512, 4}, fields}; }
 
     CanopyReport evaluation(const Draws& draws) const {
-        return study(campaign, chosen, day, device, baseline, draws,
-                     Detail::history);
+        return study(model, device, campaign.baseline, draws, Detail::history);
     }
 
     //! What the faces of a tissue absorb, for each area of ground
@@ -41,53 +41,44 @@ class FaceLightTest : public ::testing::Test {
 
     Campaign campaign =
         read_campaign(std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml");
-    const Case chosen = cases(campaign)[0];
-    const DayIllumination day = light_of(campaign, chosen);
+    CanopyModel model = canopy_model(campaign, cases(campaign)[0]);
     const Device device{Device::supported_isas().back()};
-    const Genome baseline = to_genome(campaign.baseline);
-    const Mesh plant = build_plant(campaign, baseline);
+    const Mesh plant = build_plant(model, campaign.baseline);
 };
 
 TEST_F(FaceLightTest, FacesOfAPlantSumToItsEvaluation) {
     for (const auto fields : {Draws::Fields::one, Draws::Fields::each})
-        expect_totals(
-            plant,
-            light_on_plant(campaign, chosen, day, device, plant, few(fields)),
-            evaluation(few(fields)));
+        expect_totals(plant, light_on_plant(model, device, plant, few(fields)),
+                      evaluation(few(fields)));
 }
 
 TEST_F(FaceLightTest, FacesOfAFieldSumToItsEvaluation) {
     const Draws draws = few(Draws::Fields::one);
-    const Field field = build_field(campaign, chosen, baseline, draws, 0);
-    expect_totals(field.mesh,
-                  light_on_field(campaign, day, device, field, draws),
+    const Field field = build_field(model, plant, draws, 0);
+    expect_totals(field.mesh, light_on_field(model, device, field, draws),
                   evaluation(draws));
 }
 
 TEST_F(FaceLightTest, FacesOfACutPlotSumToItsEvaluation) {
-    campaign.field.boundary = Boundary::isolated;
-    campaign.field.cut = 1;
+    model.field.boundary = Boundary::isolated;
+    model.field.cut = 1;
     const Draws draws = few(Draws::Fields::one);
-    const Field field = build_field(campaign, chosen, baseline, draws, 0);
-    expect_totals(field.mesh,
-                  light_on_field(campaign, day, device, field, draws),
+    const Field field = build_field(model, plant, draws, 0);
+    expect_totals(field.mesh, light_on_field(model, device, field, draws),
                   evaluation(draws));
     // A face that is there in one field only counts by what is there of it.
-    const FaceLight light =
-        light_on_plant(campaign, chosen, day, device, plant, draws);
+    const FaceLight light = light_on_plant(model, device, plant, draws);
     EXPECT_NEAR(sum(plant, light, Tissue::leaf) /
                     evaluation(draws).light.day.leaves.mean,
                 1, .2);
 }
 
 TEST_F(FaceLightTest, StandardErrorsOfFacesAreHonestAndSmall) {
-    campaign.field.jitter = 0;
+    model.field.jitter = 0;
     Draws draws{5, 2, face_sampling({16, 16}, plant.faces.size())};
-    const FaceLight one =
-        light_on_plant(campaign, chosen, day, device, plant, draws);
+    const FaceLight one = light_on_plant(model, device, plant, draws);
     draws.seed = 6;
-    const FaceLight other =
-        light_on_plant(campaign, chosen, day, device, plant, draws);
+    const FaceLight other = light_on_plant(model, device, plant, draws);
     double squares = 0, relative = 0, count = 0;
     for (std::size_t f = 0; f < plant.faces.size(); ++f) {
         const Estimate &a = one.absorbed[f], &b = other.absorbed[f];

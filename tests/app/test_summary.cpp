@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/app/canopy.hpp"
+#include "ideotype/app/evaluator.hpp"
 #include "ideotype/app/provenance.hpp"
 #include "ideotype/app/summary.hpp"
 

@@ -30,11 +30,11 @@ struct Setting {
 };
 
 std::vector<Setting> settings(const Stand& stand) {
-    Illumination beams = stand.illumination.light;
+    Illumination beams = stand.model.light.light;
     std::erase_if(beams.sources,
                   [](const Source& source) { return !source.direction; });
     return {
-        {"whole day", stand.campaign.optics, stand.illumination.light},
+        {"whole day", stand.campaign.optics, stand.model.light.light},
         {"beams on black surfaces", {}, beams},
     };
 }

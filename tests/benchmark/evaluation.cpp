@@ -34,7 +34,7 @@ void light(benchmark::State& state) {
     for (auto _ : state)
         benchmark::DoNotOptimize(simulate(
             traced, field.mesh.groups, stand.campaign.optics,
-            stand.illumination.light, sampling, {stand.chosen.seed, 0, 0}));
+            stand.model.light.light, sampling, {stand.chosen.seed, 0, 0}));
     state.counters["paths"] =
         benchmark::Counter(1.0 * sampling.paths * sampling.randomisations,
                            benchmark::Counter::kIsIterationInvariantRate);
@@ -42,9 +42,8 @@ void light(benchmark::State& state) {
 BENCHMARK(light)->Unit(benchmark::kMillisecond);
 
 CanopyReport evaluate(const Stand& stand, const Sampling& sampling) {
-    return study(stand.campaign, stand.chosen, stand.illumination, stand.device,
-                 stand.baseline, {stand.chosen.seed, 0, sampling},
-                 Detail::history);
+    return study(stand.model, stand.device, stand.campaign.baseline,
+                 {stand.chosen.seed, 0, sampling}, Detail::history);
 }
 
 //! The fewest paths, in eight randomisations, that meet a tolerance on average
@@ -55,8 +54,7 @@ int paths_for(const Stand& stand, double tolerance) {
     constexpr std::uint32_t draws = 8;
     for (std::uint32_t d = 0; d < draws; ++d) {
         const double error = relative_error(
-            study(stand.campaign, stand.chosen, stand.illumination,
-                  stand.device, stand.baseline,
+            study(stand.model, stand.device, stand.campaign.baseline,
                   {stand.chosen.seed, d, {trial, 8}}, Detail::history));
         squares += error * error / draws;
     }

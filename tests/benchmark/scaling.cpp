@@ -14,9 +14,9 @@ void measure(benchmark::State& state, Campaign campaign, double size) {
     const Stand stand(std::move(campaign));
     const Sampling sampling{1024, 8};
     for (auto _ : state)
-        benchmark::DoNotOptimize(study(
-            stand.campaign, stand.chosen, stand.illumination, stand.device,
-            stand.baseline, {stand.chosen.seed, 0, sampling}, Detail::history));
+        benchmark::DoNotOptimize(
+            study(stand.model, stand.device, stand.campaign.baseline,
+                  {stand.chosen.seed, 0, sampling}, Detail::history));
     state.counters["size"] = size;
 }
 

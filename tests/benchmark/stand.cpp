@@ -9,12 +9,12 @@ Campaign Stand::ames() {
 Stand::Stand(Campaign changed)
     : campaign(std::move(changed)),
       chosen(cases(campaign).front()),
-      illumination(light_of(campaign, chosen)),
+      model(canopy_model(campaign, chosen)),
       baseline(to_genome(campaign.baseline)),
       device(Device::supported_isas().back()) {}
 
 Field Stand::field(const Genome& genome) const {
-    return build_field(campaign, chosen, genome,
+    return build_field(model, build_plant(model, to_traits(genome)),
                        {chosen.seed, 0, campaign.sampling}, 0);
 }
 

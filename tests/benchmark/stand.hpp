@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ideotype/app/canopy.hpp"
+#include "ideotype/app/evaluator.hpp"
 #include "ideotype/light/illumination.hpp"
 #include "ideotype/light/scene.hpp"
 
@@ -19,7 +19,7 @@ struct Stand {
 
     Campaign campaign;
     Case chosen;
-    DayIllumination illumination;
+    CanopyModel model;
     Genome baseline;
     Device device;
 };

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/app/canopy.hpp"
+#include "ideotype/app/evaluator.hpp"
 #include "ideotype/light/report.hpp"
 #include "light_report.hpp"
 
@@ -27,23 +27,23 @@ struct Baseline {
     explicit Baseline(const std::string& campaigns)
         : campaign(ames(campaigns)),
           chosen(cases(campaign).front()),
-          illumination(light_of(campaign, chosen)),
-          field(build_field(campaign, chosen, to_genome(campaign.baseline),
+          model(canopy_model(campaign, chosen)),
+          field(build_field(model, build_plant(model, campaign.baseline),
                             {chosen.seed, 0, {}, Draws::Fields::one}, 0)),
           device(Device::supported_isas().back()),
           scene(device, field.mesh, field.period_x, field.period_y) {}
 
     BudgetEstimate light(int paths) const {
         return report(simulate(scene, field.mesh.groups, campaign.optics,
-                               illumination.light, {paths, randomisations},
+                               model.light.light, {paths, randomisations},
                                {chosen.seed, 0, 0}),
-                      illumination)
+                      model.light)
             .day;
     }
 
     Campaign campaign;
     Case chosen;
-    DayIllumination illumination;
+    CanopyModel model;
     Field field;
     Device device;
     Scene scene;

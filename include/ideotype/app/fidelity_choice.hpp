@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "ideotype/app/canopy.hpp"
 #include "ideotype/app/fidelity_trade.hpp"
+#include "ideotype/canopy/canopy.hpp"
 
 namespace ideotype {
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ideotype/app/fidelity_knobs.hpp"
+#include "ideotype/canopy/canopy.hpp"
 #include "ideotype/core/estimate.hpp"
 #include "ideotype/light/device.hpp"
 #include "ideotype/light/illumination.hpp"
@@ -79,10 +80,11 @@ class Probe {
 
     static std::size_t index(Goal goal) { return goal == Goal::value ? 0 : 1; }
     Randomised evaluate(const Genome& genome, std::uint32_t draw);
-    void arrange(const DayIllumination& day);
+    void arrange();
 
     Variant variant_;
     Case case_;
+    CanopyModel model_;
     std::vector<Illumination> lights_;  //!< traced one after the other
     std::vector<int> paths_;            //!< of each
     const Device& device_;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "ideotype/app/canopy.hpp"
 #include "ideotype/app/mesh_options.hpp"
+#include "ideotype/canopy/canopy.hpp"
 #include "ideotype/core/error.hpp"
 
 namespace ideotype {

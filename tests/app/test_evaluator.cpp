@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/app/canopy.hpp"
+#include "ideotype/app/evaluator.hpp"
 
 namespace ideotype {
 namespace {
@@ -162,14 +162,13 @@ TEST(Canopy, InThePolarNightAllFiguresAreZero) {
         Case night = cases(campaign)[0];
         night.site.latitude = pole;
         night.day.date = {2025, pole > 0 ? 12 : 6, 21};
-        const DayIllumination light = light_of(campaign, night);
-        ASSERT_TRUE(light.day.steps.empty());
+        const CanopyModel model = canopy_model(campaign, night);
+        ASSERT_TRUE(model.light.day.steps.empty());
         const Device device(Device::supported_isas().back());
         const Outcome outcome = checked_outcome(
-            outcome_schema(campaign, light.day),
+            outcome_schema(campaign, model.light.day),
             to_outcome(campaign, to_genome(campaign.baseline),
-                       study(campaign, night, light, device,
-                             to_genome(campaign.baseline),
+                       study(model, device, campaign.baseline,
                              draws_of({}, campaign, night), Detail::history)));
         EXPECT_EQ(outcome.status, Status::done) << outcome.message;
         EXPECT_EQ(outcome.objectives[0].mean, 0);

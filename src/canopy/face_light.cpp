@@ -1,4 +1,4 @@
-#include "ideotype/app/face_light.hpp"
+#include "ideotype/canopy/face_light.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,15 +26,14 @@ Mesh with_a_group_per_face(Mesh mesh) {
 //! Sums up what was found in fields whose mesh has a group per face.
 class Sum {
   public:
-    Sum(const Campaign& campaign, const DayIllumination& light,
-        const Device& device, std::size_t faces)
-        : campaign_(campaign), light_(light), device_(device), area_(faces) {}
+    Sum(const CanopyModel& model, const Device& device, std::size_t faces)
+        : model_(model), device_(device), area_(faces) {}
 
     void add(const Field& field, const Sampling& sampling,
              const Randomness& randomness) {
         for (Tally& tally :
              simulate(Scene::of(device_, field), field.mesh.groups,
-                      campaign_.optics, light_.light, sampling, randomness))
+                      model_.optics, model_.light.light, sampling, randomness))
             tallies_.push_back(std::move(tally));
         const std::vector<double> areas = face_areas(field.mesh);
         for (std::size_t f = 0; f < areas.size(); ++f)
@@ -54,8 +53,7 @@ class Sum {
     }
 
   private:
-    const Campaign& campaign_;
-    const DayIllumination& light_;
+    const CanopyModel& model_;
     const Device& device_;
     std::vector<Tally> tallies_;
     std::vector<double> area_;  //!< of all copies [m2]
@@ -65,19 +63,18 @@ class Sum {
 
 }  // namespace
 
-FaceLight light_on_plant(const Campaign& campaign, const Case& chosen,
-                         const DayIllumination& light, const Device& device,
+FaceLight light_on_plant(const CanopyModel& model, const Device& device,
                          const Mesh& plant, const Draws& draws) {
-    Sum sum(campaign, light, device, plant.faces.size());
-    for_each_field(campaign, chosen, with_a_group_per_face(plant), draws,
+    Sum sum(model, device, plant.faces.size());
+    for_each_field(model, with_a_group_per_face(plant), draws,
                    [&](const auto&... field) { sum.add(field...); });
-    return {sum.per_area(), chosen.spacing.row * chosen.spacing.plant};
+    const Spacing& spacing = model.field.spacing;
+    return {sum.per_area(), spacing.row * spacing.plant};
 }
 
-FaceLight light_on_field(const Campaign& campaign, const DayIllumination& light,
-                         const Device& device, const Field& field,
-                         const Draws& draws) {
-    Sum sum(campaign, light, device, field.mesh.faces.size());
+FaceLight light_on_field(const CanopyModel& model, const Device& device,
+                         const Field& field, const Draws& draws) {
+    Sum sum(model, device, field.mesh.faces.size());
     Field split = field;
     split.mesh = with_a_group_per_face(std::move(split.mesh));
     sum.add(split, draws.sampling, {draws.seed, draws.generation, 0});

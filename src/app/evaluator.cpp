@@ -1,4 +1,4 @@
-#include "ideotype/app/canopy.hpp"
+#include "ideotype/app/evaluator.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,6 @@
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/hash.hpp"
 #include "ideotype/light/accuracy.hpp"
-#include "ideotype/light/sunlit.hpp"
 
 namespace ideotype {
 
@@ -18,20 +17,9 @@ namespace {
 constexpr double joule_per_megajoule = 1e6;
 constexpr auto violation_column = "violation";
 
-//! The part of a randomised day that a relative error of rounding may reach.
-constexpr double balance_tolerance = 1e-9;
-
 std::string clock_name(double hour) {
     const int minutes = static_cast<int>(std::lround(hour * 60));
     return fmt::format("{:02}_{:02}", minutes / 60, minutes % 60);
-}
-
-Field place(const Campaign& campaign, const Case& chosen, const Mesh& plant,
-            const Draws& draws, std::uint32_t draw) {
-    FieldForm form = campaign.field;
-    form.spacing = chosen.spacing;
-    return build_field(plant, form,
-                       draw_turns(form, draws.seed, draws.generation, draw));
 }
 
 }  // namespace
@@ -61,39 +49,6 @@ double final_effort(const Campaign& campaign) {
     return std::max<double>(paths(final) / paths(usual), final.randomisations);
 }
 
-DayIllumination light_of(const Campaign& campaign, const Case& chosen) {
-    return illuminate(clear_day(chosen.site, chosen.day, campaign.par_fraction),
-                      campaign.sky_model, chosen.spacing.row_direction);
-}
-
-Mesh build_plant(const Campaign& campaign, const Genome& genome) {
-    return build_plant(to_traits(genome), campaign.plant,
-                       campaign.tessellation);
-}
-
-Field build_field(const Campaign& campaign, const Case& chosen,
-                  const Genome& genome, const Draws& draws,
-                  std::uint32_t draw) {
-    return place(campaign, chosen, build_plant(campaign, genome), draws, draw);
-}
-
-void for_each_field(const Campaign& campaign, const Case& chosen,
-                    const Mesh& plant, const Draws& draws,
-                    const std::function<void(const Field&, const Sampling&,
-                                             const Randomness&)>& visit) {
-    const bool is_one = draws.fields == Draws::Fields::one;
-    const int fields = is_one ? 1 : draws.sampling.randomisations;
-    Sampling sampling = draws.sampling;
-    sampling.randomisations /= fields;
-    for (std::uint32_t f = 0; f < static_cast<std::uint32_t>(fields); ++f)
-        visit(place(campaign, chosen, plant, draws, f), sampling,
-              {draws.seed, draws.generation, f});
-}
-
-Sampling sunlit_sampling(const Sampling& sampling) {
-    return {std::min(sampling.paths, 2048), sampling.randomisations};
-}
-
 Layers canopy_layers(const Campaign& campaign) {
     double top = 0;
     for (std::size_t i = 0; i < campaign.baseline.size(); ++i)
@@ -104,46 +59,16 @@ Layers canopy_layers(const Campaign& campaign) {
     return {thickness, static_cast<std::size_t>(std::ceil(top / thickness))};
 }
 
-CanopyReport study(const Campaign& campaign, const Case& chosen,
-                   const DayIllumination& light, const Device& device,
-                   const Genome& genome, const Draws& draws, Detail detail) {
-    CanopyReport result;
-    result.layers = canopy_layers(campaign);
-    std::vector<Tally> tallies;
-    SunlitFractions sunlit;
-    const auto append = [](auto& all, auto more) {
-        all.insert(all.end(), more.begin(), more.end());
-    };
-    const auto trace = [&](const Field& field, Sampling sampling,
-                           const Randomness& randomness) {
-        const Scene scene = Scene::of(device, field);
-        Simulation found = simulate_to_tolerance(
-            scene, field.mesh.groups, campaign.optics, light.light, sampling,
-            randomness, result.layers);
-        append(tallies, std::move(found.tallies));
-        sampling.paths = found.paths;
-        result.paths += sampling.all_paths();
-        result.is_capped |= found.is_capped;
-        if (detail == Detail::full) {
-            SunlitFractions found_sunlit =
-                sunlit_fractions(scene, field.mesh, light.light,
-                                 sunlit_sampling(sampling), randomness);
-            append(sunlit.fractions, std::move(found_sunlit.fractions));
-            sunlit.step = std::max(sunlit.step, found_sunlit.step);
-        }
-        result.groups = field.mesh.groups;
-        result.boundary = field.boundary;
-        result.ground_area = field.ground_area;
-        result.lai = leaf_area(field.mesh) / result.ground_area;
-    };
-    for_each_field(campaign, chosen, build_plant(campaign, genome), draws,
-                   trace);
-    result.light = report(tallies, light);
-    if (detail == Detail::full) add_sunlit(result.light, sunlit, light);
-    if (!(result.light.balance_error < balance_tolerance))
-        throw Error(fmt::format("the energy balance is off by {:.3g}",
-                                result.light.balance_error));
-    return result;
+CanopyModel canopy_model(const Campaign& campaign, const Case& chosen) {
+    FieldForm field = campaign.field;
+    field.spacing = chosen.spacing;
+    const Day day = clear_day(chosen.site, chosen.day, campaign.par_fraction);
+    return {campaign.plant,
+            campaign.tessellation,
+            field,
+            illuminate(day, campaign.sky_model, chosen.spacing.row_direction),
+            campaign.optics,
+            canopy_layers(campaign)};
 }
 
 OutcomeSchema outcome_schema(const Campaign& campaign, const Day& day) {
@@ -239,7 +164,7 @@ CanopyEvaluator::CanopyEvaluator(const Campaign& campaign,
                                  const std::string& isa)
     : campaign_(campaign),
       cases_(cases(campaign)),
-      lights_(cases_.size()),
+      models_(cases_.size()),
       device_(isa) {
     for (const Case& c : cases_)
         schemas_.push_back(outcome_schema(
@@ -252,11 +177,11 @@ const OutcomeSchema& CanopyEvaluator::schema(const Task& task) const {
 
 Outcome CanopyEvaluator::evaluate(const Task& task, const Genome& genome) {
     const Case& chosen = cases_.at(task.case_index);
-    std::optional<DayIllumination>& light = lights_[task.case_index];
-    if (!light) light = light_of(campaign_, chosen);
+    std::optional<CanopyModel>& model = models_[task.case_index];
+    if (!model) model = canopy_model(campaign_, chosen);
     return to_outcome(
         campaign_, genome,
-        study(campaign_, chosen, *light, device_, genome,
+        study(*model, device_, to_traits(genome),
               draws_of(task, campaign_, chosen), Detail::history));
 }
 

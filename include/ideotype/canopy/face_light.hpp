@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ideotype/app/canopy.hpp"
+#include "ideotype/canopy/canopy.hpp"
 
 namespace ideotype {
 
@@ -19,14 +19,12 @@ struct FaceLight {
 
 //! A plant in the fields of the draws: a mean over all its copies. In a plot
 //! that is cut some copies are only there in part.
-FaceLight light_on_plant(const Campaign& campaign, const Case& chosen,
-                         const DayIllumination& light, const Device& device,
+FaceLight light_on_plant(const CanopyModel& model, const Device& device,
                          const Mesh& plant, const Draws& draws);
 
 //! One field, with all randomisations of the draws.
-FaceLight light_on_field(const Campaign& campaign, const DayIllumination& light,
-                         const Device& device, const Field& field,
-                         const Draws& draws);
+FaceLight light_on_field(const CanopyModel& model, const Device& device,
+                         const Field& field, const Draws& draws);
 
 //! At least as many paths as to know the light on most faces to some 5 %, but
 //! no more than take about ten seconds.

@@ -68,9 +68,13 @@ Probe::Probe(Variant variant, std::size_t case_index, const Device& device,
         std::vector<Source>& sources = model_.light.light.sources;
         std::erase_if(sources,
                       [](const Source& source) { return !source.direction; });
-        for (const TimeStep& step : model_.light.day.steps)
+        for (const TimeStep& step : model_.light.day.steps) {
+            const SunPosition sun{
+                step.sun.zenith,
+                step.sun.azimuth - case_.spacing.row_direction};
             sources.push_back({std::nullopt, step.par.diffuse * step.seconds,
-                               SkySampler({campaign.sky_model, step.sun})});
+                               SkySampler({campaign.sky_model, sun})});
+        }
     }
     arrange();
 }

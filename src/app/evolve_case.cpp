@@ -9,9 +9,9 @@
 
 #include "ideotype/app/evaluator.hpp"
 #include "ideotype/core/error.hpp"
-#include "ideotype/evolve/breed.hpp"
-#include "ideotype/evolve/rank.hpp"
-#include "ideotype/evolve/stop_rules.hpp"
+#include "ideotype/search/breed.hpp"
+#include "ideotype/search/rank.hpp"
+#include "ideotype/search/stop_rules.hpp"
 
 namespace ideotype {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ideotype/canopy/face_light.hpp"
-#include "ideotype/plant/field.hpp"
+#include "ideotype/crop/field.hpp"
 
 namespace ideotype {
 

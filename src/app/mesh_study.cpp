@@ -9,7 +9,7 @@
 #include "ideotype/light/accuracy.hpp"
 #include "ideotype/light/device.hpp"
 #include "ideotype/light/sunlit.hpp"
-#include "ideotype/plant/obj_reader.hpp"
+#include "ideotype/crop/obj_reader.hpp"
 
 namespace ideotype {
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/sky/daylight.hpp"
+#include "ideotype/climate/daylight.hpp"
 
 namespace ideotype {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "checks.hpp"
-#include "ideotype/sky/daylight.hpp"
+#include "ideotype/climate/daylight.hpp"
 #include "schema.hpp"
 
 namespace ideotype {

@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <utility>
 
-#include "ideotype/evolve/evaluation.hpp"
+#include "ideotype/search/evaluation.hpp"
 
 namespace ideotype {
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "ideotype/evolve/genome.hpp"
-#include "ideotype/evolve/population.hpp"
+#include "ideotype/search/genome.hpp"
+#include "ideotype/search/population.hpp"
 
 namespace ideotype {
 

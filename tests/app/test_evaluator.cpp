@@ -35,7 +35,7 @@ TEST_F(Ames, BaselineAbsorbsWhatASparseReferenceSays) {
     const double stalks = diagnostic(outcome, "stalk_fraction");
     EXPECT_NEAR(leaves + stalks, .93, .015);
     EXPECT_NEAR(diagnostic(outcome, "lai"), 3.44, .03);
-    // From pvlib: tests/sky/test_day.cpp.
+    // From pvlib: tests/climate/test_day.cpp.
     EXPECT_NEAR(diagnostic(outcome, "incident"), 12.07745, 1e-4 * 12.07745);
     EXPECT_LT(outcome.objectives[0].standard_error,
               .002 * outcome.objectives[0].mean);

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "ideotype/core/error.hpp"
-#include "ideotype/plant/obj_reader.hpp"
+#include "ideotype/crop/obj_reader.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
                                       std::size_t size) {

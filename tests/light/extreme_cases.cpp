@@ -8,7 +8,7 @@
 #include "extremes.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/units.hpp"
-#include "ideotype/plant/field.hpp"
+#include "ideotype/crop/field.hpp"
 
 namespace ideotype {
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/plant/plant.hpp"
+#include "ideotype/crop/plant.hpp"
 
 namespace ideotype {
 

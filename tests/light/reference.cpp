@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ideotype/plant/obj_reader.hpp"
+#include "ideotype/crop/obj_reader.hpp"
 
 namespace ideotype {
 

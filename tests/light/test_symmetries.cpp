@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "expectations.hpp"
-#include "ideotype/plant/field.hpp"
+#include "ideotype/crop/field.hpp"
 
 namespace ideotype {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "ideotype/campaign/campaign.hpp"
 #include "ideotype/canopy/canopy.hpp"
-#include "ideotype/evolve/evaluation.hpp"
+#include "ideotype/search/evaluation.hpp"
 #include "ideotype/light/device.hpp"
 
 namespace ideotype {

@@ -6,10 +6,10 @@
 
 #include "ideotype/light/optics.hpp"
 #include "ideotype/light/scene.hpp"
-#include "ideotype/plant/field.hpp"
-#include "ideotype/sky/radiance.hpp"
-#include "ideotype/sky/site.hpp"
-#include "ideotype/sky/sun.hpp"
+#include "ideotype/crop/field.hpp"
+#include "ideotype/climate/radiance.hpp"
+#include "ideotype/climate/site.hpp"
+#include "ideotype/climate/sun.hpp"
 
 namespace ideotype {
 

@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "ideotype/core/error.hpp"
-#include "ideotype/evolve/genome.hpp"
-#include "ideotype/evolve/optimizer.hpp"
+#include "ideotype/search/genome.hpp"
+#include "ideotype/search/optimizer.hpp"
 #include "ideotype/light/optics.hpp"
-#include "ideotype/plant/field.hpp"
-#include "ideotype/plant/plant.hpp"
-#include "ideotype/sky/day.hpp"
-#include "ideotype/sky/radiance.hpp"
-#include "ideotype/sky/site.hpp"
+#include "ideotype/crop/field.hpp"
+#include "ideotype/crop/plant.hpp"
+#include "ideotype/climate/day.hpp"
+#include "ideotype/climate/radiance.hpp"
+#include "ideotype/climate/site.hpp"
 
 namespace ideotype {
 

@@ -10,8 +10,8 @@
 #include "ideotype/light/optics.hpp"
 #include "ideotype/light/report.hpp"
 #include "ideotype/light/transport.hpp"
-#include "ideotype/plant/field.hpp"
-#include "ideotype/plant/plant.hpp"
+#include "ideotype/crop/field.hpp"
+#include "ideotype/crop/plant.hpp"
 
 namespace ideotype {
 

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "ideotype/core/error.hpp"
-#include "ideotype/evolve/evaluation.hpp"
-#include "ideotype/evolve/genome.hpp"
-#include "ideotype/evolve/population.hpp"
-#include "ideotype/evolve/rank.hpp"
+#include "ideotype/search/evaluation.hpp"
+#include "ideotype/search/genome.hpp"
+#include "ideotype/search/population.hpp"
+#include "ideotype/search/rank.hpp"
 
 namespace ideotype {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "ideotype/core/mesh.hpp"
-#include "ideotype/sky/day.hpp"
-#include "ideotype/sky/sky_sampler.hpp"
+#include "ideotype/climate/day.hpp"
+#include "ideotype/climate/sky_sampler.hpp"
 
 namespace ideotype {
 

@@ -8,7 +8,7 @@
 
 #include "ideotype/core/mesh.hpp"
 #include "ideotype/light/device.hpp"
-#include "ideotype/plant/field.hpp"
+#include "ideotype/crop/field.hpp"
 
 struct RTCDeviceTy;
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "ideotype/core/stop_flag.hpp"
-#include "ideotype/evolve/evaluation.hpp"
+#include "ideotype/search/evaluation.hpp"
 #include "ideotype/parallel/session.hpp"
 
 namespace ideotype {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "ideotype/evolve/evaluation.hpp"
+#include "ideotype/search/evaluation.hpp"
 #include "ideotype/parallel/dispatcher.hpp"
 
 namespace ideotype {

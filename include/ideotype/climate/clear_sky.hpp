@@ -1,0 +1,25 @@
+#pragma once
+
+#include "ideotype/climate/site.hpp"
+#include "ideotype/climate/sun.hpp"
+
+namespace ideotype {
+
+//! Irradiance of a horizontal surface [W m-2].
+struct Irradiance {
+    double beam = 0;
+    double diffuse = 0;
+};
+
+//! Extraterrestrial irradiance normal to the rays on a date [W m-2] (Spencer
+//! 1971), with a solar constant of 1361.1 W m-2.
+double extraterrestrial_normal(const Date& date);
+
+//! Broadband irradiance under a cloudless sky from the Linke turbidity
+//! (Ineichen and Perez 2002, doi:10.1016/S0038-092X(02)00045-2, with the
+//! corrections of Perez et al. 2002, doi:10.1016/S0038-092X(02)00122-6);
+//! zero with the sun below the horizon. Neither part is negative.
+Irradiance clear_sky(const Site& site, const Date& date,
+                     const SunPosition& sun);
+
+}  // namespace ideotype

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "ideotype/search/evaluation.hpp"
+#include "ideotype/search/genome.hpp"
+
+namespace ideotype {
+
+//! No parent: the individual is of the first generation.
+inline constexpr std::int32_t no_parent = -1;
+
+//! A genome and its descent.
+struct Candidate {
+    Genome genome;
+    Origin origin = Origin::none;
+    //! Slots of its parents in the generation before, or no_parent.
+    std::array<std::int32_t, 2> parents{no_parent, no_parent};
+};
+
+//! An evaluated candidate.
+struct Individual {
+    Candidate candidate;
+    Status status = Status::failed;
+    //! What selection compares, larger is better; -infinity if failed.
+    double fitness = -std::numeric_limits<double>::infinity();
+    double standard_error = 0;  //!< of the fitness
+};
+
+//! One generation, by slot.
+using Population = std::vector<Individual>;
+
+}  // namespace ideotype

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "ideotype/search/population.hpp"
+
+namespace ideotype {
+
+//! A higher fitness is better; a failed individual is worse than any other.
+bool is_better(const Individual& a, const Individual& b);
+
+//! Slots of the best individuals that did not fail, best first, each genome
+//! once; fewer than `count` if there are not so many. Equals keep their order.
+std::vector<std::uint32_t> best_distinct(const Population& population,
+                                         std::size_t count);
+
+//! For each slot whose genome stands in an earlier slot too: that slot. Under
+//! common random numbers both have the same outcome.
+std::map<std::uint32_t, std::uint32_t> twins(
+    const std::vector<Candidate>& candidates);
+
+//! What is kept of an evaluated generation.
+struct GenerationSummary {
+    std::uint32_t best_slot = 0;
+    double best = 0;
+    double best_standard_error = 0;
+    //! Fitness of all that did not fail and, once any does, keep to their
+    //! constraints.
+    double mean = 0;
+    double spread = 0;     //!< standard deviation of the fitness
+    double diversity = 0;  //!< mean over free genes of the standard deviation
+                           //!< over the range; circular for circular genes,
+                           //!< 0.29 for values uniform over the range
+    std::uint32_t failures = 0;
+    std::uint32_t evaluations = 0;  //!< without copies of twins
+    double wall_time = 0;           //!< since the case began, all sessions [s]
+};
+
+//! All but evaluations and wall_time; NaN where every individual failed.
+GenerationSummary summarize(const Population& population,
+                            const GeneSpace& genes);
+
+}  // namespace ideotype

@@ -1,0 +1,152 @@
+#include "ideotype/climate/sky_sampler.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "clear_radiance.hpp"
+#include "ideotype/core/error.hpp"
+#include "ideotype/core/units.hpp"
+#include "piecewise_density.hpp"
+
+namespace ideotype {
+
+namespace {
+
+using std::numbers::pi;
+
+//! A direction of travel from a place at an angle from the zenith.
+glm::dvec3 travel_from(double cos_zenith, double sin_zenith, double azimuth) {
+    return {sin_zenith * std::cos(azimuth), -sin_zenith * std::sin(azimuth),
+            -cos_zenith};
+}
+
+//! Inverse of (3 m^2 + 4 m^3) / 7, the share of an overcast sky's irradiance
+//! from below a place with cos z = m. With m = (2 w - 1) / 4 the cubic becomes
+//! the Chebyshev polynomial 4 w^3 - 3 w = 56 share - 1.
+double overcast_cos_zenith(double share) {
+    const double k = 56 * share - 1;
+    const double w =
+        k < 1 ? std::cos(std::acos(k) / 3) : std::cosh(std::acosh(k) / 3);
+    return std::clamp((2 * w - 1) / 4, 0.0, 1.0);
+}
+
+}  // namespace
+
+//! In polar coordinates about the sun, where nothing is singular: one factor
+//! of the radiance depends on the angle to the sun only, the other changes
+//! smoothly along circles about it. The angle has a tabulated distribution;
+//! that of the position on a circle is integrated for each direction anew. The
+//! sampled density is off by at most 3e-7 of itself on average.
+class SkySampler::ClearSky {
+  public:
+    explicit ClearSky(const SunPosition& sun)
+        : sun_zenith_(sun.zenith * degree),
+          sun_azimuth_(sun.azimuth * degree),
+          cos_sun_(std::max(0.0, std::cos(sun_zenith_))),
+          sin_sun_(std::sin(sun_zenith_)),
+          angles_([this](double t) {
+              const Angle a = angle_at(t);
+              return a.rate * indicatrix(a.to_sun) * std::sin(a.to_sun) *
+                     Circle(*this, a.to_sun).irradiance();
+          }) {}
+
+    double irradiance() const { return angles_.total(); }
+
+    glm::dvec3 sample(double u, double v) const {
+        const double to_sun = angle_at(angles_.quantile(u)).to_sun;
+        const double side = 2 * v - 1;
+        const double around =
+            std::copysign(Circle(*this, to_sun).quantile(std::abs(side)), side);
+        // Components towards the sun, square to it on the side of the zenith,
+        // and level.
+        const double s = std::cos(to_sun);
+        const double t = std::sin(to_sun) * std::cos(around);
+        const double b = std::sin(to_sun) * std::sin(around);
+        const double sin_azimuth = std::sin(sun_azimuth_);
+        const double cos_azimuth = std::cos(sun_azimuth_);
+        const double outward = s * sin_sun_ - t * cos_sun_;
+        return {-(outward * sin_azimuth + b * cos_azimuth),
+                -(outward * cos_azimuth - b * sin_azimuth),
+                -std::max(0.0, s * cos_sun_ + t * sin_sun_)};
+    }
+
+  private:
+    //! All places at an angle to the sun, as far as they are above the
+    //! horizon; their position angle is 0 on the side of the zenith.
+    class Circle {
+      public:
+        Circle(const ClearSky& sky, double to_sun)
+            : end_(end(std::cos(to_sun) * sky.cos_sun_,
+                       std::sin(to_sun) * sky.sin_sun_)),
+              half_([this, a = std::cos(to_sun) * sky.cos_sun_,
+                     b = std::sin(to_sun) * sky.sin_sun_](double x) {
+                  const double cos_zenith =
+                      std::max(0.0, a + b * std::cos(position(x)));
+                  return 2 * (1 - x) * cos_zenith * gradation(cos_zenith);
+              }) {}
+
+        double irradiance() const { return 2 * end_ * half_.total(); }
+
+        //! Position angle that splits off a share of one half.
+        double quantile(double share) const {
+            return position(half_.quantile(share));
+        }
+
+      private:
+        //! Where cos z = a + b cos x becomes zero.
+        static double end(double a, double b) {
+            return a >= b ? pi : a <= -b ? 0 : std::acos(-a / b);
+        }
+
+        //! Position angle for x in [0, 1], denser towards the horizon, where
+        //! the radiance factor is hardest to follow.
+        double position(double x) const { return end_ * x * (2 - x); }
+
+        double end_;
+        PiecewiseDensity<8> half_;
+    };
+
+    struct Angle {
+        double to_sun;
+        double rate;  //!< its derivative
+    };
+
+    //! Angle to the sun, t in [0, 1]: whole circles in the first half, those
+    //! that the horizon cuts in the second. The cosine removes the square
+    //! roots with which the cut begins and ends.
+    Angle angle_at(double t) const {
+        const double cut = std::max(0.0, pi / 2 - sun_zenith_);
+        const double begin = t < 0.5 ? 0 : cut;
+        const double span = t < 0.5 ? cut : 2 * std::min(sun_zenith_, pi / 2);
+        const double x = pi * (t < 0.5 ? 2 * t : 2 * t - 1);
+        return {begin + span * (1 - std::cos(x)) / 2, span * pi * std::sin(x)};
+    }
+
+    double sun_zenith_, sun_azimuth_;
+    double cos_sun_, sin_sun_;
+    PiecewiseDensity<32> angles_;
+};
+
+SkySampler::SkySampler(const SkyRadiance& sky) : radiance_(sky) {
+    if (sky.model != SkyModel::clear) return;
+    if (!(sky.sun.zenith >= 0 && sky.sun.zenith <= 90))
+        throw Error("a clear sky needs a sun above the horizon");
+    clear_ = std::make_shared<ClearSky>(sky.sun);
+}
+
+glm::dvec3 SkySampler::sample(double u, double v) const {
+    if (clear_) return clear_->sample(u, v);
+    if (radiance_.model == SkyModel::uniform)
+        return travel_from(std::sqrt(1 - u), std::sqrt(u), 2 * pi * v);
+    const double cos_zenith = overcast_cos_zenith(1 - u);
+    return travel_from(cos_zenith, std::sqrt(1 - cos_zenith * cos_zenith),
+                       2 * pi * v);
+}
+
+double SkySampler::horizontal_irradiance() const {
+    if (clear_) return clear_->irradiance();
+    return radiance_.model == SkyModel::uniform ? pi : 7 * pi / 9;
+}
+
+}  // namespace ideotype

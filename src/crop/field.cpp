@@ -1,0 +1,116 @@
+#include "ideotype/crop/field.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "ideotype/core/error.hpp"
+#include "ideotype/core/random.hpp"
+#include "ideotype/core/units.hpp"
+
+namespace ideotype {
+
+std::vector<double> draw_turns(const FieldForm& form, std::uint64_t seed,
+                               std::uint32_t generation, std::uint32_t draw) {
+    RandomStream stream(seed, Purpose::jitter, generation, draw);
+    std::vector<double> turns(static_cast<std::size_t>(form.rows) *
+                              static_cast<std::size_t>(form.plants));
+    for (double& turn : turns) turn = stream.uniform(-form.jitter, form.jitter);
+    return turns;
+}
+
+namespace {
+
+void drop_unused_vertices(Mesh& mesh) {
+    constexpr std::uint32_t unused = UINT32_MAX;
+    std::vector<std::uint32_t> place(mesh.vertices.size(), unused);
+    for (const auto& face : mesh.faces)
+        for (const std::uint32_t v : face) place[v] = v;
+    std::uint32_t kept = 0;
+    for (std::uint32_t v = 0; v < place.size(); ++v) {
+        if (place[v] == unused) continue;
+        mesh.vertices[kept] = mesh.vertices[v];
+        place[v] = kept++;
+    }
+    mesh.vertices.resize(kept);
+    for (auto& face : mesh.faces)
+        for (std::uint32_t& v : face) v = place[v];
+}
+
+//! Keeps the faces whose centre is above the ground of the inner plants.
+void cut_out(Field& field, const FieldForm& form) {
+    const double x = form.cut * form.spacing.row;
+    const double y = form.cut * form.spacing.plant;
+    const double width = field.period_x - 2 * x;
+    const double depth = field.period_y - 2 * y;
+    if (form.rows <= 2 * form.cut || form.plants <= 2 * form.cut)
+        throw Error(
+            fmt::format("nothing is left of a plot of {} x {} plants "
+                        "with {} cut away on each side",
+                        form.rows, form.plants, form.cut));
+    Mesh& mesh = field.mesh;
+    std::size_t kept = 0;
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        glm::dvec3 centre(0);
+        for (const std::uint32_t v : mesh.faces[f])
+            centre += mesh.vertices[v] / 4.;
+        if (centre.x < x || centre.x > x + width || centre.y < y ||
+            centre.y > y + depth)
+            continue;
+        mesh.faces[kept] = mesh.faces[f];
+        mesh.face_group[kept] = mesh.face_group[f];
+        field.face_plant[kept++] = field.face_plant[f];
+    }
+    mesh.faces.resize(kept);
+    mesh.face_group.resize(kept);
+    field.face_plant.resize(kept);
+    drop_unused_vertices(mesh);
+    field.ground_area = width * depth;
+}
+
+}  // namespace
+
+Field build_field(const Mesh& plant, const FieldForm& form,
+                  const std::vector<double>& turns) {
+    const auto count = static_cast<std::size_t>(form.rows) *
+                       static_cast<std::size_t>(form.plants);
+    if (turns.size() != count)
+        throw Error(
+            fmt::format("a field of {} plants needs as many turns, not {}",
+                        count, turns.size()));
+    Field field;
+    field.boundary = form.boundary;
+    field.period_x = form.rows * form.spacing.row;
+    field.period_y = form.plants * form.spacing.plant;
+    field.ground_area = field.period_x * field.period_y;
+    Mesh& mesh = field.mesh;
+    mesh.groups = plant.groups;
+    mesh.vertices.reserve(count * plant.vertices.size());
+    mesh.faces.reserve(count * plant.faces.size());
+    mesh.face_group.reserve(count * plant.faces.size());
+    field.face_plant.reserve(count * plant.faces.size());
+    for (std::size_t p = 0; p < count; ++p) {
+        const auto plants = static_cast<std::size_t>(form.plants);
+        const double x =
+            (static_cast<double>(p / plants) + 0.5) * form.spacing.row;
+        const double y =
+            (static_cast<double>(p % plants) + 0.5) * form.spacing.plant;
+        const double sine = std::sin(turns[p] * degree);
+        const double cosine = std::cos(turns[p] * degree);
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        for (const glm::dvec3& v : plant.vertices)
+            mesh.vertices.push_back({x + v.x * cosine + v.y * sine,
+                                     y + v.y * cosine - v.x * sine, v.z});
+        for (const auto& face : plant.faces)
+            mesh.faces.push_back({first + face[0], first + face[1],
+                                  first + face[2], first + face[3]});
+        mesh.face_group.insert(mesh.face_group.end(), plant.face_group.begin(),
+                               plant.face_group.end());
+        field.face_plant.insert(field.face_plant.end(), plant.faces.size(),
+                                static_cast<std::uint32_t>(p));
+    }
+    if (form.cut > 0) cut_out(field, form);
+    return field;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,212 @@
+#include "ideotype/crop/obj_reader.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string_view>
+#include <tiny_obj_loader.h>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "ideotype/core/error.hpp"
+#include "obj_statements.hpp"
+#include "polygon.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! Whether a group is named as `export` names stalks: "stalk", or in a field
+//! "plant004_stalk".
+bool is_stalk(std::string_view name) {
+    constexpr std::string_view plant = "plant";
+    if (name.starts_with(plant)) {
+        const std::size_t end =
+            name.find_first_not_of("0123456789", plant.size());
+        if (end == plant.size() || end == name.npos || name[end] != '_')
+            return false;
+        name.remove_prefix(end + 1);
+    }
+    return name.starts_with("stalk");
+}
+
+//! Collects what the library finds in the statements.
+class ObjBuilder {
+  public:
+    ObjBuilder(const std::string& file, const ObjStatements& statements)
+        : file_(file), statements_(statements) {
+        polygons_.reserve(statements.face_lines.size());
+        result_.mesh.vertices.reserve(statements.vertex_lines.size());
+    }
+
+    //! The library calls these with this builder as `self`.
+    static tinyobj::callback_t callbacks() {
+        tinyobj::callback_t calls;
+        calls.vertex_cb = [](void* self, double x, double y, double z, double) {
+            of(self).add_vertex({x, y, z});
+        };
+        calls.index_cb = [](void* self, tinyobj::index_t* corners, int count) {
+            of(self).add_polygon(corners, count);
+        };
+        calls.group_cb = [](void* self, const char** names, int count) {
+            of(self).begin_group(
+                fmt::format("{}", fmt::join(names, names + count, " ")));
+        };
+        calls.object_cb = [](void* self, const char* name) {
+            of(self).begin_group(name);
+        };
+        return calls;
+    }
+
+    ObjMesh finish() {
+        result_.mesh.faces.reserve(polygons_.size());
+        result_.mesh.face_group.reserve(polygons_.size());
+        for (const Polygon& polygon : polygons_) add_faces(polygon);
+        if (result_.mesh.faces.empty())
+            throw InputError(
+                {{{file_},
+                  polygons_.empty()
+                      ? "there are no faces (lines that begin with f)"
+                      : "no face has an area"}});
+        warn(without_area_, "faces without area are left out");
+        warn(crossing_,
+             "polygons cross themselves; parts of them may count twice");
+        warn(statements_.unknown, "lines are not understood and left out");
+        return std::move(result_);
+    }
+
+  private:
+    //! There may be millions: their corners are in one list.
+    struct Polygon {
+        std::size_t first;  //!< of corners_
+        std::uint32_t count;
+        std::uint32_t group;
+        int line;
+    };
+
+    static ObjBuilder& of(void* self) {
+        return *static_cast<ObjBuilder*>(self);
+    }
+
+    void add_vertex(const glm::dvec3& v) {
+        std::vector<glm::dvec3>& vertices = result_.mesh.vertices;
+        for (const double x : {v.x, v.y, v.z})
+            if (!(std::abs(x) <= largest_obj_coordinate))
+                fail(statements_.vertex_lines[vertices.size()],
+                     fmt::format("the coordinate {:.6g} is not within {:.0g} m "
+                                 "of the origin (the unit is the metre); scale "
+                                 "the mesh",
+                                 x, largest_obj_coordinate));
+        vertices.push_back(v);
+    }
+
+    void add_polygon(const tinyobj::index_t* corners, int count) {
+        const Polygon polygon{corners_.size(),
+                              static_cast<std::uint32_t>(count), group(),
+                              statements_.face_lines[polygons_.size()]};
+        for (int i = 0; i < count; ++i) {
+            const long long index = corners[i].vertex_index;
+            if (index == 0)
+                fail(polygon.line, "a corner is vertex 0 (the first is 1)");
+            // Below zero means backwards from the last vertex so far.
+            const auto vertices =
+                static_cast<long long>(result_.mesh.vertices.size());
+            corners_.push_back(
+                static_cast<int>(index > 0 ? index - 1 : vertices + index));
+        }
+        polygons_.push_back(polygon);
+    }
+
+    void begin_group(std::string name) {
+        name_ = name.empty() ? "unnamed" : std::move(name);
+    }
+
+    //! Index of the current group, which comes to be with its first face.
+    std::uint32_t group() {
+        std::vector<Group>& groups = result_.mesh.groups;
+        const auto [found, is_new] = index_of_.try_emplace(
+            name_, static_cast<std::uint32_t>(groups.size()));
+        if (is_new)
+            groups.push_back(
+                {name_, is_stalk(name_) ? Tissue::stalk : Tissue::leaf});
+        return found->second;
+    }
+
+    void add_faces(const Polygon& polygon) {
+        Mesh& mesh = result_.mesh;
+        const auto count = static_cast<long long>(mesh.vertices.size());
+        Corners corners;
+        for (std::uint32_t i = 0; i < polygon.count; ++i) {
+            const long long corner = corners_[polygon.first + i];
+            if (corner < 0 || corner >= count)
+                fail(polygon.line,
+                     corner < 0
+                         ? "a corner lies before the first vertex"
+                         : fmt::format("a corner is vertex {}, but there are "
+                                       "only {}",
+                                       corner + 1, count));
+            corners.push_back(static_cast<std::uint32_t>(corner));
+        }
+        const SplitPolygon split =
+            split_polygon(mesh.vertices, std::move(corners));
+        if (split.kind == PolygonKind::without_area)
+            without_area_.add(polygon.line);
+        if (split.kind == PolygonKind::crossing) crossing_.add(polygon.line);
+        mesh.faces.insert(mesh.faces.end(), split.faces.begin(),
+                          split.faces.end());
+        mesh.face_group.insert(mesh.face_group.end(), split.faces.size(),
+                               polygon.group);
+    }
+
+    void warn(const Occurrences& occurrences, const char* what) {
+        if (occurrences.count > 0)
+            result_.warnings.push_back(
+                fmt::format("{} {} (the first in line {})", occurrences.count,
+                            what, occurrences.first_line));
+    }
+
+    [[noreturn]] void fail(int line, std::string what) const {
+        throw InputError({{{file_, line, 1}, std::move(what)}});
+    }
+
+    const std::string& file_;
+    const ObjStatements& statements_;
+    ObjMesh result_;
+    std::vector<int> corners_;  //!< vertices from 0; not yet checked
+    std::vector<Polygon> polygons_;
+    std::string name_ = "unnamed";
+    std::map<std::string, std::uint32_t> index_of_;
+    Occurrences without_area_;
+    Occurrences crossing_;
+};
+
+}  // namespace
+
+ObjMesh parse_obj(std::string text, const std::string& file) {
+    ObjStatements statements = pick_statements(text, file);
+    // Of large meshes one text at a time is enough.
+    text = {};
+    ObjBuilder builder(file, statements);
+    {
+        std::istringstream stream(std::move(statements.text));
+        std::string warning, error;
+        if (!tinyobj::LoadObjWithCallback(stream, ObjBuilder::callbacks(),
+                                          &builder, nullptr, &warning, &error))
+            throw InputError({{{file}, error}});
+    }
+    return builder.finish();
+}
+
+ObjMesh read_obj(const std::string& path) {
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) throw Error(path + ": cannot be opened");
+    std::ostringstream text;
+    // The end of an empty file is no failure; a folder cannot be read at all.
+    text << stream.rdbuf();
+    if (stream.bad() || text.bad()) throw Error(path + ": cannot be read");
+    return parse_obj(std::move(text).str(), path);
+}
+
+}  // namespace ideotype

@@ -1,0 +1,129 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/core/error.hpp"
+#include "ideotype/crop/field.hpp"
+#include "ideotype/crop/plant.hpp"
+#include "sample_plant.hpp"
+
+namespace ideotype {
+namespace {
+
+const FieldForm form{6, 4, {0.762, 0.1524}, 10};
+
+TEST(Field, PeriodIsSpacingTimesNumberWhateverTheLeavesReach) {
+    const SamplePlant sample;
+    const Mesh plant = build_plant(sample.traits, sample.form, {});
+    const Field field = build_field(plant, form, draw_turns(form, 1, 0, 0));
+    EXPECT_DOUBLE_EQ(field.period_x, 6 * 0.762);
+    EXPECT_DOUBLE_EQ(field.period_y, 4 * 0.1524);
+    EXPECT_EQ(field.mesh.faces.size(), 24 * plant.faces.size());
+    EXPECT_NEAR(leaf_area(field.mesh), 24 * leaf_area(plant), 1e-9);
+}
+
+TEST(Field, EveryPlantIsTurnedByItsOwnDraw) {
+    const auto turns = draw_turns(form, 1, 0, 0);
+    EXPECT_EQ(std::set<double>(turns.begin(), turns.end()).size(), 24u);
+    for (const double turn : turns) EXPECT_LE(std::abs(turn), 10);
+    EXPECT_EQ(draw_turns(form, 1, 0, 0), turns);
+    EXPECT_NE(draw_turns(form, 2, 0, 0), turns);
+    EXPECT_NE(draw_turns(form, 1, 1, 0), turns);
+    EXPECT_NE(draw_turns(form, 1, 0, 1), turns);
+}
+
+TEST(Field, TurningByAnAngleEqualsChangingTheLeafAzimuths) {
+    SamplePlant sample;
+    const FieldForm single{1, 1, {0.76, 0.15}, 10};
+    const Field turned =
+        build_field(build_plant(sample.traits, sample.form, {}), single, {7.5});
+    for (LeafTraits& traits : sample.traits) traits.azimuth += 7.5;
+    const Field changed =
+        build_field(build_plant(sample.traits, sample.form, {}), single, {0});
+    const std::size_t leaf_vertices = 3 * 13 * 3;
+    for (std::size_t v = 0; v < leaf_vertices; ++v) {
+        EXPECT_NEAR(turned.mesh.vertices[v].x, changed.mesh.vertices[v].x,
+                    1e-12);
+        EXPECT_NEAR(turned.mesh.vertices[v].y, changed.mesh.vertices[v].y,
+                    1e-12);
+    }
+}
+
+TEST(Field, APlotHasTheGroundOfItsPlants) {
+    const SamplePlant sample;
+    FieldForm plot = form;
+    plot.boundary = Boundary::isolated;
+    const Mesh plant = build_plant(sample.traits, sample.form, {});
+    const Field field = build_field(plant, plot, draw_turns(plot, 1, 0, 0));
+    EXPECT_EQ(field.boundary, Boundary::isolated);
+    EXPECT_NEAR(field.ground_area, 24 * 0.762 * 0.1524, 1e-12);
+    EXPECT_EQ(field.mesh.faces.size(), 24 * plant.faces.size());
+}
+
+TEST(Field, ACutPlotEndsAtItsEdge) {
+    const SamplePlant sample;
+    FieldForm plot = form;
+    plot.boundary = Boundary::isolated;
+    plot.cut = 1;
+    const Mesh plant = build_plant(sample.traits, sample.form, {});
+    const Field field = build_field(plant, plot, draw_turns(plot, 1, 0, 0));
+    EXPECT_NEAR(field.ground_area, 4 * 2 * 0.762 * 0.1524, 1e-12);
+    // What is cut off its plants, its neighbours hang over the edge.
+    EXPECT_NEAR(leaf_area(field.mesh) / (8 * leaf_area(plant)), 1, .2);
+    const double half_a_face = 0.1;
+    for (const auto& face : field.mesh.faces)
+        for (const std::uint32_t v : face) {
+            EXPECT_GT(field.mesh.vertices[v].x, 0.762 - half_a_face);
+            EXPECT_LT(field.mesh.vertices[v].x, 5 * 0.762 + half_a_face);
+        }
+    plot.cut = 2;
+    EXPECT_THROW(build_field(plant, plot, draw_turns(plot, 1, 0, 0)), Error);
+}
+
+TEST(Field, EveryFaceKnowsItsPlantAlsoInACutPlot) {
+    const SamplePlant sample;
+    FieldForm plot = form;
+    plot.boundary = Boundary::isolated;
+    plot.cut = 1;
+    const Mesh plant = build_plant(sample.traits, sample.form, {});
+    const Field field = build_field(plant, plot, draw_turns(plot, 1, 0, 0));
+    ASSERT_EQ(field.face_plant.size(), field.mesh.faces.size());
+    // Stalks stand where their plants do.
+    const std::uint32_t stalk =
+        static_cast<std::uint32_t>(plant.groups.size() - 1);
+    std::set<std::uint32_t> standing;
+    for (std::size_t f = 0; f < field.mesh.faces.size(); ++f) {
+        if (field.mesh.face_group[f] != stalk) continue;
+        const std::uint32_t p = field.face_plant[f];
+        standing.insert(p);
+        const glm::dvec3& v = field.mesh.vertices[field.mesh.faces[f][0]];
+        EXPECT_NEAR(v.x, (p / 4 + 0.5) * 0.762, 0.02);
+        EXPECT_NEAR(v.y, (p % 4 + 0.5) * 0.1524, 0.02);
+    }
+    EXPECT_EQ(standing, (std::set<std::uint32_t>{5, 6, 9, 10, 13, 14, 17, 18}));
+}
+
+TEST(Field, ACutPlotKeepsNoVertexWithoutAFace) {
+    const SamplePlant sample;
+    FieldForm plot = form;
+    plot.boundary = Boundary::isolated;
+    plot.cut = 1;
+    const Mesh plant = build_plant(sample.traits, sample.form, {});
+    const Field field = build_field(plant, plot, draw_turns(plot, 1, 0, 0));
+    std::set<std::uint32_t> used;
+    for (const auto& face : field.mesh.faces)
+        used.insert(face.begin(), face.end());
+    EXPECT_EQ(used.size(), field.mesh.vertices.size());
+    EXPECT_EQ(*used.rbegin(), field.mesh.vertices.size() - 1);
+}
+
+TEST(Field, RefusesAWrongNumberOfTurns) {
+    const SamplePlant sample;
+    const Mesh plant = build_plant(sample.traits, sample.form, {});
+    EXPECT_THROW(build_field(plant, form, {0, 0}), Error);
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -1,4 +1,4 @@
-#include "ideotype/app/verbs.hpp"
+#include "ideotype/cli/verbs.hpp"
 
 int main(int argc, char** argv) {
     return ideotype::run_command_line(argc, argv);

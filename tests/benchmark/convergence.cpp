@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/app/fidelity_probe.hpp"
 #include "ideotype/core/estimate.hpp"
+#include "ideotype/fidelity/probe.hpp"
 #include "ideotype/light/transport.hpp"
 #include "stand.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ideotype/app/evaluator.hpp"
 #include "ideotype/light/illumination.hpp"
 #include "ideotype/light/scene.hpp"
+#include "ideotype/run/evaluator.hpp"
 
 namespace ideotype {
 

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/app/evaluator.hpp"
 #include "ideotype/light/report.hpp"
+#include "ideotype/run/evaluator.hpp"
 #include "light_report.hpp"
 
 namespace ideotype {

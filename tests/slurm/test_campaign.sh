@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # All cases in one job over two nodes, started by mpirun and by srun, and a case
 # submitted by hand, without slurm/submit.
-. "$(dirname "$0")/../app/common.sh"
+. "$(dirname "$0")/../cli/common.sh"
 . "$project/tests/slurm/cluster.sh"
 
 write_campaign whole 12 60

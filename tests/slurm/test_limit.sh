@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # A job that gets to its time limit drains ahead of it and is requeued until
 # all cases are complete.
-. "$(dirname "$0")/../app/common.sh"
+. "$(dirname "$0")/../cli/common.sh"
 . "$project/tests/slurm/cluster.sh"
 
 write_campaign limit 12 150

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Jobs that are cancelled, whose worker is killed or whose node goes down lose
 # nothing; a job that gets nowhere is not requeued for ever.
-. "$(dirname "$0")/../app/common.sh"
+. "$(dirname "$0")/../cli/common.sh"
 . "$project/tests/slurm/cluster.sh"
 
 write_campaign losses 12 150

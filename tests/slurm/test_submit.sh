@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What slurm/submit says and refuses without a cluster.
-. "$(dirname "$0")/../app/common.sh"
+. "$(dirname "$0")/../cli/common.sh"
 
 # $1 the expected exit code, the rest arguments; the output is in out.log.
 expect() {

@@ -2,7 +2,7 @@
 # A sweep as an array over two nodes of a real SLURM: a task that is requeued
 # and one that drains in the middle resume, a second submit adds nothing, and
 # all histories are bitwise those of local runs.
-. "$(dirname "$0")/../app/common.sh"
+. "$(dirname "$0")/../cli/common.sh"
 . "$project/tests/slurm/cluster.sh"
 
 write_campaign sweep 12 100

@@ -9,7 +9,7 @@ here=$(readlink -f "$(dirname "$0")")
 project=$(readlink -f "$here/../..")
 work=$(mktemp -d)
 set -- "$ideotype" "$project" "$work/test"
-. "$project/tests/app/common.sh"
+. "$project/tests/cli/common.sh"
 
 generations=$((kills > 20 ? 1200 : 200))
 population=12

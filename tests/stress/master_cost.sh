@@ -3,7 +3,7 @@
 # Usage: tests/stress/master_cost.sh [RANKS...]    after a build of preset dev
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-program=build/dev/tests/app/master_cost
+program=build/dev/tests/run/master_cost
 [ $# -gt 0 ] || set -- 2 3 5 9 17 33 64
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 \
     OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1 \

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "ideotype/climate/radiance.hpp"
+#include "ideotype/climate/site.hpp"
+#include "ideotype/climate/sun.hpp"
+#include "ideotype/crop/field.hpp"
+#include "ideotype/light/optics.hpp"
+#include "ideotype/light/scene.hpp"
+
+namespace ideotype {
+
+//! `evaluate --mesh FILE.obj`: the light in one canopy from any mesh; x is
+//! east, y is north, z is up.
+struct MeshOptions {
+    struct Period {
+        double x, y;  //!< [m]
+    };
+
+    std::string path;  //!< empty: another kind of evaluate is meant
+    std::optional<Period> period;
+    Boundary boundary = Boundary::periodic;
+    std::optional<double> ground_area;  //!< [m2]
+    //! Repeats the mesh, as one plant at the origin, into a field.
+    std::optional<FieldForm> field;
+
+    std::optional<SunPosition> sun;
+    std::optional<SkyModel> sky;
+    std::optional<Site> site;  //!< with date: a whole clear day
+    std::optional<Date> date;
+
+    Lambertian leaf{0.05, 0.05};
+    Lambertian stalk{0.31, 0.12};
+    double soil_albedo = 0.1;
+
+    double tolerance = 1e-3;             //!< relative standard error
+    std::optional<std::uint64_t> paths;  //!< instead of a tolerance
+    std::uint64_t seed = 1;
+    bool is_json = false;
+};
+
+//! @throws Error of wrong usage: options that miss, contradict each other or
+//! have impossible values.
+void check(const MeshOptions& options);
+
+}  // namespace ideotype

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ideotype/campaign/campaign.hpp"
+#include "ideotype/core/error.hpp"
+#include "ideotype/parallel/session.hpp"
+
+namespace ideotype {
+
+//! `check CAMPAIGN`: validates, builds one plant, reports size and cost, and
+//! whether the names of its files fit into the folder out.
+ExitCode check(const std::string& campaign_path, const std::string& out);
+
+//! `plan CAMPAIGN`: lists the cases with index, seed and cost, or only those
+//! that are left to do.
+struct PlanOptions {
+    std::string campaign_path;
+    bool only_count = false;
+    bool only_left = false;  //!< the cases that are not finished in `out`
+    std::string out = "results";
+};
+ExitCode plan(const PlanOptions& options);
+
+//! `status PATH...`: one line per history or history in a folder, also of live
+//! ones, and how to go on with what stopped.
+struct StatusOptions {
+    std::vector<std::string> paths;
+    bool only_resumable = false;  //!< print only files to be resumed
+};
+ExitCode status(const StatusOptions& options);
+
+//! Which plant of a history is meant.
+struct RowChoice {
+    bool is_best = false;  //!< the best finalist, or the best so far
+    std::optional<std::uint32_t> generation;
+    std::optional<std::uint32_t> slot;
+};
+
+//! `evaluate CAMPAIGN`: the baseline's light.
+//! `evaluate FILE --generation G --slot S`: recomputes a row, or, with a
+//! tolerance, tells how far off it is.
+struct EvaluateOptions {
+    std::string path;  //!< a campaign or a history
+    int case_index = 0;
+    RowChoice row;
+    std::optional<double> tolerance;  //!< relative standard error
+    bool is_json = false;
+};
+ExitCode evaluate(const EvaluateOptions& options);
+
+//! `evaluate PLANT... --under CAMPAIGN`: every plant in the light of every case
+//! of the campaign, whatever it was bred for. All plants of a case share their
+//! random numbers.
+struct CrossOptions {
+    //! Histories, for the best plant; campaigns, for their baseline; and
+    //! plant files.
+    std::vector<std::string> plants;
+    std::string under;
+    bool is_json = false;
+};
+ExitCode cross_evaluate(const CrossOptions& options);
+
+//! `fidelity CAMPAIGN`: measures what accuracy costs.
+struct FidelityOptions {
+    std::string campaign_path;
+    int case_index = 0;
+    double tolerance = 1e-3;  //!< of one evaluation, relative
+    double seconds = 80;      //!< to measure, about
+    std::string json_path;    //!< empty: none
+};
+ExitCode fidelity(const FidelityOptions& options);
+
+//! `export FILE --to X.obj|X.vtp|X.csv|X.toml`: writes a plant or its field.
+//! `export FILE --generations --to X.csv`: writes the candidates of all
+//! complete generations, also of a file that was cut short.
+struct ExportOptions {
+    std::string path;
+    RowChoice row;
+    std::string to;
+    bool is_field = false;
+    //! Of light on the faces, per randomisation; enough if not given.
+    std::optional<int> paths;
+    bool is_generations = false;
+};
+ExitCode export_plant(const ExportOptions& options);
+ExitCode export_generations(const ExportOptions& options);
+
+//! `pack FILE...`: compresses finished histories.
+ExitCode pack(const std::vector<std::string>& paths);
+
+//! Parses the command line, runs the verb, reports errors.
+int run_command_line(int argc, char** argv);
+
+}  // namespace ideotype

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ideotype/canopy/canopy.hpp"
+#include "ideotype/fidelity/trade.hpp"
+
+namespace ideotype {
+
+//! A value for every knob that may be turned, and what an evaluation
+//! should then be like. Errors are in parts of the light that the baseline's
+//! leaves absorb.
+struct Combination {
+    std::vector<std::size_t> values;  //!< by knob of the trade
+    Sampling sampling;
+    Draws::Fields fields = Draws::Fields::one;
+    Estimate bias;
+    double standard_error = 0;  //!< of one evaluation
+    Cost cost;                  //!< of one evaluation; path: of all light [s]
+
+    //! Root mean square, counting what is not known of it against it.
+    double error() const;
+    double seconds() const { return cost.geometry + cost.scene + cost.path; }
+};
+
+//! What a value of each knob should give with a sampling: sizes of biases add
+//! up, since that they cancel for these plants says nothing of others; costs
+//! and variances multiply with the ratios to the campaign's own values.
+Combination combine(const Trade& trade, const std::vector<std::size_t>& values,
+                    const Sampling& sampling, Draws::Fields fields, Goal goal);
+
+//! All that are not beaten both in cost and in error, cheapest first.
+std::vector<Combination> pareto_front(const Trade& trade, Goal goal,
+                                      Draws::Fields fields);
+
+//! The cheapest whose error is within a tolerance.
+std::optional<Combination> cheapest(const std::vector<Combination>& front,
+                                    double tolerance);
+
+//! The campaign with a combination's values.
+Campaign applied(const Trade& trade, const Combination& combination);
+
+//! A line of a campaign file.
+struct PastedKey {
+    std::string section;  //!< "field", "[day]" if it is an array of tables
+    std::string name;
+    std::string value;  //!< in TOML
+};
+
+//! All that the knobs set.
+std::vector<PastedKey> keys_of(const Campaign& campaign);
+
+//! What a combination is really like: evaluations as campaigns make them, each
+//! with fresh random numbers, against the trade's converged figures.
+struct Check {
+    Estimate bias;            //!< in parts of the baseline's light
+    Estimate standard_error;  //!< of one evaluation, from their spread
+    double seconds = 0;       //!< of one evaluation, as cost, median
+};
+
+//! Evaluates for a time [s], but a few times at least.
+Check check_combination(const Trade& trade, const Combination& combination,
+                        Goal goal, const Device& device, double seconds);
+
+}  // namespace ideotype

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "ideotype/fidelity/probe.hpp"
+
+namespace ideotype {
+
+//! What is wrong with an estimate, in parts of the light that the baseline's
+//! leaves absorb, also for differences: selection asks which of two plants
+//! absorbs more of the same light.
+struct Inaccuracy {
+    Estimate bias;    //!< against the reference
+    Scatter scatter;  //!< of one field, and of one randomisation in it
+};
+
+//! One value of a knob, measured.
+struct KnobPoint {
+    std::string name;
+    std::size_t draws = 0;
+    std::array<Inaccuracy, 2> inaccuracy;  //!< by goal
+    Cost cost;
+
+    const Inaccuracy& of(Goal goal) const {
+        return inaccuracy[goal == Goal::value ? 0 : 1];
+    }
+};
+
+//! A knob with a measurement for each of its values.
+struct MeasuredKnob {
+    Knob knob;
+    std::vector<KnobPoint> points;
+
+    const KnobPoint& own() const { return points[knob.own]; }
+};
+
+//! The trade of speed for accuracy of one case.
+struct Trade {
+    Variant own;  //!< as the campaign is
+    std::size_t case_index = 0;
+    Rivals rivals;
+    std::vector<MeasuredKnob> knobs;
+    Estimate value;       //!< converged, of the baseline [J m-2 day-1]
+    Estimate difference;  //!< converged, between the rivals [J m-2 day-1]
+
+    const MeasuredKnob& knob(const std::string& name) const;
+};
+
+//! How long to measure.
+struct Effort {
+    double seconds = 60;
+    //! Draws of each value; a known time or number comes first. Standard
+    //! deviations need a few dozen to be known to some 10 %.
+    std::size_t least_draws = 32;
+    std::size_t most_draws = 1000000;
+};
+
+//! What is measured now, and which part of the time is over.
+using OnProgress = std::function<void(const std::string& what, double part)>;
+
+//! Measures all knobs of a case. Each value is compared with the reference of
+//! its knob draw by draw; time goes where it makes the biases known best. The
+//! converged figures are those of all references together, measured on their
+//! own.
+Trade measure_trade(const Campaign& campaign, std::size_t case_index,
+                    const Device& device, const Effort& effort,
+                    const OnProgress& on_progress);
+
+}  // namespace ideotype

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ideotype/campaign/campaign.hpp"
+#include "ideotype/canopy/canopy.hpp"
+#include "ideotype/light/device.hpp"
+#include "ideotype/search/evaluation.hpp"
+
+namespace ideotype {
+
+//! The draws of a task: common to all candidates of a generation; fresh and
+//! finer ones for all finalists.
+Draws draws_of(const Task& task, const Campaign& campaign, const Case& chosen);
+
+//! How many times longer the evaluation of a finalist takes, about: it has
+//! more paths, and a field for each randomisation.
+double final_effort(const Campaign& campaign);
+
+//! Layers of 0.25 m, up to what the highest leaf could reach.
+Layers canopy_layers(const Campaign& campaign);
+
+//! What the plants of a case are evaluated in; worth keeping for all of them.
+CanopyModel canopy_model(const Campaign& campaign, const Case& chosen);
+
+//! The columns of a case's outcomes.
+OutcomeSchema outcome_schema(const Campaign& campaign, const Day& day);
+
+//! The columns' values, in their order.
+Outcome to_outcome(const Campaign& campaign, const Genome& genome,
+                   const CanopyReport& report);
+
+//! What evolution selects by: the objective, or, of a plant that fails its
+//! constraints, how far it does, as a negative number. Objectives are never
+//! negative, so this is the feasibility rule of Deb 2000
+//! (doi:10.1016/S0045-7825(99)00389-8), without weights to tune. Minus infinity
+//! if the evaluation failed.
+double fitness_of(const Outcome& outcome, const OutcomeSchema& schema);
+
+//! Evaluates candidates of all cases of a campaign.
+class CanopyEvaluator : public Evaluator {
+  public:
+    //! The campaign must outlive the evaluator.
+    //! @throws Error if the processor lacks the instruction set.
+    CanopyEvaluator(const Campaign& campaign, const std::string& isa);
+
+    const OutcomeSchema& schema(const Task& task) const override;
+    Outcome evaluate(const Task& task, const Genome& genome) override;
+
+  private:
+    const Campaign& campaign_;
+    std::vector<Case> cases_;
+    //! By case; set up when its first candidate comes.
+    std::vector<std::optional<CanopyModel>> models_;
+    std::vector<OutcomeSchema> schemas_;  //!< by case
+    Device device_;
+};
+
+}  // namespace ideotype

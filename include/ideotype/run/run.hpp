@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "ideotype/campaign/campaign.hpp"
+#include "ideotype/core/error.hpp"
+#include "ideotype/core/stop_flag.hpp"
+#include "ideotype/parallel/session.hpp"
+#include "ideotype/run/machines.hpp"
+
+namespace ideotype {
+
+//! Where `run` keeps the history of a case.
+std::string path_of(const std::string& out, const Campaign& campaign,
+                    const Case& chosen);
+
+//! `run CAMPAIGN`: evolves one case, or all of them in one job.
+struct RunOptions {
+    std::string campaign_path;
+    std::optional<int> case_index;
+    bool is_resumed = false;
+    std::string out = "results";
+    std::optional<double> wall_time;  //!< of this start [s]
+    std::optional<std::string> isa;   //!< instruction set to begin with
+    std::string command;              //!< as typed, for the record
+};
+
+//! Collective over all ranks of the session.
+ExitCode run(const RunOptions& options, const Session& session, StopFlag& stop);
+
+//! The same on a rank that is this machine.
+ExitCode run_on(const Machine& own, const RunOptions& options,
+                const Session& session, StopFlag& stop);
+
+}  // namespace ideotype

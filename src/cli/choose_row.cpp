@@ -1,0 +1,79 @@
+#include "ideotype/cli/choose_row.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "ideotype/run/summary.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! The case of a campaign that a history belongs to.
+Case case_of(const History& history, const Campaign& campaign) {
+    const std::string& name = history.header().text.at("case");
+    for (const Case& c : cases(campaign))
+        if (c.name == name) return c;
+    throw Error(
+        fmt::format("the campaign in this history has no case {}", name));
+}
+
+Row best_row(const History& history, Task& task) {
+    const std::vector<Row> finalists = history.finalists();
+    if (const std::size_t best = best_finalist(finalists); best > 0) {
+        task.is_final = true;
+        task.slot = static_cast<std::uint32_t>(best);
+        return finalists[best];
+    }
+    const auto summaries = history.summaries();
+    if (summaries.empty())
+        throw Error("no generation of this history is complete yet");
+    task.generation = static_cast<std::uint32_t>(summaries.size() - 1);
+    task.slot = summaries.back().best_slot;
+    return history.row(task.generation, task.slot);
+}
+
+Row row_of(const History& history, const RowChoice& choice, Task& task) {
+    if (choice.is_best) return best_row(history, task);
+    if (!choice.generation || !choice.slot)
+        throw Error("say which plant: --best, or --generation G --slot S",
+                    ExitCode::usage);
+    const HistoryHeader& header = history.header();
+    if (*choice.generation >= static_cast<std::uint32_t>(header.generations) ||
+        *choice.slot >= static_cast<std::uint32_t>(header.population))
+        throw Error(fmt::format("there is no generation {} slot {}: this "
+                                "history has generations 0 to {} of slots 0 "
+                                "to {}",
+                                *choice.generation, *choice.slot,
+                                header.generations - 1, header.population - 1),
+                    ExitCode::usage);
+    task.generation = *choice.generation;
+    task.slot = *choice.slot;
+    Row row = history.row(task.generation, task.slot);
+    if (row.candidate.genome.empty() || row.candidate.origin == Origin::none)
+        throw Error(fmt::format("generation {} slot {} has not been bred yet",
+                                task.generation, task.slot),
+                    ExitCode::usage);
+    return row;
+}
+
+}  // namespace
+
+ChosenRow choose_row(const std::string& path, const RowChoice& choice) {
+    const History history = History::read(path);
+    const HistoryHeader& header = history.header();
+    ChosenRow result;
+    result.campaign = parse_campaign(header.campaign_resolved, path);
+    result.chosen = case_of(history, result.campaign);
+    result.task.case_index = static_cast<std::uint32_t>(result.chosen.index);
+    result.row = row_of(history, choice, result.task);
+    result.isa = header.text.at("isa");
+    return result;
+}
+
+bool is_history(const std::string& path) {
+    return std::filesystem::path(path).extension() == ".h5";
+}
+
+}  // namespace ideotype

@@ -1,0 +1,275 @@
+#include <cstdio>
+#include <list>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "ideotype/cli/choose_row.hpp"
+#include "ideotype/cli/ranks.hpp"
+#include "ideotype/cli/verbs.hpp"
+#include "ideotype/core/routine.hpp"
+#include "ideotype/parallel/dispatcher.hpp"
+#include "ideotype/run/evaluator.hpp"
+#include "ideotype/run/progress.hpp"
+#include "json.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! A plant and everything about it that is not bred.
+struct NamedPlant {
+    std::string name;
+    PlantForm form;
+    Genome genome;
+};
+
+NamedPlant named_plant(const std::string& path) {
+    if (!is_history(path)) {
+        const KnownPlant plant = read_plant(path);
+        return {plant.form.name, plant.form, to_genome(plant.traits)};
+    }
+    RowChoice best;
+    best.is_best = true;
+    const ChosenRow found = choose_row(path, best);
+    return {found.campaign.name + "/" + found.chosen.name, found.campaign.plant,
+            found.row.candidate.genome};
+}
+
+//! The name of a case without its replicate.
+std::string light_name(const Case& chosen) {
+    return chosen.name.substr(0, chosen.name.rfind("_r"));
+}
+
+struct Column {
+    Case chosen;
+    CanopyModel model;
+};
+
+//! The cases without their replicates, which have the same light.
+std::vector<Column> columns(const Campaign& campaign) {
+    std::vector<Column> first;
+    for (const Case& each : cases(campaign))
+        if (each.replicate == 1)
+            first.push_back({each, canopy_model(campaign, each)});
+    return first;
+}
+
+//! What is to be evaluated; the same on all ranks.
+struct Cross {
+    Campaign under;
+    std::vector<NamedPlant> plants;
+    std::vector<Column> columns;
+    Quantity quantity;
+
+    std::size_t size() const { return plants.size() * columns.size(); }
+};
+
+Cross read(const CrossOptions& options) {
+    Cross cross{read_campaign(options.under), {}, {}, {}};
+    for (const std::string& path : options.plants)
+        cross.plants.push_back(named_plant(path));
+    cross.columns = columns(cross.under);
+    cross.quantity =
+        outcome_schema(cross.under, cross.columns[0].model.light.day)
+            .objectives.front();
+    return cross;
+}
+
+//! A task's generation is the column, its slot the plant.
+class CrossEvaluator : public Evaluator {
+  public:
+    CrossEvaluator(const Cross& cross, const std::string& isa)
+        : cross_(cross), device_(isa), schema_{{cross.quantity}, {}} {}
+
+    const OutcomeSchema& schema(const Task&) const override { return schema_; }
+
+    Outcome evaluate(const Task& task, const Genome& genome) override {
+        const Column& column = cross_.columns.at(task.generation);
+        CanopyModel model = column.model;
+        model.plant = cross_.plants.at(task.slot).form;
+        Task shared;  // all plants of a case share their random numbers
+        shared.case_index = task.case_index;
+        shared.is_final = true;
+        Outcome outcome =
+            to_outcome(cross_.under, genome,
+                       study(model, device_, to_traits(genome),
+                             draws_of(shared, cross_.under, column.chosen),
+                             Detail::history));
+        outcome.diagnostics.clear();
+        return outcome;
+    }
+
+  private:
+    const Cross& cross_;
+    Device device_;
+    OutcomeSchema schema_;
+};
+
+//! A column per case, a row per plant.
+class Matrix : public Director {
+  public:
+    explicit Matrix(const Cross& cross)
+        : cross_(cross),
+          rows_(cross.plants.size(),
+                std::vector<Estimate>(cross.columns.size())) {}
+
+    //! @throws Error if one cannot be evaluated, or a stop is requested.
+    void fill(Dispatcher& dispatcher) {
+        dispatcher_ = &dispatcher;
+        dispatcher.run(*this);
+        for (auto& each : running_) each.result();
+        if (done_ < cross_.size())
+            throw Error(fmt::format("stopped; {} of {} evaluations were done",
+                                    done_, cross_.size()));
+    }
+
+    bool start_next() override {
+        if (running_.size() == cross_.columns.size()) return false;
+        running_.push_back(fill_column(running_.size()));
+        running_.back().start();
+        return true;
+    }
+    void on_silence(const Task&, const std::string& what) override {
+        fmt::print(stderr, "{}\n", what);
+    }
+    void on_stop(int) override {}
+
+    Json json() const {
+        const Quantity& quantity = cross_.quantity;
+        Json json{{"objective", quantity.name}, {"unit", quantity.unit}};
+        for (const NamedPlant& plant : cross_.plants)
+            json["plants"].push_back(plant.name);
+        for (const Column& column : cross_.columns)
+            json["cases"].push_back(light_name(column.chosen));
+        for (const auto& row : rows_) {
+            Json means = Json::array(), errors = Json::array();
+            for (const Estimate& x : row) {
+                means.push_back(x.mean);
+                errors.push_back(x.standard_error);
+            }
+            json["mean"].push_back(means);
+            json["standard_error"].push_back(errors);
+        }
+        return json;
+    }
+
+    void print() const {
+        const auto& [under, plants, columns, quantity] = cross_;
+        fmt::print("{} [{}] of each plant in each case\n", quantity.name,
+                   quantity.unit);
+        for (std::size_t c = 0; c < columns.size(); ++c) {
+            fmt::print("\n{}\n", light_name(columns[c].chosen));
+            for (std::size_t p = 0; p < plants.size(); ++p)
+                fmt::print("  {:<50} {:>24}\n", plants[p].name,
+                           format(rows_[p][c]));
+        }
+    }
+
+  private:
+    Routine<bool> fill_column(std::size_t c) {
+        std::vector<Work> work;
+        for (std::size_t p = 0; p < cross_.plants.size(); ++p) {
+            Task task;
+            task.case_index =
+                static_cast<std::uint32_t>(cross_.columns[c].chosen.index);
+            task.generation = static_cast<std::uint32_t>(c);
+            task.slot = static_cast<std::uint32_t>(p);
+            task.is_final = true;
+            work.push_back({task, cross_.plants[p].genome});
+        }
+        co_await dispatcher_->evaluate(
+            std::move(work), [this](const Work& done, const Outcome& outcome) {
+                record(done.task, outcome);
+            });
+        co_return true;
+    }
+
+    void record(const Task& task, const Outcome& outcome) {
+        if (outcome.status != Status::done)
+            throw Error(
+                fmt::format("{} in {}: {}", cross_.plants[task.slot].name,
+                            light_name(cross_.columns[task.generation].chosen),
+                            outcome.message));
+        rows_[task.slot][task.generation] = outcome.objectives.front();
+        live_.show(fmt::format("{} of {} evaluated", ++done_, cross_.size()));
+    }
+
+    const Cross& cross_;
+    std::vector<std::vector<Estimate>> rows_;  //!< by plant, then by case
+    std::size_t done_ = 0;
+    LiveLine live_;
+    Dispatcher* dispatcher_ = nullptr;  //!< while filling
+    std::list<Routine<bool>> running_;
+};
+
+void fill_and_tell(const Cross& cross, std::unique_ptr<Dispatcher> dispatcher,
+                   bool is_json) {
+    Matrix matrix(cross);
+    matrix.fill(*dispatcher);
+    if (is_json)
+        fmt::print("{}\n", to_text(matrix.json()));
+    else
+        matrix.print();
+}
+
+//! What this rank reads, if all could read theirs.
+//! @throws Error of what could not be read, on rank 0 if it could not.
+std::optional<Cross> read_on_all(const Session& session,
+                                 const CrossOptions& options) {
+    std::optional<Cross> cross;
+    std::exception_ptr failure;
+    try {
+        cross = read(options);
+        if (cross->size() == 1)
+            throw Error(
+                fmt::format("evaluate: one plant in one case is one "
+                            "evaluation, which {} ranks cannot share; start "
+                            "it without mpirun or srun",
+                            session.size()),
+                ExitCode::usage);
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    const bool has_any_failed = session.largest(failure ? 1 : 0) != 0;
+    const bool has_first_failed =
+        !session.broadcast(failure ? "failed" : "").empty();
+    if (failure && (session.rank() == 0 || !has_first_failed))
+        std::rethrow_exception(failure);
+    if (has_any_failed) return std::nullopt;
+    return cross;
+}
+
+//! Collective over all ranks, which share plants and cases.
+void share(const CrossOptions& options, const Session& session,
+           StopFlag& stop) {
+    const auto cross = read_on_all(session, options);
+    if (!cross) return;
+    CrossEvaluator evaluator(
+        *cross, session.broadcast(Device::supported_isas().back()));
+    if (session.rank() != 0) return serve(session, evaluator);
+    const Campaign& under = cross->under;
+    fill_and_tell(
+        *cross,
+        make_dispatcher(session, evaluator, stop,
+                        {under.answer_limits.deadline,
+                         under.answer_limits.attempts, final_effort(under)}),
+        options.is_json);
+}
+
+}  // namespace
+
+ExitCode cross_evaluate(const CrossOptions& options) {
+    StopFlag stop;
+    if (launch_of_this_process().size > 1) {
+        const Session session;
+        share(options, session, stop);
+        return ExitCode::ok;
+    }
+    const Cross cross = read(options);
+    CrossEvaluator evaluator(cross, Device::supported_isas().back());
+    fill_and_tell(cross, make_dispatcher(evaluator, stop), options.is_json);
+    return ExitCode::ok;
+}
+
+}  // namespace ideotype

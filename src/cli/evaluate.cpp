@@ -1,0 +1,178 @@
+#include <bit>
+
+#include <fmt/format.h>
+
+#include "ideotype/cli/choose_row.hpp"
+#include "ideotype/cli/verbs.hpp"
+#include "ideotype/light/device.hpp"
+#include "ideotype/run/evaluator.hpp"
+#include "ideotype/run/progress.hpp"
+#include "ideotype/run/summary.hpp"
+#include "light_output.hpp"
+
+namespace ideotype {
+
+namespace {
+
+Json to_json(const CanopyReport& report, const Case& chosen, double seconds) {
+    Json json{{"case", chosen.name}};
+    json.update(to_json(report, Span::day));
+    json["seconds"] = seconds;
+    return json;
+}
+
+void print_report(const CanopyReport& report, const Case& chosen,
+                  double seconds) {
+    fmt::print("case {}, {:.0f} ms\n", chosen.name, seconds * 1e3);
+    print_light(report, Span::day);
+    fmt::print("\nleaves absorb {}\n",
+               format_daily(scaled(report.light.day.leaves, 1e-6)));
+}
+
+bool same_bits(const std::vector<Estimate>& a, const std::vector<Estimate>& b) {
+    const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+    if (a.size() != b.size()) return false;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (bits(a[i].mean) != bits(b[i].mean) ||
+            bits(a[i].standard_error) != bits(b[i].standard_error))
+            return false;
+    return true;
+}
+
+struct Study {
+    CanopyReport report;
+    double seconds;
+};
+
+Study timed_study(const Campaign& campaign, const Case& chosen,
+                  const Genome& genome, const Draws& draws,
+                  const std::string& isa) {
+    const CanopyModel model = canopy_model(campaign, chosen);
+    const Device device(isa);
+    const double began = now();
+    CanopyReport report =
+        study(model, device, to_traits(genome), draws, Detail::full);
+    return {std::move(report), now() - began};
+}
+
+ExitCode evaluate_baseline(const EvaluateOptions& options) {
+    const Campaign campaign = read_campaign(options.path);
+    const std::vector<Case> all = cases(campaign);
+    const auto index = static_cast<std::size_t>(options.case_index);
+    if (options.tolerance)
+        throw Error(
+            "evaluate: --tolerance is for meshes and for rows of a "
+            "history; that of a campaign is its light.tolerance",
+            ExitCode::usage);
+    if (options.case_index < 0 || index >= all.size())
+        throw Error(
+            fmt::format("there is no case {}; {} has cases 0 to {}",
+                        options.case_index, options.path, all.size() - 1),
+            ExitCode::usage);
+    Task task;
+    task.case_index = static_cast<std::uint32_t>(index);
+    task.is_final = true;
+    const auto [report, seconds] = timed_study(
+        campaign, all[index], to_genome(campaign.baseline),
+        draws_of(task, campaign, all[index]), Device::supported_isas().back());
+    if (options.is_json)
+        fmt::print("{}\n", to_text(to_json(report, all[index], seconds)));
+    else
+        print_report(report, all[index], seconds);
+    return ExitCode::ok;
+}
+
+std::string name_of(const Task& task) {
+    return task.is_final ? fmt::format("final slot {}", task.slot)
+                         : fmt::format("generation {} slot {}", task.generation,
+                                       task.slot);
+}
+
+Json to_json(const Task& task, const Row& row) {
+    return {{"is_final", task.is_final},
+            {"generation", task.generation},
+            {"slot", task.slot},
+            {"is_done", row.outcome.status == Status::done}};
+}
+
+//! Recomputes a row, and compares every bit.
+ExitCode repeat_row(const ChosenRow& which, bool is_json) {
+    const auto& [campaign, chosen, task, row, isa] = which;
+    const auto [report, seconds] =
+        timed_study(campaign, chosen, row.candidate.genome,
+                    draws_of(task, campaign, chosen), isa);
+    const Outcome again = to_outcome(campaign, row.candidate.genome, report);
+    const bool is_done = row.outcome.status == Status::done;
+    const bool agrees = is_done &&
+                        same_bits(again.objectives, row.outcome.objectives) &&
+                        same_bits(again.diagnostics, row.outcome.diagnostics);
+    if (is_json) {
+        Json json = to_json(report, chosen, seconds);
+        json["row"] = to_json(task, row);
+        json["row"]["agrees_bit_for_bit"] = agrees;
+        fmt::print("{}\n", to_text(json));
+    } else {
+        print_report(report, chosen, seconds);
+        fmt::print("\n{}: {}\n", name_of(task),
+                   agrees    ? "agrees bit for bit with the history"
+                   : is_done ? "DIFFERS from the history"
+                             : "has no result in the history to compare with");
+    }
+    return agrees || !is_done ? ExitCode::ok : ExitCode::runtime;
+}
+
+//! Evaluates a row in its own field with as many paths as a tolerance needs,
+//! to tell what its error was.
+ExitCode judge_row(const ChosenRow& which, double tolerance, bool is_json) {
+    const auto& [campaign, chosen, task, row, isa] = which;
+    if (task.is_final || row.outcome.status != Status::done)
+        throw Error(
+            fmt::format("evaluate: {} {}; --tolerance is for rows "
+                        "that evolution evaluated",
+                        name_of(task),
+                        task.is_final ? "had many fields" : "has no result"),
+            ExitCode::usage);
+    Draws draws = draws_of(task, campaign, chosen);
+    constexpr int most_paths = 1 << 26;
+    draws.sampling = {most_paths, 16, tolerance};
+    const auto [report, seconds] =
+        timed_study(campaign, chosen, row.candidate.genome, draws, isa);
+    const Estimate was = row.outcome.objectives.front();
+    const Estimate is =
+        to_outcome(campaign, row.candidate.genome, report).objectives.front();
+    const double deviation = (was.mean - is.mean) / was.standard_error;
+    if (is_json) {
+        Json json = to_json(report, chosen, seconds);
+        json["row"] = to_json(task, row);
+        json["row"].update({{"was", to_json(was)},
+                            {"is", to_json(is)},
+                            {"deviation_in_standard_errors", deviation}});
+        fmt::print("{}\n", to_text(json));
+    } else {
+        print_report(report, chosen, seconds);
+        fmt::print(
+            "\n{}: {} in the history, {} with {} paths: {:.2f} of its "
+            "standard errors off\n",
+            name_of(task), format(was), format(is), report.paths, deviation);
+    }
+    return ExitCode::ok;
+}
+
+ExitCode evaluate_row(const EvaluateOptions& options) {
+    const ChosenRow which = choose_row(options.path, options.row);
+    return options.tolerance
+               ? judge_row(which, *options.tolerance, options.is_json)
+               : repeat_row(which, options.is_json);
+}
+
+}  // namespace
+
+ExitCode evaluate(const EvaluateOptions& options) {
+    if (options.path.empty())
+        throw Error("evaluate: name a campaign, a history or --mesh FILE.obj",
+                    ExitCode::usage);
+    return is_history(options.path) ? evaluate_row(options)
+                                    : evaluate_baseline(options);
+}
+
+}  // namespace ideotype

@@ -1,0 +1,111 @@
+#include <cmath>
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "ideotype/cli/mesh_study.hpp"
+#include "light_output.hpp"
+
+namespace ideotype {
+
+namespace {
+
+const char* boundary_name(const MeshOptions& options) {
+    return options.boundary == Boundary::periodic ? "periodic" : "isolated";
+}
+
+std::string light_name(const MeshOptions& options) {
+    if (options.site)
+        return fmt::format("clear day {:04}-{:02}-{:02} at {} N {} E, UTC {:+}",
+                           options.date->year, options.date->month,
+                           options.date->day, options.site->latitude,
+                           options.site->longitude, options.site->utc_offset);
+    if (options.sky)
+        return *options.sky == SkyModel::uniform    ? "uniform sky"
+               : *options.sky == SkyModel::overcast ? "overcast sky"
+                                                    : "clear sky";
+    return fmt::format("sun at elevation {} and azimuth {}",
+                       90 - options.sun->zenith, options.sun->azimuth);
+}
+
+//! Of the leaves' light; infinite if no path has met a leaf.
+double relative_error(const MeshReport& report) {
+    const Estimate& leaves = report.canopy.light.day.leaves;
+    return leaves.standard_error > 0 ? leaves.standard_error / leaves.mean : 0;
+}
+
+//! JSON has no infinity.
+Json relative_error_json(const MeshReport& report) {
+    const double error = relative_error(report);
+    return std::isfinite(error) ? Json(error) : Json(nullptr);
+}
+
+void warn_of_tolerance(const MeshReport& report, double tolerance) {
+    const double error = relative_error(report);
+    fmt::print(stderr, "ideotype: warning: {} after the most paths ({}); ",
+               std::isfinite(error)
+                   ? fmt::format("the relative standard error is {:.2g}, not "
+                                 "{:.2g},",
+                                 error, tolerance)
+                   : "no path has met a leaf",
+               report.canopy.paths);
+    fmt::print(stderr, "ask for less with --tolerance\n");
+}
+
+Json to_json(const Lambertian& surface) {
+    return {{"reflectance", surface.reflectance},
+            {"transmittance", surface.transmittance}};
+}
+
+Span span_of(const MeshOptions& options) {
+    return options.site ? Span::day : Span::single;
+}
+
+Json to_json(const MeshReport& report, const MeshOptions& options) {
+    Json json{{"mesh", options.path},
+              {"boundary", boundary_name(options)},
+              {"light", light_name(options)}};
+    json.update(to_json(report.canopy, span_of(options)));
+    json["optics"] = {{"leaf", to_json(options.leaf)},
+                      {"stalk", to_json(options.stalk)},
+                      {"soil_albedo", options.soil_albedo}};
+    json["paths"] = report.canopy.paths;
+    json["relative_standard_error"] = relative_error_json(report);
+    if (!options.paths)
+        json["tolerance"] = {{"asked", options.tolerance},
+                             {"is_met", !report.canopy.is_capped},
+                             {"most_paths", most_tolerance_paths}};
+    json["seed"] = options.seed;
+    json["seconds"] = report.seconds;
+    json["warnings"] = report.warnings;
+    return json;
+}
+
+void print_report(const MeshReport& report, const MeshOptions& options) {
+    fmt::print("{}, {}, {}\n{:.4g} m2 of ground, {} paths, {:.2g} s\n",
+               options.path, boundary_name(options), light_name(options),
+               report.canopy.ground_area, report.canopy.paths, report.seconds);
+    fmt::print(
+        "reflectance and transmittance: leaf {} {}, stalk {} {}, soil {} 0\n",
+        options.leaf.reflectance, options.leaf.transmittance,
+        options.stalk.reflectance, options.stalk.transmittance,
+        options.soil_albedo);
+    print_light(report.canopy, span_of(options));
+}
+
+}  // namespace
+
+ExitCode evaluate_mesh(const MeshOptions& options) {
+    const MeshReport report = study(options);
+    for (const std::string& warning : report.warnings)
+        fmt::print(stderr, "ideotype: warning: {}: {}\n", options.path,
+                   warning);
+    if (report.canopy.is_capped) warn_of_tolerance(report, options.tolerance);
+    if (options.is_json)
+        fmt::print("{}\n", to_text(to_json(report, options)));
+    else
+        print_report(report, options);
+    return ExitCode::ok;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,142 @@
+#include <cctype>
+#include <filesystem>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/os.h>
+
+#include "ideotype/canopy/face_light.hpp"
+#include "ideotype/cli/choose_row.hpp"
+#include "ideotype/cli/verbs.hpp"
+#include "ideotype/run/evaluator.hpp"
+#include "mesh_files.hpp"
+
+namespace ideotype {
+
+namespace {
+
+void write_csv(const std::string& path, const Genome& genome) {
+    auto out = fmt::output_file(path);
+    out.print("leaf,length_m,width_m,inclination_deg,azimuth_deg\n");
+    const auto traits = to_traits(genome);
+    for (std::size_t i = 0; i < traits.size(); ++i)
+        out.print("{},{},{},{},{}\n", i + 1, traits[i].length, traits[i].width,
+                  traits[i].inclination, traits[i].azimuth);
+}
+
+//! The plant's name is that of the file, as far as names allow.
+void write_plant_file(const std::string& path, const std::string& title,
+                      PlantForm form, const Genome& genome) {
+    form.name = std::filesystem::path(path).stem().string().substr(0, 64);
+    for (char& c : form.name)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-') c = '_';
+    auto out = fmt::output_file(path);
+    out.print("# {}\n{}", title, plant_text({form, to_traits(genome)}));
+}
+
+//! Where the surfaces of a file are, for other ray tracers.
+std::vector<std::string> about(const std::string& title, const Case& chosen) {
+    return {title, "metres, z up, y along the rows",
+            fmt::format("y points {} deg clockwise from north",
+                        chosen.spacing.row_direction)};
+}
+
+std::string about_ground(const Field& field) {
+    if (field.boundary == Boundary::isolated)
+        return fmt::format("a plot alone; its plants have {:.6f} m2 of ground",
+                           field.ground_area);
+    return fmt::format("repeats every {:.6f} m in x and {:.6f} m in y",
+                       field.period_x, field.period_y);
+}
+
+//! The light on a shape as the row's evaluation draws it.
+class Lamp {
+  public:
+    Lamp(const ChosenRow& row, std::optional<int> paths)
+        : row_(row),
+          paths_(paths),
+          model_(canopy_model(row.campaign, row.chosen)),
+          device_(row.isa) {}
+
+    FaceLight on_plant(const Mesh& plant) const {
+        return light_on_plant(model_, device_, plant,
+                              draws(plant.faces.size()));
+    }
+
+    FaceLight on_field(const Field& field) const {
+        return light_on_field(model_, device_, field,
+                              draws(field.mesh.faces.size()));
+    }
+
+  private:
+    Draws draws(std::size_t faces) const {
+        Draws result = draws_of(row_.task, row_.campaign, row_.chosen);
+        if (paths_)
+            result.sampling.paths = *paths_;
+        else
+            result.sampling = face_sampling(result.sampling, faces);
+        return result;
+    }
+
+    const ChosenRow& row_;
+    std::optional<int> paths_;
+    CanopyModel model_;
+    Device device_;
+};
+
+//! The surfaces of a plant or its field, with the light on them or without.
+void write_shape(const ExportOptions& options, const ChosenRow& row,
+                 const std::string& title, bool is_lit) {
+    const CanopyModel model = canopy_model(row.campaign, row.chosen);
+    Mesh plant = build_plant(model, to_traits(row.row.candidate.genome));
+    Shape shape{about(title, row.chosen), {}, {}};
+    std::optional<FaceLight> light;
+    if (options.is_field) {
+        Field field = build_field(
+            model, plant, draws_of(row.task, row.campaign, row.chosen), 0);
+        if (is_lit) light = Lamp(row, options.paths).on_field(field);
+        shape.about.push_back(about_ground(field));
+        shape.mesh = std::move(field.mesh);
+        shape.face_plant = std::move(field.face_plant);
+    } else {
+        shape.mesh = std::move(plant);
+        if (is_lit) light = Lamp(row, options.paths).on_plant(shape.mesh);
+    }
+    if (light)
+        write_vtp(options.to, shape, *light);
+    else
+        write_obj(options.to, shape);
+}
+
+}  // namespace
+
+ExitCode export_plant(const ExportOptions& options) {
+    const ChosenRow row = choose_row(options.path, options.row);
+    const auto& [campaign, chosen, task, found, isa] = row;
+    const Genome& genome = found.candidate.genome;
+    const std::string title = fmt::format(
+        "ideotype {} {} slot {}", chosen.name,
+        task.is_final ? "final" : fmt::format("generation {}", task.generation),
+        task.slot);
+    const auto extension = std::filesystem::path(options.to).extension();
+    if (extension != ".csv" && extension != ".obj" && extension != ".vtp" &&
+        extension != ".toml")
+        throw Error(fmt::format("{}: unknown format; use a name that ends in "
+                                ".obj, .vtp, .csv or .toml",
+                                options.to),
+                    ExitCode::usage);
+    if (std::filesystem::exists(options.to))
+        throw Error(fmt::format("{}: exists already and is not overwritten",
+                                options.to),
+                    ExitCode::refused);
+    if (extension == ".csv")
+        write_csv(options.to, genome);
+    else if (extension == ".toml")
+        write_plant_file(options.to, title, campaign.plant, genome);
+    else
+        write_shape(options, row, title, extension == ".vtp");
+    fmt::print("{}\n", options.to);
+    return ExitCode::ok;
+}
+
+}  // namespace ideotype

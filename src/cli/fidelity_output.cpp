@@ -1,0 +1,220 @@
+#include "fidelity_output.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "ideotype/run/progress.hpp"
+
+namespace ideotype {
+
+namespace {
+
+const char* name_of(Goal goal) {
+    return goal == Goal::value ? "value" : "difference";
+}
+
+const char* name_of(Draws::Fields fields) {
+    return fields == Draws::Fields::one ? "one" : "each";
+}
+
+//! "-0.123 +- 0.004", in per cent.
+std::string percent(Estimate x) {
+    return fmt::format("{:.3f} +- {:.3f}", 100 * x.mean,
+                       100 * x.standard_error);
+}
+
+double milliseconds(double seconds) {
+    return 1e3 * seconds;
+}
+
+//! Of one evaluation as the campaign samples, but for the value.
+Combination evaluation(const Trade& trade, std::size_t knob, std::size_t value,
+                       Goal goal) {
+    std::vector<std::size_t> values;
+    for (const MeasuredKnob& each : trade.knobs)
+        values.push_back(each.knob.own);
+    values[knob] = value;
+    Sampling sampling = trade.own.campaign.sampling;
+    const MeasuredKnob& turned = trade.knobs[knob];
+    if (turned.knob.kind == Knob::Kind::paths)
+        sampling.paths = turned.knob.at(value).campaign.sampling.paths;
+    return combine(trade, values, sampling, Draws::Fields::one, goal);
+}
+
+std::string summary(const Combination& combination, const Campaign& campaign) {
+    return fmt::format(
+        "{:>7} x {:<3} {:>5} {:>6} {:>6} {:>6}", combination.sampling.paths,
+        combination.sampling.randomisations,
+        fmt::format("{}x{}", campaign.field.rows, campaign.field.plants),
+        campaign.tessellation.cells_along, campaign.tessellation.stalk_sides,
+        campaign.days[0].value.step_minutes);
+}
+
+//! The keys that a combination changes, as a part of a campaign file.
+std::string keys_text(const Campaign& was, const Campaign& is) {
+    const std::vector<PastedKey> before = keys_of(was);
+    std::string text, section;
+    for (const PastedKey& key : keys_of(is)) {
+        const bool is_same = std::any_of(
+            before.begin(), before.end(), [&](const PastedKey& other) {
+                return other.section == key.section && other.name == key.name &&
+                       other.value == key.value;
+            });
+        if (is_same) continue;
+        if (key.section != section)
+            text += fmt::format("[{}]\n", section = key.section);
+        text += fmt::format("{} = {}\n", key.name, key.value);
+    }
+    return text;
+}
+
+Json to_json(const Inaccuracy& x) {
+    return {{"bias", to_json(x.bias)},
+            {"field_deviation", to_json(x.scatter.field)},
+            {"path_deviation", to_json(x.scatter.path)}};
+}
+
+Json to_json(const Combination& combination, const Trade& trade) {
+    Json json{
+        {"milliseconds", milliseconds(combination.seconds())},
+        {"error", combination.error()},
+        {"bias", to_json(combination.bias)},
+        {"standard_error", combination.standard_error},
+        {"milliseconds_geometry", milliseconds(combination.cost.geometry)},
+        {"milliseconds_scene", milliseconds(combination.cost.scene)},
+        {"milliseconds_light", milliseconds(combination.cost.path)}};
+    for (const PastedKey& key : keys_of(applied(trade, combination)))
+        json["keys"][key.section == "[day]" ? "day" : key.section][key.name] =
+            Json::parse(key.value);
+    return json;
+}
+
+}  // namespace
+
+void print_trade(const Trade& trade) {
+    const Campaign& campaign = trade.own.campaign;
+    fmt::print(
+        "baseline: leaves absorb {} MJ m-2 day-1; the other plant {} more\n\n"
+        "In % of that: bias against the converged value (>), and standard "
+        "error of one\nevaluation with {} x {} paths in one field; ms of the "
+        "processor (*: the campaign).\n\n{:<13} {:<22} {:>16} {:>6} {:>17} "
+        "{:>6} {:>6} {:>6} {:>6} {:>6}\n",
+        format(scaled(trade.value, 1e-6)),
+        format(scaled(trade.difference, 1e-6)), campaign.sampling.paths,
+        campaign.sampling.randomisations, "knob", "value", "bias", "s.e.",
+        "bias of a diff.", "s.e.", "geom.", "scene", "light", "all");
+    for (std::size_t k = 0; k < trade.knobs.size(); ++k) {
+        const MeasuredKnob& each = trade.knobs[k];
+        for (std::size_t v = 0; v < each.points.size(); ++v) {
+            const KnobPoint& point = each.points[v];
+            const Combination value = evaluation(trade, k, v, Goal::value);
+            const Combination difference =
+                evaluation(trade, k, v, Goal::difference);
+            const auto bias = [&](Goal goal) {
+                return v == each.knob.reference ? ">"
+                                                : percent(point.of(goal).bias);
+            };
+            fmt::print(
+                "{:<13} {:<22} {:>16} {:>6.3f} {:>17} {:>6.3f} {:>6.2f} "
+                "{:>6.2f} {:>6.1f} {:>6.1f}\n",
+                v == 0 ? each.knob.name : "",
+                point.name + (v == each.knob.own ? " *" : ""),
+                bias(Goal::value), 100 * value.standard_error,
+                bias(Goal::difference), 100 * difference.standard_error,
+                milliseconds(value.cost.geometry),
+                milliseconds(value.cost.scene), milliseconds(value.cost.path),
+                milliseconds(value.seconds()));
+        }
+    }
+}
+
+void print_choices(const Trade& trade, const std::vector<Choice>& choices,
+                   double asked) {
+    fmt::print(
+        "\nThe cheapest for one evaluation, its error (root mean square of "
+        "bias and standard\nerror) in %; fields: one for all randomisations, "
+        "as generations have it, or one for\neach, as finalists have it. Last: "
+        "as found by evaluating anew.\n\n{:<10} {:>9} {:>6} {:>13} {:>5} {:>6} "
+        "{:>6} {:>6} {:>7} {:>6} {:>6}  {}\n",
+        "error of", "tolerance", "fields", "paths", "cell", "cells", "sides",
+        "step", "error", "ms", "ms", "bias, s.e.");
+    for (const Choice& choice : choices) {
+        fmt::print("{:<10} {:>9.3f} {:>6} ", name_of(choice.goal),
+                   100 * choice.tolerance, name_of(choice.fields));
+        if (!choice.combination) {
+            fmt::print("none of these settings meets it\n");
+            continue;
+        }
+        const Combination& found = *choice.combination;
+        fmt::print("{} {:>7.3f} {:>6.2f}",
+                   summary(found, applied(trade, found)), 100 * found.error(),
+                   milliseconds(found.seconds()));
+        if (choice.check)
+            fmt::print(" {:>6.2f}  {}, {}", milliseconds(choice.check->seconds),
+                       percent(choice.check->bias),
+                       percent(choice.check->standard_error));
+        fmt::print("\n");
+    }
+    for (const Choice& choice : choices)
+        if (choice.combination && choice.tolerance == asked &&
+            choice.fields == Draws::Fields::one)
+            fmt::print("\n# {} to {:.3f} %: change in the campaign\n{}",
+                       name_of(choice.goal), 100 * asked,
+                       keys_text(trade.own.campaign,
+                                 applied(trade, *choice.combination)));
+}
+
+Json to_json(const Trade& trade, const std::vector<Choice>& choices) {
+    const Campaign& campaign = trade.own.campaign;
+    Json json{{"campaign", campaign.name},
+              {"case", case_of(trade.own, trade.case_index).name},
+              {"paths", campaign.sampling.paths},
+              {"randomisations", campaign.sampling.randomisations},
+              {"unit", "J m-2 day-1"},
+              {"value", to_json(trade.value)},
+              {"difference", to_json(trade.difference)}};
+    for (std::size_t k = 0; k < trade.knobs.size(); ++k) {
+        const MeasuredKnob& each = trade.knobs[k];
+        Json knob{{"name", each.knob.name}};
+        for (std::size_t v = 0; v < each.points.size(); ++v) {
+            const KnobPoint& point = each.points[v];
+            const Combination one = evaluation(trade, k, v, Goal::value);
+            knob["values"].push_back(
+                {{"name", point.name},
+                 {"is_own", v == each.knob.own},
+                 {"is_reference", v == each.knob.reference},
+                 {"draws", point.draws},
+                 {"value", to_json(point.of(Goal::value))},
+                 {"difference", to_json(point.of(Goal::difference))},
+                 {"milliseconds_geometry", milliseconds(one.cost.geometry)},
+                 {"milliseconds_scene", milliseconds(one.cost.scene)},
+                 {"milliseconds_light", milliseconds(one.cost.path)}});
+        }
+        json["knobs"].push_back(std::move(knob));
+    }
+    for (const Goal goal : {Goal::value, Goal::difference})
+        for (const auto fields : {Draws::Fields::one, Draws::Fields::each}) {
+            Json front{{"goal", name_of(goal)}, {"fields", name_of(fields)}};
+            for (const Combination& each : pareto_front(trade, goal, fields))
+                front["combinations"].push_back(to_json(each, trade));
+            json["fronts"].push_back(std::move(front));
+        }
+    for (const Choice& choice : choices) {
+        Json one{{"goal", name_of(choice.goal)},
+                 {"fields", name_of(choice.fields)},
+                 {"tolerance", choice.tolerance}};
+        if (choice.combination)
+            one["combination"] = to_json(*choice.combination, trade);
+        if (choice.check)
+            one["check"] = {
+                {"bias", to_json(choice.check->bias)},
+                {"standard_error", to_json(choice.check->standard_error)},
+                {"milliseconds", milliseconds(choice.check->seconds)}};
+        json["choices"].push_back(std::move(one));
+    }
+    return json;
+}
+
+}  // namespace ideotype

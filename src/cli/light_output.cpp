@@ -1,0 +1,194 @@
+#include "light_output.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "ideotype/run/progress.hpp"
+#include "ideotype/run/summary.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! A part of the incident light; nothing of nothing is nothing.
+Estimate fraction(Estimate part, double incident) {
+    return incident > 0 ? scaled(part, 1 / incident) : Estimate{};
+}
+
+bool has_stalks(const CanopyReport& report) {
+    return std::any_of(
+        report.groups.begin(), report.groups.end(),
+        [](const Group& group) { return group.tissue == Tissue::stalk; });
+}
+
+//! The sunlit leaf area of an instant is known only with a sun.
+bool has_sun(const StepReport& step) {
+    return step.sunlit && step.budget.leaves_beam.mean > 0;
+}
+
+Json to_json(const BudgetEstimate& budget, const CanopyReport& report,
+             const char* incident_unit) {
+    const auto part = [&](Estimate x) {
+        return to_json(fraction(x, budget.incident));
+    };
+    Json json{{"incident", budget.incident},
+              {"incident_unit", incident_unit},
+              {"unit", "fraction of incident"}};
+    if (report.boundary == Boundary::isolated)
+        json["entered"] = part(budget.entered);
+    json["leaf"] = part(budget.leaves);
+    if (has_stalks(report)) json["stalk"] = part(budget.stalks);
+    json["soil"] = part(budget.soil);
+    json["reflected"] = part(budget.reflected);
+    json["leaf_by_origin"] = {{"beam", part(budget.leaves_beam)},
+                              {"sky", part(budget.leaves_sky)},
+                              {"scattered", part(budget.leaves_scattered)}};
+    return json;
+}
+
+std::string clock(double hour) {
+    const int minutes = static_cast<int>(std::lround(hour * 60));
+    return fmt::format("{:02}:{:02}", minutes / 60, minutes % 60);
+}
+
+//! A table of day's totals: fractions, and of days also energy.
+class Totals {
+  public:
+    Totals(double incident, Span span) : incident_(incident), span_(span) {}
+
+    void head(const std::string& name) const {
+        if (span_ == Span::day)
+            fmt::print("\n{:<20} {:>24} {:>24}\n", name, "MJ m-2 day-1",
+                       "fraction of incident");
+        else
+            fmt::print("\n{:<20} {:>24}\n", name, "fraction of incident");
+    }
+
+    void line(const std::string& name, Estimate x) const {
+        const std::string part = format(fraction(x, incident_));
+        if (span_ == Span::day)
+            fmt::print("{:<20} {:>24} {:>24}\n", name, format(scaled(x, 1e-6)),
+                       part);
+        else
+            fmt::print("{:<20} {:>24}\n", name, part);
+    }
+
+  private:
+    double incident_;
+    Span span_;
+};
+
+void print_budget(const CanopyReport& report, const Totals& totals) {
+    const DayReport& light = report.light;
+    const BudgetEstimate& day = light.day;
+    totals.head(fmt::format("LAI {:.4g}", report.lai));
+    totals.line("incident", {day.incident, 0});
+    if (report.boundary == Boundary::isolated)
+        totals.line("entered", day.entered);
+    totals.line("leaf", day.leaves);
+    totals.line("  of the sun", day.leaves_beam);
+    totals.line("  of the sky", day.leaves_sky);
+    totals.line("  scattered", day.leaves_scattered);
+    totals.line("  upper faces", light.adaxial);
+    totals.line("  lower faces", light.abaxial);
+    if (has_stalks(report)) totals.line("stalk", day.stalks);
+    totals.line("soil", day.soil);
+    totals.line("reflected", day.reflected);
+    fmt::print("{:<20} {:.1e}\n", "balance error", light.balance_error);
+    if (report.boundary == Boundary::isolated)
+        fmt::print(
+            "\nThe plot stands alone: light enters from all sides, and the "
+            "balance closes over\nwhat comes in through the bounding box of "
+            "its surfaces. Fractions are of what the\nground area of {:.4g} m2 "
+            "receives, so an edge-lit plot can absorb more than 1.\n",
+            report.ground_area);
+}
+
+void print_hours(const CanopyReport& report) {
+    fmt::print("\n{:<5} {:>8} {:>20} {:>20} {:>20} {:>20} {:>20}\n", "hour",
+               "W m-2", "leaf", "  of the sun", "soil", "reflected",
+               "sunlit leaf area");
+    for (const StepReport& step : report.light.steps) {
+        const BudgetEstimate& budget = step.budget;
+        const auto part = [&](Estimate x) {
+            return format(fraction(x, budget.incident));
+        };
+        fmt::print("{:<5} {:>8.2f} {:>20} {:>20} {:>20} {:>20} {:>20}\n",
+                   clock(step.hour), budget.incident, part(budget.leaves),
+                   part(budget.leaves_beam), part(budget.soil),
+                   part(budget.reflected),
+                   has_sun(step) ? format(*step.sunlit) : "-");
+    }
+}
+
+}  // namespace
+
+Json to_json(const CanopyReport& report, Span span) {
+    const DayReport& light = report.light;
+    const auto part = [&](Estimate x) {
+        return to_json(fraction(x, light.day.incident));
+    };
+    Json json =
+        to_json(light.day, report, span == Span::day ? "J m-2 day-1" : "1");
+    json["leaf_by_face"] = {{"upper", part(light.adaxial)},
+                            {"lower", part(light.abaxial)}};
+    json["leaf_by_layer"] = Json::array();
+    for (std::size_t l = 0; l < light.layers.size(); ++l) {
+        const double lower = report.layers.thickness * static_cast<double>(l);
+        json["leaf_by_layer"].push_back(
+            {{"from_m", lower},
+             {"to_m", lower + report.layers.thickness},
+             {"leaf", part(light.layers[l])}});
+    }
+    // Names differ; to look each up among the others takes too long.
+    Json groups = Json::object();
+    for (std::size_t g = 0; g < report.groups.size(); ++g)
+        groups.get_ref<Json::object_t&>().emplace_back(report.groups[g].name,
+                                                       part(light.groups[g]));
+    json["groups"] = std::move(groups);
+    if (report.boundary == Boundary::isolated)
+        json["surface"] =
+            "bounding box of the plot, down to the soil: the balance closes "
+            "over what entered through it, from all sides; fractions of what "
+            "the ground area receives may exceed 1";
+    json["lai"] = report.lai;
+    json["ground_area_m2"] = report.ground_area;
+    json["balance_error"] = light.balance_error;
+    for (const StepReport& step : light.steps) {
+        Json hour{{"hour", step.hour}};
+        hour.update(to_json(step.budget, report, "W m-2"));
+        if (has_sun(step)) hour["sunlit_leaf_area"] = to_json(*step.sunlit);
+        if (span == Span::day)
+            json["hours"].push_back(hour);
+        else if (has_sun(step))
+            json["sunlit_leaf_area"] = hour["sunlit_leaf_area"];
+    }
+    return json;
+}
+
+void print_light(const CanopyReport& report, Span span) {
+    const DayReport& light = report.light;
+    if (!(light.day.incident > 0))
+        fmt::print("\nThe sun stays below the horizon.\n");
+    const Totals totals(light.day.incident, span);
+    print_budget(report, totals);
+    totals.head("organ");
+    for (std::size_t g = 0; g < report.groups.size(); ++g)
+        totals.line(report.groups[g].name, light.groups[g]);
+    totals.head("height, leaves");
+    for (std::size_t l = light.layers.size(); l-- > 0;)
+        totals.line(
+            fmt::format("{:.2f} - {:.2f} m",
+                        report.layers.thickness * static_cast<double>(l),
+                        report.layers.thickness * static_cast<double>(l + 1)),
+            light.layers[l]);
+    if (span == Span::day)
+        print_hours(report);
+    else if (has_sun(light.steps.front()))
+        fmt::print("\n{:<20} {:>24}\n", "sunlit leaf area",
+                   format(*light.steps.front().sunlit));
+}
+
+}  // namespace ideotype

@@ -1,0 +1,143 @@
+#include "mesh_command.hpp"
+
+#include <cstdio>
+#include <map>
+#include <tuple>
+
+#include <CLI/CLI.hpp>
+
+#include "ideotype/cli/mesh_options.hpp"
+
+namespace ideotype {
+
+namespace {
+
+using Two = std::tuple<double, double>;
+using Three = std::tuple<double, double, double>;
+using Four = std::tuple<int, int, double, double>;
+
+Date to_date(const std::string& text) {
+    Date date;
+    char rest = 0;
+    if (text.size() != 10 ||
+        std::sscanf(text.c_str(), "%4d-%2d-%2d%c", &date.year, &date.month,
+                    &date.day, &rest) != 3)
+        throw CLI::ValidationError("--date", text + " is not YYYY-MM-DD");
+    return date;
+}
+
+FieldForm& field_of(MeshOptions& options) {
+    if (!options.field) {
+        options.field.emplace();
+        options.field->jitter = 0;
+    }
+    return *options.field;
+}
+
+void add_light(CLI::App& verb, MeshOptions& options, CLI::Option* mesh) {
+    verb.add_option_function<Two>(
+            "--sun",
+            [&](const Two& sun) {
+                options.sun = {90 - std::get<0>(sun), std::get<1>(sun)};
+            },
+            "elevation and azimuth, clockwise from north = +y [deg]; its "
+            "light on level ground is 1")
+        ->needs(mesh);
+    verb.add_option("--sky", options.sky,
+                    "light of the sky: uniform, overcast or clear (clear "
+                    "needs --sun for the sun's place); with --site the sky "
+                    "of that day")
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, SkyModel>{{"uniform", SkyModel::uniform},
+                                            {"overcast", SkyModel::overcast},
+                                            {"clear", SkyModel::clear}}))
+        ->needs(mesh);
+    verb.add_option_function<Three>(
+            "--site",
+            [&](const Three& site) {
+                options.site = Site{};
+                std::tie(options.site->latitude, options.site->longitude,
+                         options.site->utc_offset) = site;
+            },
+            "latitude, longitude [deg] and UTC offset [h]: a clear day, sun "
+            "and sky, with --date")
+        ->needs(mesh);
+    verb.add_option_function<std::string>(
+            "--date",
+            [&](const std::string& text) { options.date = to_date(text); },
+            "YYYY-MM-DD, with --site")
+        ->needs(mesh);
+}
+
+void add_ground(CLI::App& verb, MeshOptions& options, CLI::Option* mesh) {
+    verb.add_option_function<Two>(
+            "--period",
+            [&](const Two& period) {
+                options.period = {std::get<0>(period), std::get<1>(period)};
+            },
+            "lattice on which the mesh repeats, along x and y [m]")
+        ->needs(mesh);
+    verb.add_option("--boundary", options.boundary,
+                    "periodic (default): an endless stand; isolated: the mesh "
+                    "alone on endless soil")
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, Boundary>{{"periodic", Boundary::periodic},
+                                            {"isolated", Boundary::isolated}}))
+        ->needs(mesh);
+    verb.add_option("--ground-area", options.ground_area,
+                    "ground that fractions refer to [m2]; of a periodic stand "
+                    "that of the period")
+        ->needs(mesh);
+    auto* field = verb.add_option_function<Four>(
+        "--field",
+        [&](const Four& form) {
+            FieldForm& field_form = field_of(options);
+            std::tie(field_form.rows, field_form.plants, field_form.spacing.row,
+                     field_form.spacing.plant) = form;
+        },
+        "rows, plants per row, row and plant spacing [m]: repeats the mesh, a "
+        "plant at x = y = 0, in rows along y");
+    field->needs(mesh);
+    verb.add_option_function<double>(
+            "--jitter",
+            [&](double jitter) { field_of(options).jitter = jitter; },
+            "largest random turn of each plant of a field [deg], default 0")
+        ->needs(field);
+}
+
+}  // namespace
+
+void add_mesh_options(CLI::App& verb, MeshOptions& options) {
+    auto* mesh =
+        verb.add_option("--mesh", options.path,
+                        "the light in a mesh (OBJ, metres, z up) instead");
+    add_ground(verb, options, mesh);
+    add_light(verb, options, mesh);
+    verb.add_option("--leaf-reflectance", options.leaf.reflectance,
+                    "of both faces")
+        ->capture_default_str()
+        ->needs(mesh);
+    verb.add_option("--leaf-transmittance", options.leaf.transmittance)
+        ->capture_default_str()
+        ->needs(mesh);
+    verb.add_option("--stalk-reflectance", options.stalk.reflectance,
+                    "of groups whose names begin with stalk, or with "
+                    "plantN_stalk")
+        ->capture_default_str()
+        ->needs(mesh);
+    verb.add_option("--stalk-transmittance", options.stalk.transmittance)
+        ->capture_default_str()
+        ->needs(mesh);
+    verb.add_option("--soil-albedo", options.soil_albedo)
+        ->capture_default_str()
+        ->needs(mesh);
+    verb.add_option("--paths", options.paths,
+                    "how many paths of light to follow at least, instead of "
+                    "a tolerance")
+        ->needs(mesh);
+    verb.add_option("--seed", options.seed, "of the random numbers")
+        ->capture_default_str()
+        ->needs(mesh);
+}
+
+}  // namespace ideotype

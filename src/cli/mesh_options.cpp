@@ -1,0 +1,133 @@
+#include "ideotype/cli/mesh_options.hpp"
+
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "ideotype/core/error.hpp"
+
+namespace ideotype {
+
+namespace {
+
+void require(bool holds, const std::string& problem) {
+    if (!holds) throw Error(problem, ExitCode::usage);
+}
+
+bool is_positive(double x) {
+    return x > 0 && std::isfinite(x);
+}
+
+bool is_fraction(double x) {
+    return x >= 0 && x <= 1;
+}
+
+void check_field(const FieldForm& field) {
+    constexpr double most_plants = 1e6;
+    require(field.rows >= 1 && field.plants >= 1 &&
+                1.0 * field.rows * field.plants <= most_plants,
+            "--field: from one to a million plants");
+    require(is_positive(field.spacing.row) && is_positive(field.spacing.plant),
+            "--field: spacings must be positive [m]");
+    require(field.jitter >= 0 && field.jitter <= 180,
+            "--jitter: a turn from 0 to 180 degrees");
+}
+
+void check_ground(const MeshOptions& options) {
+    const auto& [period, area] = std::tie(options.period, options.ground_area);
+    if (period)
+        require(is_positive(period->x) && is_positive(period->y),
+                "--period: both lengths must be positive [m]");
+    if (area)
+        require(is_positive(*area), "--ground-area: must be positive [m2]");
+    if (options.boundary == Boundary::isolated) {
+        require(area || options.field,
+                "--boundary isolated needs --ground-area, the area of ground "
+                "that fractions refer to");
+        return;
+    }
+    require(period || options.field,
+            "--period X Y is missing (the lattice on which the mesh repeats; "
+            "the extent of the mesh does not tell it)");
+    if (!area || !period) {
+        require(!area, "--ground-area: a field has the area of its spacings");
+        return;
+    }
+    const double cell = period->x * period->y;
+    require(std::abs(*area - cell) <= 1e-6 * cell,
+            fmt::format("--ground-area {} contradicts --period, which spans "
+                        "{:.6g} m2",
+                        *area, cell));
+}
+
+void check_site(const Site& site, const Date& date) {
+    require(std::abs(site.latitude) <= 90, "--site: latitude is -90 to 90");
+    require(std::abs(site.longitude) <= 180,
+            "--site: longitude is -180 to 180");
+    require(site.utc_offset >= -12 && site.utc_offset <= 14,
+            "--site: the UTC offset is -12 to 14 h");
+    const std::chrono::year_month_day day{
+        std::chrono::year{date.year},
+        std::chrono::month{static_cast<unsigned>(date.month)},
+        std::chrono::day{static_cast<unsigned>(date.day)}};
+    require(day.ok() && date.year >= 1950 && date.year <= 2100,
+            fmt::format("--date: {:04}-{:02}-{:02} is no day from 1950 to 2100",
+                        date.year, date.month, date.day));
+}
+
+void check_light(const MeshOptions& options) {
+    const bool is_clear = options.sky == SkyModel::clear;
+    require(options.site.has_value() == options.date.has_value(),
+            "--site and --date belong together");
+    require(options.sun || options.sky || options.site,
+            "the light is missing: give --sun, --sky, or --site with --date");
+    require(!options.site || !options.sun,
+            "--sun and --site are two lights; give one");
+    require(!options.sun || !options.sky || is_clear,
+            "--sun and --sky are two lights; give one");
+    require(!is_clear || options.sun || options.site,
+            "--sky clear needs the position of the sun: --sun");
+    if (options.site) check_site(*options.site, *options.date);
+    if (!options.sun) return;
+    const double elevation = 90 - options.sun->zenith;
+    require(elevation > 0, "--sun: the sun is not above the horizon");
+    require(elevation <= 90, "--sun: the elevation is at most 90");
+    require(std::abs(options.sun->azimuth) <= 360,
+            "--sun: the azimuth is -360 to 360, clockwise from north");
+}
+
+void check_surface(const std::string& name, const Lambertian& surface) {
+    const auto& [reflectance, transmittance] = surface;
+    require(is_fraction(reflectance), name + "-reflectance: from 0 to 1");
+    require(is_fraction(transmittance), name + "-transmittance: from 0 to 1");
+    require(reflectance + transmittance <= 1 + 1e-12,
+            fmt::format("{0}-reflectance and {0}-transmittance exceed 1 "
+                        "together",
+                        name));
+}
+
+void check_optics(const MeshOptions& options) {
+    check_surface("--leaf", options.leaf);
+    check_surface("--stalk", options.stalk);
+    require(is_fraction(options.soil_albedo), "--soil-albedo: from 0 to 1");
+}
+
+}  // namespace
+
+void check(const MeshOptions& options) {
+    require(!options.period || !options.field,
+            "--period and --field contradict each other: the period of a "
+            "field is that of its plants");
+    if (options.field) check_field(*options.field);
+    check_ground(options);
+    check_light(options);
+    check_optics(options);
+    require(is_positive(options.tolerance), "--tolerance: must be positive");
+    constexpr std::uint64_t most_paths = std::uint64_t{1} << 32;
+    if (options.paths)
+        require(*options.paths >= 1 && *options.paths <= most_paths,
+                fmt::format("--paths: from 1 to {}", most_paths));
+}
+
+}  // namespace ideotype

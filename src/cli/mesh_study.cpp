@@ -1,0 +1,165 @@
+#include "ideotype/cli/mesh_study.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "ideotype/crop/obj_reader.hpp"
+#include "ideotype/light/accuracy.hpp"
+#include "ideotype/light/device.hpp"
+#include "ideotype/light/sunlit.hpp"
+#include "ideotype/run/progress.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! Errors come from this many independent repetitions: enough to know them
+//! to an eighth.
+constexpr std::uint64_t usual_randomisations = 32;
+
+//! Layers of equal thickness up to the top of the canopy.
+constexpr std::size_t layers = 10;
+
+//! A single light is that of a second.
+Day day_of(const MeshOptions& options) {
+    constexpr double par_fraction = 0.45;
+    if (options.site)
+        return clear_day(*options.site, {*options.date, 0, 24, 60},
+                         par_fraction);
+    const Irradiance one = options.sky ? Irradiance{0, 1} : Irradiance{1, 0};
+    return {{{0, 1, options.sun.value_or(SunPosition{}), one}}};
+}
+
+constexpr double most_faces = most_obj_faces;
+
+//! Crops are lower [m].
+constexpr double usual_height = 20;
+
+//! Light may have to cross a periodic cell this often to get through.
+constexpr double most_crossings = 1000;
+
+Field field_of(Mesh mesh, const MeshOptions& options) {
+    Field field;
+    if (options.field) {
+        const FieldForm& form = *options.field;
+        const double plants = 1.0 * form.rows * form.plants;
+        if (plants * static_cast<double>(mesh.faces.size()) > most_faces)
+            throw Error(
+                fmt::format("a field of {} plants of {} faces is too "
+                            "large (at most {:.0e} faces)",
+                            plants, mesh.faces.size(), most_faces));
+        field = build_field(mesh, form, draw_turns(form, options.seed, 0, 0));
+    } else {
+        field.mesh = std::move(mesh);
+        if (options.period) {
+            field.period_x = options.period->x;
+            field.period_y = options.period->y;
+            field.ground_area = field.period_x * field.period_y;
+        }
+    }
+    field.boundary = options.boundary;
+    if (options.ground_area) field.ground_area = *options.ground_area;
+    return field;
+}
+
+//! Faces much larger than the period have very many images in the cell.
+void check_images(const Field& field) {
+    double images = 0;
+    for (const auto& face : field.mesh.faces) {
+        const auto count = [&](double glm::dvec3::*axis, double period) {
+            const auto [least, largest] =
+                std::minmax({field.mesh.vertices[face[0]].*axis,
+                             field.mesh.vertices[face[1]].*axis,
+                             field.mesh.vertices[face[2]].*axis,
+                             field.mesh.vertices[face[3]].*axis});
+            return 1 + (largest - least) / period;
+        };
+        images += count(&glm::dvec3::x, field.period_x) *
+                  count(&glm::dvec3::y, field.period_y);
+    }
+    if (!(images <= most_faces))
+        throw Error(fmt::format(
+            "the mesh covers its period of {} x {} m so often that {:.1e} "
+            "faces would be needed (at most {:.0e}); is it in metres?",
+            field.period_x, field.period_y, images, most_faces));
+}
+
+//! Of the highest face above the soil [m].
+double height(const Mesh& mesh) {
+    double highest = 0;
+    for (const auto& face : mesh.faces)
+        for (const std::uint32_t vertex : face)
+            highest = std::max(highest, mesh.vertices[vertex].z);
+    return highest;
+}
+
+//! Light would take almost for ever through a tower in a narrow cell.
+void check_height(const Field& field, double height) {
+    const double period = std::min(field.period_x, field.period_y);
+    if (height > most_crossings * period)
+        throw Error(fmt::format(
+            "the mesh is {:.6g} m high over a period of {:.6g} m (the limit is "
+            "{:.0f} times the period); is it in metres?",
+            height, period, most_crossings));
+}
+
+//! At least this many paths in all.
+Sampling share(std::uint64_t paths) {
+    const std::uint64_t randomisations =
+        std::clamp<std::uint64_t>(paths, 2, usual_randomisations);
+    return {static_cast<int>((paths + randomisations - 1) / randomisations),
+            static_cast<int>(randomisations)};
+}
+
+}  // namespace
+
+MeshReport study(const MeshOptions& options) {
+    check(options);
+    const double began = now();
+    const DayIllumination illumination =
+        illuminate(day_of(options), options.sky.value_or(SkyModel::uniform), 0);
+    ObjMesh obj = read_obj(options.path);
+    MeshReport result;
+    result.warnings = std::move(obj.warnings);
+    const Field field = field_of(std::move(obj.mesh), options);
+    CanopyReport& canopy = result.canopy;
+    canopy.groups = field.mesh.groups;
+    canopy.boundary = options.boundary;
+    canopy.ground_area = field.ground_area;
+    canopy.lai = leaf_area(field.mesh) / field.ground_area;
+
+    const Device device(Device::supported_isas().back());
+    const double top = height(field.mesh);
+    if (top > usual_height)
+        result.warnings.push_back(fmt::format(
+            "the mesh is {:.4g} m high (coordinates are taken as metres); if "
+            "they are centimetres, divide them by 100",
+            top));
+    if (field.boundary == Boundary::periodic) {
+        check_images(field);
+        check_height(field, top);
+    }
+    const Scene scene = Scene::of(device, field);
+    canopy.layers = {scene.top() / layers, layers};
+    const Optics optics{options.leaf, options.stalk, options.soil_albedo};
+    Sampling sampling = share(options.paths.value_or(most_tolerance_paths));
+    if (!options.paths) sampling.tolerance = options.tolerance;
+    const Randomness randomness{options.seed, 0, 0};
+    const Simulation found = simulate_to_tolerance(
+        scene, field.mesh.groups, optics, illumination.light, sampling,
+        randomness, canopy.layers);
+    sampling.paths = found.paths;
+    canopy.paths = sampling.all_paths();
+    canopy.is_capped = found.is_capped;
+    canopy.light = report(found.tallies, illumination);
+    add_sunlit(canopy.light,
+               sunlit_fractions(scene, field.mesh, illumination.light,
+                                sunlit_sampling(sampling), randomness),
+               illumination);
+    result.seconds = now() - began;
+    return result;
+}
+
+}  // namespace ideotype

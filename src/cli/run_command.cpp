@@ -1,0 +1,96 @@
+#include "run_command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "ideotype/cli/ranks.hpp"
+#include "ideotype/cli/wall_time.hpp"
+#include "ideotype/run/way_on.hpp"
+#include "launch.hpp"
+#include "report_error.hpp"
+
+namespace ideotype {
+
+namespace {
+
+double to_seconds(const std::string& text) {
+    if (const auto seconds = parse_wall_time(text)) return *seconds;
+    throw CLI::ValidationError(
+        "--wall-time", fmt::format("'{}' is no time; write for example 90, "
+                                   "90s, 30m, 2h, 1h30m or 01:30:00",
+                                   text));
+}
+
+//! `--ranks`: starts the ranks, one of which will come here again.
+bool is_to_launch(int ranks) {
+    const Launch own = launch_of_this_process();
+    if (own.is_launched && !is_own_launch())
+        throw Error(
+            "run: --ranks starts the ranks by itself, but mpirun or srun has "
+            "started this already; leave out one of them",
+            ExitCode::usage);
+    return !own.is_launched && ranks > 1;
+}
+
+//! Collective over all ranks.
+int run_with_session(const RunOptions& options) {
+    StopFlag stop;
+    const Session session;
+    int code = 0;
+    try {
+        return static_cast<int>(run(options, session, stop));
+    } catch (const Error& error) {
+        code = report_error(error, error.exit_code());
+    } catch (const std::exception& error) {
+        code = report_error(error, ExitCode::runtime);
+    }
+    // Rank 0 has told the others to leave. It would wait for ever for one
+    // that fails by itself.
+    if (session.rank() != 0) session.abort(code);
+    return code;
+}
+
+}  // namespace
+
+void RunCommand::add_to(CLI::App& app, int argc, char** argv) {
+    words_.assign(argv, argv + argc);
+    options_.command = quoted(words_);
+    auto* verb = app.add_subcommand(
+        "run",
+        "evolve the cases of a campaign on the cores of this machine "
+        "(--ranks auto), alone, or on a cluster (under mpirun or srun)");
+    verb->add_option("campaign", options_.campaign_path, "campaign file (TOML)")
+        ->required();
+    verb->add_option("--ranks", ranks_,
+                     "start this many ranks under MPI; auto: as many as keep "
+                     "all cores busy");
+    verb->add_option("--case", options_.case_index,
+                     "only the case of this index (see plan)");
+    verb->add_flag("--resume", options_.is_resumed,
+                   "go on with histories that exist; start the others");
+    verb->add_option("--out", options_.out, "folder for <campaign>/<case>.h5")
+        ->capture_default_str();
+    verb->add_option("--isa", options_.isa,
+                     "instruction set to begin with, the same on all ranks; "
+                     "if not given the widest that all have, and for a "
+                     "history that is resumed its own")
+        ->check(CLI::IsMember({"sse2", "sse4.2", "avx", "avx2", "avx512"}));
+    verb->add_option_function<std::string>(
+        "--wall-time",
+        [this](const std::string& text) {
+            options_.wall_time = to_seconds(text);
+        },
+        "time after which to stop cleanly: seconds, or for example 30m, "
+        "1h30m, 01:30:00");
+}
+
+int RunCommand::start() const {
+    if (ranks_) {
+        const int count = parse_ranks(*ranks_);
+        if (is_to_launch(count))
+            return launch(count, words_, way_on(options_.command, count));
+    }
+    return run_with_session(options_);
+}
+
+}  // namespace ideotype

@@ -1,0 +1,266 @@
+#include "ideotype/fidelity/choice.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "ideotype/core/hash.hpp"
+#include "ideotype/run/evaluator.hpp"
+#include "ideotype/run/progress.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! Fewer than four randomisations would leave the reported standard errors
+//! unknown themselves.
+constexpr std::array randomisations{4, 8, 16, 32, 64};
+constexpr int most_paths = 1 << 17;
+
+double squared(double x) {
+    return x * x;
+}
+
+//! What is left out, and thus wrong, differs from plant to plant: only what
+//! is computed less finely may be chosen.
+bool may_turn(const MeasuredKnob& each) {
+    return each.knob.kind == Knob::Kind::fineness;
+}
+
+int paths_of(const MeasuredKnob& paths, std::size_t value) {
+    return paths.knob.at(value).campaign.sampling.paths;
+}
+
+//! Standard deviation of a randomisation as a power of its paths, by least
+//! squares of logarithms.
+class PathLaw {
+  public:
+    PathLaw(const MeasuredKnob& paths, Goal goal) {
+        double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+        for (std::size_t v = 0; v < paths.points.size(); ++v) {
+            const double deviation = paths.points[v].of(goal).scatter.path.mean;
+            if (!(deviation > 0)) continue;
+            const double x = std::log(paths_of(paths, v));
+            const double y = std::log(deviation);
+            n += 1;
+            sx += x;
+            sy += y;
+            sxx += x * x;
+            sxy += x * y;
+        }
+        if (n < 2) return;
+        slope_ = (n * sxy - sx * sy) / (n * sxx - sx * sx);
+        factor_ = std::exp((sy - slope_ * sx) / n);
+    }
+
+    double at(int paths) const { return factor_ * std::pow(paths, slope_); }
+
+  private:
+    double factor_ = 0;
+    double slope_ = -0.5;
+};
+
+//! One field and one randomisation of a model.
+struct Model {
+    Estimate bias;
+    double field_variance = 0;
+    double path_ratio = 1;  //!< of the variance, to that of the campaign's own
+    Cost cost;
+};
+
+double ratio(double a, double b) {
+    return b > 0 ? a / b : 1;
+}
+
+//! Of variances. Where it may as well be 1 it is: the best of many
+//! combinations would else be the one whose scatter was underestimated most.
+double path_ratio(Estimate a, Estimate b) {
+    const double error = std::hypot(a.standard_error, b.standard_error);
+    if (std::abs(a.mean - b.mean) < 3 * error) return 1;
+    return squared(ratio(a.mean, b.mean));
+}
+
+Model model_of(const Trade& trade, const std::vector<std::size_t>& values,
+               Goal goal) {
+    const MeasuredKnob& paths = trade.knob("paths");
+    const MeasuredKnob& cell = trade.knob("cell");
+    Model model;
+    model.cost = paths.own().cost;
+    double bias_variance = 0;
+    for (std::size_t k = 0; k < trade.knobs.size(); ++k) {
+        const MeasuredKnob& each = trade.knobs[k];
+        if (each.knob.kind == Knob::Kind::paths) continue;
+        const KnobPoint& point = each.points[values[k]];
+        const KnobPoint& own = each.own();
+        const Inaccuracy& inaccuracy = point.of(goal);
+        model.bias.mean += std::abs(inaccuracy.bias.mean);
+        bias_variance += squared(inaccuracy.bias.standard_error);
+        model.path_ratio *=
+            path_ratio(inaccuracy.scatter.path, own.of(goal).scatter.path);
+        model.cost.geometry *= ratio(point.cost.geometry, own.cost.geometry);
+        model.cost.scene *= ratio(point.cost.scene, own.cost.scene);
+        model.cost.path *= ratio(point.cost.path, own.cost.path);
+        // What is not known of it counts against it, as with biases.
+        if (&each == &cell)
+            model.field_variance =
+                squared(inaccuracy.scatter.field.mean) +
+                squared(inaccuracy.scatter.field.standard_error);
+    }
+    model.bias.standard_error = std::sqrt(bias_variance);
+    return model;
+}
+
+Combination sampled(const Model& model, const PathLaw& law,
+                    const Sampling& sampling, Draws::Fields fields) {
+    Combination result;
+    result.sampling = sampling;
+    result.fields = fields;
+    result.bias = model.bias;
+    const int n = sampling.randomisations;
+    const int drawn = fields == Draws::Fields::each ? n : 1;
+    result.standard_error =
+        std::sqrt(model.field_variance / drawn +
+                  model.path_ratio * squared(law.at(sampling.paths)) / n);
+    result.cost = {drawn * model.cost.geometry, drawn * model.cost.scene,
+                   model.cost.path * n * sampling.paths,
+                   1.0 * n * sampling.paths};
+    return result;
+}
+
+//! Counts through the values of all knobs that change the model.
+bool advance(const Trade& trade, std::vector<std::size_t>& values) {
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        if (!may_turn(trade.knobs[k])) continue;
+        if (++values[k] < trade.knobs[k].points.size()) return true;
+        values[k] = 0;
+    }
+    return false;
+}
+
+}  // namespace
+
+double Combination::error() const {
+    return std::hypot(bias.mean, bias.standard_error, standard_error);
+}
+
+Combination combine(const Trade& trade, const std::vector<std::size_t>& values,
+                    const Sampling& sampling, Draws::Fields fields, Goal goal) {
+    Combination result =
+        sampled(model_of(trade, values, goal),
+                PathLaw(trade.knob("paths"), goal), sampling, fields);
+    result.values = values;
+    return result;
+}
+
+std::vector<Combination> pareto_front(const Trade& trade, Goal goal,
+                                      Draws::Fields fields) {
+    // Nobody wants a worse one.
+    constexpr double worst = 0.05;
+    const PathLaw law(trade.knob("paths"), goal);
+    std::vector<std::size_t> values;
+    for (const MeasuredKnob& each : trade.knobs)
+        values.push_back(may_turn(each) ? 0 : each.knob.own);
+    std::vector<Combination> all;
+    do {
+        const Model model = model_of(trade, values, goal);
+        if (std::abs(model.bias.mean) > worst) continue;
+        for (int paths = paths_of(trade.knob("paths"), 0); paths <= most_paths;
+             paths *= 2)
+            for (const int n : randomisations) {
+                Combination next = sampled(model, law, {paths, n}, fields);
+                if (next.error() > worst) continue;
+                next.values = values;
+                all.push_back(std::move(next));
+            }
+    } while (advance(trade, values));
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Combination& a, const Combination& b) {
+                         return a.seconds() < b.seconds();
+                     });
+    std::vector<Combination> front;
+    for (Combination& each : all)
+        if (front.empty() || each.error() < front.back().error())
+            front.push_back(std::move(each));
+    return front;
+}
+
+std::optional<Combination> cheapest(const std::vector<Combination>& front,
+                                    double tolerance) {
+    for (const Combination& each : front)
+        if (each.error() <= tolerance) return each;
+    return std::nullopt;
+}
+
+Campaign applied(const Trade& trade, const Combination& combination) {
+    Variant variant = trade.own;
+    for (std::size_t k = 0; k < trade.knobs.size(); ++k)
+        if (may_turn(trade.knobs[k]))
+            trade.knobs[k].knob.values[combination.values[k]].apply(variant);
+    variant.campaign.sampling = combination.sampling;
+    variant.campaign.first_tolerance = 0;
+    return variant.campaign;
+}
+
+std::vector<PastedKey> keys_of(const Campaign& campaign) {
+    const auto number = [](auto x) { return fmt::format("{}", x); };
+    const Optics& optics = campaign.optics;
+    std::vector<PastedKey> keys{
+        {"[day]", "step_minutes", number(campaign.days[0].value.step_minutes)},
+        {"field", "rows", number(campaign.field.rows)},
+        {"field", "plants", number(campaign.field.plants)},
+        {"plant", "stalk", number(campaign.plant.stalk.is_present)},
+        {"plant", "cells_along", number(campaign.tessellation.cells_along)},
+        {"plant", "stalk_sides", number(campaign.tessellation.stalk_sides)},
+        {"optics", "leaf_reflectance", number(optics.leaf.reflectance)},
+        {"optics", "leaf_transmittance", number(optics.leaf.transmittance)},
+        {"optics", "stalk_reflectance", number(optics.stalk.reflectance)},
+        {"optics", "stalk_transmittance", number(optics.stalk.transmittance)},
+        {"optics", "soil_albedo", number(optics.soil_albedo)},
+        {"light", "paths", number(campaign.sampling.paths)},
+        {"light", "randomisations", number(campaign.sampling.randomisations)},
+        {"light", "tolerance", number(campaign.sampling.tolerance)},
+        {"light", "first_tolerance", number(campaign.first_tolerance)}};
+    // The only other sky that a knob sets.
+    if (campaign.sky_model == SkyModel::uniform)
+        keys.push_back({"light", "sky", "\"uniform\""});
+    return keys;
+}
+
+Check check_combination(const Trade& trade, const Combination& combination,
+                        Goal goal, const Device& device, double budget) {
+    const Variant variant{applied(trade, combination)};
+    const Case chosen = case_of(variant, trade.case_index);
+    const CanopyModel model = canopy_model(variant.campaign, chosen);
+    constexpr std::size_t least = 8, most = 64;
+    std::vector<double> found, seconds;
+    const double until = now() + budget;
+    while (found.size() < least || (found.size() < most && now() < until)) {
+        const Draws draws{derive_seed(chosen.seed, "check"),
+                          static_cast<std::uint32_t>(found.size()),
+                          combination.sampling, combination.fields};
+        const auto leaves = [&](const Genome& genome) {
+            const double began = processor_seconds();
+            const CanopyReport report =
+                study(model, device, to_traits(genome), draws, Detail::history);
+            seconds.push_back(processor_seconds() - began);
+            return report.light.day.leaves.mean;
+        };
+        const double value = leaves(trade.rivals[0]);
+        found.push_back(goal == Goal::value ? value
+                                            : leaves(trade.rivals[1]) - value);
+    }
+    const Estimate& truth =
+        goal == Goal::value ? trade.value : trade.difference;
+    const double scale = 1 / trade.value.mean;
+    const auto n = static_cast<double>(found.size());
+    const Estimate mean = estimate(found);
+    const double deviation = mean.standard_error * std::sqrt(n);
+    return {{scale * (mean.mean - truth.mean),
+             scale * std::hypot(mean.standard_error, truth.standard_error)},
+            {scale * deviation, scale * deviation / std::sqrt(2 * (n - 1))},
+            median(seconds)};
+}
+
+}  // namespace ideotype

@@ -1,0 +1,76 @@
+#include "ideotype/run/disk.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "ideotype/core/error.hpp"
+#include "ideotype/run/provenance.hpp"
+#include "ideotype/run/run.hpp"
+
+namespace ideotype {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+//! The longest that is ever added to the name of a history.
+constexpr std::string_view longest_suffix = ".packed";
+
+//! The folder, or the nearest above it that is there.
+fs::path existing(const fs::path& folder) {
+    fs::path nearest = fs::absolute(folder).lexically_normal();
+    std::error_code unknown;
+    while (!fs::is_directory(nearest, unknown) && nearest.has_relative_path())
+        nearest = nearest.parent_path();
+    return nearest;
+}
+
+void require_length(const std::string& what, const std::string& text,
+                    std::size_t extra, long limit, const std::string& remedy) {
+    // No limit is -1.
+    if (limit < 0 || text.size() + extra <= static_cast<std::size_t>(limit))
+        return;
+    throw Error(fmt::format("{}: this {} is {} bytes long with what is added "
+                            "while it is written (its file system allows {}); "
+                            "{}",
+                            text, what, text.size() + extra, limit, remedy),
+                ExitCode::invalid_campaign);
+}
+
+}  // namespace
+
+DiskRoom disk_room(const Campaign& campaign, const std::vector<Case>& chosen) {
+    DiskRoom room;
+    for (const Case& each : chosen) {
+        const std::uint64_t bytes =
+            history_bytes(header_of(campaign, each, "any"));
+        room.largest = std::max(room.largest, bytes);
+        room.all += bytes;
+    }
+    return room;
+}
+
+void require_names_fit(const Campaign& campaign,
+                       const std::vector<Case>& chosen,
+                       const std::string& out) {
+    const fs::path folder = existing(out);
+    const long longest_name = pathconf(folder.c_str(), _PC_NAME_MAX);
+    const long longest_path = pathconf(folder.c_str(), _PC_PATH_MAX);
+    for (const Case& each : chosen) {
+        const fs::path path = path_of(out, campaign, each);
+        require_length("name of a folder", campaign.name, 0, longest_name,
+                       "shorten the name of the campaign");
+        require_length("name of a file", path.filename().string(),
+                       longest_suffix.size(), longest_name,
+                       "shorten the names of site, day, spacing or traits");
+        // The limit counts the byte that ends a path.
+        require_length("path", path.string(), longest_suffix.size() + 1,
+                       longest_path, "choose a shorter folder with --out");
+    }
+}
+
+}  // namespace ideotype

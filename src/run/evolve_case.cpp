@@ -1,0 +1,158 @@
+#include "ideotype/run/evolve_case.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "ideotype/core/error.hpp"
+#include "ideotype/run/evaluator.hpp"
+#include "ideotype/search/breed.hpp"
+#include "ideotype/search/rank.hpp"
+#include "ideotype/search/stop_rules.hpp"
+
+namespace ideotype {
+
+namespace {
+
+void add(Progress& progress, const GenerationSummary& summary) {
+    progress.mean.push_back(summary.mean);
+    progress.best.push_back(summary.best);
+    progress.evaluations += summary.evaluations;
+}
+
+Progress progress_of(const History& history) {
+    Progress progress;
+    for (const GenerationSummary& summary : history.summaries())
+        add(progress, summary);
+    progress.wall_time = history.wall_time();
+    return progress;
+}
+
+//! Evaluates what is pending of a proposed generation. Under common random
+//! numbers equal genomes have equal outcomes: they are evaluated once and
+//! copied (attempt 0). False if a stop came first.
+Routine<bool> evaluate_generation(const Evolution& evolution, History& history,
+                                  std::uint32_t generation,
+                                  const std::vector<Candidate>& candidates) {
+    const auto original_of = twins(candidates);
+    std::vector<Work> work;
+    for (const std::uint32_t slot : history.pending(generation))
+        if (!original_of.contains(slot)) {
+            Task task;
+            task.case_index =
+                static_cast<std::uint32_t>(evolution.chosen.index);
+            task.generation = generation;
+            task.slot = slot;
+            work.push_back({task, candidates[slot].genome});
+        }
+    const Record record = [&](const Work& done, const Outcome& outcome) {
+        history.record(generation, done.task.slot, outcome,
+                       fitness_of(outcome, history.header().schema),
+                       done.task.attempt);
+        evolution.watcher.on_evaluation(generation);
+    };
+    co_await evolution.dispatcher.evaluate(std::move(work), record);
+    const auto pending = history.pending(generation);
+    const std::set<std::uint32_t> unknown(pending.begin(), pending.end());
+    for (const auto& [slot, original] : original_of)
+        if (unknown.contains(slot) && !unknown.contains(original)) {
+            const Row row = history.row(generation, original);
+            history.record(generation, slot, row.outcome, row.fitness, 0);
+        }
+    co_return history.pending(generation).empty();
+}
+
+void require_few_failures(const Evolution& evolution, History& history,
+                          std::uint32_t generation,
+                          const GenerationSummary& summary) {
+    const int population = evolution.campaign.optimizer.population;
+    const double limit = evolution.campaign.stop.failed_fraction * population;
+    if (summary.failures == 0 || summary.failures < limit) return;
+    std::string reason;
+    for (std::uint32_t slot = 0;
+         slot < static_cast<std::uint32_t>(population) && reason.empty();
+         ++slot)
+        reason = history.row(generation, slot).outcome.message;
+    const std::string message = fmt::format(
+        "{} of {} evaluations of generation {} failed, more than "
+        "stop.failed_fraction allows; the first reason: {}",
+        summary.failures, population, generation, reason);
+    history.message(message);
+    throw CaseError(message);
+}
+
+//! Evaluates the baseline and the best distinct genomes of the last
+//! generation anew; false if a stop came first.
+Routine<bool> judge_finalists(const Evolution& evolution, History& history) {
+    const Population last = history.last_committed();
+    std::vector<Candidate> finalists{
+        {to_genome(evolution.campaign.baseline), Origin::baseline, {}}};
+    for (const std::uint32_t slot :
+         best_distinct(last, static_cast<std::size_t>(
+                                 evolution.campaign.final_rule.candidates)))
+        finalists.push_back({last[slot].candidate.genome,
+                             Origin::elite,
+                             {static_cast<std::int32_t>(slot), no_parent}});
+    history.propose_final(finalists);
+    std::vector<Work> work;
+    for (const std::uint32_t slot : history.pending_final()) {
+        Task task;
+        task.case_index = static_cast<std::uint32_t>(evolution.chosen.index);
+        task.slot = slot;
+        task.is_final = true;
+        work.push_back({task, finalists[slot].genome});
+    }
+    const Record record = [&](const Work& done, const Outcome& outcome) {
+        history.record_final(done.task.slot, outcome,
+                             fitness_of(outcome, history.header().schema));
+    };
+    co_await evolution.dispatcher.evaluate(std::move(work), record);
+    co_return history.pending_final().empty();
+}
+
+}  // namespace
+
+Routine<Ending> evolve_case(Evolution evolution, History& history) {
+    const auto& [campaign, chosen, dispatcher, stop, watcher, elapsed] =
+        evolution;
+    const GeneSpace genes = gene_space(campaign, chosen);
+    const Genome baseline = to_genome(campaign.baseline);
+    const double spent_before = history.wall_time();
+
+    Progress progress = progress_of(history);
+    std::optional<std::string> reason = finished(campaign.stop, progress);
+    Population parents = history.last_committed();
+    for (std::uint32_t g = history.next_generation(); !reason; ++g) {
+        const std::vector<Candidate> children =
+            breed(campaign.optimizer, genes, baseline, chosen.seed, g, parents);
+        history.propose(g, children);
+        const bool is_complete =
+            co_await evaluate_generation(evolution, history, g, children);
+        history.set_wall_time(spent_before + elapsed());
+        if (!is_complete) co_return Ending::drained;
+
+        parents = history.generation(g);
+        GenerationSummary summary = summarize(parents, genes);
+        summary.evaluations = static_cast<std::uint32_t>(
+            children.size() - twins(children).size());
+        summary.wall_time = history.wall_time();
+        require_few_failures(evolution, history, g, summary);
+        history.commit(g, summary);
+        watcher.on_generation(g, summary);
+        add(progress, summary);
+        progress.wall_time = summary.wall_time;
+        reason = finished(campaign.stop, progress);
+        if (!reason && stop.requested()) co_return Ending::drained;
+    }
+    watcher.on_final(*reason);
+    const bool is_judged = co_await judge_finalists(evolution, history);
+    history.set_wall_time(spent_before + elapsed());
+    if (!is_judged) co_return Ending::drained;
+    history.finish(*reason);
+    co_return Ending::finished;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,96 @@
+#include "ideotype/run/machines.hpp"
+
+#include <algorithm>
+#include <array>
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "ideotype/core/error.hpp"
+#include "ideotype/core/maths.hpp"
+#include "ideotype/core/version.hpp"
+#include "ideotype/light/device.hpp"
+
+namespace ideotype {
+
+namespace {
+
+std::string host_name() {
+    std::array<char, 256> name{};
+    gethostname(name.data(), name.size() - 1);
+    return name.data();
+}
+
+bool has(const Machine& machine, const std::string& isa) {
+    return std::find(machine.isas.begin(), machine.isas.end(), isa) !=
+           machine.isas.end();
+}
+
+}  // namespace
+
+ProgramFacts program_facts() {
+    const BuildInfo& build = build_info();
+    return {{"program_version", build.version},
+            {"compiler", build.compiler},
+            {"embree_version", Device::library_version()},
+            {"maths", maths_fingerprint()}};
+}
+
+Machine this_machine() {
+    return {host_name(), program_facts(), Device::supported_isas()};
+}
+
+std::string to_text(const Machine& machine) {
+    const nlohmann::json json{{"host", machine.host},
+                              {"program", machine.program},
+                              {"isas", machine.isas}};
+    return json.dump();
+}
+
+Machine machine_of(const std::string& text) {
+    const auto json = nlohmann::json::parse(text);
+    return {json.at("host").get<std::string>(),
+            json.at("program").get<ProgramFacts>(),
+            json.at("isas").get<std::vector<std::string>>()};
+}
+
+void require_same_program(const std::vector<Machine>& machines) {
+    const Machine& first = machines.front();
+    for (const Machine& other : machines)
+        for (const auto& [name, value] : first.program)
+            if (other.program.at(name) != value)
+                throw Error(
+                    fmt::format("the ranks of this job would not give the "
+                                "same bits ({} is {} on {}, but {} on {}); "
+                                "start the same program everywhere, on "
+                                "machines with the same C library",
+                                name, value, first.host, other.program.at(name),
+                                other.host),
+                    ExitCode::refused);
+}
+
+std::string choose_isa(const std::vector<Machine>& machines,
+                       const std::optional<std::string>& wanted,
+                       const std::string& remedy) {
+    const auto is_common = [&](const std::string& isa) {
+        return std::all_of(
+            machines.begin(), machines.end(),
+            [&](const Machine& machine) { return has(machine, isa); });
+    };
+    if (!wanted) {
+        const auto& isas = machines.front().isas;
+        return *std::find_if(isas.rbegin(), isas.rend(), is_common);
+    }
+    for (const Machine& machine : machines)
+        if (!has(machine, *wanted))
+            throw Error(fmt::format("{} has no instruction set {} (it has {}); "
+                                    "{}",
+                                    machine.host, *wanted,
+                                    fmt::join(machine.isas, ", "), remedy),
+                        ExitCode::refused);
+    return *wanted;
+}
+
+}  // namespace ideotype

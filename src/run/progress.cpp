@@ -1,0 +1,205 @@
+#include "ideotype/run/progress.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+
+namespace ideotype {
+
+namespace {
+
+//! Between two live lines [s].
+constexpr double calm = 0.1;
+
+}  // namespace
+
+double now() {
+    using Clock = std::chrono::steady_clock;
+    return std::chrono::duration<double>(Clock::now().time_since_epoch())
+        .count();
+}
+
+std::string format(Estimate x) {
+    if (!std::isfinite(x.mean)) return "unknown";
+    const double error = std::abs(x.standard_error);
+    if (!std::isfinite(error)) return fmt::format("{:.6g}", x.mean);
+    if (error == 0) return fmt::format("{:.9g}", x.mean);
+    const int digits =
+        std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 12);
+    return fmt::format("{:.{}f} +- {:.{}f}", x.mean, digits, error, digits);
+}
+
+std::string format_duration(double seconds) {
+    const auto s = static_cast<long long>(std::llround(seconds));
+    if (s >= 3600)
+        return fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
+    return fmt::format("{}:{:02}", s / 60, s % 60);
+}
+
+std::string utc_now() {
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                       fmt::gmtime(std::time(nullptr)));
+}
+
+LiveLine::LiveLine() : is_terminal_(isatty(STDERR_FILENO) == 1) {}
+
+LiveLine::~LiveLine() {
+    if (shown_ > 0) fmt::print(stderr, "\r\x1b[K");
+}
+
+void LiveLine::show(const std::string& text) {
+    if (!is_terminal_ || now() - shown_ < calm) return;
+    fmt::print(stderr, "\r\x1b[K{}", text);
+    shown_ = now();
+}
+
+namespace {
+
+//! Width of this terminal, 0 if it is none.
+int columns_of(int file) {
+    if (isatty(file) != 1) return 0;
+    struct winsize size {};
+    const bool is_known =
+        ioctl(file, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+    return is_known ? size.ws_col : 80;
+}
+
+//! Width of the terminal on which somebody watches standard output, 0 if there
+//! is none. Open MPI gives its ranks a terminal whatever its own output is, so
+//! there mpirun's is what counts.
+int watched_columns() {
+    const int columns = columns_of(STDOUT_FILENO);
+    if (columns == 0 || std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr)
+        return columns;
+    const int starter = open(fmt::format("/proc/{}/fd/1", getppid()).c_str(),
+                             O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    if (starter < 0) return 0;
+    const int width = columns_of(starter);
+    close(starter);
+    return width;
+}
+
+}  // namespace
+
+//! Sees one case.
+class ProgressLog::CaseWatcher : public Watcher {
+  public:
+    CaseWatcher(ProgressLog& log, int index)
+        : log_(log),
+          entry_(log.in_flight_.at(index)),
+          to_evaluate_(log.to_evaluate_.at(index)) {}
+
+    void on_evaluation(std::uint32_t generation) override {
+        entry_.generation = generation;
+        ++log_.evaluations_;
+        to_evaluate_ = std::max(0LL, to_evaluate_ - 1);
+        log_.show_live();
+    }
+
+    void on_generation(std::uint32_t generation,
+                       const GenerationSummary& summary) override {
+        entry_.generation = generation;
+        ++entry_.complete;
+        entry_.best =
+            fmt::format("{} MJ m-2 day-1 {}",
+                        format({summary.best, summary.best_standard_error}),
+                        not_evaluated_again);
+        to_evaluate_ = log_.all_after(generation + 1);
+        std::string line = log_.text(entry_);
+        if (summary.failures > 0)
+            line += fmt::format("  {} failed", summary.failures);
+        if (log_.columns_ == 0) log_.print(line);
+        log_.show_live();
+    }
+
+    void on_final(const std::string& reason) override {
+        to_evaluate_ = 0;
+        log_.print(fmt::format(
+            "{}  ended by {}; evaluating the best again with fresh random "
+            "numbers",
+            entry_.name, reason));
+    }
+
+  private:
+    ProgressLog& log_;
+    Entry& entry_;
+    long long& to_evaluate_;
+};
+
+ProgressLog::ProgressLog(const Campaign& campaign,
+                         const std::vector<Case>& chosen)
+    : campaign_(campaign),
+      columns_(watched_columns()),
+      started_(now()),
+      cases_(static_cast<int>(chosen.size())) {
+    for (const Case& each : chosen) to_evaluate_[each.index] = all_after(0);
+}
+
+ProgressLog::~ProgressLog() {
+    if (is_live_) std::puts("");
+}
+
+std::unique_ptr<Watcher> ProgressLog::watch(const Case& chosen,
+                                            std::uint32_t generation) {
+    in_flight_[chosen.index] = {chosen.name, generation, generation, "-"};
+    to_evaluate_[chosen.index] = all_after(generation);
+    return std::make_unique<CaseWatcher>(*this, chosen.index);
+}
+
+void ProgressLog::end(const Case& chosen) {
+    ++ended_;
+    in_flight_.erase(chosen.index);
+    to_evaluate_[chosen.index] = 0;
+}
+
+void ProgressLog::print(const std::string& text) {
+    const std::string before = columns_ > 0 ? "" : utc_now() + "  ";
+    fmt::print("{}{}{}\n", is_live_ ? "\r\x1b[K" : "", before, text);
+    std::fflush(stdout);
+    is_live_ = false;
+}
+
+long long ProgressLog::all_after(std::uint32_t generation) const {
+    return (campaign_.stop.generations - static_cast<long long>(generation)) *
+           campaign_.optimizer.population;
+}
+
+std::string ProgressLog::text(const Entry& entry) const {
+    const double seconds = std::max(now() - started_, 1e-3);
+    const double rate = evaluations_ / seconds;
+    long long left = 0;
+    for (const auto& [index, count] : to_evaluate_) left += count;
+    return fmt::format(
+        "{}  generation {}, {} of {} complete, {} left, {:.1f} evaluations/s, "
+        "best {}",
+        entry.name, entry.generation, entry.complete,
+        campaign_.stop.generations,
+        rate > 0 ? format_duration(static_cast<double>(left) / rate) : "?",
+        rate, entry.best);
+}
+
+//! The case that comes first stands for those in flight.
+void ProgressLog::show_live() {
+    if (columns_ == 0 || in_flight_.empty() || now() - shown_ < calm) return;
+    const std::string cases =
+        cases_ == 1 ? ""
+                    : fmt::format("{} of {} cases done, {} in flight  ", ended_,
+                                  cases_, in_flight_.size());
+    // A line that wraps could not be written over.
+    const std::string line = cases + text(in_flight_.begin()->second);
+    fmt::print("\r\x1b[K{:.{}}", line, columns_ - 1);
+    std::fflush(stdout);
+    shown_ = now();
+    is_live_ = true;
+}
+
+}  // namespace ideotype

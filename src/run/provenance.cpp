@@ -1,0 +1,141 @@
+#include "ideotype/run/provenance.hpp"
+
+#include <array>
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "ideotype/core/error.hpp"
+#include "ideotype/core/maths.hpp"
+#include "ideotype/core/version.hpp"
+#include "ideotype/light/device.hpp"
+#include "ideotype/parallel/session.hpp"
+#include "ideotype/run/evaluator.hpp"
+#include "ideotype/run/machines.hpp"
+#include "ideotype/run/progress.hpp"
+
+namespace ideotype {
+
+namespace {
+
+std::string host_name() {
+    std::array<char, 256> name{};
+    gethostname(name.data(), name.size() - 1);
+    return name.data();
+}
+
+}  // namespace
+
+HistoryHeader header_of(const Campaign& campaign, const Case& chosen,
+                        const std::string& isa) {
+    const BuildInfo& build = build_info();
+    HistoryHeader header;
+    header.text = {
+        {"program", "ideotype"},
+        {"git_sha", build.git_sha},
+        {"git_dirty", build.git_dirty},
+        {"build_type", build.build_type},
+        {"hdf5_version", History::library_version()},
+        {"mpi_version", Session::library_version()},
+        {"isa", isa},
+        {"campaign", campaign.name},
+        {"campaign_sha256", campaign.sha256},
+        {"case", chosen.name},
+        {"site", chosen.site.name},
+        {"day", chosen.day_name},
+        {"spacing", chosen.spacing_name},
+        {"trait_set", chosen.trait_set_name},
+        {"created", utc_now()},
+    };
+    header.text.merge(program_facts());
+    header.numbers = {
+        {"latitude", chosen.site.latitude},
+        {"longitude", chosen.site.longitude},
+        {"row_spacing", chosen.spacing.row},
+        {"plant_spacing", chosen.spacing.plant},
+        {"replicate", chosen.replicate},
+    };
+    header.campaign_source = campaign.source;
+    header.campaign_resolved = campaign.resolved;
+    header.genes = gene_space(campaign, chosen);
+    header.schema = outcome_schema(
+        campaign, clear_day(chosen.site, chosen.day, campaign.par_fraction));
+    header.seed = chosen.seed;
+    header.population = campaign.optimizer.population;
+    header.generations = campaign.stop.generations;
+    header.finalists = campaign.final_rule.candidates + 1;
+    return header;
+}
+
+namespace {
+
+void require_same_campaign(const HistoryHeader& header,
+                           const Campaign& campaign, const Case& chosen,
+                           const std::string& path) {
+    auto changed = differences(header.campaign_resolved, campaign.resolved);
+    // How long workers may take is a matter of the machine.
+    std::erase_if(changed, [](const std::string& line) {
+        return line.starts_with("parallel.");
+    });
+    if (!changed.empty())
+        throw Error(
+            fmt::format("{}: the campaign has changed since this history was "
+                        "begun:\n  {}\nUndo the change, or write to another "
+                        "folder with --out",
+                        path, fmt::join(changed, "\n  ")),
+            ExitCode::refused);
+    if (header.text.at("case") != chosen.name || header.seed != chosen.seed)
+        throw Error(fmt::format("{}: this is the history of case {}, not {}",
+                                path, header.text.at("case"), chosen.name),
+                    ExitCode::refused);
+}
+
+// A history of a program that did not yet keep one of these facts is taken.
+void require_same_program(const HistoryHeader& header,
+                          const std::string& path) {
+    std::vector<std::string> changed;
+    for (const auto& [name, value] : program_facts()) {
+        const auto was = header.text.find(name);
+        if (was != header.text.end() && was->second != value)
+            changed.push_back(
+                fmt::format("{} was {}, is {}", name, was->second, value));
+    }
+    if (!changed.empty())
+        throw Error(
+            fmt::format("{}: this program would not go on with the same bits "
+                        "as the one that began this history:\n  {}\nResume it "
+                        "with what began it, or write to another folder with "
+                        "--out",
+                        path, fmt::join(changed, "\n  ")),
+            ExitCode::refused);
+}
+
+}  // namespace
+
+void require_resumable(const HistoryHeader& header, const Campaign& campaign,
+                       const Case& chosen, const std::string& path) {
+    require_same_campaign(header, campaign, chosen, path);
+    require_same_program(header, path);
+}
+
+SessionRecord session_record(const std::string& command, int ranks) {
+    return {utc_now(), host_name(), command, ranks};
+}
+
+std::string version_text() {
+    const BuildInfo& build = build_info();
+    return fmt::format(
+        "ideotype {}\n"
+        "commit   {} (changed: {})\n"
+        "compiler {} ({})\n"
+        "{}\n{}\n{}\n"
+        "maths    {} (of the C library, see README.md, C3)\n"
+        "instruction sets of this processor: {}",
+        build.version, build.git_sha, build.git_dirty, build.compiler,
+        build.build_type, Device::library_version(), History::library_version(),
+        Session::library_version(), maths_fingerprint(),
+        fmt::join(Device::supported_isas(), ", "));
+}
+
+}  // namespace ideotype

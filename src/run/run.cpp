@@ -1,0 +1,162 @@
+#include "ideotype/run/run.hpp"
+
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "ideotype/run/disk.hpp"
+#include "ideotype/run/evaluator.hpp"
+#include "ideotype/run/machines.hpp"
+#include "ideotype/run/provenance.hpp"
+#include "ideotype/run/sky_table.hpp"
+#include "sweep.hpp"
+
+namespace ideotype {
+
+namespace {
+
+std::vector<Case> chosen_cases(const RunOptions& options,
+                               const Campaign& campaign) {
+    std::vector<Case> all = cases(campaign);
+    if (!options.case_index) return all;
+    const int index = *options.case_index;
+    if (index < 0 || index >= static_cast<int>(all.size()))
+        throw Error(fmt::format("there is no case {}; {} has cases 0 to {} "
+                                "(see ideotype plan)",
+                                index, options.campaign_path, all.size() - 1),
+                    ExitCode::usage);
+    return {all[static_cast<std::size_t>(index)]};
+}
+
+//! What rank 0 tells the others before the work begins.
+struct Start {
+    std::string isa;
+    std::string resolved;
+};
+
+//! The instruction set that histories to be resumed were begun with, so that
+//! results go on bit for bit; none if there are none. Refuses what would
+//! overwrite one.
+std::optional<std::string> isa_of_histories(const RunOptions& options,
+                                            const Campaign& campaign,
+                                            const std::vector<Case>& chosen) {
+    std::optional<std::string> common;
+    for (const Case& each : chosen) {
+        const std::string path = path_of(options.out, campaign, each);
+        if (!history_exists(path)) continue;
+        if (!options.is_resumed)
+            throw Error(fmt::format("{}: exists already and a run never "
+                                    "overwrites; add --resume to go on with "
+                                    "it, or choose another folder with --out",
+                                    path),
+                        ExitCode::refused);
+        const HistoryHeader header = History::read(path).header();
+        require_resumable(header, campaign, each, path);
+        const std::string& isa = header.text.at("isa");
+        if (options.isa && isa != *options.isa)
+            throw Error(fmt::format("{}: was begun with instruction set {}, "
+                                    "not {}; leave --isa out",
+                                    path, isa, *options.isa),
+                        ExitCode::refused);
+        if (common && isa != *common)
+            throw Error(fmt::format("{}: was begun with instruction set {}, "
+                                    "other cases with {}; resume them one by "
+                                    "one with --case",
+                                    path, isa, *common),
+                        ExitCode::refused);
+        common = isa;
+    }
+    return common;
+}
+
+//! Looks at all that could keep the job from going on, before any work.
+Start prepare(const RunOptions& options, const Campaign& campaign,
+              const std::vector<Machine>& machines) {
+    const std::vector<Case> chosen = chosen_cases(options, campaign);
+    require_names_fit(campaign, chosen, options.out);
+    require_same_program(machines);
+    const auto begun_with = isa_of_histories(options, campaign, chosen);
+    const std::string isa =
+        begun_with
+            ? choose_isa(machines, begun_with,
+                         "this history was begun with it, resume it where all "
+                         "ranks have it")
+            : choose_isa(machines, options.isa,
+                         "name one that all ranks have with --isa");
+    return {isa, campaign.resolved};
+}
+
+//! Those of all ranks, on rank 0.
+std::vector<Machine> machines_of(const Session& session, const Machine& own) {
+    std::vector<Machine> machines;
+    for (const std::string& text : session.gather(to_text(own)))
+        machines.push_back(machine_of(text));
+    return machines;
+}
+
+//! Rank 0: evolves the cases, then lets the workers go.
+ExitCode direct(const RunOptions& options, const Campaign& campaign,
+                const std::string& isa, CanopyEvaluator& evaluator,
+                const Session& session, StopFlag& stop) {
+    const std::vector<Case> chosen = chosen_cases(options, campaign);
+    const auto dispatcher = make_dispatcher(
+        session, evaluator, stop,
+        {campaign.answer_limits.deadline, campaign.answer_limits.attempts,
+         final_effort(campaign)});
+    std::optional<Error> failure;
+    ExitCode code = ExitCode::ok;
+    {
+        Sweep sweep(options, campaign, chosen, isa, session.size(), stop);
+        try {
+            if (!sweep.evolve(*dispatcher)) code = ExitCode::stopped;
+        } catch (const Error& error) {
+            failure = error;
+            code = error.exit_code();
+        }
+    }
+    // All histories are closed. A worker that hangs would keep MPI from ending.
+    if (!dispatcher->dismiss()) {
+        if (failure) fmt::print(stderr, "ideotype: {}\n", failure->what());
+        session.abort(static_cast<int>(code));
+    }
+    if (failure) throw Error(*failure);
+    return code;
+}
+
+}  // namespace
+
+ExitCode run(const RunOptions& options, const Session& session,
+             StopFlag& stop) {
+    return run_on(this_machine(), options, session, stop);
+}
+
+ExitCode run_on(const Machine& own, const RunOptions& options,
+                const Session& session, StopFlag& stop) {
+    if (options.wall_time) stop.request_after(*options.wall_time);
+    const std::vector<Machine> machines = machines_of(session, own);
+    std::optional<Campaign> campaign;
+    Start start;
+    // Rank 0 alone looks at files. An empty text tells the others to leave.
+    std::exception_ptr failure;
+    if (session.rank() == 0) try {
+            campaign = read_campaign(options.campaign_path);
+            print_warnings(*campaign);
+            start = prepare(options, *campaign, machines);
+        } catch (...) {
+            failure = std::current_exception();
+        }
+    const std::string isa = session.broadcast(failure ? "" : start.isa);
+    if (failure) std::rethrow_exception(failure);
+    if (isa.empty()) return ExitCode::ok;
+    const std::string resolved = session.broadcast(start.resolved);
+    if (!campaign) campaign = parse_campaign(resolved, options.campaign_path);
+
+    CanopyEvaluator evaluator(*campaign, isa);
+    if (session.rank() != 0) {
+        serve(session, evaluator);
+        return ExitCode::ok;
+    }
+    return direct(options, *campaign, isa, evaluator, session, stop);
+}
+
+}  // namespace ideotype

@@ -1,0 +1,54 @@
+#include "ideotype/run/sky_table.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "ideotype/climate/daylight.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! A local clock time [h], which may be of the day before or after.
+std::string clock(std::optional<double> hour) {
+    if (!hour) return "-";
+    const long minutes = std::lround(*hour * 60 + 24 * 60) % (24 * 60);
+    return fmt::format("{:02}:{:02}", minutes / 60, minutes % 60);
+}
+
+std::string place(const Site& site) {
+    return fmt::format("{} {} {} {}", std::abs(site.latitude),
+                       site.latitude < 0 ? 'S' : 'N', std::abs(site.longitude),
+                       site.longitude < 0 ? 'W' : 'E');
+}
+
+}  // namespace
+
+void print_warnings(const Campaign& campaign) {
+    for (const Problem& warning : campaign.warnings)
+        fmt::print(stderr, "ideotype: warning: {}\n", to_string(warning));
+}
+
+std::string sky_table(const Campaign& campaign) {
+    constexpr auto row =
+        "{:<9} {:<12} {:<16} {:<6} {:>7} {:>5} {:>9} {:>6} "
+        "{:>8} {:>11}\n";
+    std::string text =
+        fmt::format(row, "sun", "site", "place", "day", "sunrise", "noon",
+                    "elevation", "sunset", "left out", "clock ahead");
+    for (const Site& site : campaign.sites)
+        for (const auto& [name, span] : campaign.days) {
+            const Daylight sun = daylight(site, span.date);
+            text += fmt::format(
+                row, "", site.name, place(site), name, clock(sun.sunrise),
+                clock(sun.noon), fmt::format("{:.1f} deg", sun.elevation),
+                clock(sun.sunset),
+                fmt::format("{:.1f} %", 100 * share_left_out(site, span)),
+                fmt::format("{:+.2f} h", clock_ahead(site)));
+        }
+    return text;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,201 @@
+#include "sweep.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "ideotype/run/provenance.hpp"
+#include "ideotype/run/summary.hpp"
+#include "ideotype/run/way_on.hpp"
+
+namespace ideotype {
+
+namespace fs = std::filesystem;
+
+std::string path_of(const std::string& out, const Campaign& campaign,
+                    const Case& chosen) {
+    return (fs::path(out) / campaign.name / (chosen.name + ".h5")).string();
+}
+
+Sweep::Sweep(const RunOptions& options, const Campaign& campaign,
+             const std::vector<Case>& chosen, const std::string& isa, int ranks,
+             StopFlag& stop)
+    : options_(options),
+      campaign_(campaign),
+      chosen_(chosen),
+      isa_(isa),
+      ranks_(ranks),
+      stop_(stop),
+      progress_(campaign, chosen) {}
+
+bool Sweep::evolve(Dispatcher& dispatcher) {
+    dispatcher_ = &dispatcher;
+    try {
+        dispatcher.run(*this);
+    } catch (const Error& error) {
+        throw Error(fmt::format("{}\ngo on with\n  {}", error.what(),
+                                way_on(options_.command, ranks_)),
+                    error.exit_code());
+    }
+    report_failures();
+    report_in_use();
+    if (finished_ + in_use_.size() == chosen_.size()) return true;
+    progress_.print(
+        fmt::format("stopped before the end: {} of {} cases are "
+                    "finished",
+                    finished_, chosen_.size()));
+    if (!has_said_how_to_go_on_) on_stop(0);
+    return false;
+}
+
+bool Sweep::start_next() {
+    running_.remove_if([](const auto& each) { return each.has_ended(); });
+    if (next_ == chosen_.size()) return false;
+    running_.push_back(evolve_guarded(chosen_[next_++]));
+    running_.back().start();
+    return true;
+}
+
+void Sweep::on_silence(const Task& task, const std::string& what) {
+    for (const Case& each : chosen_)
+        if (each.index == static_cast<int>(task.case_index))
+            progress_.print(each.name + "  " + what);
+}
+
+void Sweep::on_stop(int in_flight) {
+    has_said_how_to_go_on_ = true;
+    const std::string pending =
+        in_flight > 0
+            ? fmt::format("stopping after the evaluations in flight ({}){}; ",
+                          in_flight,
+                          progress_.is_on_terminal()
+                              ? ", Ctrl-C again stops at once"
+                              : "")
+            : "";
+    progress_.print(fmt::format("{}go on with\n  {}", pending,
+                                way_on(options_.command, ranks_)));
+}
+
+Routine<Ending> Sweep::evolve_guarded(const Case& chosen) {
+    try {
+        const Ending ending = co_await evolve_one(chosen);
+        if (ending == Ending::finished) ++finished_;
+    } catch (const InUseError& error) {
+        note_in_use(chosen, error);
+    } catch (const std::exception&) {
+        note_failure(chosen);
+    }
+    co_return Ending::drained;
+}
+
+Routine<Ending> Sweep::evolve_one(const Case& chosen) {
+    History history = open_history(chosen);
+    if (!history.finished()) {
+        history.begin_session(session_record(options_.command, ranks_));
+        const double began = now();
+        const auto watcher = progress_.watch(chosen, history.next_generation());
+        const Evolution evolution{
+            campaign_, chosen,   *dispatcher_,
+            stop_,     *watcher, [began] { return now() - began; }};
+        const Ending ending = co_await evolve_case(evolution, history);
+        if (ending == Ending::drained) co_return ending;
+    }
+    progress_.end(chosen);
+    progress_.print(fmt::format("{}history: {}",
+                                final_summary(history, campaign_),
+                                path_of(options_.out, campaign_, chosen)));
+    co_return Ending::finished;
+}
+
+History Sweep::open_history(const Case& chosen) const {
+    const std::string path = path_of(options_.out, campaign_, chosen);
+    if (history_exists(path)) return resume_history(chosen, path);
+    const fs::path folder = fs::path(path).parent_path();
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure)
+        throw Error(
+            fmt::format("{}: cannot create this folder: {}; choose "
+                        "another with --out",
+                        folder.string(), failure.message()));
+    return History::create(path, header_of(campaign_, chosen, isa_));
+}
+
+//! Another job may have begun it after this one had looked.
+History Sweep::resume_history(const Case& chosen,
+                              const std::string& path) const {
+    History history = History::resume(path);
+    require_resumable(history.header(), campaign_, chosen, path);
+    const std::string& isa = history.header().text.at("isa");
+    if (isa != isa_)
+        throw Error(fmt::format("{}: was begun with instruction set {}, but "
+                                "this job works with {}; resume it by itself "
+                                "with --case {}",
+                                path, isa, isa_, chosen.index),
+                    ExitCode::refused);
+    return history;
+}
+
+//! Another job works on this case: no failure, and nothing to do here.
+void Sweep::note_in_use(const Case& chosen, const InUseError& error) {
+    if (chosen_.size() == 1) return note_failure(chosen);
+    in_use_.push_back(chosen.name);
+    progress_.end(chosen);
+    progress_.print(
+        fmt::format("{}  passed over: {}", chosen.name, error.what()));
+}
+
+//! Keeps the exception that is being handled. What is no matter of one case,
+//! such as a full disk, stops the others too.
+void Sweep::note_failure(const Case& chosen) {
+    const std::exception_ptr cause = std::current_exception();
+    failures_.push_back({chosen.name, cause});
+    progress_.end(chosen);
+    try {
+        std::rethrow_exception(cause);
+    } catch (const CaseError& error) {
+        print_failure(chosen, error);
+    } catch (const Error& error) {
+        print_failure(chosen, error);
+        if (error.exit_code() != ExitCode::refused) stop_.request();
+    } catch (const std::exception& error) {
+        print_failure(chosen, error);
+        stop_.request();
+    }
+}
+
+void Sweep::print_failure(const Case& chosen, const std::exception& error) {
+    if (chosen_.size() > 1)
+        progress_.print(
+            fmt::format("{}  failed: {}", chosen.name, error.what()));
+}
+
+//! @throws Error (refused) if there was nothing to do at all.
+void Sweep::report_in_use() {
+    if (in_use_.empty()) return;
+    const std::string message =
+        fmt::format("other programs work on {} of {} cases: {}", in_use_.size(),
+                    chosen_.size(), fmt::join(in_use_, ", "));
+    if (in_use_.size() == chosen_.size())
+        throw Error(message + "; see ideotype status " + options_.out,
+                    ExitCode::refused);
+    progress_.print(message);
+}
+
+void Sweep::report_failures() const {
+    if (failures_.empty()) return;
+    if (chosen_.size() == 1) std::rethrow_exception(failures_.front().cause);
+    std::string message =
+        fmt::format("{} of {} cases failed, {} finished:", failures_.size(),
+                    chosen_.size(), finished_);
+    for (const Failure& failure : failures_) try {
+            std::rethrow_exception(failure.cause);
+        } catch (const std::exception& error) {
+            message += fmt::format("\n{}: {}", failure.name, error.what());
+        }
+    throw Error(fmt::format("{}\nwhen the causes are gone, go on with\n  {}",
+                            message, way_on(options_.command, ranks_)));
+}
+
+}  // namespace ideotype

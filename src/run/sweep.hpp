@@ -1,0 +1,65 @@
+#pragma once
+
+#include <exception>
+#include <list>
+#include <string>
+#include <vector>
+
+#include "ideotype/run/evolve_case.hpp"
+#include "ideotype/run/progress.hpp"
+#include "ideotype/run/run.hpp"
+
+namespace ideotype {
+
+//! The cases of one start of the program, evolved in one job. A case that
+//! fails by itself does not keep the others from going on; when the disk
+//! fails, the others are drained. All references must outlive it.
+class Sweep : public Director {
+  public:
+    Sweep(const RunOptions& options, const Campaign& campaign,
+          const std::vector<Case>& chosen, const std::string& isa, int ranks,
+          StopFlag& stop);
+
+    //! Evolves all cases until they have ended or a stop is requested; false
+    //! if that left some of them.
+    //! @throws Error that names each case that failed, or (refused) if others
+    //! work on all of them.
+    bool evolve(Dispatcher& dispatcher);
+
+    bool start_next() override;
+    void on_silence(const Task& task, const std::string& what) override;
+    void on_stop(int in_flight) override;
+
+  private:
+    struct Failure {
+        std::string name;
+        std::exception_ptr cause;
+    };
+
+    Routine<Ending> evolve_guarded(const Case& chosen);
+    Routine<Ending> evolve_one(const Case& chosen);
+    History open_history(const Case& chosen) const;
+    History resume_history(const Case& chosen, const std::string& path) const;
+    void note_in_use(const Case& chosen, const InUseError& error);
+    void report_in_use();
+    void note_failure(const Case& chosen);
+    void print_failure(const Case& chosen, const std::exception& error);
+    void report_failures() const;
+
+    const RunOptions& options_;
+    const Campaign& campaign_;
+    const std::vector<Case>& chosen_;
+    const std::string& isa_;
+    int ranks_;
+    StopFlag& stop_;
+    Dispatcher* dispatcher_ = nullptr;  //!< while evolving
+    ProgressLog progress_;
+    std::size_t next_ = 0;      //!< case to start
+    std::size_t finished_ = 0;  //!< cases
+    bool has_said_how_to_go_on_ = false;
+    std::vector<std::string> in_use_;  //!< by other programs
+    std::vector<Failure> failures_;
+    std::list<Routine<Ending>> running_;
+};
+
+}  // namespace ideotype

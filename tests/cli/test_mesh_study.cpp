@@ -1,0 +1,236 @@
+#include <cmath>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/cli/mesh_study.hpp"
+
+namespace ideotype {
+namespace {
+
+MeshOptions reference(const std::string& name, MeshOptions::Period period) {
+    MeshOptions options;
+    options.path =
+        std::string(IDEOTYPE_TEST_DATA) + "/reference/" + name + ".obj";
+    options.period = period;
+    return options;
+}
+
+MeshOptions maize(double elevation, double azimuth) {
+    MeshOptions options = reference("maize1", {.76, .15});
+    options.sun = {90 - elevation, azimuth};
+    options.leaf = {0, 0};
+    options.soil_albedo = 0;
+    return options;
+}
+
+//! Some light is scattered, so that totals are not whole numbers of paths.
+MeshOptions lit_maize() {
+    MeshOptions options = maize(60, 180);
+    options.leaf = {.05, .05};
+    return options;
+}
+
+ExitCode code_of(const MeshOptions& options) {
+    try {
+        check(options);
+    } catch (const Error& error) {
+        return error.exit_code();
+    }
+    return ExitCode::ok;
+}
+
+TEST(MeshStudy, MaizeAgreesWithADoublePrecisionTracer) {
+    MeshOptions options = maize(60, 180);
+    options.tolerance = 1e-4;
+    const MeshReport report = study(options);
+    const Estimate leaf = report.canopy.light.day.leaves;
+    // 32 randomisations know their error to an eighth, and so do the trials.
+    EXPECT_LE(leaf.standard_error, 1.5e-4 * leaf.mean);
+    EXPECT_NEAR(leaf.mean, .9206372,
+                4 * std::hypot(leaf.standard_error, 3.39e-5));
+    EXPECT_NEAR(report.canopy.ground_area, .114, 1e-12);
+    EXPECT_LT(report.canopy.light.balance_error, 1e-12);
+}
+
+TEST(MeshStudy, OneSheetOverSoilIsExact) {
+    MeshOptions options = reference("sheets1", {1, 1});
+    options.sky = SkyModel::uniform;
+    options.soil_albedo = .2;
+    options.tolerance = 1e-4;
+    const BudgetEstimate day = study(options).canopy.light.day;
+    const auto expect = [](Estimate ours, double exact) {
+        EXPECT_LT(ours.standard_error, 2e-4);
+        EXPECT_NEAR(ours.mean, exact, 4 * ours.standard_error + 1e-7);
+    };
+    expect(day.leaves, .9090909);
+    expect(day.soil, .0404040);
+    expect(day.reflected, .0505051);
+}
+
+TEST(MeshStudy, StalksAreNoLeavesAndHaveTheirOwnOptics) {
+    // A sheet of leaf over half of the ground, one of stalk over the other.
+    const std::string path = testing::TempDir() + "halves.obj";
+    std::ofstream(path) << "v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                           "v .5 0 1\nv .5 1 1\n"
+                           "g plant001_leaf01\nf 1 5 6 4\n"
+                           "g plant001_stalk\nf 5 2 3 6\n";
+    MeshOptions options;
+    options.path = path;
+    options.period = {1, 1};
+    options.sun = {30, 180};
+    options.soil_albedo = 0;
+    options.leaf = {0, 0};
+    options.stalk = {.3, 0};
+    options.tolerance = 1e-3;
+    const CanopyReport canopy = study(options).canopy;
+    EXPECT_NEAR(canopy.lai, .5, 1e-12);
+    const BudgetEstimate& day = canopy.light.day;
+    EXPECT_NEAR(day.leaves.mean, .5, 4 * day.leaves.standard_error + 1e-6);
+    EXPECT_NEAR(day.stalks.mean, .35, 4 * day.stalks.standard_error + 1e-6);
+    EXPECT_NEAR(day.reflected.mean, .15,
+                4 * day.reflected.standard_error + 1e-6);
+}
+
+TEST(MeshStudy, AMeshInCentimetresIsWarnedOf) {
+    const std::string path = testing::TempDir() + "tall.obj";
+    const auto warnings = [&](double height) {
+        std::ofstream(path)
+            << "v 0 0 0\nv 1 0 0\nv 0 1 " << height << "\nf 1 2 3\n";
+        MeshOptions options;
+        options.path = path;
+        options.period = {1, 1};
+        options.sun = {30, 180};
+        options.paths = 1000;
+        return study(options).warnings;
+    };
+    EXPECT_TRUE(warnings(19).empty());
+    ASSERT_EQ(warnings(230).size(), 1u);
+    EXPECT_NE(warnings(230)[0].find("230 m high"), std::string::npos);
+    // Light would cross the cell a million times.
+    EXPECT_THROW(warnings(1e6), Error);
+}
+
+TEST(MeshStudy, TheSameOptionsGiveTheSameBits) {
+    const MeshReport a = study(lit_maize()), b = study(lit_maize());
+    EXPECT_EQ(a.canopy.paths, b.canopy.paths);
+    EXPECT_EQ(a.canopy.light.day.leaves.mean, b.canopy.light.day.leaves.mean);
+    MeshOptions other = lit_maize();
+    other.seed = 2;
+    EXPECT_NE(study(other).canopy.light.day.leaves.mean,
+              a.canopy.light.day.leaves.mean);
+}
+
+TEST(MeshStudy, ATighterToleranceTakesMorePathsAndIsMet) {
+    MeshOptions options = lit_maize();
+    options.tolerance = 1e-2;
+    const std::uint64_t few = study(options).canopy.paths;
+    options.tolerance = 3e-4;
+    const MeshReport report = study(options);
+    EXPECT_GT(report.canopy.paths, few);
+    const Estimate& leaves = report.canopy.light.day.leaves;
+    EXPECT_LE(leaves.standard_error, 4.5e-4 * leaves.mean);
+    EXPECT_FALSE(report.canopy.is_capped);
+}
+
+TEST(MeshStudy, AtLeastTheAskedPathsAreFollowed) {
+    MeshOptions options = maize(30, 90);
+    for (const std::uint64_t paths : {1, 2, 31, 33, 4096, 5000}) {
+        options.paths = paths;
+        const MeshReport report = study(options);
+        EXPECT_GE(report.canopy.paths, paths);
+        EXPECT_LE(report.canopy.paths, 4 * paths);
+        EXPECT_TRUE(
+            std::isfinite(report.canopy.light.day.leaves.standard_error));
+    }
+}
+
+TEST(MeshStudy, AFieldOfUnturnedPlantsIsThePlantInItsCell) {
+    MeshOptions field = maize(45, 120);
+    field.tolerance = 2e-4;
+    const MeshReport plant = study(field);
+    field.period.reset();
+    field.field = FieldForm{2, 3, {.76, .15}, 0};
+    const MeshReport stand = study(field);
+    EXPECT_NEAR(stand.canopy.ground_area, 6 * .76 * .15, 1e-12);
+    EXPECT_NEAR(stand.canopy.lai, plant.canopy.lai, 1e-9);
+    const Estimate a = plant.canopy.light.day.leaves,
+                   b = stand.canopy.light.day.leaves;
+    EXPECT_NEAR(a.mean, b.mean,
+                4 * std::hypot(a.standard_error, b.standard_error));
+    field.field->jitter = 20;
+    EXPECT_NE(study(field).canopy.light.day.leaves.mean, b.mean);
+}
+
+TEST(MeshStudy, ADayHasHoursThatSumToIt) {
+    MeshOptions options = maize(1, 0);
+    options.sun.reset();
+    options.site = Site{"", 42, -93.6, -5};
+    options.date = Date{2025, 8, 7};
+    const DayReport light = study(options).canopy.light;
+    EXPECT_NEAR(light.day.incident / 12.2e6, 1, .05);
+    double leaves = 0;
+    for (const StepReport& step : light.steps)
+        leaves += 3600 * step.budget.leaves.mean;
+    EXPECT_NEAR(leaves / light.day.leaves.mean, 1, 1e-9);
+    EXPECT_LT(light.balance_error, 1e-12);
+}
+
+TEST(MeshStudy, AnIsolatedPlotAbsorbsMoreThanItsGroundReceives) {
+    MeshOptions options = maize(30, 90);
+    options.period.reset();
+    options.boundary = Boundary::isolated;
+    options.ground_area = .114;
+    const CanopyReport alone = study(options).canopy;
+    EXPECT_GT(alone.light.day.leaves.mean, 1.5);
+    EXPECT_GT(alone.light.day.entered.mean, alone.light.day.leaves.mean);
+    EXPECT_LT(alone.light.balance_error, 1e-11);
+    ASSERT_TRUE(alone.light.steps[0].sunlit);
+    EXPECT_GT(alone.light.steps[0].sunlit->mean, .3);
+}
+
+TEST(MeshStudy, PolarNightIsDarkAndFinite) {
+    MeshOptions options = maize(1, 0);
+    options.sun.reset();
+    options.site = Site{"", 85, 0, 0};
+    options.date = Date{2025, 12, 21};
+    const MeshReport report = study(options);
+    EXPECT_EQ(report.canopy.light.day.incident, 0);
+    EXPECT_EQ(report.canopy.light.day.leaves.mean, 0);
+}
+
+TEST(MeshStudy, ContradictionsAreWrongUsage) {
+    EXPECT_EQ(code_of(maize(60, 180)), ExitCode::ok);
+    const auto refuses = [](auto change) {
+        MeshOptions options = maize(60, 180);
+        change(options);
+        EXPECT_EQ(code_of(options), ExitCode::usage);
+    };
+    refuses([](auto& o) { o.period.reset(); });
+    refuses([](auto& o) { o.period = {0, 1}; });
+    refuses([](auto& o) { o.period = {std::nan(""), 1}; });
+    refuses([](auto& o) { o.field = FieldForm{1, 1, {1, 1}, 0}; });
+    refuses([](auto& o) { o.ground_area = 1; });
+    refuses([](auto& o) { o.boundary = Boundary::isolated; });
+    refuses([](auto& o) { o.sun.reset(); });
+    refuses([](auto& o) { o.sun->zenith = 90; });
+    refuses([](auto& o) { o.sun->zenith = -1; });
+    refuses([](auto& o) { o.sky = SkyModel::uniform; });
+    refuses([](auto& o) { o.site = Site{}; });
+    refuses([](auto& o) { o.leaf = {.6, .5}; });
+    refuses([](auto& o) { o.leaf = {-.1, .5}; });
+    refuses([](auto& o) { o.stalk = {.6, .5}; });
+    refuses([](auto& o) { o.stalk = {.6, -.5}; });
+    refuses([](auto& o) { o.soil_albedo = 1.1; });
+    refuses([](auto& o) { o.tolerance = 0; });
+    refuses([](auto& o) { o.paths = 0; });
+}
+
+TEST(MeshStudy, AMeshOutOfProportionToItsPeriodIsRefused) {
+    MeshOptions options = maize(60, 180);
+    options.period = {1e-6, 1e-6};
+    EXPECT_THROW(study(options), Error);
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -1,0 +1,176 @@
+#include <cmath>
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/fidelity/choice.hpp"
+
+namespace ideotype {
+namespace {
+
+//! A small field of small plants, quick to measure.
+Campaign small() {
+    Campaign campaign =
+        read_campaign(std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml");
+    campaign.field.rows = campaign.field.plants = 2;
+    campaign.tessellation = {8, 6};
+    campaign.sampling = {256, 8};
+    return campaign;
+}
+
+Trade measured(const Campaign& campaign, std::size_t draws) {
+    const Device device(Device::supported_isas().back());
+    return measure_trade(campaign, 0, device, {1e9, draws, draws},
+                         [](const std::string&, double) {});
+}
+
+class Fidelity : public ::testing::Test {
+  protected:
+    //! Measured once for all tests.
+    static const Trade& trade() {
+        static const Trade once = measured(small(), 32);
+        return once;
+    }
+};
+
+TEST_F(Fidelity, AReferenceHasNoBias) {
+    for (const MeasuredKnob& each : trade().knobs)
+        for (const Goal goal : {Goal::value, Goal::difference}) {
+            const Estimate bias =
+                each.points[each.knob.reference].of(goal).bias;
+            EXPECT_EQ(bias.mean, 0) << each.knob.name;
+            EXPECT_EQ(bias.standard_error, 0) << each.knob.name;
+        }
+}
+
+TEST_F(Fidelity, WhatIsOnlyArrangedOtherwiseHasNoBias) {
+    for (const MeasuredKnob& each : trade().knobs) {
+        if (each.knob.kind != Knob::Kind::arrangement &&
+            each.knob.kind != Knob::Kind::paths)
+            continue;
+        for (const KnobPoint& point : each.points)
+            for (const Goal goal : {Goal::value, Goal::difference}) {
+                const Estimate bias = point.of(goal).bias;
+                EXPECT_LE(std::abs(bias.mean), 4 * bias.standard_error)
+                    << each.knob.name << ' ' << point.name;
+                EXPECT_LT(bias.standard_error, .01)
+                    << each.knob.name << ' ' << point.name;
+            }
+    }
+}
+
+TEST_F(Fidelity, CoarseLeavesAndMissingStalksAreFound) {
+    const Estimate coarse =
+        trade().knob("cells_along").points.front().of(Goal::value).bias;
+    EXPECT_LT(coarse.mean, -3 * coarse.standard_error);
+    EXPECT_GT(coarse.mean, -.05);
+    const Estimate bare = trade().knob("stalk").points[1].of(Goal::value).bias;
+    EXPECT_GT(bare.mean, .1);
+    EXPECT_LT(bare.standard_error, .01);
+}
+
+TEST_F(Fidelity, MorePathsScatterLessAndCostMore) {
+    const MeasuredKnob& paths = trade().knob("paths");
+    const KnobPoint& few = paths.points.front();
+    const KnobPoint& many = paths.points.back();
+    EXPECT_GE(few.cost.paths, 64);
+    EXPECT_EQ(many.cost.paths, 64 * few.cost.paths);
+    // Independent ones would scatter an eighth.
+    EXPECT_LT(many.of(Goal::value).scatter.path.mean,
+              few.of(Goal::value).scatter.path.mean / 5);
+    EXPECT_GT(many.of(Goal::value).scatter.path.mean,
+              few.of(Goal::value).scatter.path.mean / 40);
+}
+
+TEST_F(Fidelity, NothingOnTheFrontIsBeatenByAnythingElse) {
+    for (const Goal goal : {Goal::value, Goal::difference}) {
+        const auto front = pareto_front(trade(), goal, Draws::Fields::one);
+        ASSERT_GT(front.size(), 5u);
+        for (std::size_t i = 1; i < front.size(); ++i) {
+            EXPECT_GE(front[i].seconds(), front[i - 1].seconds());
+            EXPECT_LT(front[i].error(), front[i - 1].error());
+        }
+        std::vector<std::size_t> own;
+        for (const MeasuredKnob& each : trade().knobs)
+            own.push_back(each.knob.own);
+        const Combination mine =
+            combine(trade(), own, {1024, 8}, Draws::Fields::one, goal);
+        bool is_matched = false;
+        for (const Combination& each : front)
+            is_matched = is_matched || (each.seconds() <= mine.seconds() &&
+                                        each.error() <= mine.error());
+        EXPECT_TRUE(is_matched);
+    }
+}
+
+TEST_F(Fidelity, TheCheapestMeetsTheToleranceWhenEvaluatedAnew) {
+    constexpr double tolerance = .02;
+    const Device device(Device::supported_isas().back());
+    for (const auto fields : {Draws::Fields::one, Draws::Fields::each})
+        for (const Goal goal : {Goal::value, Goal::difference}) {
+            const auto found =
+                cheapest(pareto_front(trade(), goal, fields), tolerance);
+            ASSERT_TRUE(found);
+            const Check check =
+                check_combination(trade(), *found, goal, device, .5);
+            EXPECT_LT(std::abs(check.bias.mean),
+                      tolerance + 3 * check.bias.standard_error);
+            EXPECT_LT(check.standard_error.mean,
+                      tolerance + 3 * check.standard_error.standard_error);
+            EXPECT_LT(check.standard_error.standard_error, tolerance / 3);
+        }
+}
+
+//! The text of a resolved campaign with other values.
+std::string with_keys(std::string text, const std::vector<PastedKey>& keys) {
+    for (const PastedKey& key : keys) {
+        const auto header = text.find(
+            key.section == "[day]" ? "[[day]]" : "[" + key.section + "]");
+        const auto line = text.find('\n' + key.name + " = ", header);
+        EXPECT_NE(line, std::string::npos) << key.name;
+        const auto end = text.find('\n', line + 1);
+        text.replace(line + 1, end - line - 1, key.name + " = " + key.value);
+    }
+    return text;
+}
+
+TEST_F(Fidelity, PastedKeysMakeTheChosenCampaign) {
+    const auto front = pareto_front(trade(), Goal::value, Draws::Fields::one);
+    const Campaign chosen = applied(trade(), front[front.size() / 2]);
+    const Campaign pasted =
+        parse_campaign(with_keys(small().resolved, keys_of(chosen)), "pasted");
+    EXPECT_EQ(pasted.field.rows, chosen.field.rows);
+    EXPECT_EQ(pasted.field.plants, chosen.field.plants);
+    EXPECT_EQ(pasted.tessellation.cells_along, chosen.tessellation.cells_along);
+    EXPECT_EQ(pasted.tessellation.stalk_sides, chosen.tessellation.stalk_sides);
+    EXPECT_EQ(pasted.days[0].value.step_minutes,
+              chosen.days[0].value.step_minutes);
+    EXPECT_EQ(pasted.sampling.paths, chosen.sampling.paths);
+    EXPECT_EQ(pasted.sampling.randomisations, chosen.sampling.randomisations);
+}
+
+TEST(FidelityKnobs, BlackCanopiesHaveNoScatteringToTrade) {
+    Campaign campaign = small();
+    campaign.optics = {};
+    for (const Knob& knob : knobs(campaign, 0))
+        EXPECT_NE(knob.name, "scattering");
+}
+
+TEST(FidelityKnobs, TheCampaignsOwnValuesAreAmongThem) {
+    Campaign campaign = small();
+    campaign.tessellation = {13, 7};
+    campaign.field.rows = 5;
+    campaign.days[0].value.step_minutes = 20;
+    for (const Knob& knob : knobs(campaign, 0)) {
+        if (knob.kind != Knob::Kind::fineness) continue;
+        Variant own = knob.base;
+        own.campaign = campaign;
+        knob.values[knob.own].apply(own);
+        const auto is = keys_of(own.campaign), was = keys_of(campaign);
+        for (std::size_t i = 0; i < is.size(); ++i)
+            EXPECT_EQ(is[i].value, was[i].value) << is[i].name;
+    }
+}
+
+}  // namespace
+}  // namespace ideotype

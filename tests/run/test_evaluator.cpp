@@ -1,0 +1,180 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/run/evaluator.hpp"
+
+namespace ideotype {
+namespace {
+
+class Ames : public ::testing::Test {
+  protected:
+    const Campaign campaign =
+        read_campaign(std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml");
+    const std::vector<Case> all = cases(campaign);
+    const Day day = clear_day(all[0].site, all[0].day, campaign.par_fraction);
+    const Genome baseline = to_genome(campaign.baseline);
+    CanopyEvaluator evaluator{campaign, Device::supported_isas().back()};
+
+    double diagnostic(const Outcome& outcome, const std::string& name) const {
+        const OutcomeSchema schema = outcome_schema(campaign, day);
+        for (std::size_t i = 0; i < schema.diagnostics.size(); ++i)
+            if (schema.diagnostics[i].name == name)
+                return outcome.diagnostics[i].mean;
+        ADD_FAILURE() << "no diagnostic " << name;
+        return 0;
+    }
+};
+
+TEST_F(Ames, BaselineAbsorbsWhatASparseReferenceSays) {
+    Task task;
+    task.is_final = true;
+    const Outcome outcome = evaluator.evaluate(task, baseline);
+    // Leaves and stalks of a B73-like stand take about .93 of the light.
+    const double leaves = diagnostic(outcome, "absorbed_fraction");
+    const double stalks = diagnostic(outcome, "stalk_fraction");
+    EXPECT_NEAR(leaves + stalks, .93, .015);
+    EXPECT_NEAR(diagnostic(outcome, "lai"), 3.44, .03);
+    // From pvlib: tests/climate/test_day.cpp.
+    EXPECT_NEAR(diagnostic(outcome, "incident"), 12.07745, 1e-4 * 12.07745);
+    EXPECT_LT(outcome.objectives[0].standard_error,
+              .002 * outcome.objectives[0].mean);
+}
+
+TEST_F(Ames, FractionsSumToOneAndLeavesToTheTotal) {
+    const Outcome outcome = evaluator.evaluate({}, baseline);
+    EXPECT_NEAR(diagnostic(outcome, "absorbed_fraction") +
+                    diagnostic(outcome, "stalk_fraction") +
+                    diagnostic(outcome, "soil_fraction") +
+                    diagnostic(outcome, "reflected_fraction"),
+                1, 1e-12);
+    EXPECT_LT(diagnostic(outcome, "balance_error"), 1e-12);
+    double sum = 0;
+    for (int leaf = 1; leaf <= 10; ++leaf)
+        sum += diagnostic(outcome,
+                          (leaf < 10 ? "absorbed_leaf0" : "absorbed_leaf") +
+                              std::to_string(leaf));
+    EXPECT_NEAR(sum / outcome.objectives[0].mean, 1, 1e-12);
+}
+
+TEST_F(Ames, CandidatesOfAGenerationShareTheirRandomNumbers) {
+    Task first, second, later;
+    second.slot = 17;
+    later.generation = 1;
+    const double a = evaluator.evaluate(first, baseline).objectives[0].mean;
+    EXPECT_EQ(evaluator.evaluate(second, baseline).objectives[0].mean, a);
+    EXPECT_NE(evaluator.evaluate(later, baseline).objectives[0].mean, a);
+}
+
+TEST_F(Ames, TheElitePlantAbsorbsMoreThanTheBaseline) {
+    const KnownPlant plant =
+        read_plant(std::string(IDEOTYPE_CAMPAIGNS) + "/plants/elite.toml");
+    // Both plants have the same stalk, blade and heights of leaves, so that
+    // the genome is all that tells them apart.
+    const Genome elite = to_genome(plant.traits);
+    const auto absorbed = [&](const Genome& genome) {
+        return evaluator.evaluate({}, genome).objectives[0];
+    };
+    const Estimate b = absorbed(baseline), e = absorbed(elite);
+    EXPECT_GT(e.mean - b.mean,
+              4 * std::hypot(b.standard_error, e.standard_error));
+}
+
+TEST_F(Ames, AToleranceIsMetAndTheRowSaysHow) {
+    Campaign exact = campaign;
+    exact.sampling = {1 << 14, 16, 2e-3};
+    CanopyEvaluator to_tolerance(exact, Device::supported_isas().back());
+    const Outcome met = to_tolerance.evaluate({}, baseline);
+    // 16 randomisations know their error to a fifth, and so do the trials.
+    EXPECT_LE(met.objectives[0].standard_error,
+              3.5e-3 * met.objectives[0].mean);
+    EXPECT_GT(diagnostic(met, "paths"), 16 * 64);
+    EXPECT_LT(diagnostic(met, "paths"), 16 * (1 << 14));
+    EXPECT_EQ(diagnostic(met, "capped"), 0);
+
+    exact.sampling.paths = 64;
+    CanopyEvaluator hurried(exact, Device::supported_isas().back());
+    const Outcome capped = hurried.evaluate({}, baseline);
+    EXPECT_EQ(capped.status, Status::done);
+    EXPECT_EQ(diagnostic(capped, "paths"), 16 * 64);
+    EXPECT_EQ(diagnostic(capped, "capped"), 1);
+}
+
+TEST_F(Ames, TheToleranceTightensFromTheFirstGenerationToTheLast) {
+    Campaign scheduled = campaign;
+    scheduled.sampling.tolerance = 1e-3;
+    scheduled.stop.generations = 5;
+    const auto tolerance = [&](std::uint32_t generation, bool is_final) {
+        Task task;
+        task.generation = generation;
+        task.is_final = is_final;
+        return draws_of(task, scheduled, all[0]).sampling.tolerance;
+    };
+    EXPECT_EQ(tolerance(0, false), 1e-3);
+    scheduled.first_tolerance = 1.6e-2;
+    EXPECT_DOUBLE_EQ(tolerance(0, false), 1.6e-2);
+    EXPECT_DOUBLE_EQ(tolerance(2, false), 4e-3);
+    EXPECT_DOUBLE_EQ(tolerance(4, false), 1e-3);
+    EXPECT_EQ(tolerance(4, true), 0);
+}
+
+TEST_F(Ames, ConstraintsComeBeforeTheObjective) {
+    const OutcomeSchema schema = outcome_schema(campaign, day);
+    const Outcome feasible = evaluator.evaluate({}, baseline);
+    EXPECT_EQ(fitness_of(feasible, schema), feasible.objectives[0].mean);
+
+    Campaign strict = campaign;
+    strict.constraints.lai = {1, 2};
+    CanopyEvaluator strict_evaluator(strict, Device::supported_isas().back());
+    const Outcome outcome = strict_evaluator.evaluate({}, baseline);
+    EXPECT_EQ(outcome.objectives[0].mean, feasible.objectives[0].mean);
+    EXPECT_NEAR(fitness_of(outcome, schema), -(3.435 - 2) / 2, .01);
+    EXPECT_LT(fitness_of(failed_outcome(schema, "why"), schema), -1e300);
+}
+
+TEST_F(Ames, LightPerLeafAreaIsThatOfTheGroundOverLai) {
+    Campaign thrifty = campaign;
+    thrifty.objective = Objective::absorbed_par_per_leaf_area;
+    CanopyEvaluator other(thrifty, Device::supported_isas().back());
+    const Outcome a = evaluator.evaluate({}, baseline);
+    const Outcome b = other.evaluate({}, baseline);
+    EXPECT_NEAR(b.objectives[0].mean * diagnostic(b, "lai"),
+                a.objectives[0].mean, 1e-9);
+    EXPECT_EQ(outcome_schema(thrifty, day).objectives[0].name,
+              "absorbed_par_per_leaf_area");
+}
+
+TEST_F(Ames, APlotAloneTakesMoreThanItsGroundReceives) {
+    Campaign alone = campaign;
+    alone.field.boundary = Boundary::isolated;
+    alone.field.cut = 1;
+    CanopyEvaluator plot(alone, Device::supported_isas().back());
+    const Outcome outcome = plot.evaluate({}, baseline);
+    ASSERT_EQ(outcome.status, Status::done) << outcome.message;
+    EXPECT_GT(diagnostic(outcome, "absorbed_fraction"), 1);
+    EXPECT_LT(diagnostic(outcome, "balance_error"), 1e-12);
+}
+
+TEST(Canopy, InThePolarNightAllFiguresAreZero) {
+    Campaign campaign =
+        read_campaign(std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml");
+    for (const double pole : {90., -90.}) {
+        Case night = cases(campaign)[0];
+        night.site.latitude = pole;
+        night.day.date = {2025, pole > 0 ? 12 : 6, 21};
+        const CanopyModel model = canopy_model(campaign, night);
+        ASSERT_TRUE(model.light.day.steps.empty());
+        const Device device(Device::supported_isas().back());
+        const Outcome outcome = checked_outcome(
+            outcome_schema(campaign, model.light.day),
+            to_outcome(campaign, to_genome(campaign.baseline),
+                       study(model, device, campaign.baseline,
+                             draws_of({}, campaign, night), Detail::history)));
+        EXPECT_EQ(outcome.status, Status::done) << outcome.message;
+        EXPECT_EQ(outcome.objectives[0].mean, 0);
+        EXPECT_EQ(outcome.objectives[0].standard_error, 0);
+    }
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -1,0 +1,215 @@
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/core/error.hpp"
+#include "ideotype/run/evaluator.hpp"
+#include "ideotype/run/evolve_case.hpp"
+#include "ideotype/run/provenance.hpp"
+#include "once.hpp"
+
+namespace ideotype {
+namespace {
+
+//! The sum of the genes; fails and stops where told, and counts.
+class SumEvaluator : public Evaluator {
+  public:
+    SumEvaluator(const OutcomeSchema& schema, StopFlag& stop)
+        : schema_(schema), stop_(stop) {}
+
+    const OutcomeSchema& schema(const Task&) const override { return schema_; }
+
+    Outcome evaluate(const Task& task, const Genome& genome) override {
+        if (++count == stop_at) stop_.request();
+        if (task.slot < failing_slots && !task.is_final)
+            return failed_outcome(schema_, "the sun went out");
+        Outcome outcome;
+        outcome.status = Status::done;
+        double sum = 0;
+        for (const double gene : genome) sum += gene;
+        outcome.objectives.assign(schema_.objectives.size(), {sum, 0.1});
+        outcome.diagnostics.assign(schema_.diagnostics.size(), {0, 0});
+        return outcome;
+    }
+
+    int count = 0;
+    int stop_at = -1;
+    std::uint32_t failing_slots = 0;
+
+  private:
+    const OutcomeSchema& schema_;
+    StopFlag& stop_;
+};
+
+class NoWatcher : public Watcher {
+  public:
+    void on_evaluation(std::uint32_t) override {}
+    void on_generation(std::uint32_t, const GenerationSummary&) override {}
+    void on_final(const std::string&) override {}
+};
+
+class EvolveCase : public ::testing::Test {
+  protected:
+    EvolveCase() {
+        folder = std::filesystem::temp_directory_path() /
+                 ("ideotype_evolve_" + std::to_string(getpid()));
+        std::filesystem::create_directories(folder);
+        campaign =
+            read_campaign(std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml");
+        campaign.optimizer.population = 10;
+        campaign.stop.generations = 6;
+        chosen = cases(campaign)[0];
+    }
+    ~EvolveCase() override { std::filesystem::remove_all(folder); }
+
+    std::string path(const std::string& name) const {
+        return (folder / name).string();
+    }
+    HistoryHeader header() const { return header_of(campaign, chosen, "sse2"); }
+    Ending evolve(History& history, SumEvaluator& evaluator) {
+        const auto dispatcher = make_dispatcher(evaluator, stop);
+        Once once(evolve_case(
+            {campaign, chosen, *dispatcher, stop, watcher, [] { return 1.0; }},
+            history));
+        dispatcher->run(once);
+        return once.result();
+    }
+
+    std::filesystem::path folder;
+    Campaign campaign;
+    Case chosen;
+    StopFlag stop;
+    NoWatcher watcher;
+};
+
+TEST_F(EvolveCase, EndsWithJudgedFinalistsAndAReason) {
+    const HistoryHeader h = header();
+    History history = History::create(path("a.h5"), h);
+    SumEvaluator evaluator(h.schema, stop);
+    EXPECT_EQ(evolve(history, evaluator), Ending::finished);
+    EXPECT_EQ(history.finished(), "generations");
+    const auto finalists = history.finalists();
+    ASSERT_GE(finalists.size(), 2u);
+    EXPECT_EQ(finalists[0].candidate.origin, Origin::baseline);
+    EXPECT_GT(finalists[1].fitness, finalists[0].fitness);
+}
+
+//! Bytes that this process has read so far.
+long long bytes_read() {
+    std::ifstream io("/proc/self/io");
+    std::string name;
+    long long bytes = 0;
+    io >> name >> bytes;
+    EXPECT_EQ(name, "rchar:");
+    return bytes;
+}
+
+//! How much was read in each generation.
+class ReadingWatcher : public NoWatcher {
+  public:
+    void on_generation(std::uint32_t, const GenerationSummary&) override {
+        const long long now = bytes_read();
+        bytes.push_back(now - before_);
+        before_ = now;
+    }
+
+    std::vector<long long> bytes;
+
+  private:
+    long long before_ = bytes_read();
+};
+
+TEST_F(EvolveCase, LateGenerationsReadNoMoreThanEarlyOnes) {
+    campaign.stop.generations = 400;
+    const HistoryHeader h = header();
+    History history = History::create(path("long.h5"), h);
+    SumEvaluator evaluator(h.schema, stop);
+    const auto dispatcher = make_dispatcher(evaluator, stop);
+    ReadingWatcher reading;
+    Once once(evolve_case(
+        {campaign, chosen, *dispatcher, stop, reading, [] { return 1.0; }},
+        history));
+    dispatcher->run(once);
+    ASSERT_EQ(reading.bytes.size(), 400U);
+    const long long early = reading.bytes[2];
+    EXPECT_GT(early, 0);
+    // Numbers in /proc/self/io grow; 400 summaries have 24 kB.
+    EXPECT_LE(reading.bytes.back(), early + 1000);
+}
+
+TEST_F(EvolveCase, StopAndResumeGiveWhatAnUninterruptedRunGives) {
+    const HistoryHeader h = header();
+    History whole = History::create(path("whole.h5"), h);
+    SumEvaluator evaluator(h.schema, stop);
+    evolve(whole, evaluator);
+    for (const int stop_at : {1, 7, 10, 31}) {
+        const std::string name = path("cut" + std::to_string(stop_at));
+        {
+            History cut = History::create(name, h);
+            SumEvaluator interrupted(h.schema, stop);
+            interrupted.stop_at = stop_at;
+            EXPECT_EQ(evolve(cut, interrupted), Ending::drained);
+        }
+        // Only a new start takes a stop back.
+        stop.~StopFlag();
+        new (&stop) StopFlag;
+        History resumed = History::resume(name);
+        SumEvaluator rest(h.schema, stop);
+        EXPECT_EQ(evolve(resumed, rest), Ending::finished);
+        for (std::uint32_t g = 0; g < 6; ++g)
+            for (std::uint32_t s = 0; s < 10; ++s) {
+                EXPECT_EQ(resumed.row(g, s).candidate.genome,
+                          whole.row(g, s).candidate.genome);
+                EXPECT_EQ(resumed.row(g, s).fitness, whole.row(g, s).fitness);
+            }
+    }
+}
+
+TEST_F(EvolveCase, EqualGenomesAreEvaluatedOnce) {
+    campaign.optimizer.mutations_per_child = 0;
+    campaign.optimizer.crossover_probability = 0;
+    const HistoryHeader h = header();
+    History history = History::create(path("twins.h5"), h);
+    SumEvaluator evaluator(h.schema, stop);
+    evolve(history, evaluator);
+    const auto summaries = history.summaries();
+    std::uint32_t evaluations = 0;
+    for (const auto& s : summaries) evaluations += s.evaluations;
+    EXPECT_LT(summaries.back().evaluations, 10u);
+    EXPECT_EQ(evaluations + history.finalists().size(),
+              static_cast<std::size_t>(evaluator.count));
+    for (std::uint32_t s = 0; s < 10; ++s)
+        EXPECT_EQ(history.row(5, s).outcome.status, Status::done);
+}
+
+TEST_F(EvolveCase, AFewFailuresAreRowsWithAReason) {
+    const HistoryHeader h = header();
+    History history = History::create(path("few.h5"), h);
+    SumEvaluator evaluator(h.schema, stop);
+    evaluator.failing_slots = 2;
+    EXPECT_EQ(evolve(history, evaluator), Ending::finished);
+    const Row row = history.row(3, 1);
+    EXPECT_EQ(row.outcome.status, Status::failed);
+    EXPECT_EQ(row.outcome.message, "the sun went out");
+    EXPECT_EQ(history.summaries()[3].failures, 2u);
+}
+
+TEST_F(EvolveCase, TooManyFailuresEndTheRunWithTheReason) {
+    const HistoryHeader h = header();
+    History history = History::create(path("many.h5"), h);
+    SumEvaluator evaluator(h.schema, stop);
+    evaluator.failing_slots = 6;
+    try {
+        evolve(history, evaluator);
+        FAIL() << "went on";
+    } catch (const CaseError& error) {
+        EXPECT_NE(std::string(error.what()).find("the sun went out"),
+                  std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace ideotype

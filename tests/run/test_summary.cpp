@@ -1,0 +1,73 @@
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/run/evaluator.hpp"
+#include "ideotype/run/provenance.hpp"
+#include "ideotype/run/summary.hpp"
+
+namespace ideotype {
+namespace {
+
+namespace fs = std::filesystem;
+
+//! A history of which only the final evaluation exists.
+class Summary : public testing::Test {
+  protected:
+    ~Summary() override { fs::remove(path_); }
+
+    //! The light that baseline and best absorb [MJ m-2 day-1], and their leaf
+    //! area indices.
+    std::string of(Estimate baseline, double baseline_lai, Estimate best,
+                   double best_lai) {
+        fs::remove(path_);
+        History history = History::create(
+            path_.string(), header_of(campaign_, cases(campaign_)[0], "avx2"));
+        const Genome genome = to_genome(campaign_.baseline);
+        history.propose_final(
+            {{genome, Origin::baseline, {}}, {genome, Origin::elite, {}}});
+        record(history, 0, baseline, baseline_lai);
+        record(history, 1, best, best_lai);
+        return final_summary(history, campaign_);
+    }
+
+  private:
+    static void record(History& history, std::uint32_t slot, Estimate absorbed,
+                       double lai) {
+        const OutcomeSchema& schema = history.header().schema;
+        Outcome outcome;
+        outcome.status = Status::done;
+        outcome.objectives = {absorbed};
+        for (const Quantity& column : schema.diagnostics)
+            outcome.diagnostics.push_back(
+                {column.name == "lai" ? lai : 0.0, 0.0});
+        history.record_final(slot, outcome, absorbed.mean);
+    }
+
+    Campaign campaign_ = read_campaign(IDEOTYPE_CAMPAIGNS "/ames_quick.toml");
+    fs::path path_ = fs::temp_directory_path() /
+                     ("ideotype_summary_" + std::to_string(getpid()) + ".h5");
+};
+
+TEST_F(Summary, PutsLeafAreaBesideTheGain) {
+    const std::string text = of({10, 0.03}, 2.5, {11, 0.04}, 5);
+    EXPECT_NE(text.find("  gain      1.000 +- 0.050 MJ m-2 day-1 = 10.00 +- "
+                        "0.52 %, with LAI 5.00 instead of 2.50\n"
+                        "            -1.800 +- 0.014 MJ m-2 day-1 = -45.00 +- "
+                        "0.26 % per leaf area\n"),
+              std::string::npos)
+        << text;
+}
+
+TEST_F(Summary, NeverDividesByNothing) {
+    const std::string text = of({0, 0}, 0, {0, 0}, 0);
+    EXPECT_NE(text.find("  gain      0 MJ m-2 day-1, with LAI 0.00 instead of "
+                        "0.00\n"),
+              std::string::npos)
+        << text;
+    EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+    EXPECT_EQ(text.find("inf\n"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace ideotype

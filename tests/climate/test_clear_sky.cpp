@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/core/units.hpp"
 #include "ideotype/climate/clear_sky.hpp"
+#include "ideotype/core/units.hpp"
 
 namespace ideotype {
 

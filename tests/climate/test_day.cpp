@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "ideotype/climate/day.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/units.hpp"
-#include "ideotype/climate/day.hpp"
 
 namespace ideotype {
 

@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#include "ideotype/climate/sky_sampler.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/random.hpp"
 #include "ideotype/core/units.hpp"
-#include "ideotype/climate/sky_sampler.hpp"
 
 namespace ideotype {
 

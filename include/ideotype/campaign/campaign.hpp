@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "ideotype/core/error.hpp"
-#include "ideotype/search/genome.hpp"
-#include "ideotype/search/optimizer.hpp"
-#include "ideotype/light/optics.hpp"
-#include "ideotype/crop/field.hpp"
-#include "ideotype/crop/plant.hpp"
 #include "ideotype/climate/day.hpp"
 #include "ideotype/climate/radiance.hpp"
 #include "ideotype/climate/site.hpp"
+#include "ideotype/core/error.hpp"
+#include "ideotype/crop/field.hpp"
+#include "ideotype/crop/plant.hpp"
+#include "ideotype/light/optics.hpp"
+#include "ideotype/search/genome.hpp"
+#include "ideotype/search/optimizer.hpp"
 
 namespace ideotype {
 

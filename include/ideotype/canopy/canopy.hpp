@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "ideotype/core/mesh.hpp"
+#include "ideotype/crop/field.hpp"
+#include "ideotype/crop/plant.hpp"
 #include "ideotype/light/device.hpp"
 #include "ideotype/light/illumination.hpp"
 #include "ideotype/light/optics.hpp"
 #include "ideotype/light/report.hpp"
 #include "ideotype/light/transport.hpp"
-#include "ideotype/crop/field.hpp"
-#include "ideotype/crop/plant.hpp"
 
 namespace ideotype {
 

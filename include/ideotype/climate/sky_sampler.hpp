@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "ideotype/core/mesh.hpp"
 #include "ideotype/climate/radiance.hpp"
+#include "ideotype/core/mesh.hpp"
 
 namespace ideotype {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ideotype/core/mesh.hpp"
 #include "ideotype/climate/site.hpp"
+#include "ideotype/core/mesh.hpp"
 
 namespace ideotype {
 

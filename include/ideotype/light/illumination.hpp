@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "ideotype/core/mesh.hpp"
 #include "ideotype/climate/day.hpp"
 #include "ideotype/climate/sky_sampler.hpp"
+#include "ideotype/core/mesh.hpp"
 
 namespace ideotype {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "ideotype/core/mesh.hpp"
-#include "ideotype/light/device.hpp"
 #include "ideotype/crop/field.hpp"
+#include "ideotype/light/device.hpp"
 
 struct RTCDeviceTy;
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "ideotype/search/evaluation.hpp"
 #include "ideotype/parallel/dispatcher.hpp"
+#include "ideotype/search/evaluation.hpp"
 
 namespace ideotype {
 

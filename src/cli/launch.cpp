@@ -29,7 +29,7 @@ constexpr const char* own_mark = "IDEOTYPE_LAUNCHED";
 struct Variable {
     const char *name, *value;
 };
-constexpr std::array<Variable, 11> environment{{
+constexpr std::array<Variable, 12> environment{{
     {"OMPI_ALLOW_RUN_AS_ROOT", "1"},
     {"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"},
     {"PRTE_ALLOW_RUN_AS_ROOT", "1"},
@@ -39,6 +39,8 @@ constexpr std::array<Variable, 11> environment{{
     {"OMPI_MCA_hwloc_base_binding_policy", "none"},
     {"PRTE_MCA_hwloc_default_binding_policy", "none"},
     {"OMPI_MCA_mpi_yield_when_idle", "1"},
+    // All ranks are on this machine, which may have no network.
+    {"OMPI_MCA_btl", "^tcp"},
     // Errors and exit codes are told by rank 0 and by watch().
     {"OMPI_MCA_orte_execute_quiet", "1"},
     {own_mark, "1"},

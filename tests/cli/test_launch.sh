@@ -22,6 +22,12 @@ write_campaign long 12 100
 write_campaign short 8 3
 "$ideotype" run campaigns/short.toml --out whole >/dev/null
 
+# The launcher adds nothing of its own; that of Open MPI 5 cannot be told not to.
+says_no_more() {
+    "$ideotype" --version | grep -q "Open MPI v5" ||
+        ! grep -q "non-zero" out.log || fail "a word of mpirun: $(cat out.log)"
+}
+
 for ranks in auto 1 4; do
     expect 0 "$ideotype" run campaigns/short.toml --ranks $ranks --out "of $ranks"
     same_results "$(history_of whole short)" "$(history_of "of $ranks" short)"
@@ -34,7 +40,7 @@ expect 2 taskset -c 0 "$ideotype" run campaigns/short.toml --out no --ranks none
 says "'none' is no number of ranks; give 1 to 4096, or auto, which is 1 here"
 expect 4 "$ideotype" run campaigns/short.toml --out whole --ranks 3
 says "exists already"
-! grep -q "non-zero" out.log || fail "a word of mpirun: $(cat out.log)"
+says_no_more
 code=0
 env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 \
     OMPI_MCA_rmaps_base_oversubscribe=1 mpirun -n 2 \
@@ -74,7 +80,7 @@ for signal in INT TERM USR1; do
     wait $job || code=$?
     [ $code -eq 5 ] || fail "$signal ended with $code: $(cat out.log)"
     says "stopped before the end"
-    ! grep -q "non-zero" out.log || fail "a word of mpirun: $(cat out.log)"
+    says_no_more
 done
 go_on "on USR1"
 

@@ -40,7 +40,7 @@ constexpr std::array<Variable, 12> environment{{
     {"PRTE_MCA_hwloc_default_binding_policy", "none"},
     {"OMPI_MCA_mpi_yield_when_idle", "1"},
     // All ranks are on this machine, which may have no network.
-    {"OMPI_MCA_btl", "^tcp"},
+    {"OMPI_MCA_btl_tcp_if_include", "lo"},
     // Errors and exit codes are told by rank 0 and by watch().
     {"OMPI_MCA_orte_execute_quiet", "1"},
     {own_mark, "1"},

@@ -231,6 +231,10 @@ std::vector<Row> History::finalists() const {
     return rows;
 }
 
+void History::require_in_place() const {
+    file_->require_in_place();
+}
+
 double History::wall_time() const {
     return file_->read([&] { return file_->journal.wall_time(); });
 }

@@ -91,10 +91,10 @@ struct History::File {
     //! Leading rows of which the diagnostics are there.
     hsize_t intact_diagnostics = std::numeric_limits<hsize_t>::max();
 
-  private:
-    //! A file that was deleted or replaced would take writes that nobody can
-    //! ever read. @throws Error (refused)
+    //! See History.
     void require_in_place() const;
+
+  private:
     [[noreturn]] void fail_to_write(const Hdf5Error& error) const;
     void check(const std::string& label, const Outcome& outcome) const;
 };

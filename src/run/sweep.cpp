@@ -99,7 +99,11 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
             campaign_, chosen,   *dispatcher_,
             stop_,     *watcher, [began] { return now() - began; }};
         const Ending ending = co_await evolve_case(evolution, history);
-        if (ending == Ending::drained) co_return ending;
+        if (ending == Ending::drained) {
+            // What was saved before the stop may have gone since.
+            history.require_in_place();
+            co_return ending;
+        }
     }
     progress_.end(chosen);
     progress_.print(fmt::format("{}history: {}",

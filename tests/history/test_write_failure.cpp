@@ -75,7 +75,9 @@ TEST(WriteFailure, DeletedFileTakesNoMore) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     History history = History::create(path, sample_header());
+    EXPECT_NO_THROW(history.require_in_place());
     std::filesystem::remove(path);
+    EXPECT_THROW(history.require_in_place(), Error);
     const std::string message = message_of_commit(history);
     EXPECT_TRUE(message.starts_with(path + ": this file was deleted"))
         << message;

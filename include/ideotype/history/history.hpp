@@ -164,6 +164,10 @@ class History {
                       double fitness);
     std::vector<Row> finalists() const;
 
+    //! What is written to a file that was deleted or replaced nobody can ever
+    //! read; every write looks at this too. @throws Error (refused)
+    void require_in_place() const;
+
     //! Seconds that all sessions together spent.
     double wall_time() const;
     void set_wall_time(double seconds);

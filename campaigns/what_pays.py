@@ -42,12 +42,12 @@ VARIANTS: dict[str, tuple[str, Callable[[Values, Values], Values]]] = {
         "azimuth",
         lambda _, b: [(azimuth + 90) % 360 for azimuth in b],
     ),
-    "inclinations of the baseline": ("inclination", lambda _, b: b),
-    "the mean inclination for all leaves": (
-        "inclination",
+    "inclinations of the baseline": ("insertion_angle", lambda _, b: b),
+    "the mean insertion_angle for all leaves": (
+        "insertion_angle",
         lambda own, _: mean_of(own),
     ),
-    "inclinations upside down": ("inclination", lambda own, _: own[::-1]),
+    "inclinations upside down": ("insertion_angle", lambda own, _: own[::-1]),
     "widths of the baseline": ("width", lambda _, b: b),
     "lengths of the baseline": ("length", lambda _, b: b),
 }
@@ -95,9 +95,9 @@ def alike(trait: str, a: Values, b: Values) -> float:
 
 def print_traits(plants: list[list[Leaf]]) -> None:
     """A row per leaf, the plants beside each other."""
-    form = {"length": "{:.2f}", "width": "{:.3f}", "inclination": "{:.0f}"}
+    form = {"length": "{:.2f}", "width": "{:.3f}", "insertion_angle": "{:.0f}"}
     names = [*form, "azimuth"]
-    print("| leaf | length m | width m | inclination deg | azimuth deg |")
+    print("| leaf | length m | width m | insertion_angle deg | azimuth deg |")
     print("|---|---|---|---|---|")
     for rank, same in enumerate(zip(*plants, strict=True), start=1):
         cells = (

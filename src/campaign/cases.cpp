@@ -64,7 +64,8 @@ GeneSpace gene_space(const Campaign& campaign, const Case& chosen) {
         };
         add("length", "m", bounds.length, free.length);
         add("width", "m", bounds.width, free.width);
-        add("inclination", "deg", bounds.inclination, free.inclination);
+        add("insertion_angle", "deg", bounds.insertion_angle,
+            free.insertion_angle);
         add("azimuth", "deg", {0, 360}, free.azimuth);
         genes.back().is_circular = true;
     }
@@ -75,8 +76,8 @@ Genome to_genome(const std::vector<LeafTraits>& traits) {
     Genome genome;
     genome.reserve(genes_per_leaf * traits.size());
     for (const LeafTraits& leaf : traits)
-        genome.insert(genome.end(), {leaf.length, leaf.width, leaf.inclination,
-                                     leaf.azimuth});
+        genome.insert(genome.end(), {leaf.length, leaf.width,
+                                     leaf.insertion_angle, leaf.azimuth});
     return genome;
 }
 

@@ -85,8 +85,8 @@ void check_surface(const std::string& name, const Lambertian& surface,
                            1 - surface.reflectance));
 }
 
-void check_evolution(const Campaign& campaign, Report& report) {
-    const Optimizer& optimizer = campaign.optimizer;
+void check_search(const Campaign& campaign, Report& report) {
+    const GaSettings& optimizer = campaign.optimizer;
     const int population = optimizer.population;
     const auto at_most = [&](const std::string& name, const int& value,
                              int most) {
@@ -96,8 +96,8 @@ void check_evolution(const Campaign& campaign, Report& report) {
                                    "or fewer",
                                    name, value, population, most));
     };
-    at_most("evolution.elites", optimizer.elites, population - 1);
-    at_most("evolution.tournament", optimizer.tournament, population);
+    at_most("search.elites", optimizer.elites, population - 1);
+    at_most("search.tournament", optimizer.tournament, population);
     at_most("final.candidates", campaign.final_rule.candidates, population);
 }
 
@@ -150,18 +150,21 @@ void check_leaves(const Draft& draft, Report& report) {
 }
 
 void check_field(const FieldForm& field, Report& report) {
-    if (!report.usable({&field.rows, &field.plants, &field.cut})) return;
-    if (field.cut == 0) return;
+    if (!report.usable({&field.rows, &field.plants, &field.border_rows}))
+        return;
+    if (field.border_rows == 0) return;
     if (field.boundary == Boundary::periodic)
-        report.add(&field.cut,
-                   "field.cut is not 0 (a field that repeats without end has "
-                   "no edges); add boundary = \"isolated\" or leave it out");
-    else if (2 * field.cut >= std::min(field.rows, field.plants))
-        report.add(&field.cut,
-                   fmt::format("field.cut is {} (nothing is left of {} x {} "
-                               "plants); use {} or less",
-                               field.cut, field.rows, field.plants,
-                               (std::min(field.rows, field.plants) - 1) / 2));
+        report.add(
+            &field.border_rows,
+            "field.border_rows is not 0 (a field that repeats without end has "
+            "no edges); add boundary = \"isolated\" or leave it out");
+    else if (2 * field.border_rows >= std::min(field.rows, field.plants))
+        report.add(
+            &field.border_rows,
+            fmt::format("field.border_rows is {} (nothing is left of {} x {} "
+                        "plants); use {} or less",
+                        field.border_rows, field.rows, field.plants,
+                        (std::min(field.rows, field.plants) - 1) / 2));
 }
 
 void check_constraints(const Constraints& constraints, Report& report) {
@@ -216,8 +219,9 @@ void check_baseline(const Draft& draft, Report& report) {
               &TraitSet::length);
         check("width", traits.width, allowed.width, bounds.table.width, "m",
               &TraitSet::width);
-        check("inclination", traits.inclination, allowed.inclination,
-              bounds.table.inclination, "deg", &TraitSet::inclination);
+        check("insertion_angle", traits.insertion_angle,
+              allowed.insertion_angle, bounds.table.insertion_angle, "deg",
+              &TraitSet::insertion_angle);
     }
 }
 
@@ -239,7 +243,7 @@ void check_draft(const Draft& draft, Report& report) {
     check_field(campaign.field, report);
     check_light(campaign, report);
     check_constraints(campaign.constraints, report);
-    check_evolution(campaign, report);
+    check_search(campaign, report);
     check_plant(draft, report);
     check_baseline(draft, report);
 }

@@ -24,17 +24,18 @@ double step_excess(const std::vector<LeafTraits>& leaves,
 
 double violation(const Constraints& constraints,
                  const std::vector<LeafTraits>& leaves, double lai) {
-    const auto& [bounds, length, width, inclination, erect_top] = constraints;
+    const auto& [bounds, length, width, insertion_angle, erect_top] =
+        constraints;
     double sum = excess(lai, bounds.upper);
     if (lai < bounds.lower) sum += (bounds.lower - lai) / bounds.lower;
     sum += step_excess(leaves, &LeafTraits::length, length);
     sum += step_excess(leaves, &LeafTraits::width, width);
-    sum += step_excess(leaves, &LeafTraits::inclination, inclination);
+    sum += step_excess(leaves, &LeafTraits::insertion_angle, insertion_angle);
     for (std::size_t i = 1; erect_top && i < leaves.size(); ++i) {
         constexpr double right_angle = 90;
-        sum +=
-            std::max(0.0, leaves[i].inclination - leaves[i - 1].inclination) /
-            right_angle;
+        sum += std::max(0.0, leaves[i].insertion_angle -
+                                 leaves[i - 1].insertion_angle) /
+               right_angle;
     }
     return sum;
 }

@@ -7,7 +7,7 @@ namespace ideotype {
 namespace {
 
 // The same for every leaf, as in the study arXiv:2512.06064; the range of the
-// inclination is our estimate.
+// insertion angle is our estimate.
 constexpr LeafBounds paper{{0.40, 1.10}, {0.05, 0.14}, {10, 80}};
 
 // How far breeding may move a leaf from a living plant's; our estimate.
@@ -37,7 +37,7 @@ LeafBounds leaf_bounds(const BoundsEntry& bounds, const LeafTraits& traits) {
     if (bounds.rule.empty()) return bounds.table;
     if (bounds.rule == "biological")
         return {intersection(around(traits.length), paper.length),
-                around(traits.width), paper.inclination};
+                around(traits.width), paper.insertion_angle};
     return paper;
 }
 

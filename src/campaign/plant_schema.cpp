@@ -9,7 +9,7 @@ constexpr auto required = Presence::required;
 // Wide enough for any crop plant; the campaign's bounds are narrower.
 constexpr Range any_length{0.01, 3};
 constexpr Range any_width{0.001, 0.5};
-constexpr Range any_inclination{0, 90};
+constexpr Range any_insertion_angle{0, 90};
 
 }  // namespace
 
@@ -68,12 +68,12 @@ Section bounds_section(LeafBounds& bounds) {
               .upper = any_width.upper,
               .example = "[0.05, 0.14]",
               .meaning = "of every leaf"},
-             {.name = "inclination",
-              .value = &bounds.inclination,
+             {.name = "insertion_angle",
+              .value = &bounds.insertion_angle,
               .presence = required,
               .unit = "deg",
-              .lower = any_inclination.lower,
-              .upper = any_inclination.upper,
+              .lower = any_insertion_angle.lower,
+              .upper = any_insertion_angle.upper,
               .example = "[10, 80]",
               .meaning = "of every leaf"}}};
 }
@@ -108,17 +108,17 @@ Section stalk_section(StalkForm& stalk) {
 
 Section blade_section(BladeForm& blade) {
     return {"blade",
-            {{.name = "fold",
-              .value = &blade.fold,
+            {{.name = "folding_angle",
+              .value = &blade.folding_angle,
               .unit = "deg",
               .lower = 0,
               .upper = 80,
               .meaning = "rise of each half from flat: the V of the blade"},
-             {.name = "droop_exponent",
-              .value = &blade.droop_exponent,
+             {.name = "curvature_exponent",
+              .value = &blade.curvature_exponent,
               .lower = 0.1,
               .upper = 10,
-              .meaning = "angle at arc length s is inclination + droop "
+              .meaning = "angle at arc length s is insertion_angle + curvature "
                          "s^exponent"},
              {.name = "width_controls",
               .value = &blade.width_controls,
@@ -150,16 +150,16 @@ Section leaf_section(LeafEntry& leaf) {
               .upper = any_width.upper,
               .example = "0.073",
               .meaning = "largest width of the blade"},
-             {.name = "inclination",
-              .value = &leaf.traits.inclination,
+             {.name = "insertion_angle",
+              .value = &leaf.traits.insertion_angle,
               .presence = required,
               .unit = "deg",
-              .lower = any_inclination.lower,
-              .upper = any_inclination.upper,
+              .lower = any_insertion_angle.lower,
+              .upper = any_insertion_angle.upper,
               .example = "34",
               .meaning = "of the base from the stem; 90 is horizontal"},
-             {.name = "droop",
-              .value = &leaf.form.droop,
+             {.name = "curvature",
+              .value = &leaf.form.curvature,
               .presence = required,
               .unit = "deg",
               .lower = 0,

@@ -50,8 +50,8 @@ class DraftReader {
         Campaign& campaign = draft_.campaign;
         tables_.read(top, top_section(campaign),
                      {"site", "day", "spacing", "traits", "field", "plant",
-                      "optics", "light", "objective", "constraints",
-                      "evolution", "stop", "final", "parallel"});
+                      "optics", "light", "objective", "constraints", "search",
+                      "stop", "final", "parallel"});
         read_axes(top);
         tables_.read_child(top, "field", field_section(campaign.field));
         read_plant_choice(top);
@@ -63,8 +63,7 @@ class DraftReader {
         tables_.read_child(top, "objective", objective_section(campaign));
         tables_.read_child(top, "constraints",
                            constraints_section(campaign.constraints));
-        tables_.read_child(top, "evolution",
-                           evolution_section(campaign.optimizer));
+        tables_.read_child(top, "search", search_section(campaign.optimizer));
         tables_.read_child(top, "stop", stop_section(campaign.stop));
         tables_.read_child(top, "final", final_section(campaign.final_rule));
         tables_.read_child(top, "parallel",

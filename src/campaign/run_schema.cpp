@@ -64,9 +64,9 @@ Section objective_section(Campaign& campaign) {
 }
 
 Section constraints_section(Constraints& constraints) {
-    const auto step = [](const std::string& trait, double& value,
-                         const std::string& unit, double most) {
-        return Key{.name = trait + "_step",
+    const auto step = [](const std::string& name, const std::string& trait,
+                         double& value, const std::string& unit, double most) {
+        return Key{.name = name,
                    .value = &value,
                    .unit = unit,
                    .lower = 0,
@@ -83,17 +83,18 @@ Section constraints_section(Constraints& constraints) {
               .example = "[3.4, 3.5]",
               .meaning = "leaf area over ground area; a narrow range fixes "
                          "it"},
-             step("length", constraints.length_step, "m", 3),
-             step("width", constraints.width_step, "m", 0.5),
-             step("inclination", constraints.inclination_step, "deg", 90),
+             step("length_step", "length", constraints.length_step, "m", 3),
+             step("width_step", "width", constraints.width_step, "m", 0.5),
+             step("insertion_angle_step", "insertion angle",
+                  constraints.insertion_angle_step, "deg", 90),
              {.name = "erect_top",
               .value = &constraints.erect_top,
               .meaning = "whether no leaf may be flatter than the one below "
                          "it"}}};
 }
 
-Section evolution_section(Optimizer& optimizer) {
-    return {"evolution",
+Section search_section(GaSettings& optimizer) {
+    return {"search",
             {{.name = "population",
               .value = &optimizer.population,
               .lower = 2,
@@ -170,13 +171,14 @@ Section stop_section(StopRules& stop) {
 }
 
 Section final_section(FinalRule& rule) {
-    Section section{"final",
-                    {{.name = "candidates",
-                      .value = &rule.candidates,
-                      .lower = 1,
-                      .upper = 1000,
-                      .meaning = "best plants that are judged anew; at most "
-                                 "the population"}}};
+    Section section{
+        "final",
+        {{.name = "candidates",
+          .value = &rule.candidates,
+          .lower = 1,
+          .upper = 1000,
+          .meaning = "best plants that are evaluated again; at most "
+                     "the population"}}};
     for (const Key& key : sampling_keys(rule.sampling))
         section.keys.push_back(key);
     return section;

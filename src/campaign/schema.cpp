@@ -165,8 +165,8 @@ Section traits_section(Named<TraitSet>& traits) {
              {.name = "free",
               .value = &traits.value,
               .presence = required,
-              .example = R"(["inclination", "azimuth"])",
-              .range = "any of length, width, inclination, azimuth",
+              .example = R"(["insertion_angle", "azimuth"])",
+              .range = "any of length, width, insertion_angle, azimuth",
               .meaning = "what may be bred; the rest keeps the baseline's "
                          "values"}}};
 }
@@ -188,8 +188,8 @@ Section field_section(FieldForm& field) {
               .choices = {"periodic", "isolated"},
               .meaning = "whether the field repeats without end or is a plot "
                          "alone on endless soil, lit from all sides"},
-             {.name = "cut",
-              .value = &field.cut,
+             {.name = "border_rows",
+              .value = &field.border_rows,
               .lower = 0,
               .upper = 49,
               .meaning = "rows, and plants of each row, that are cut away on "

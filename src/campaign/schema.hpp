@@ -84,7 +84,7 @@ Section optics_section(Campaign& campaign);
 Section light_section(Campaign& campaign);
 Section objective_section(Campaign& campaign);
 Section constraints_section(Constraints& constraints);
-Section evolution_section(Optimizer& optimizer);
+Section search_section(GaSettings& optimizer);
 Section stop_section(StopRules& stop);
 Section final_section(FinalRule& rule);
 Section parallel_section(AnswerLimits& limits);
@@ -105,7 +105,7 @@ struct TraitName {
 inline constexpr std::array<TraitName, 4> trait_names{
     {{"length", &TraitSet::length},
      {"width", &TraitSet::width},
-     {"inclination", &TraitSet::inclination},
+     {"insertion_angle", &TraitSet::insertion_angle},
      {"azimuth", &TraitSet::azimuth}}};
 
 //! The value of a key as canonical TOML: shortest text that reads back to

@@ -27,7 +27,7 @@ Field build_field(const CanopyModel& model, const Mesh& plant,
                   const Draws& draws, std::uint32_t draw) {
     return build_field(
         plant, model.field,
-        draw_turns(model.field, draws.seed, draws.generation, draw));
+        draw_plant_azimuths(model.field, draws.seed, draws.generation, draw));
 }
 
 void for_each_field(const CanopyModel& model, const Mesh& plant,

@@ -123,7 +123,8 @@ ExitCode repeat_row(const ChosenRow& which, bool is_json) {
 
 //! Evaluates a row in its own field with as many paths as a tolerance needs,
 //! to tell what its error was.
-ExitCode judge_row(const ChosenRow& which, double tolerance, bool is_json) {
+ExitCode evaluate_row_again(const ChosenRow& which, double tolerance,
+                            bool is_json) {
     const auto& [campaign, chosen, task, row, isa] = which;
     if (task.is_final || row.outcome.status != Status::done)
         throw Error(
@@ -161,7 +162,7 @@ ExitCode judge_row(const ChosenRow& which, double tolerance, bool is_json) {
 ExitCode evaluate_row(const EvaluateOptions& options) {
     const ChosenRow which = choose_row(options.path, options.row);
     return options.tolerance
-               ? judge_row(which, *options.tolerance, options.is_json)
+               ? evaluate_row_again(which, *options.tolerance, options.is_json)
                : repeat_row(which, options.is_json);
 }
 

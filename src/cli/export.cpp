@@ -17,11 +17,11 @@ namespace {
 
 void write_csv(const std::string& path, const Genome& genome) {
     auto out = fmt::output_file(path);
-    out.print("leaf,length_m,width_m,inclination_deg,azimuth_deg\n");
+    out.print("leaf,length_m,width_m,insertion_angle_deg,azimuth_deg\n");
     const auto traits = to_traits(genome);
     for (std::size_t i = 0; i < traits.size(); ++i)
         out.print("{},{},{},{},{}\n", i + 1, traits[i].length, traits[i].width,
-                  traits[i].inclination, traits[i].azimuth);
+                  traits[i].insertion_angle, traits[i].azimuth);
 }
 
 //! The plant's name is that of the file, as far as names allow.

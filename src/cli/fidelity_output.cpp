@@ -30,16 +30,16 @@ double milliseconds(double seconds) {
 }
 
 //! Of one evaluation as the campaign samples, but for the value.
-Combination evaluation(const Trade& trade, std::size_t knob, std::size_t value,
-                       Goal goal) {
+Combination evaluation(const Trade& trade, std::size_t parameter,
+                       std::size_t value, Goal goal) {
     std::vector<std::size_t> values;
-    for (const MeasuredKnob& each : trade.knobs)
-        values.push_back(each.knob.own);
-    values[knob] = value;
+    for (const MeasuredParameter& each : trade.parameters)
+        values.push_back(each.parameter.own);
+    values[parameter] = value;
     Sampling sampling = trade.own.campaign.sampling;
-    const MeasuredKnob& turned = trade.knobs[knob];
-    if (turned.knob.kind == Knob::Kind::paths)
-        sampling.paths = turned.knob.at(value).campaign.sampling.paths;
+    const MeasuredParameter& turned = trade.parameters[parameter];
+    if (turned.parameter.kind == Parameter::Kind::paths)
+        sampling.paths = turned.parameter.at(value).campaign.sampling.paths;
     return combine(trade, values, sampling, Draws::Fields::one, goal);
 }
 
@@ -103,24 +103,25 @@ void print_trade(const Trade& trade) {
         "{:>6} {:>6} {:>6} {:>6} {:>6}\n",
         format(scaled(trade.value, 1e-6)),
         format(scaled(trade.difference, 1e-6)), campaign.sampling.paths,
-        campaign.sampling.randomisations, "knob", "value", "bias", "s.e.",
+        campaign.sampling.randomisations, "parameter", "value", "bias", "s.e.",
         "bias of a diff.", "s.e.", "geom.", "scene", "light", "all");
-    for (std::size_t k = 0; k < trade.knobs.size(); ++k) {
-        const MeasuredKnob& each = trade.knobs[k];
+    for (std::size_t k = 0; k < trade.parameters.size(); ++k) {
+        const MeasuredParameter& each = trade.parameters[k];
         for (std::size_t v = 0; v < each.points.size(); ++v) {
-            const KnobPoint& point = each.points[v];
+            const ParameterPoint& point = each.points[v];
             const Combination value = evaluation(trade, k, v, Goal::value);
             const Combination difference =
                 evaluation(trade, k, v, Goal::difference);
             const auto bias = [&](Goal goal) {
-                return v == each.knob.reference ? ">"
-                                                : percent(point.of(goal).bias);
+                return v == each.parameter.reference
+                           ? ">"
+                           : percent(point.of(goal).bias);
             };
             fmt::print(
                 "{:<13} {:<22} {:>16} {:>6.3f} {:>17} {:>6.3f} {:>6.2f} "
                 "{:>6.2f} {:>6.1f} {:>6.1f}\n",
-                v == 0 ? each.knob.name : "",
-                point.name + (v == each.knob.own ? " *" : ""),
+                v == 0 ? each.parameter.name : "",
+                point.name + (v == each.parameter.own ? " *" : ""),
                 bias(Goal::value), 100 * value.standard_error,
                 bias(Goal::difference), 100 * difference.standard_error,
                 milliseconds(value.cost.geometry),
@@ -175,16 +176,16 @@ Json to_json(const Trade& trade, const std::vector<Choice>& choices) {
               {"unit", "J m-2 day-1"},
               {"value", to_json(trade.value)},
               {"difference", to_json(trade.difference)}};
-    for (std::size_t k = 0; k < trade.knobs.size(); ++k) {
-        const MeasuredKnob& each = trade.knobs[k];
-        Json knob{{"name", each.knob.name}};
+    for (std::size_t k = 0; k < trade.parameters.size(); ++k) {
+        const MeasuredParameter& each = trade.parameters[k];
+        Json parameter{{"name", each.parameter.name}};
         for (std::size_t v = 0; v < each.points.size(); ++v) {
-            const KnobPoint& point = each.points[v];
+            const ParameterPoint& point = each.points[v];
             const Combination one = evaluation(trade, k, v, Goal::value);
-            knob["values"].push_back(
+            parameter["values"].push_back(
                 {{"name", point.name},
-                 {"is_own", v == each.knob.own},
-                 {"is_reference", v == each.knob.reference},
+                 {"is_own", v == each.parameter.own},
+                 {"is_reference", v == each.parameter.reference},
                  {"draws", point.draws},
                  {"value", to_json(point.of(Goal::value))},
                  {"difference", to_json(point.of(Goal::difference))},
@@ -192,7 +193,7 @@ Json to_json(const Trade& trade, const std::vector<Choice>& choices) {
                  {"milliseconds_scene", milliseconds(one.cost.scene)},
                  {"milliseconds_light", milliseconds(one.cost.path)}});
         }
-        json["knobs"].push_back(std::move(knob));
+        json["parameters"].push_back(std::move(parameter));
     }
     for (const Goal goal : {Goal::value, Goal::difference})
         for (const auto fields : {Draws::Fields::one, Draws::Fields::each}) {

@@ -18,7 +18,7 @@ struct Choice {
     std::optional<Check> check;
 };
 
-//! One table of all knobs.
+//! One table of all parameters.
 void print_trade(const Trade& trade);
 
 //! One line for each, and the keys of those that meet the asked tolerance.

@@ -50,7 +50,8 @@ Field field_of(Mesh mesh, const MeshOptions& options) {
                 fmt::format("a field of {} plants of {} faces is too "
                             "large (at most {:.0e} faces)",
                             plants, mesh.faces.size(), most_faces));
-        field = build_field(mesh, form, draw_turns(form, options.seed, 0, 0));
+        field = build_field(mesh, form,
+                            draw_plant_azimuths(form, options.seed, 0, 0));
     } else {
         field.mesh = std::move(mesh);
         if (options.period) {

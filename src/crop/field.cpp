@@ -10,8 +10,10 @@
 
 namespace ideotype {
 
-std::vector<double> draw_turns(const FieldForm& form, std::uint64_t seed,
-                               std::uint32_t generation, std::uint32_t draw) {
+std::vector<double> draw_plant_azimuths(const FieldForm& form,
+                                        std::uint64_t seed,
+                                        std::uint32_t generation,
+                                        std::uint32_t draw) {
     RandomStream stream(seed, Purpose::jitter, generation, draw);
     std::vector<double> turns(static_cast<std::size_t>(form.rows) *
                               static_cast<std::size_t>(form.plants));
@@ -38,16 +40,17 @@ void drop_unused_vertices(Mesh& mesh) {
 }
 
 //! Keeps the faces whose centre is above the ground of the inner plants.
-void cut_out(Field& field, const FieldForm& form) {
-    const double x = form.cut * form.spacing.row;
-    const double y = form.cut * form.spacing.plant;
+void remove_border(Field& field, const FieldForm& form) {
+    const double x = form.border_rows * form.spacing.row;
+    const double y = form.border_rows * form.spacing.plant;
     const double width = field.period_x - 2 * x;
     const double depth = field.period_y - 2 * y;
-    if (form.rows <= 2 * form.cut || form.plants <= 2 * form.cut)
+    if (form.rows <= 2 * form.border_rows ||
+        form.plants <= 2 * form.border_rows)
         throw Error(
             fmt::format("nothing is left of a plot of {} x {} plants "
                         "with {} cut away on each side",
-                        form.rows, form.plants, form.cut));
+                        form.rows, form.plants, form.border_rows));
     Mesh& mesh = field.mesh;
     std::size_t kept = 0;
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
@@ -109,7 +112,7 @@ Field build_field(const Mesh& plant, const FieldForm& form,
         field.face_plant.insert(field.face_plant.end(), plant.faces.size(),
                                 static_cast<std::uint32_t>(p));
     }
-    if (form.cut > 0) cut_out(field, form);
+    if (form.border_rows > 0) remove_border(field, form);
     return field;
 }
 

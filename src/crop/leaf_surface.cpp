@@ -75,8 +75,9 @@ LeafSurface::LeafSurface(const LeafTraits& traits, const LeafForm& form,
     if (blade.width_controls.size() != controls_along)
         throw Error("a blade needs six width controls");
     const auto angle = [&](double s) {
-        return degree * (traits.inclination +
-                         form.droop * std::pow(s, blade.droop_exponent));
+        return degree *
+               (traits.insertion_angle +
+                form.curvature * std::pow(s, blade.curvature_exponent));
     };
 
     // The midrib as the integral of its direction, by Simpson's rule.
@@ -98,7 +99,7 @@ LeafSurface::LeafSurface(const LeafTraits& traits, const LeafForm& form,
     }
     const auto midrib_controls = interpolate(midrib);
 
-    const double rise = blade.fold * degree;
+    const double rise = blade.folding_angle * degree;
     for (std::size_t i = 0; i < controls_along; ++i) {
         const double a = angle(greville(i));
         const glm::dvec3 upper(0, -std::cos(a), std::sin(a));

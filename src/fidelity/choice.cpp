@@ -25,19 +25,19 @@ double squared(double x) {
 
 //! What is left out, and thus wrong, differs from plant to plant: only what
 //! is computed less finely may be chosen.
-bool may_turn(const MeasuredKnob& each) {
-    return each.knob.kind == Knob::Kind::fineness;
+bool may_turn(const MeasuredParameter& each) {
+    return each.parameter.kind == Parameter::Kind::fineness;
 }
 
-int paths_of(const MeasuredKnob& paths, std::size_t value) {
-    return paths.knob.at(value).campaign.sampling.paths;
+int paths_of(const MeasuredParameter& paths, std::size_t value) {
+    return paths.parameter.at(value).campaign.sampling.paths;
 }
 
 //! Standard deviation of a randomisation as a power of its paths, by least
 //! squares of logarithms.
 class PathLaw {
   public:
-    PathLaw(const MeasuredKnob& paths, Goal goal) {
+    PathLaw(const MeasuredParameter& paths, Goal goal) {
         double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
         for (std::size_t v = 0; v < paths.points.size(); ++v) {
             const double deviation = paths.points[v].of(goal).scatter.path.mean;
@@ -84,16 +84,16 @@ double path_ratio(Estimate a, Estimate b) {
 
 Model model_of(const Trade& trade, const std::vector<std::size_t>& values,
                Goal goal) {
-    const MeasuredKnob& paths = trade.knob("paths");
-    const MeasuredKnob& cell = trade.knob("cell");
+    const MeasuredParameter& paths = trade.parameter("paths");
+    const MeasuredParameter& cell = trade.parameter("cell");
     Model model;
     model.cost = paths.own().cost;
     double bias_variance = 0;
-    for (std::size_t k = 0; k < trade.knobs.size(); ++k) {
-        const MeasuredKnob& each = trade.knobs[k];
-        if (each.knob.kind == Knob::Kind::paths) continue;
-        const KnobPoint& point = each.points[values[k]];
-        const KnobPoint& own = each.own();
+    for (std::size_t k = 0; k < trade.parameters.size(); ++k) {
+        const MeasuredParameter& each = trade.parameters[k];
+        if (each.parameter.kind == Parameter::Kind::paths) continue;
+        const ParameterPoint& point = each.points[values[k]];
+        const ParameterPoint& own = each.own();
         const Inaccuracy& inaccuracy = point.of(goal);
         model.bias.mean += std::abs(inaccuracy.bias.mean);
         bias_variance += squared(inaccuracy.bias.standard_error);
@@ -129,11 +129,11 @@ Combination sampled(const Model& model, const PathLaw& law,
     return result;
 }
 
-//! Counts through the values of all knobs that change the model.
+//! Counts through the values of all parameters that change the model.
 bool advance(const Trade& trade, std::vector<std::size_t>& values) {
     for (std::size_t k = 0; k < values.size(); ++k) {
-        if (!may_turn(trade.knobs[k])) continue;
-        if (++values[k] < trade.knobs[k].points.size()) return true;
+        if (!may_turn(trade.parameters[k])) continue;
+        if (++values[k] < trade.parameters[k].points.size()) return true;
         values[k] = 0;
     }
     return false;
@@ -149,7 +149,7 @@ Combination combine(const Trade& trade, const std::vector<std::size_t>& values,
                     const Sampling& sampling, Draws::Fields fields, Goal goal) {
     Combination result =
         sampled(model_of(trade, values, goal),
-                PathLaw(trade.knob("paths"), goal), sampling, fields);
+                PathLaw(trade.parameter("paths"), goal), sampling, fields);
     result.values = values;
     return result;
 }
@@ -158,16 +158,16 @@ std::vector<Combination> pareto_front(const Trade& trade, Goal goal,
                                       Draws::Fields fields) {
     // Nobody wants a worse one.
     constexpr double worst = 0.05;
-    const PathLaw law(trade.knob("paths"), goal);
+    const PathLaw law(trade.parameter("paths"), goal);
     std::vector<std::size_t> values;
-    for (const MeasuredKnob& each : trade.knobs)
-        values.push_back(may_turn(each) ? 0 : each.knob.own);
+    for (const MeasuredParameter& each : trade.parameters)
+        values.push_back(may_turn(each) ? 0 : each.parameter.own);
     std::vector<Combination> all;
     do {
         const Model model = model_of(trade, values, goal);
         if (std::abs(model.bias.mean) > worst) continue;
-        for (int paths = paths_of(trade.knob("paths"), 0); paths <= most_paths;
-             paths *= 2)
+        for (int paths = paths_of(trade.parameter("paths"), 0);
+             paths <= most_paths; paths *= 2)
             for (const int n : randomisations) {
                 Combination next = sampled(model, law, {paths, n}, fields);
                 if (next.error() > worst) continue;
@@ -195,9 +195,10 @@ std::optional<Combination> cheapest(const std::vector<Combination>& front,
 
 Campaign applied(const Trade& trade, const Combination& combination) {
     Variant variant = trade.own;
-    for (std::size_t k = 0; k < trade.knobs.size(); ++k)
-        if (may_turn(trade.knobs[k]))
-            trade.knobs[k].knob.values[combination.values[k]].apply(variant);
+    for (std::size_t k = 0; k < trade.parameters.size(); ++k)
+        if (may_turn(trade.parameters[k]))
+            trade.parameters[k].parameter.values[combination.values[k]].apply(
+                variant);
     variant.campaign.sampling = combination.sampling;
     variant.campaign.first_tolerance = 0;
     return variant.campaign;
@@ -222,7 +223,7 @@ std::vector<PastedKey> keys_of(const Campaign& campaign) {
         {"light", "randomisations", number(campaign.sampling.randomisations)},
         {"light", "tolerance", number(campaign.sampling.tolerance)},
         {"light", "first_tolerance", number(campaign.first_tolerance)}};
-    // The only other sky that a knob sets.
+    // The only other sky that a parameter sets.
     if (campaign.sky_model == SkyModel::uniform)
         keys.push_back({"light", "sky", "\"uniform\""});
     return keys;

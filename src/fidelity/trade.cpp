@@ -36,17 +36,17 @@ Scatter scaled(const Scatter& scatter, double factor) {
     return {scaled(scatter.field, factor), scaled(scatter.path, factor)};
 }
 
-//! The probes of one knob.
+//! The probes of one parameter.
 class KnobProbes {
   public:
-    KnobProbes(const Knob& knob, std::size_t case_index, const Device& device,
-               const Rivals& plants)
-        : knob_(knob) {
-        for (std::size_t v = 0; v < knob.values.size(); ++v)
-            probes_.emplace_back(knob.at(v), case_index, device, plants);
+    KnobProbes(const Parameter& parameter, std::size_t case_index,
+               const Device& device, const Rivals& plants)
+        : parameter_(parameter) {
+        for (std::size_t v = 0; v < parameter.values.size(); ++v)
+            probes_.emplace_back(parameter.at(v), case_index, device, plants);
     }
 
-    const Knob& knob() const { return knob_; }
+    const Parameter& parameter() const { return parameter_; }
     std::size_t size() const { return probes_.size(); }
     std::size_t draws(std::size_t value) const {
         return probes_[value].draws();
@@ -55,16 +55,16 @@ class KnobProbes {
     //! A value is only as well known as its reference has draws.
     void draw(std::size_t value) {
         probes_[value].draw();
-        Probe& reference = probes_[knob_.reference];
+        Probe& reference = probes_[parameter_.reference];
         while (reference.draws() < probes_[value].draws()) reference.draw();
     }
 
     //! By how much the error of the biases would fall [squared parts per
     //! second], if there was one draw more.
     double worth(std::size_t value) const {
-        if (value == knob_.reference) return 0;
+        if (value == parameter_.reference) return 0;
         const Probe& probe = probes_[value];
-        const Probe& reference = probes_[knob_.reference];
+        const Probe& reference = probes_[parameter_.reference];
         const double scale = estimate(reference.means(Goal::value)).mean;
         const Estimate light = paired(probe, reference, Goal::value);
         const Estimate difference = paired(probe, reference, Goal::difference);
@@ -80,14 +80,14 @@ class KnobProbes {
         return use * error * error / (n * seconds);
     }
 
-    MeasuredKnob measured() const {
-        MeasuredKnob result{knob_, {}};
-        const Probe& reference = probes_[knob_.reference];
+    MeasuredParameter measured() const {
+        MeasuredParameter result{parameter_, {}};
+        const Probe& reference = probes_[parameter_.reference];
         const double scale = 1 / estimate(reference.means(Goal::value)).mean;
         for (std::size_t v = 0; v < size(); ++v) {
             const Probe& probe = probes_[v];
-            KnobPoint point;
-            point.name = knob_.values[v].name;
+            ParameterPoint point;
+            point.name = parameter_.values[v].name;
             point.draws = probe.draws();
             for (const Goal goal : {Goal::value, Goal::difference})
                 point.inaccuracy[goal == Goal::value ? 0 : 1] = {
@@ -100,11 +100,11 @@ class KnobProbes {
     }
 
   private:
-    Knob knob_;
+    Parameter parameter_;
     std::vector<Probe> probes_;
 };
 
-//! Measures all knobs, within a time.
+//! Measures all parameters, within a time.
 class Survey {
   public:
     Survey(const Effort& effort, const OnProgress& on_progress)
@@ -125,7 +125,7 @@ class Survey {
         }
     }
 
-    //! The figures with all knobs at their references.
+    //! The figures with all parameters at their references.
     void converge(Probe& probe) {
         while (probe.draws() < effort_.least_draws ||
                (elapsed() < effort_.seconds &&
@@ -135,8 +135,8 @@ class Survey {
         }
     }
 
-    std::vector<MeasuredKnob> measured() const {
-        std::vector<MeasuredKnob> result;
+    std::vector<MeasuredParameter> measured() const {
+        std::vector<MeasuredParameter> result;
         for (const KnobProbes& probes : all_)
             result.push_back(probes.measured());
         return result;
@@ -150,7 +150,8 @@ class Survey {
     }
 
     void step(KnobProbes& probes, std::size_t value) {
-        tell(probes.knob().name + " " + probes.knob().values[value].name);
+        tell(probes.parameter().name + " " +
+             probes.parameter().values[value].name);
         probes.draw(value);
     }
 
@@ -161,8 +162,8 @@ class Survey {
         std::size_t value = 0;
         for (KnobProbes& probes : all_) {
             // What has no bias is known well enough.
-            if (probes.knob().kind == Knob::Kind::paths ||
-                probes.knob().kind == Knob::Kind::arrangement)
+            if (probes.parameter().kind == Parameter::Kind::paths ||
+                probes.parameter().kind == Parameter::Kind::arrangement)
                 continue;
             for (std::size_t v = 0; v < probes.size(); ++v) {
                 if (probes.draws(v) >= effort_.most_draws) continue;
@@ -201,10 +202,10 @@ int needed_paths(const Campaign& campaign, const Case& chosen,
 
 }  // namespace
 
-const MeasuredKnob& Trade::knob(const std::string& name) const {
-    for (const MeasuredKnob& each : knobs)
-        if (each.knob.name == name) return each;
-    throw Error("no knob " + name);
+const MeasuredParameter& Trade::parameter(const std::string& name) const {
+    for (const MeasuredParameter& each : parameters)
+        if (each.parameter.name == name) return each;
+    throw Error("no parameter " + name);
 }
 
 Trade measure_trade(const Campaign& campaign, std::size_t case_index,
@@ -220,15 +221,15 @@ Trade measure_trade(const Campaign& campaign, std::size_t case_index,
             needed_paths(campaign, chosen, device, trade.rivals[0]);
     Survey survey(effort, on_progress);
     Variant converged = trade.own;
-    for (const Knob& knob : knobs(campaign, case_index)) {
-        survey.add({knob, case_index, device, trade.rivals});
-        if (knob.kind == Knob::Kind::arrangement) continue;
-        knob.values[knob.reference].apply(converged);
+    for (const Parameter& parameter : parameters(campaign, case_index)) {
+        survey.add({parameter, case_index, device, trade.rivals});
+        if (parameter.kind == Parameter::Kind::arrangement) continue;
+        parameter.values[parameter.reference].apply(converged);
     }
     survey.run();
     Probe probe(converged, case_index, device, trade.rivals);
     survey.converge(probe);
-    trade.knobs = survey.measured();
+    trade.parameters = survey.measured();
     trade.value = estimate(probe.means(Goal::value));
     trade.difference = estimate(probe.means(Goal::difference));
     return trade;

@@ -43,7 +43,7 @@ Handle access_properties() {
     // No buffer keeps a write from the system or a reader from the file.
     checked(H5Pset_sieve_buf_size(access, 0), action);
     // HDF5 reads a block again, each time after twice the wait, until its
-    // checksum is right: a second of patience with a live file. Its default
+    // checksum is right: a second of backoff with a live file. Its default
     // of 100 attempts would outlast us all on a damaged one.
     checked(H5Pset_metadata_read_attempts(access, 30), action);
     return access;

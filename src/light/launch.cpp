@@ -46,7 +46,7 @@ void Launcher::add_portals(double soil_albedo) {
     entering_ = sum / scene_.ground_area();
 }
 
-Bundle Launcher::launch(PathSampler& sampler, double energy) const {
+PhotonPacket Launcher::launch(PathSampler& sampler, double energy) const {
     if (scene_.boundary() == Boundary::periodic) {
         const double x = sampler.next() * scene_.period_x();
         const double y = sampler.next() * scene_.period_y();
@@ -60,8 +60,8 @@ Bundle Launcher::launch(PathSampler& sampler, double energy) const {
     return enter(portals_[chosen], sampler, energy);
 }
 
-Bundle Launcher::enter(const Portal& portal, PathSampler& sampler,
-                       double energy) const {
+PhotonPacket Launcher::enter(const Portal& portal, PathSampler& sampler,
+                             double energy) const {
     const auto& [lower, upper] = scene_.box();
     glm::dvec3 p(0), n(0);  // n points inwards
     for (int i = 0; i < 3; ++i)

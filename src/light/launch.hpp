@@ -27,9 +27,9 @@ class Launcher {
     //! share, as the sky is brighter or darker there than on average.
     double entering() const { return entering_; }
 
-    //! A bundle that enters; without energy if it comes from soil that the
+    //! A packet that enters; without energy if it comes from soil that the
     //! box may shade.
-    Bundle launch(PathSampler& sampler, double energy) const;
+    PhotonPacket launch(PathSampler& sampler, double energy) const;
 
   private:
     enum class From { source, soil };
@@ -43,8 +43,8 @@ class Launcher {
     };
 
     void add_portals(double soil_albedo);
-    Bundle enter(const Portal& portal, PathSampler& sampler,
-                 double energy) const;
+    PhotonPacket enter(const Portal& portal, PathSampler& sampler,
+                       double energy) const;
     glm::dvec3 from_above(PathSampler& sampler) const;
     double relative_brightness(const glm::dvec3& direction) const;
     bool is_lit(const glm::dvec3& soil, PathSampler& sampler) const;

@@ -167,11 +167,11 @@ glm::dvec3 Scene::wrapped(const glm::dvec3& point) const {
             point.z};
 }
 
-glm::dvec3 Scene::beside(const glm::dvec3& point,
-                         const glm::dvec3& normal) const {
-    glm::dvec3 beside = point + clearance_ * normal;
-    beside.z = std::clamp(beside.z, soil(), top_);
-    return wrapped(beside);
+glm::dvec3 Scene::offset_origin(const glm::dvec3& point,
+                                const glm::dvec3& normal) const {
+    glm::dvec3 offset = point + clearance_ * normal;
+    offset.z = std::clamp(offset.z, soil(), top_);
+    return wrapped(offset);
 }
 
 Scene::~Scene() = default;

@@ -70,9 +70,10 @@ bool sees(const Scene& scene, const LeafArea::Point& point,
     if (point.position.z < 0) return false;
     const glm::dvec3 n =
         glm::dot(point.normal, sun) < 0 ? -point.normal : point.normal;
-    Bundle bundle{scene.beside(scene.placed(point.position), n), sun, 1};
+    PhotonPacket packet{scene.offset_origin(scene.placed(point.position), n),
+                        sun, 1};
     Hit hit;
-    return travel(scene, bundle, hit) == Met::sky;
+    return travel(scene, packet, hit) == Met::sky;
 }
 
 }  // namespace

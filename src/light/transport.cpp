@@ -34,33 +34,33 @@ class Tracer {
     void trace(std::uint32_t path, const Launcher& launcher, double energy,
                Budget& budget, Tally& tally) {
         sampler_.begin(path);
-        Bundle bundle = launcher.launch(sampler_, energy);
-        const double started = bundle.energy;
+        PhotonPacket packet = launcher.launch(sampler_, energy);
+        const double started = packet.energy;
         budget.incident += started;
         Hit hit;
-        while (bundle.energy > 0) {
-            const Met met = travel(scene_, bundle, hit);
+        while (packet.energy > 0) {
+            const Met met = travel(scene_, packet, hit);
             if (met == Met::sky) {
-                budget.reflected += bundle.energy;
+                budget.reflected += packet.energy;
                 return;
             }
             if (met == Met::soil) {
-                budget.soil += meet_soil(bundle, started);
+                budget.soil += meet_soil(packet, started);
             } else {
-                const bool is_adaxial = against(bundle.direction, hit.normal);
+                const bool is_adaxial = against(packet.direction, hit.normal);
                 const Tissue tissue = groups_[hit.group].tissue;
-                const double share = meet_face(bundle, hit, started, tissue);
+                const double share = meet_face(packet, hit, started, tissue);
                 tally.groups[hit.group] += share;
                 if (tissue == Tissue::leaf) {
                     budget.leaves += share;
-                    if (!bundle.is_scattered) budget.unscattered += share;
+                    if (!packet.is_scattered) budget.unscattered += share;
                     tally.layers[layers_.at(hit.position.z)] += share;
                     (is_adaxial ? tally.adaxial : tally.abaxial) += share;
                 } else {
                     budget.stalks += share;
                 }
             }
-            bundle.is_scattered = true;
+            packet.is_scattered = true;
         }
     }
 
@@ -69,65 +69,66 @@ class Tracer {
         return glm::dot(d, n) < 0;
     }
 
-    //! What a surface keeps of a bundle; the bundle goes on with the rest.
+    //! What a surface keeps of a packet; the packet goes on with the rest.
     //! While the scattered part is a large share of what the path started
     //! with, the surface keeps exactly its absorptance. A small scattered
     //! part is not worth following: instead all or nothing is scattered, with
     //! the right odds. Both rules are unbiased and lose no energy. `choice`
     //! is uniform in [0, 1) and is so again afterwards, for the next choice.
-    double deposit(Bundle& bundle, double started, double scattered,
-                   double& choice) const {
+    double absorb_and_continue(PhotonPacket& packet, double started,
+                               double scattered, double& choice) const {
         constexpr double worth_following = 0.25;
-        if (bundle.energy * scattered > worth_following * started) {
-            const double kept = bundle.energy * (1 - scattered);
-            bundle.energy -= kept;
+        if (packet.energy * scattered > worth_following * started) {
+            const double kept = packet.energy * (1 - scattered);
+            packet.energy -= kept;
             return kept;
         }
         if (choice < scattered) {
             choice /= scattered;
             return 0;
         }
-        return std::exchange(bundle.energy, 0.0);
+        return std::exchange(packet.energy, 0.0);
     }
 
-    double meet_soil(Bundle& bundle, double started) {
-        if (optics_.soil_albedo == 0) return std::exchange(bundle.energy, 0.0);
+    double meet_soil(PhotonPacket& packet, double started) {
+        if (optics_.soil_albedo == 0) return std::exchange(packet.energy, 0.0);
         double choice = sampler_.next();
         const double kept =
-            deposit(bundle, started, optics_.soil_albedo, choice);
-        if (bundle.energy > 0) {
+            absorb_and_continue(packet, started, optics_.soil_albedo, choice);
+        if (packet.energy > 0) {
             const double u = sampler_.next();
             const double v = sampler_.next();
-            bundle.position = scene_.wrapped(bundle.position);
-            bundle.direction = lambertian({0, 0, 1}, u, v);
+            packet.position = scene_.wrapped(packet.position);
+            packet.direction = lambertian({0, 0, 1}, u, v);
         }
         return kept;
     }
 
-    double meet_face(Bundle& bundle, const Hit& hit, double started,
+    double meet_face(PhotonPacket& packet, const Hit& hit, double started,
                      Tissue tissue) {
         const Lambertian& surface =
             tissue == Tissue::leaf ? optics_.leaf : optics_.stalk;
         const double scattered = surface.reflectance + surface.transmittance;
-        if (scattered == 0) return std::exchange(bundle.energy, 0.0);
+        if (scattered == 0) return std::exchange(packet.energy, 0.0);
         double choice = sampler_.next();
-        const double kept = deposit(bundle, started, scattered, choice);
-        if (bundle.energy > 0) {
+        const double kept =
+            absorb_and_continue(packet, started, scattered, choice);
+        if (packet.energy > 0) {
             const double u = sampler_.next();
             const double v = sampler_.next();
             const bool is_reflected = choice * scattered < surface.reflectance;
-            scatter(bundle, hit, is_reflected, u, v);
+            scatter(packet, hit, is_reflected, u, v);
         }
         return kept;
     }
 
-    void scatter(Bundle& bundle, const Hit& hit, bool is_reflected, double u,
-                 double v) const {
-        const bool is_front = against(bundle.direction, hit.normal);
+    void scatter(PhotonPacket& packet, const Hit& hit, bool is_reflected,
+                 double u, double v) const {
+        const bool is_front = against(packet.direction, hit.normal);
         const glm::dvec3 n =
             is_front == is_reflected ? hit.normal : -hit.normal;
-        bundle.position = scene_.beside(hit.position, n);
-        bundle.direction = lambertian(n, u, v);
+        packet.position = scene_.offset_origin(hit.position, n);
+        packet.direction = lambertian(n, u, v);
     }
 
     const Scene& scene_;

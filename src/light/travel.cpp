@@ -7,14 +7,14 @@ namespace ideotype {
 
 namespace {
 
-Met travel_periodic(const Scene& scene, Bundle& bundle, Hit& hit) {
+Met travel_periodic(const Scene& scene, PhotonPacket& packet, Hit& hit) {
     constexpr double never = std::numeric_limits<double>::infinity();
     // Rounding may hide a face at the very end of a segment or, as its image,
     // at the very start of the next one. Both look a little over the seam.
     const double seam = scene.clearance() / 2;
     double before = 0;
-    glm::dvec3& p = bundle.position;
-    const glm::dvec3& d = bundle.direction;
+    glm::dvec3& p = packet.position;
+    const glm::dvec3& d = packet.direction;
     const auto to_side = [](double x, double dx, double period) {
         return dx > 0 ? (period - x) / dx : dx < 0 ? -x / dx : never;
     };
@@ -40,9 +40,9 @@ Met travel_periodic(const Scene& scene, Bundle& bundle, Hit& hit) {
     }
 }
 
-Met travel_isolated(const Scene& scene, Bundle& bundle, Hit& hit) {
-    glm::dvec3& p = bundle.position;
-    const glm::dvec3& d = bundle.direction;
+Met travel_isolated(const Scene& scene, PhotonPacket& packet, Hit& hit) {
+    glm::dvec3& p = packet.position;
+    const glm::dvec3& d = packet.direction;
     const double margin = scene.clearance() / 2;
     const auto [lower, upper] = scene.box();
     const Box box{lower - margin, upper + margin};
@@ -64,10 +64,10 @@ Met travel_isolated(const Scene& scene, Bundle& bundle, Hit& hit) {
 
 }  // namespace
 
-Met travel(const Scene& scene, Bundle& bundle, Hit& hit) {
+Met travel(const Scene& scene, PhotonPacket& packet, Hit& hit) {
     return scene.boundary() == Boundary::periodic
-               ? travel_periodic(scene, bundle, hit)
-               : travel_isolated(scene, bundle, hit);
+               ? travel_periodic(scene, packet, hit)
+               : travel_isolated(scene, packet, hit);
 }
 
 }  // namespace ideotype

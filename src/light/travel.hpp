@@ -4,8 +4,8 @@
 
 namespace ideotype {
 
-//! A bundle of light on its way.
-struct Bundle {
+//! A packet of light on its way.
+struct PhotonPacket {
     glm::dvec3 position;
     glm::dvec3 direction;
     double energy = 0;
@@ -14,9 +14,9 @@ struct Bundle {
 
 enum class Met { face, soil, sky };
 
-//! Straight on until the bundle meets something, however far that is. In a
+//! Straight on until the packet meets something, however far that is. In a
 //! periodic stand it re-enters the cell on its other side whenever it leaves;
-//! a bundle that leaves an isolated plot finds only soil or sky.
-Met travel(const Scene& scene, Bundle& bundle, Hit& hit);
+//! a packet that leaves an isolated plot finds only soil or sky.
+Met travel(const Scene& scene, PhotonPacket& packet, Hit& hit);
 
 }  // namespace ideotype

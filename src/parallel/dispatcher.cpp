@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "crew.hpp"
 #include "ideotype/core/error.hpp"
+#include "workers.hpp"
 
 namespace ideotype {
 
@@ -44,29 +44,29 @@ struct Dispatcher::Assignment {
     double deadline = 0;  //!< on the steady clock [s]
 };
 
-struct Dispatcher::Seat {
+struct Dispatcher::WorkerSlot {
     int worker = 0;
     std::optional<Assignment> given;
     bool is_late = false;
 };
 
-Dispatcher::Dispatcher(std::unique_ptr<Crew> crew, const StopFlag& stop,
+Dispatcher::Dispatcher(std::unique_ptr<Workers> workers, const StopFlag& stop,
                        const AnswerRules& rules)
-    : crew_(std::move(crew)), stop_(stop), rules_(rules) {
-    for (int worker = 0; worker < crew_->width(); ++worker)
-        seats_.push_back({worker, std::nullopt, false});
+    : workers_(std::move(workers)), stop_(stop), rules_(rules) {
+    for (int worker = 0; worker < workers_->width(); ++worker)
+        slots_.push_back({worker, std::nullopt, false});
 }
 
 Dispatcher::~Dispatcher() {
     // The reply of a busy worker could not leave it if nobody took it.
     if (dismiss()) return;
-    while (std::any_of(seats_.begin(), seats_.end(),
-                       [](const Seat& seat) { return seat.is_late; }))
+    while (std::any_of(slots_.begin(), slots_.end(),
+                       [](const WorkerSlot& slot) { return slot.is_late; }))
         drop_next();
 }
 
 int Dispatcher::width() const {
-    return crew_->width();
+    return workers_->width();
 }
 
 Batch Dispatcher::evaluate(std::vector<Work> work, Record record) {
@@ -103,9 +103,9 @@ void Dispatcher::run(Director& director) {
 
 bool Dispatcher::dismiss() {
     while (busy_in_time() > 0) drop_next();
-    if (!std::exchange(is_dismissed_, true)) crew_->dismiss();
-    return std::none_of(seats_.begin(), seats_.end(),
-                        [](const Seat& seat) { return seat.is_late; });
+    if (!std::exchange(is_dismissed_, true)) workers_->dismiss();
+    return std::none_of(slots_.begin(), slots_.end(),
+                        [](const WorkerSlot& slot) { return slot.is_late; });
 }
 
 void Dispatcher::add(Batch& batch) {
@@ -123,14 +123,14 @@ void Dispatcher::remove(Batch& batch) {
 }
 
 bool Dispatcher::has_idle() const {
-    return std::any_of(seats_.begin(), seats_.end(),
-                       [](const Seat& seat) { return !seat.given; });
+    return std::any_of(slots_.begin(), slots_.end(),
+                       [](const WorkerSlot& slot) { return !slot.given; });
 }
 
 int Dispatcher::busy_in_time() const {
     return static_cast<int>(std::count_if(
-        seats_.begin(), seats_.end(),
-        [](const Seat& seat) { return seat.given && !seat.is_late; }));
+        slots_.begin(), slots_.end(),
+        [](const WorkerSlot& slot) { return slot.given && !slot.is_late; }));
 }
 
 //! Sends the next work to an idle worker; false if there is none of either, or
@@ -138,9 +138,9 @@ int Dispatcher::busy_in_time() const {
 bool Dispatcher::hand_out() {
     if (stop_.requested()) return false;
     const auto idle =
-        std::find_if(seats_.begin(), seats_.end(),
-                     [](const Seat& seat) { return !seat.given; });
-    if (idle == seats_.end()) return false;
+        std::find_if(slots_.begin(), slots_.end(),
+                     [](const WorkerSlot& slot) { return !slot.given; });
+    if (idle == slots_.end()) return false;
     for (const auto& [precedence, batch] : open_)
         while (!batch->waiting_.empty()) {
             const std::size_t index = batch->waiting_.back();
@@ -153,7 +153,7 @@ bool Dispatcher::hand_out() {
                 precedence, index, task, now,
                 now + std::max(rules_.deadline, longest_factor * longest_ *
                                                     rules_.effort(task))};
-            crew_->give(idle->worker, item.work);
+            workers_->give(idle->worker, item.work);
             return true;
         }
     return false;
@@ -175,19 +175,19 @@ void Dispatcher::release_all() {
 
 //! Waits until an answer arrives or a worker is late, but not for long.
 void Dispatcher::receive(Director& director) {
-    if (auto answer = crew_->wait(seconds_to_wait())) {
-        Seat& seat = seats_[static_cast<std::size_t>(answer->worker)];
-        const Assignment given = *std::exchange(seat.given, std::nullopt);
-        if (!std::exchange(seat.is_late, false))
+    if (auto answer = workers_->wait(seconds_to_wait())) {
+        WorkerSlot& slot = slots_[static_cast<std::size_t>(answer->worker)];
+        const Assignment given = *std::exchange(slot.given, std::nullopt);
+        if (!std::exchange(slot.is_late, false))
             longest_ = std::max(
                 longest_, answer->outcome.seconds / rules_.effort(given.task));
         settle(given, answer->outcome);
     }
     const double now = steady_seconds();
-    for (Seat& seat : seats_)
-        if (seat.given && !seat.is_late && now > seat.given->deadline) {
-            seat.is_late = true;
-            give_up(seat, director);
+    for (WorkerSlot& slot : slots_)
+        if (slot.given && !slot.is_late && now > slot.given->deadline) {
+            slot.is_late = true;
+            give_up(slot, director);
         }
 }
 
@@ -211,11 +211,11 @@ void Dispatcher::settle(const Assignment& given, const Outcome& outcome) {
 }
 
 //! What happens to the task of a worker that has become late.
-void Dispatcher::give_up(const Seat& seat, Director& director) {
-    const Assignment given = *seat.given;
+void Dispatcher::give_up(const WorkerSlot& slot, Director& director) {
+    const Assignment given = *slot.given;
     std::string what =
         fmt::format("no answer from rank {} within {:.3g} s for {}, attempt {}",
-                    crew_->rank(seat.worker), given.deadline - given.began,
+                    workers_->rank(slot.worker), given.deadline - given.began,
                     name_of(given.task), given.task.attempt);
     const auto found = open_.find(given.batch);
     if (found == open_.end()) {
@@ -227,8 +227,8 @@ void Dispatcher::give_up(const Seat& seat, Director& director) {
         return;
     }
     // With nobody left, the fault is hardly the candidate's: it stays pending.
-    if (std::all_of(seats_.begin(), seats_.end(),
-                    [](const Seat& each) { return each.is_late; })) {
+    if (std::all_of(slots_.begin(), slots_.end(),
+                    [](const WorkerSlot& each) { return each.is_late; })) {
         director.on_silence(given.task, what);
         return;
     }
@@ -240,9 +240,10 @@ void Dispatcher::give_up(const Seat& seat, Director& director) {
         const std::string reason =
             fmt::format("no answer within {:.3g} s in {} attempts",
                         given.deadline - given.began, given.task.attempt);
-        Outcome outcome = failed_outcome(crew_->schema(given.task), reason);
+        Outcome outcome = failed_outcome(workers_->schema(given.task), reason);
         outcome.seconds = given.deadline - given.began;
-        outcome.worker = static_cast<std::uint32_t>(crew_->rank(seat.worker));
+        outcome.worker =
+            static_cast<std::uint32_t>(workers_->rank(slot.worker));
         settle(given, outcome);
     } else {
         Batch& batch = *found->second;
@@ -254,27 +255,27 @@ void Dispatcher::give_up(const Seat& seat, Director& director) {
 double Dispatcher::seconds_to_wait() const {
     const double now = steady_seconds();
     double seconds = attention;
-    for (const Seat& seat : seats_)
-        if (seat.given && !seat.is_late)
-            seconds = std::min(seconds, seat.given->deadline - now);
+    for (const WorkerSlot& slot : slots_)
+        if (slot.given && !slot.is_late)
+            seconds = std::min(seconds, slot.given->deadline - now);
     return std::max(seconds, 0.0);
 }
 
 //! Takes an answer that nobody needs any more, or notices who is late.
 void Dispatcher::drop_next() {
-    if (const auto answer = crew_->wait(seconds_to_wait())) {
-        Seat& seat = seats_[static_cast<std::size_t>(answer->worker)];
-        seat.given.reset();
-        seat.is_late = false;
+    if (const auto answer = workers_->wait(seconds_to_wait())) {
+        WorkerSlot& slot = slots_[static_cast<std::size_t>(answer->worker)];
+        slot.given.reset();
+        slot.is_late = false;
     }
     const double now = steady_seconds();
-    for (Seat& seat : seats_)
-        if (seat.given && now > seat.given->deadline) seat.is_late = true;
+    for (WorkerSlot& slot : slots_)
+        if (slot.given && now > slot.given->deadline) slot.is_late = true;
 }
 
 std::unique_ptr<Dispatcher> make_dispatcher(Evaluator& evaluator,
                                             const StopFlag& stop) {
-    return std::make_unique<Dispatcher>(make_solo_crew(evaluator), stop);
+    return std::make_unique<Dispatcher>(make_local_worker(evaluator), stop);
 }
 
 std::unique_ptr<Dispatcher> make_dispatcher(const Session& session,
@@ -282,7 +283,7 @@ std::unique_ptr<Dispatcher> make_dispatcher(const Session& session,
                                             const StopFlag& stop,
                                             const AnswerRules& rules) {
     if (session.size() == 1) return make_dispatcher(evaluator, stop);
-    return std::make_unique<Dispatcher>(make_rank_crew(session, evaluator),
+    return std::make_unique<Dispatcher>(make_rank_workers(session, evaluator),
                                         stop, rules);
 }
 

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <mpi.h>
 
+#include "backoff.hpp"
 #include "ideotype/core/error.hpp"
-#include "patience.hpp"
 
 namespace ideotype {
 
@@ -31,10 +31,10 @@ struct Mailbox::Posted {
 Mailbox::Mailbox() : posted_(std::make_unique<Posted>()) {}
 
 Mailbox::~Mailbox() {
-    Patience patience;
+    Backoff backoff;
     for (posted_->forget_finished(); !posted_->sendings.empty();
          posted_->forget_finished())
-        patience.rest();
+        backoff.wait();
 }
 
 void Mailbox::post(int rank, Tag tag, Bytes bytes) {
@@ -54,7 +54,7 @@ Envelope Mailbox::wait() {
 std::optional<Envelope> Mailbox::wait(double seconds) {
     using Clock = std::chrono::steady_clock;
     const auto end = Clock::now() + std::chrono::duration<double>(seconds);
-    Patience patience;
+    Backoff backoff;
     MPI_Status status;
     for (;;) {
         posted_->forget_finished();
@@ -63,7 +63,7 @@ std::optional<Envelope> Mailbox::wait(double seconds) {
                    &status);
         if (arrived) break;
         if (Clock::now() >= end) return std::nullopt;
-        patience.rest();
+        backoff.wait();
     }
     int size = 0;
     MPI_Get_count(&status, MPI_BYTE, &size);

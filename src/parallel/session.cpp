@@ -9,19 +9,19 @@
 
 #include <mpi.h>
 
-#include "patience.hpp"
+#include "backoff.hpp"
 
 namespace ideotype {
 
 namespace {
 
 void wait_for(MPI_Request request) {
-    Patience patience;
+    Backoff backoff;
     for (;;) {
         int finished = 0;
         MPI_Test(&request, &finished, MPI_STATUS_IGNORE);
         if (finished) return;
-        patience.rest();
+        backoff.wait();
     }
 }
 

@@ -37,7 +37,7 @@ Progress progress_of(const History& history) {
 Routine<bool> evaluate_generation(const Evolution& evolution, History& history,
                                   std::uint32_t generation,
                                   const std::vector<Candidate>& candidates) {
-    const auto original_of = twins(candidates);
+    const auto original_of = duplicates(candidates);
     std::vector<Work> work;
     for (const std::uint32_t slot : history.pending(generation))
         if (!original_of.contains(slot)) {
@@ -86,7 +86,7 @@ void require_few_failures(const Evolution& evolution, History& history,
 
 //! Evaluates the baseline and the best distinct genomes of the last
 //! generation anew; false if a stop came first.
-Routine<bool> judge_finalists(const Evolution& evolution, History& history) {
+Routine<bool> evaluate_finalists(const Evolution& evolution, History& history) {
     const Population last = history.last_committed();
     std::vector<Candidate> finalists{
         {to_genome(evolution.campaign.baseline), Origin::baseline, {}}};
@@ -137,7 +137,7 @@ Routine<Ending> evolve_case(Evolution evolution, History& history) {
         parents = history.generation(g);
         GenerationSummary summary = summarize(parents, genes);
         summary.evaluations = static_cast<std::uint32_t>(
-            children.size() - twins(children).size());
+            children.size() - duplicates(children).size());
         summary.wall_time = history.wall_time();
         require_few_failures(evolution, history, g, summary);
         history.commit(g, summary);
@@ -148,9 +148,9 @@ Routine<Ending> evolve_case(Evolution evolution, History& history) {
         if (!reason && stop.requested()) co_return Ending::drained;
     }
     watcher.on_final(*reason);
-    const bool is_judged = co_await judge_finalists(evolution, history);
+    const bool is_complete = co_await evaluate_finalists(evolution, history);
     history.set_wall_time(spent_before + elapsed());
-    if (!is_judged) co_return Ending::drained;
+    if (!is_complete) co_return Ending::drained;
     history.finish(*reason);
     co_return Ending::finished;
 }

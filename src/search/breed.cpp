@@ -25,7 +25,7 @@ double difference(const Gene& gene, double a, double b) {
 
 namespace {
 
-double admitted(const Gene& gene, double value) {
+double repaired(const Gene& gene, double value) {
     return gene.is_circular ? wrapped(gene, value)
                             : std::clamp(value, gene.lower, gene.upper);
 }
@@ -54,8 +54,8 @@ std::pair<double, double> cross(const Gene& gene, double a, double b, double u,
     };
     const double low = mean - half * spread_factor(u, index, room(gene.lower));
     const double high = mean + half * spread_factor(u, index, room(gene.upper));
-    const double first = admitted(gene, distance > 0 ? low : high);
-    const double second = admitted(gene, distance > 0 ? high : low);
+    const double first = repaired(gene, distance > 0 ? low : high);
+    const double second = repaired(gene, distance > 0 ? high : low);
     return {first, second};
 }
 
@@ -76,7 +76,7 @@ double mutate(const Gene& gene, double value, double u, double index) {
         const double rest = missing(gene.upper - value);
         step = 1 - std::pow(2 * (1 - u) + (2 * u - 1) * rest, 1 / power);
     }
-    return admitted(gene, value + step * range);
+    return repaired(gene, value + step * range);
 }
 
 Genome random_genome(const GeneSpace& genes, const Genome& baseline,
@@ -100,11 +100,11 @@ std::int32_t tournament(const Population& parents, int contestants,
 }
 
 //! Breeds the children of two neighbouring slots from one couple.
-class Nursery {
+class Variation {
   public:
-    Nursery(const Optimizer& optimizer, const GeneSpace& genes,
-            std::uint64_t seed, std::uint32_t generation,
-            const Population& parents)
+    Variation(const GaSettings& optimizer, const GeneSpace& genes,
+              std::uint64_t seed, std::uint32_t generation,
+              const Population& parents)
         : optimizer_(optimizer),
           genes_(genes),
           seed_(seed),
@@ -115,12 +115,16 @@ class Nursery {
 
     std::pair<Candidate, Candidate> couple(std::uint32_t slot) const {
         RandomStream selection(seed_, Purpose::selection, generation_, slot);
-        const auto mother =
+        const auto first_parent =
             tournament(parents_, optimizer_.tournament, selection);
-        const auto father =
+        const auto second_parent =
             tournament(parents_, optimizer_.tournament, selection);
-        Candidate first{genome_of(mother), Origin::child, {mother, father}};
-        Candidate second{genome_of(father), Origin::child, {father, mother}};
+        Candidate first{genome_of(first_parent),
+                        Origin::child,
+                        {first_parent, second_parent}};
+        Candidate second{genome_of(second_parent),
+                         Origin::child,
+                         {second_parent, first_parent}};
         RandomStream crossover(seed_, Purpose::crossover, generation_, slot);
         if (crossover.uniform() < optimizer_.crossover_probability)
             for (std::size_t i = 0; i < genes_.size(); ++i) {
@@ -153,7 +157,7 @@ class Nursery {
         }
     }
 
-    const Optimizer& optimizer_;
+    const GaSettings& optimizer_;
     const GeneSpace& genes_;
     std::uint64_t seed_;
     std::uint32_t generation_;
@@ -163,9 +167,9 @@ class Nursery {
 
 }  // namespace
 
-std::vector<Candidate> breed(const Optimizer& optimizer, const GeneSpace& genes,
-                             const Genome& baseline, std::uint64_t seed,
-                             std::uint32_t generation,
+std::vector<Candidate> breed(const GaSettings& optimizer,
+                             const GeneSpace& genes, const Genome& baseline,
+                             std::uint64_t seed, std::uint32_t generation,
                              const Population& parents) {
     const auto size = static_cast<std::size_t>(optimizer.population);
     std::vector<Candidate> candidates;
@@ -187,10 +191,10 @@ std::vector<Candidate> breed(const Optimizer& optimizer, const GeneSpace& genes,
                               Origin::elite,
                               {parent, no_parent}});
     }
-    const Nursery nursery(optimizer, genes, seed, generation, parents);
+    const Variation variation(optimizer, genes, seed, generation, parents);
     while (candidates.size() < size) {
         auto [first, second] =
-            nursery.couple(static_cast<std::uint32_t>(candidates.size()));
+            variation.couple(static_cast<std::uint32_t>(candidates.size()));
         candidates.push_back(std::move(first));
         candidates.push_back(std::move(second));
     }

@@ -35,7 +35,7 @@ std::vector<std::uint32_t> best_distinct(const Population& population,
     return best;
 }
 
-std::map<std::uint32_t, std::uint32_t> twins(
+std::map<std::uint32_t, std::uint32_t> duplicates(
     const std::vector<Candidate>& candidates) {
     std::map<Genome, std::uint32_t> first;
     std::map<std::uint32_t, std::uint32_t> earlier;

@@ -22,14 +22,14 @@ ORIGIN = {"none": 0, "baseline": 1, "random": 2, "elite": 3, "child": 4}
 KINDS = {
     "length": ("m", 0.40, 1.10),
     "width": ("m", 0.05, 0.14),
-    "inclination": ("deg", 10.0, 80.0),
+    "insertion_angle": ("deg", 10.0, 80.0),
     "azimuth": ("deg", 0.0, 360.0),
 }
 BASELINE_LEAF = {
     "length": [0.65, 0.71, 0.76, 0.82, 0.80, 0.77, 0.73, 0.66, 0.59, 0.48],
     "width": [0.073, 0.076, 0.081, 0.085, 0.086]
     + [0.084, 0.079, 0.073, 0.065, 0.055],
-    "inclination": [
+    "insertion_angle": [
         34.0,
         31.0,
         29.0,

@@ -41,7 +41,7 @@ baseline = "b73.toml"
 paths = 64
 randomisations = 4
 
-[evolution]
+[search]
 population = 6
 
 [stop]

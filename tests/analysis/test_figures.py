@@ -78,11 +78,11 @@ def test_traits_show_ten_plants_and_bounds(finished: Path) -> None:
         case = study.cases()[0]
         top = case.top(10)
         figure = draw_traits(case)
-    length, width, inclination, azimuth = figure.axes
+    length, width, insertion_angle, azimuth = figure.axes
     values, _ = horizontal_bars(length)
     assert values == pytest.approx(top.traits.values[:, ::4].mean(0))
     assert width.get_xlabel() == "width [m]"
-    assert inclination.get_xlabel() == "inclination [°]"
+    assert insertion_angle.get_xlabel() == "insertion angle [°]"
     markers = [line.get_marker() for line in length.lines]
     # ten plants and the entry of the legend, the baseline, the means
     assert [markers.count(marker) for marker in "oD|"] == [10 + 1, 1, 1]

@@ -32,8 +32,8 @@ name = "single"
 [[plant.baseline.leaf]]
 length = 0.8
 width = 0.08
-inclination = 40
-droop = 60
+insertion_angle = 40
+curvature = 60
 azimuth = 90
 insertion_height = 0.2
 )" + more;

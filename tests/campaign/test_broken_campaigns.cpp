@@ -107,7 +107,7 @@ TEST(BrokenCampaign, PlantsHaveAtMostFortyLeaves) {
     for (int i = 0; i < 40; ++i)
         leaves +=
             "[[plant.baseline.leaf]]\nlength = 0.8\nwidth = 0.08\n"
-            "inclination = 40\ndroop = 60\nazimuth = 90\n"
+            "insertion_angle = 40\ncurvature = 60\nazimuth = 90\n"
             "insertion_height = 0.2\n";
     EXPECT_NE(problem_of(sample_text("", leaves))
                   .find("the plant has 41 leaves (the limit is 40)"),

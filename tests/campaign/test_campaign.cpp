@@ -106,8 +106,8 @@ TEST(Campaign, PlantFilesHoldTheKnownPlants) {
     const Campaign b73 = ames();
     EXPECT_EQ(b73.plant.name, "b73");
     EXPECT_EQ(b73.baseline[9].width, 0.0545);
-    EXPECT_EQ(b73.baseline[1].inclination, 31.4);
-    EXPECT_EQ(b73.plant.leaves[0].droop, 90);
+    EXPECT_EQ(b73.baseline[1].insertion_angle, 31.4);
+    EXPECT_EQ(b73.plant.leaves[0].curvature, 90);
     EXPECT_EQ(b73.plant.leaves[9].insertion_height, 1.61);
     // Leaf area index at 86,111 plants per hectare.
     double area = 0;
@@ -127,7 +127,8 @@ TEST(Campaign, ElitePlantIsLargerAndInsideThePaperBounds) {
     const Campaign b73 = ames();
     for (std::size_t i = 0; i < 10; ++i) {
         EXPECT_EQ(elite.baseline[i].azimuth, b73.baseline[i].azimuth);
-        EXPECT_EQ(elite.plant.leaves[i].droop, b73.plant.leaves[i].droop);
+        EXPECT_EQ(elite.plant.leaves[i].curvature,
+                  b73.plant.leaves[i].curvature);
         EXPECT_EQ(elite.plant.leaves[i].insertion_height,
                   b73.plant.leaves[i].insertion_height);
     }
@@ -168,19 +169,20 @@ TEST(Campaign, ResolvedTextReadsBackToItself) {
 TEST(Campaign, ResolvedTextKeepsUnusualValues) {
     const Campaign campaign = sample(
         "seed = 9223372036854775807\n",
-        "[field]\njitter = -0.0\nboundary = \"isolated\"\ncut = 1\n"
+        "[field]\njitter = -0.0\nboundary = \"isolated\"\nborder_rows = 1\n"
         "[constraints]\nlai = [0.1, 3.3]\nerect_top = true\n"
         "[objective]\nmaximise = \"absorbed_par_per_leaf_area\"\n"
         "[[traits]]\nname = \"t\"\nfree = [\"azimuth\", \"length\"]\n"
         "[stop]\nwall_time = \"01:30:05\"\ntarget = 1e-7\n",
-        "{length = [0.1, 1], width = [0.05, 0.14], inclination = [-0.0, 80]}");
+        "{length = [0.1, 1], width = [0.05, 0.14], insertion_angle = "
+        "[-0.0, 80]}");
     const Campaign again = parse_campaign(campaign.resolved, "resolved");
     EXPECT_EQ(again.resolved, campaign.resolved);
     EXPECT_EQ(again.seed, 9223372036854775807u);
     EXPECT_EQ(again.stop.wall_time, 5405);
     EXPECT_EQ(again.stop.target, 1e-7);
     EXPECT_EQ(again.field.boundary, Boundary::isolated);
-    EXPECT_EQ(again.field.cut, 1);
+    EXPECT_EQ(again.field.border_rows, 1);
     EXPECT_EQ(again.constraints.lai.lower, 0.1);
     EXPECT_TRUE(again.constraints.erect_top);
     EXPECT_EQ(again.objective, Objective::absorbed_par_per_leaf_area);
@@ -244,8 +246,8 @@ TEST(Campaign, BiologicalBoundsFollowEachLeaf) {
     EXPECT_EQ(longest.length.upper, 1.10);
     EXPECT_DOUBLE_EQ(longest.width.lower, 0.65 * 0.102);
     EXPECT_DOUBLE_EQ(longest.width.upper, 1.35 * 0.102);
-    EXPECT_EQ(longest.inclination.lower, 10);
-    EXPECT_EQ(longest.inclination.upper, 80);
+    EXPECT_EQ(longest.insertion_angle.lower, 10);
+    EXPECT_EQ(longest.insertion_angle.upper, 80);
     const LeafBounds& shortest = campaign.bounds[9];  // 0.50 m
     EXPECT_EQ(shortest.length.lower, 0.40);
     EXPECT_DOUBLE_EQ(shortest.length.upper, 1.35 * 0.50);

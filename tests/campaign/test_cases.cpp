@@ -12,9 +12,9 @@ namespace {
 
 constexpr auto second_spacing = "[[spacing]]\nrow = 0.381\nplant = 0.0762\n";
 constexpr auto trait_sets =
-    "[[traits]]\nname = \"angles\"\nfree = [\"inclination\", \"azimuth\"]\n"
+    "[[traits]]\nname = \"angles\"\nfree = [\"insertion_angle\", \"azimuth\"]\n"
     "[[traits]]\nname = \"all\"\n"
-    "free = [\"length\", \"width\", \"inclination\", \"azimuth\"]\n";
+    "free = [\"length\", \"width\", \"insertion_angle\", \"azimuth\"]\n";
 
 }  // namespace
 
@@ -66,7 +66,7 @@ TEST(GeneSpace, HasFourNamedGenesPerLeaf) {
     ASSERT_EQ(genes.size(), 4u);
     EXPECT_EQ(genes[0].name, "leaf01_length");
     EXPECT_EQ(genes[1].name, "leaf01_width");
-    EXPECT_EQ(genes[2].name, "leaf01_inclination");
+    EXPECT_EQ(genes[2].name, "leaf01_insertion_angle");
     EXPECT_EQ(genes[3].name, "leaf01_azimuth");
     EXPECT_EQ(genes[0].unit, "m");
     EXPECT_EQ(genes[3].unit, "deg");

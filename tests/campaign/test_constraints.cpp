@@ -31,7 +31,7 @@ TEST(Constraints, StepsBetweenNeighbouringLeavesMayBeLimited) {
     constraints.width_step = .025;
     EXPECT_NEAR(violation(constraints, plant, 3), .2, 1e-12);
     constraints.width_step = 0;
-    constraints.inclination_step = 10;
+    constraints.insertion_angle_step = 10;
     EXPECT_NEAR(violation(constraints, plant, 3), 1, 1e-12);
 }
 
@@ -43,9 +43,10 @@ TEST(Constraints, ErectTopsMayBeAskedFor) {
 }
 
 TEST(Constraints, WhatContradictsItselfIsRefused) {
-    EXPECT_THROW(sample("", "[field]\ncut = 1\n"), InputError);
-    EXPECT_THROW(sample("", "[field]\nboundary = \"isolated\"\ncut = 3\n"),
-                 InputError);
+    EXPECT_THROW(sample("", "[field]\nborder_rows = 1\n"), InputError);
+    EXPECT_THROW(
+        sample("", "[field]\nboundary = \"isolated\"\nborder_rows = 3\n"),
+        InputError);
     EXPECT_THROW(sample("", "[constraints]\nlai = [4, 3]\n"), InputError);
     EXPECT_THROW(sample("", "[constraints]\nlai = [-1, 0]\n"), InputError);
 }

@@ -27,10 +27,10 @@ TEST(Differences, EntriesOfAxesAreCountedFromZero) {
     const std::string was = sample().resolved;
     std::string is = was;
     is.replace(is.find("latitude = 42"), 13, "latitude = 43");
-    is.replace(is.find("droop = 60"), 10, "droop = 61");
+    is.replace(is.find("curvature = 60"), 14, "curvature = 61");
     EXPECT_EQ(differences(was, is),
               (Lines{"site[0].latitude was 42, is 43",
-                     "plant.baseline.leaf[0].droop was 60, is 61"}));
+                     "plant.baseline.leaf[0].curvature was 60, is 61"}));
 }
 
 TEST(Differences, AddedAndRemovedEntriesAreAbsentOnOneSide) {

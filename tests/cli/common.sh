@@ -42,7 +42,7 @@ bounds = "paper"
 [light]
 paths = 256
 randomisations = 4
-[evolution]
+[search]
 population = $2
 elites = 2
 [stop]

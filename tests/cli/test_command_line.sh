@@ -131,7 +131,7 @@ expect 0 "$ideotype" evaluate --mesh field.obj --period 2.286 .4572 \
 says "^LAI 3.4[34]"
 says "^stalk "
 # Of a plot that is cut, plants keep different numbers of faces.
-sed -e 's/"verbs"/"cut"/' -e '/^\[field\]/a boundary = "isolated"\ncut = 1' \
+sed -e 's/"verbs"/"cut"/' -e '/^\[field\]/a boundary = "isolated"\nborder_rows = 1' \
     campaigns/verbs.toml >campaigns/cut.toml
 expect 0 "$ideotype" run campaigns/cut.toml
 expect 0 "$ideotype" export "$(history_of results cut)" --generation 0 --slot 0 \

@@ -5,7 +5,7 @@
 
 write_campaign same 8 3
 # Each evaluation finds out for itself how many paths it needs.
-sed -i '/^\[light\]/,/^\[evolution\]/ {
+sed -i '/^\[light\]/,/^\[search\]/ {
     s/^paths = .*/paths = 4096/
     s/^randomisations = .*/randomisations = 8\ntolerance = 0.01\nfirst_tolerance = 0.03/
 }' campaigns/same.toml

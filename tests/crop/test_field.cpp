@@ -17,7 +17,8 @@ const FieldForm form{6, 4, {0.762, 0.1524}, 10};
 TEST(Field, PeriodIsSpacingTimesNumberWhateverTheLeavesReach) {
     const SamplePlant sample;
     const Mesh plant = build_plant(sample.traits, sample.form, {});
-    const Field field = build_field(plant, form, draw_turns(form, 1, 0, 0));
+    const Field field =
+        build_field(plant, form, draw_plant_azimuths(form, 1, 0, 0));
     EXPECT_DOUBLE_EQ(field.period_x, 6 * 0.762);
     EXPECT_DOUBLE_EQ(field.period_y, 4 * 0.1524);
     EXPECT_EQ(field.mesh.faces.size(), 24 * plant.faces.size());
@@ -25,13 +26,13 @@ TEST(Field, PeriodIsSpacingTimesNumberWhateverTheLeavesReach) {
 }
 
 TEST(Field, EveryPlantIsTurnedByItsOwnDraw) {
-    const auto turns = draw_turns(form, 1, 0, 0);
+    const auto turns = draw_plant_azimuths(form, 1, 0, 0);
     EXPECT_EQ(std::set<double>(turns.begin(), turns.end()).size(), 24u);
     for (const double turn : turns) EXPECT_LE(std::abs(turn), 10);
-    EXPECT_EQ(draw_turns(form, 1, 0, 0), turns);
-    EXPECT_NE(draw_turns(form, 2, 0, 0), turns);
-    EXPECT_NE(draw_turns(form, 1, 1, 0), turns);
-    EXPECT_NE(draw_turns(form, 1, 0, 1), turns);
+    EXPECT_EQ(draw_plant_azimuths(form, 1, 0, 0), turns);
+    EXPECT_NE(draw_plant_azimuths(form, 2, 0, 0), turns);
+    EXPECT_NE(draw_plant_azimuths(form, 1, 1, 0), turns);
+    EXPECT_NE(draw_plant_azimuths(form, 1, 0, 1), turns);
 }
 
 TEST(Field, TurningByAnAngleEqualsChangingTheLeafAzimuths) {
@@ -56,7 +57,8 @@ TEST(Field, APlotHasTheGroundOfItsPlants) {
     FieldForm plot = form;
     plot.boundary = Boundary::isolated;
     const Mesh plant = build_plant(sample.traits, sample.form, {});
-    const Field field = build_field(plant, plot, draw_turns(plot, 1, 0, 0));
+    const Field field =
+        build_field(plant, plot, draw_plant_azimuths(plot, 1, 0, 0));
     EXPECT_EQ(field.boundary, Boundary::isolated);
     EXPECT_NEAR(field.ground_area, 24 * 0.762 * 0.1524, 1e-12);
     EXPECT_EQ(field.mesh.faces.size(), 24 * plant.faces.size());
@@ -66,9 +68,10 @@ TEST(Field, ACutPlotEndsAtItsEdge) {
     const SamplePlant sample;
     FieldForm plot = form;
     plot.boundary = Boundary::isolated;
-    plot.cut = 1;
+    plot.border_rows = 1;
     const Mesh plant = build_plant(sample.traits, sample.form, {});
-    const Field field = build_field(plant, plot, draw_turns(plot, 1, 0, 0));
+    const Field field =
+        build_field(plant, plot, draw_plant_azimuths(plot, 1, 0, 0));
     EXPECT_NEAR(field.ground_area, 4 * 2 * 0.762 * 0.1524, 1e-12);
     // What is cut off its plants, its neighbours hang over the edge.
     EXPECT_NEAR(leaf_area(field.mesh) / (8 * leaf_area(plant)), 1, .2);
@@ -78,17 +81,19 @@ TEST(Field, ACutPlotEndsAtItsEdge) {
             EXPECT_GT(field.mesh.vertices[v].x, 0.762 - half_a_face);
             EXPECT_LT(field.mesh.vertices[v].x, 5 * 0.762 + half_a_face);
         }
-    plot.cut = 2;
-    EXPECT_THROW(build_field(plant, plot, draw_turns(plot, 1, 0, 0)), Error);
+    plot.border_rows = 2;
+    EXPECT_THROW(build_field(plant, plot, draw_plant_azimuths(plot, 1, 0, 0)),
+                 Error);
 }
 
 TEST(Field, EveryFaceKnowsItsPlantAlsoInACutPlot) {
     const SamplePlant sample;
     FieldForm plot = form;
     plot.boundary = Boundary::isolated;
-    plot.cut = 1;
+    plot.border_rows = 1;
     const Mesh plant = build_plant(sample.traits, sample.form, {});
-    const Field field = build_field(plant, plot, draw_turns(plot, 1, 0, 0));
+    const Field field =
+        build_field(plant, plot, draw_plant_azimuths(plot, 1, 0, 0));
     ASSERT_EQ(field.face_plant.size(), field.mesh.faces.size());
     // Stalks stand where their plants do.
     const std::uint32_t stalk =
@@ -109,9 +114,10 @@ TEST(Field, ACutPlotKeepsNoVertexWithoutAFace) {
     const SamplePlant sample;
     FieldForm plot = form;
     plot.boundary = Boundary::isolated;
-    plot.cut = 1;
+    plot.border_rows = 1;
     const Mesh plant = build_plant(sample.traits, sample.form, {});
-    const Field field = build_field(plant, plot, draw_turns(plot, 1, 0, 0));
+    const Field field =
+        build_field(plant, plot, draw_plant_azimuths(plot, 1, 0, 0));
     std::set<std::uint32_t> used;
     for (const auto& face : field.mesh.faces)
         used.insert(face.begin(), face.end());

@@ -17,9 +17,9 @@ double blade_width(const BladeRow& row) {
     return distance(row.left, row.midrib) + distance(row.midrib, row.right);
 }
 
-LeafSurface sample_leaf(std::size_t i, double fold) {
+LeafSurface sample_leaf(std::size_t i, double folding_angle) {
     SamplePlant sample;
-    sample.blade.fold = fold;
+    sample.blade.folding_angle = folding_angle;
     return LeafSurface(sample.traits[i], sample.form.leaves[i], sample.blade);
 }
 
@@ -56,7 +56,7 @@ TEST_P(EveryLeaf, SurfaceItselfNeedsHardlyAnyStretching) {
 TEST_P(EveryLeaf, MidribFollowsItsAngles) {
     const SamplePlant sample;
     const LeafTraits& traits = sample.traits[GetParam()];
-    const double droop = sample.form.leaves[GetParam()].droop;
+    const double curvature = sample.form.leaves[GetParam()].curvature;
     const LeafSurface leaf = sample_leaf(GetParam(), 0);
     double arc = 0;
     for (int i = 1; i <= 2000; ++i) {
@@ -64,7 +64,8 @@ TEST_P(EveryLeaf, MidribFollowsItsAngles) {
         const glm::dvec3 b = leaf.row(i / 2000.).midrib;
         arc += distance(a, b);
         const double s = arc / traits.length;
-        const double expected = traits.inclination + droop * std::pow(s, 1.5);
+        const double expected =
+            traits.insertion_angle + curvature * std::pow(s, 1.5);
         const double angle =
             std::atan2(b.y - a.y, b.z - a.z) * 180 / std::acos(-1.);
         EXPECT_NEAR(angle, expected, 2.5) << "at s = " << s;

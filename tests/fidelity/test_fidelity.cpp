@@ -34,45 +34,46 @@ class Fidelity : public ::testing::Test {
 };
 
 TEST_F(Fidelity, AReferenceHasNoBias) {
-    for (const MeasuredKnob& each : trade().knobs)
+    for (const MeasuredParameter& each : trade().parameters)
         for (const Goal goal : {Goal::value, Goal::difference}) {
             const Estimate bias =
-                each.points[each.knob.reference].of(goal).bias;
-            EXPECT_EQ(bias.mean, 0) << each.knob.name;
-            EXPECT_EQ(bias.standard_error, 0) << each.knob.name;
+                each.points[each.parameter.reference].of(goal).bias;
+            EXPECT_EQ(bias.mean, 0) << each.parameter.name;
+            EXPECT_EQ(bias.standard_error, 0) << each.parameter.name;
         }
 }
 
 TEST_F(Fidelity, WhatIsOnlyArrangedOtherwiseHasNoBias) {
-    for (const MeasuredKnob& each : trade().knobs) {
-        if (each.knob.kind != Knob::Kind::arrangement &&
-            each.knob.kind != Knob::Kind::paths)
+    for (const MeasuredParameter& each : trade().parameters) {
+        if (each.parameter.kind != Parameter::Kind::arrangement &&
+            each.parameter.kind != Parameter::Kind::paths)
             continue;
-        for (const KnobPoint& point : each.points)
+        for (const ParameterPoint& point : each.points)
             for (const Goal goal : {Goal::value, Goal::difference}) {
                 const Estimate bias = point.of(goal).bias;
                 EXPECT_LE(std::abs(bias.mean), 4 * bias.standard_error)
-                    << each.knob.name << ' ' << point.name;
+                    << each.parameter.name << ' ' << point.name;
                 EXPECT_LT(bias.standard_error, .01)
-                    << each.knob.name << ' ' << point.name;
+                    << each.parameter.name << ' ' << point.name;
             }
     }
 }
 
 TEST_F(Fidelity, CoarseLeavesAndMissingStalksAreFound) {
     const Estimate coarse =
-        trade().knob("cells_along").points.front().of(Goal::value).bias;
+        trade().parameter("cells_along").points.front().of(Goal::value).bias;
     EXPECT_LT(coarse.mean, -3 * coarse.standard_error);
     EXPECT_GT(coarse.mean, -.05);
-    const Estimate bare = trade().knob("stalk").points[1].of(Goal::value).bias;
+    const Estimate bare =
+        trade().parameter("stalk").points[1].of(Goal::value).bias;
     EXPECT_GT(bare.mean, .1);
     EXPECT_LT(bare.standard_error, .01);
 }
 
 TEST_F(Fidelity, MorePathsScatterLessAndCostMore) {
-    const MeasuredKnob& paths = trade().knob("paths");
-    const KnobPoint& few = paths.points.front();
-    const KnobPoint& many = paths.points.back();
+    const MeasuredParameter& paths = trade().parameter("paths");
+    const ParameterPoint& few = paths.points.front();
+    const ParameterPoint& many = paths.points.back();
     EXPECT_GE(few.cost.paths, 64);
     EXPECT_EQ(many.cost.paths, 64 * few.cost.paths);
     // Independent ones would scatter an eighth.
@@ -91,8 +92,8 @@ TEST_F(Fidelity, NothingOnTheFrontIsBeatenByAnythingElse) {
             EXPECT_LT(front[i].error(), front[i - 1].error());
         }
         std::vector<std::size_t> own;
-        for (const MeasuredKnob& each : trade().knobs)
-            own.push_back(each.knob.own);
+        for (const MeasuredParameter& each : trade().parameters)
+            own.push_back(each.parameter.own);
         const Combination mine =
             combine(trade(), own, {1024, 8}, Draws::Fields::one, goal);
         bool is_matched = false;
@@ -152,8 +153,8 @@ TEST_F(Fidelity, PastedKeysMakeTheChosenCampaign) {
 TEST(FidelityKnobs, BlackCanopiesHaveNoScatteringToTrade) {
     Campaign campaign = small();
     campaign.optics = {};
-    for (const Knob& knob : knobs(campaign, 0))
-        EXPECT_NE(knob.name, "scattering");
+    for (const Parameter& parameter : parameters(campaign, 0))
+        EXPECT_NE(parameter.name, "scattering");
 }
 
 TEST(FidelityKnobs, TheCampaignsOwnValuesAreAmongThem) {
@@ -161,11 +162,11 @@ TEST(FidelityKnobs, TheCampaignsOwnValuesAreAmongThem) {
     campaign.tessellation = {13, 7};
     campaign.field.rows = 5;
     campaign.days[0].value.step_minutes = 20;
-    for (const Knob& knob : knobs(campaign, 0)) {
-        if (knob.kind != Knob::Kind::fineness) continue;
-        Variant own = knob.base;
+    for (const Parameter& parameter : parameters(campaign, 0)) {
+        if (parameter.kind != Parameter::Kind::fineness) continue;
+        Variant own = parameter.base;
         own.campaign = campaign;
-        knob.values[knob.own].apply(own);
+        parameter.values[parameter.own].apply(own);
         const auto is = keys_of(own.campaign), was = keys_of(campaign);
         for (std::size_t i = 0; i < is.size(); ++i)
             EXPECT_EQ(is[i].value, was[i].value) << is[i].name;

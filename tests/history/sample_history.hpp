@@ -41,7 +41,7 @@ inline HistoryHeader sample_header() {
     header.campaign_source = "# Übersicht\nname = \"ames\"\n";
     header.campaign_resolved = "name = \"ames\"\nseed = 1\n";
     header.genes = {{"leaf01_length", "m", 0.4, 1.1, false, true},
-                    {"leaf01_inclination", "deg", 10, 80, false, false},
+                    {"leaf01_insertion_angle", "deg", 10, 80, false, false},
                     {"leaf01_azimuth", "deg", 0, 360, true, true}};
     header.schema = {{{"absorbed_par", "MJ m-2 day-1"}},
                      {{"lai", "m2 m-2"}, {"balance_error", "1"}}};

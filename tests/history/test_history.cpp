@@ -200,7 +200,8 @@ TEST_F(HistoryTest, ChangedProposalIsRefusedByName) {
     std::string message = refusal([&] { history->propose(0, candidates); });
     EXPECT_NE(message.find("generation 0 slot 2"), std::string::npos)
         << message;
-    EXPECT_NE(message.find("leaf01_inclination"), std::string::npos) << message;
+    EXPECT_NE(message.find("leaf01_insertion_angle"), std::string::npos)
+        << message;
 
     candidates = sample_candidates(0);
     candidates[3].genome[2] = 0.0;  // was -0.0

@@ -70,6 +70,6 @@ Mesh leaves_only();
 void add_leaf(Mesh& mesh, glm::dvec3 corner, glm::dvec3 u, glm::dvec3 v);
 
 //! A plant of two leaves, the upper one across the row.
-Mesh two_leaves(double length, double width, double inclination);
+Mesh two_leaves(double length, double width, double insertion_angle);
 
 }  // namespace ideotype

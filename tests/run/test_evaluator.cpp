@@ -147,7 +147,7 @@ TEST_F(Ames, LightPerLeafAreaIsThatOfTheGroundOverLai) {
 TEST_F(Ames, APlotAloneTakesMoreThanItsGroundReceives) {
     Campaign alone = campaign;
     alone.field.boundary = Boundary::isolated;
-    alone.field.cut = 1;
+    alone.field.border_rows = 1;
     CanopyEvaluator plot(alone, Device::supported_isas().back());
     const Outcome outcome = plot.evaluate({}, baseline);
     ASSERT_EQ(outcome.status, Status::done) << outcome.message;

@@ -172,7 +172,7 @@ TEST_F(EvolveCase, EqualGenomesAreEvaluatedOnce) {
     campaign.optimizer.mutations_per_child = 0;
     campaign.optimizer.crossover_probability = 0;
     const HistoryHeader h = header();
-    History history = History::create(path("twins.h5"), h);
+    History history = History::create(path("duplicates.h5"), h);
     SumEvaluator evaluator(h.schema, stop);
     evolve(history, evaluator);
     const auto summaries = history.summaries();

@@ -61,7 +61,7 @@ TEST_F(FaceLightTest, FacesOfAFieldSumToItsEvaluation) {
 
 TEST_F(FaceLightTest, FacesOfACutPlotSumToItsEvaluation) {
     model.field.boundary = Boundary::isolated;
-    model.field.cut = 1;
+    model.field.border_rows = 1;
     const Draws draws = few(Draws::Fields::one);
     const Field field = build_field(model, plant, draws, 0);
     expect_totals(field.mesh, light_on_field(model, device, field, draws),

@@ -15,8 +15,8 @@ const GeneSpace genes{{"length", "m", 0.4, 1.1, false, true},
                       {"width", "m", 0.05, 0.14, false, false}};
 const Genome baseline{0.7, 90, 0.08};
 
-Optimizer small_optimizer() {
-    Optimizer optimizer;
+GaSettings small_optimizer() {
+    GaSettings optimizer;
     optimizer.population = 41;
     optimizer.elites = 3;
     optimizer.mutations_per_child = 1;
@@ -140,7 +140,7 @@ TEST(Breed, AFailedParentIsNeverChosenOverAnother) {
     Population parents = first_generation();
     for (std::size_t i = 1; i < parents.size(); ++i)
         parents[i].status = Status::failed;
-    Optimizer optimizer = small_optimizer();
+    GaSettings optimizer = small_optimizer();
     optimizer.tournament = 200;
     const auto children = breed(optimizer, genes, baseline, 7, 1, parents);
     EXPECT_EQ(children[0].genome, baseline);
@@ -160,14 +160,14 @@ TEST(Breed, AzimuthCrossesTheNorthByTheShortWay) {
     RandomStream stream(1, Purpose::selection);
     for (Individual& i : parents)
         i.candidate.genome[1] = wrapped(genes[1], stream.uniform(-5, 5));
-    Optimizer optimizer = small_optimizer();
+    GaSettings optimizer = small_optimizer();
     optimizer.mutations_per_child = 0;
     for (const Candidate& c : breed(optimizer, genes, baseline, 7, 1, parents))
         EXPECT_GT(std::cos(c.genome[1] * std::acos(-1.) / 180), 0.5);
 }
 
 TEST(Breed, MutationMovesGenesAtTheGivenRate) {
-    Optimizer optimizer = small_optimizer();
+    GaSettings optimizer = small_optimizer();
     optimizer.population = 2003;
     optimizer.crossover_probability = 0;
     const auto first = evaluated(breed(optimizer, genes, baseline, 7, 0, {}));

@@ -34,7 +34,7 @@ TEST(Rank, TwinsPointToTheFirstOfTheirKind) {
     candidates[0].genome = {1, 2};
     candidates[1].genome = {1, 3};
     candidates[2].genome = candidates[3].genome = {1, 2};
-    EXPECT_EQ(twins(candidates),
+    EXPECT_EQ(duplicates(candidates),
               (std::map<std::uint32_t, std::uint32_t>{{2, 0}, {3, 0}}));
 }
 

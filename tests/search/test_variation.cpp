@@ -79,7 +79,7 @@ Distribution step(double index) {
 }
 
 //! All children of parents with these values of one gene.
-std::vector<Candidate> children(const Gene& gene, Optimizer optimizer,
+std::vector<Candidate> children(const Gene& gene, GaSettings optimizer,
                                 const std::vector<double>& parents) {
     optimizer.population = 200000;
     optimizer.elites = 0;
@@ -98,7 +98,7 @@ struct Spreads {
 };
 
 Spreads crossed(const Gene& gene, double index, double low, double high) {
-    Optimizer optimizer;
+    GaSettings optimizer;
     optimizer.crossover_probability = 1;
     optimizer.crossover_index = index;
     optimizer.mutations_per_child = 0;
@@ -164,7 +164,7 @@ TEST(Crossover, SpreadsAsPublishedOnTheCircle) {
 
 //! Steps of mutation over the gene's range.
 std::vector<double> mutated(const Gene& gene, double index, double parent) {
-    Optimizer optimizer;
+    GaSettings optimizer;
     optimizer.crossover_probability = 0;
     optimizer.mutations_per_child = 1;
     optimizer.mutation_index = index;

@@ -41,7 +41,7 @@ baseline = "plants/b73.toml"
 [light]
 paths = ${PATHS:-4096}
 randomisations = 8
-[evolution]
+[search]
 population = ${POPULATION:-50}
 [stop]
 generations = 20

@@ -40,7 +40,7 @@ def draw_correlation(case: Case) -> Figure:
         axes.axvline(start - 0.5, color=style.BASELINE, linewidth=0.8)
     ends = [*starts[1:], len(kinds)]
     middles = [(a + b - 1) / 2 for a, b in zip(starts, ends)]
-    labels = [kinds[start] for start in starts]
+    labels = [kinds[start].replace("_", " ") for start in starts]
     ranks = [_rank(names[i]) for i in order]
     for axis in (axes.xaxis, axes.yaxis):
         # A block's name stays where it meets a leaf's number.

@@ -47,7 +47,10 @@ class History:
             self.attributes = self._data.attributes()
             self.population = int(self.attributes["population"])
             self.traits = Traits(
-                self._data.texts("traits/name"),
+                tuple(
+                    name.replace("_inclination", "_insertion_angle")
+                    for name in self._data.texts("traits/name")
+                ),
                 self._data.texts("traits/unit"),
                 self._data.read("traits/lower"),
                 self._data.read("traits/upper"),

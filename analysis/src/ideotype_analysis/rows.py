@@ -233,7 +233,7 @@ class Evaluation:
         )
 
     def by_leaf(self, what: str = "absorbed") -> LeafProfile:
-        """Diagnostics named <what>_leafNN, or for length, width, inclination
+        """Diagnostics named <what>_leafNN, or for length, width, insertion_angle
         and azimuth the trait, lowest leaf first; absorbed PAR comes in
         [MJ m-2 day-1] of ground."""
         name = re.escape(what)

@@ -217,7 +217,8 @@ def _draw_by_rank(figure: Figure, axes: Axes, found: Sensitivity) -> None:
     # seen where the image is empty
     axes.patch.set(facecolor="#E8E8E8", hatch="////", edgecolor=style.QUIET)
     axes.set_title("hatched: no separate effect", fontsize=8)
-    axes.set_xticks(range(len(kinds)), kinds, rotation=20)
+    labels = [kind.replace("_", " ") for kind in kinds]
+    axes.set_xticks(range(len(kinds)), labels, rotation=20)
     axes.set_yticks(range(len(ranks)), [str(rank) for rank in ranks])
     axes.set_ylabel("leaf rank (1 = lowest)")
     figure.colorbar(image, label="effect (azimuth: size only)")

@@ -20,7 +20,7 @@ from .rows import Evaluation, Rows
 COUNT = 10
 """How many plants are shown."""
 
-_KINDS = ("length", "width", "inclination", "azimuth")
+_KINDS = ("length", "width", "insertion_angle", "azimuth")
 
 
 def draw_traits(case: Case) -> Figure:
@@ -207,7 +207,7 @@ def _draw_trait(
         axes.set_xticks(np.linspace(lower, upper, 5))
     axes.set_yticks(leaves)
     axes.set_ylim(leaves.min() - 0.6, leaves.max() + 0.6)
-    axes.set_xlabel(style.axis_label(kind, traits.units[columns[0]]))
+    axes.set_xlabel(style.axis_label(kind.replace("_", " "), traits.units[columns[0]]))
     if not traits.is_free[columns].any():
         axes.set_title("not bred")
 

@@ -11,8 +11,8 @@
 #include "ideotype/crop/field.hpp"
 #include "ideotype/crop/plant.hpp"
 #include "ideotype/light/optics.hpp"
+#include "ideotype/search/ga_settings.hpp"
 #include "ideotype/search/genome.hpp"
-#include "ideotype/search/optimizer.hpp"
 
 namespace ideotype {
 
@@ -27,7 +27,7 @@ struct Named {
 struct TraitSet {
     bool length = true;
     bool width = true;
-    bool inclination = true;
+    bool insertion_angle = true;
     bool azimuth = true;
 };
 
@@ -39,9 +39,9 @@ struct Range {
 
 //! Bounds of one leaf's traits; azimuth is a full circle.
 struct LeafBounds {
-    Range length;       //!< [m]
-    Range width;        //!< [m]
-    Range inclination;  //!< [deg]
+    Range length;           //!< [m]
+    Range width;            //!< [m]
+    Range insertion_angle;  //!< [deg]
 };
 
 //! What evolution makes as large as it can.
@@ -50,11 +50,11 @@ enum class Objective { absorbed_par, absorbed_par_per_leaf_area };
 //! What a plant must keep to. A plant that does not is worse than any that
 //! does, and the worse the more it fails: see violation().
 struct Constraints {
-    Range lai{0, 1000};           //!< one-sided [m2 m-2]
-    double length_step = 0;       //!< between neighbouring leaves [m]; 0: any
-    double width_step = 0;        //!< [m]; 0: any
-    double inclination_step = 0;  //!< [deg]; 0: any
-    bool erect_top = false;       //!< inclination must not rise upwards
+    Range lai{0, 1000};      //!< one-sided [m2 m-2]
+    double length_step = 0;  //!< between neighbouring leaves [m]; 0: any
+    double width_step = 0;   //!< [m]; 0: any
+    double insertion_angle_step = 0;  //!< [deg]; 0: any
+    bool erect_top = false;           //!< insertion angle must not rise upwards
 };
 
 //! How far a plant fails its constraints: the sum of what each is exceeded by,
@@ -106,7 +106,7 @@ struct Campaign {
     double first_tolerance = 0;  //!< of the first generation; 0: as all others
     Objective objective = Objective::absorbed_par;
     Constraints constraints;
-    Optimizer optimizer;
+    GaSettings optimizer;
     StopRules stop;
     FinalRule final_rule;
     AnswerLimits answer_limits;

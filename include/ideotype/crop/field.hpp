@@ -28,7 +28,7 @@ struct FieldForm {
     Boundary boundary = Boundary::periodic;
     //! Rows, and plants of each row, that are cut away on all sides of an
     //! isolated plot, with whatever of the others hangs over its edge.
-    int cut = 0;
+    int border_rows = 0;
 };
 
 //! Plants on the ground, in axes of their own: x across the rows, y along the
@@ -45,8 +45,10 @@ struct Field {
 
 //! The turn of each plant [deg], row by row: independent and uniform in
 //! +-jitter, a function of seed, generation and draw.
-std::vector<double> draw_turns(const FieldForm& form, std::uint64_t seed,
-                               std::uint32_t generation, std::uint32_t draw);
+std::vector<double> draw_plant_azimuths(const FieldForm& form,
+                                        std::uint64_t seed,
+                                        std::uint32_t generation,
+                                        std::uint32_t draw);
 
 //! Places a turned copy of the plant at every lattice point. turns has one
 //! entry per plant. Groups are those of the plant.

@@ -23,10 +23,11 @@ struct BladeRow {
 //! at 1/3 and 2/3.
 //!
 //! The midrib lies in a vertical plane. Its angle from the vertical at
-//! relative arc length s is inclination + droop * s^droop_exponent. Its six
-//! control points make the spline pass through that curve at the Greville
-//! abscissae, so that the spline parameter is close to relative arc length.
-//! The halves of the blade rise by `fold` towards the upper side.
+//! relative arc length s is insertion_angle + curvature * s^curvature_exponent.
+//! Its six control points make the spline pass through that curve at the
+//! Greville abscissae, so that the spline parameter is close to relative arc
+//! length. The halves of the blade rise by `folding_angle` towards the upper
+//! side.
 class LeafSurface {
   public:
     //! The leaf grows from a stem on the z axis, before it is turned to its

@@ -9,15 +9,15 @@ namespace ideotype {
 
 //! What can be bred of a leaf.
 struct LeafTraits {
-    double length = 0;       //!< arc length of the midrib [m]
-    double width = 0;        //!< largest width of the blade [m]
-    double inclination = 0;  //!< of the leaf base from the stem [deg]
-    double azimuth = 0;      //!< about the stem, 0 = along the row [deg]
+    double length = 0;           //!< arc length of the midrib [m]
+    double width = 0;            //!< largest width of the blade [m]
+    double insertion_angle = 0;  //!< of the leaf base from the stem [deg]
+    double azimuth = 0;          //!< about the stem, 0 = along the row [deg]
 };
 
 //! What is given of a leaf.
 struct LeafForm {
-    double droop = 0;             //!< how far the tip bends down [deg]
+    double curvature = 0;         //!< how far the tip bends down [deg]
     double insertion_height = 0;  //!< above the soil [m]
 };
 
@@ -27,8 +27,8 @@ struct BladeForm {
     //! cubic B-spline with these six control values and knots at 1/3 and 2/3,
     //! scaled to a maximum of 1.
     std::vector<double> width_controls;
-    double fold = 10;             //!< rise of each half from flat [deg]
-    double droop_exponent = 1.5;  //!< of relative arc length
+    double folding_angle = 10;        //!< rise of each half from flat [deg]
+    double curvature_exponent = 1.5;  //!< of relative arc length
 };
 
 //! A cylinder on the soil.

@@ -9,11 +9,11 @@
 
 namespace ideotype {
 
-//! A value for every knob that may be turned, and what an evaluation
+//! A value for every parameter that may be turned, and what an evaluation
 //! should then be like. Errors are in parts of the light that the baseline's
 //! leaves absorb.
 struct Combination {
-    std::vector<std::size_t> values;  //!< by knob of the trade
+    std::vector<std::size_t> values;  //!< by parameter of the trade
     Sampling sampling;
     Draws::Fields fields = Draws::Fields::one;
     Estimate bias;
@@ -25,9 +25,9 @@ struct Combination {
     double seconds() const { return cost.geometry + cost.scene + cost.path; }
 };
 
-//! What a value of each knob should give with a sampling: sizes of biases add
-//! up, since that they cancel for these plants says nothing of others; costs
-//! and variances multiply with the ratios to the campaign's own values.
+//! What a value of each parameter should give with a sampling: sizes of biases
+//! add up, since that they cancel for these plants says nothing of others;
+//! costs and variances multiply with the ratios to the campaign's own values.
 Combination combine(const Trade& trade, const std::vector<std::size_t>& values,
                     const Sampling& sampling, Draws::Fields fields, Goal goal);
 
@@ -49,7 +49,7 @@ struct PastedKey {
     std::string value;  //!< in TOML
 };
 
-//! All that the knobs set.
+//! All that the parameters set.
 std::vector<PastedKey> keys_of(const Campaign& campaign);
 
 //! What a combination is really like: evaluations as campaigns make them, each

@@ -6,7 +6,7 @@
 
 #include "ideotype/canopy/canopy.hpp"
 #include "ideotype/core/estimate.hpp"
-#include "ideotype/fidelity/knobs.hpp"
+#include "ideotype/fidelity/parameters.hpp"
 #include "ideotype/light/device.hpp"
 #include "ideotype/light/illumination.hpp"
 

@@ -16,8 +16,8 @@ struct Inaccuracy {
     Scatter scatter;  //!< of one field, and of one randomisation in it
 };
 
-//! One value of a knob, measured.
-struct KnobPoint {
+//! One value of a parameter, measured.
+struct ParameterPoint {
     std::string name;
     std::size_t draws = 0;
     std::array<Inaccuracy, 2> inaccuracy;  //!< by goal
@@ -28,12 +28,12 @@ struct KnobPoint {
     }
 };
 
-//! A knob with a measurement for each of its values.
-struct MeasuredKnob {
-    Knob knob;
-    std::vector<KnobPoint> points;
+//! A parameter with a measurement for each of its values.
+struct MeasuredParameter {
+    Parameter parameter;
+    std::vector<ParameterPoint> points;
 
-    const KnobPoint& own() const { return points[knob.own]; }
+    const ParameterPoint& own() const { return points[parameter.own]; }
 };
 
 //! The trade of speed for accuracy of one case.
@@ -41,11 +41,11 @@ struct Trade {
     Variant own;  //!< as the campaign is
     std::size_t case_index = 0;
     Rivals rivals;
-    std::vector<MeasuredKnob> knobs;
+    std::vector<MeasuredParameter> parameters;
     Estimate value;       //!< converged, of the baseline [J m-2 day-1]
     Estimate difference;  //!< converged, between the rivals [J m-2 day-1]
 
-    const MeasuredKnob& knob(const std::string& name) const;
+    const MeasuredParameter& parameter(const std::string& name) const;
 };
 
 //! How long to measure.
@@ -60,10 +60,10 @@ struct Effort {
 //! What is measured now, and which part of the time is over.
 using OnProgress = std::function<void(const std::string& what, double part)>;
 
-//! Measures all knobs of a case. Each value is compared with the reference of
-//! its knob draw by draw; time goes where it makes the biases known best. The
-//! converged figures are those of all references together, measured on their
-//! own.
+//! Measures all parameters of a case. Each value is compared with the reference
+//! of its parameter draw by draw; time goes where it makes the biases known
+//! best. The converged figures are those of all references together, measured
+//! on their own.
 Trade measure_trade(const Campaign& campaign, std::size_t case_index,
                     const Device& device, const Effort& effort,
                     const OnProgress& on_progress);

@@ -99,7 +99,8 @@ class Scene {
 
     //! Where light restarts from a point of a face, on the side of the normal:
     //! a clearance away, but not below the soil.
-    glm::dvec3 beside(const glm::dvec3& point, const glm::dvec3& normal) const;
+    glm::dvec3 offset_origin(const glm::dvec3& point,
+                             const glm::dvec3& normal) const;
 
     //! How far from a face light must restart so as not to meet it again: a
     //! few times the rounding error of single precision in this cell [m].

@@ -62,14 +62,14 @@ class Director {
 };
 
 class Batch;
-class Crew;
+class Workers;
 
 //! Hands the work of several routines to evaluators on demand. Work of the case
 //! that is furthest behind comes first, so that each fills the gaps at the ends
 //! of the others' generations and cases that were begun together end together.
 class Dispatcher {
   public:
-    Dispatcher(std::unique_ptr<Crew> crew, const StopFlag& stop,
+    Dispatcher(std::unique_ptr<Workers> workers, const StopFlag& stop,
                const AnswerRules& rules = {});
     //! dismiss(), and waits for ever for workers that are late.
     ~Dispatcher();
@@ -100,7 +100,7 @@ class Dispatcher {
   private:
     friend Batch;
     struct Assignment;
-    struct Seat;
+    struct WorkerSlot;
     //! Lowest generation first, then lowest case, then oldest.
     using Precedence = std::tuple<std::uint32_t, std::uint32_t, std::uint64_t>;
 
@@ -113,14 +113,14 @@ class Dispatcher {
     void release_all();
     void receive(Director& director);
     void settle(const Assignment& given, const Outcome& outcome);
-    void give_up(const Seat& seat, Director& director);
+    void give_up(const WorkerSlot& slot, Director& director);
     double seconds_to_wait() const;
     void drop_next();
 
-    std::unique_ptr<Crew> crew_;
+    std::unique_ptr<Workers> workers_;
     const StopFlag& stop_;
     AnswerRules rules_;
-    std::vector<Seat> seats_;  //!< by worker
+    std::vector<WorkerSlot> slots_;  //!< by worker
     std::map<Precedence, Batch*> open_;
     std::vector<Batch*> complete_;  //!< to be resumed, in this order
     std::uint64_t batches_ = 0;     //!< so far

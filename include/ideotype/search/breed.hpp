@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "ideotype/search/ga_settings.hpp"
 #include "ideotype/search/genome.hpp"
-#include "ideotype/search/optimizer.hpp"
 #include "ideotype/search/population.hpp"
 
 namespace ideotype {
@@ -20,9 +20,9 @@ namespace ideotype {
 //! Genes that are not free always keep the baseline's value.
 //!
 //! @param parents evaluated generation before this one; empty for the first
-std::vector<Candidate> breed(const Optimizer& optimizer, const GeneSpace& genes,
-                             const Genome& baseline, std::uint64_t seed,
-                             std::uint32_t generation,
+std::vector<Candidate> breed(const GaSettings& optimizer,
+                             const GeneSpace& genes, const Genome& baseline,
+                             std::uint64_t seed, std::uint32_t generation,
                              const Population& parents);
 
 //! The value on the circle that a circular gene stands for, in

@@ -6,7 +6,7 @@
 namespace ideotype {
 
 //! One plant as numbers: for each leaf from the lowest up its length [m],
-//! width [m], inclination [deg] and azimuth [deg].
+//! width [m], insertion angle [deg] and azimuth [deg].
 using Genome = std::vector<double>;
 
 //! What values one gene may take.

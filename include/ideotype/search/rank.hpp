@@ -18,7 +18,7 @@ std::vector<std::uint32_t> best_distinct(const Population& population,
 
 //! For each slot whose genome stands in an earlier slot too: that slot. Under
 //! common random numbers both have the same outcome.
-std::map<std::uint32_t, std::uint32_t> twins(
+std::map<std::uint32_t, std::uint32_t> duplicates(
     const std::vector<Candidate>& candidates);
 
 //! What is kept of an evaluated generation.
@@ -34,7 +34,7 @@ struct GenerationSummary {
                            //!< over the range; circular for circular genes,
                            //!< 0.29 for values uniform over the range
     std::uint32_t failures = 0;
-    std::uint32_t evaluations = 0;  //!< without copies of twins
+    std::uint32_t evaluations = 0;  //!< without copies of duplicates
     double wall_time = 0;           //!< since the case began, all sessions [s]
 };
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ideotype/search/optimizer.hpp"
+#include "ideotype/search/ga_settings.hpp"
 
 namespace ideotype {
 

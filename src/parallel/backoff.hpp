@@ -9,9 +9,9 @@ namespace ideotype {
 //! Waiting that costs little: a call of MPI that blocks would burn a core.
 //! Rests grow with the time waited so far, so that what is waited for is
 //! noticed within a few percent of the time that it took.
-class Patience {
+class Backoff {
   public:
-    void rest() {
+    void wait() {
         std::this_thread::sleep_for(nap_);
         nap_ = std::min(nap_ + nap_ / 32, longest);
     }

@@ -1,4 +1,4 @@
-#include "crew.hpp"
+#include "workers.hpp"
 
 #include <utility>
 #include <vector>
@@ -13,9 +13,9 @@ namespace ideotype {
 
 namespace {
 
-class SoloCrew : public Crew {
+class LocalWorker : public Workers {
   public:
-    explicit SoloCrew(Evaluator& evaluator) : evaluator_(evaluator) {}
+    explicit LocalWorker(Evaluator& evaluator) : evaluator_(evaluator) {}
 
     int width() const override { return 1; }
     int rank(int) const override { return 0; }
@@ -36,9 +36,9 @@ class SoloCrew : public Crew {
     std::optional<Work> work_;
 };
 
-class RankCrew : public Crew {
+class RankWorkers : public Workers {
   public:
-    RankCrew(const Session& session, const Evaluator& evaluator)
+    RankWorkers(const Session& session, const Evaluator& evaluator)
         : evaluator_(evaluator),
           given_(static_cast<std::size_t>(session.size()) - 1) {}
 
@@ -87,13 +87,13 @@ class RankCrew : public Crew {
 
 }  // namespace
 
-std::unique_ptr<Crew> make_solo_crew(Evaluator& evaluator) {
-    return std::make_unique<SoloCrew>(evaluator);
+std::unique_ptr<Workers> make_local_worker(Evaluator& evaluator) {
+    return std::make_unique<LocalWorker>(evaluator);
 }
 
-std::unique_ptr<Crew> make_rank_crew(const Session& session,
-                                     const Evaluator& evaluator) {
-    return std::make_unique<RankCrew>(session, evaluator);
+std::unique_ptr<Workers> make_rank_workers(const Session& session,
+                                           const Evaluator& evaluator) {
+    return std::make_unique<RankWorkers>(session, evaluator);
 }
 
 }  // namespace ideotype

@@ -14,9 +14,9 @@ struct Answer {
 };
 
 //! Those who evaluate: workers numbered from 0, each with one task at a time.
-class Crew {
+class Workers {
   public:
-    virtual ~Crew() = default;
+    virtual ~Workers() = default;
 
     virtual int width() const = 0;
 
@@ -37,10 +37,10 @@ class Crew {
 };
 
 //! This process is the only worker; it evaluates while it waits.
-std::unique_ptr<Crew> make_solo_crew(Evaluator& evaluator);
+std::unique_ptr<Workers> make_local_worker(Evaluator& evaluator);
 
 //! All ranks but rank 0.
-std::unique_ptr<Crew> make_rank_crew(const Session& session,
-                                     const Evaluator& evaluator);
+std::unique_ptr<Workers> make_rank_workers(const Session& session,
+                                           const Evaluator& evaluator);
 
 }  // namespace ideotype

@@ -19,21 +19,21 @@ struct Variant {
     double sky_effort = 1;
 };
 
-//! One position of a knob.
-struct KnobValue {
+//! One position of a parameter.
+struct ParameterValue {
     std::string name;
     std::function<void(Variant&)> apply;
 };
 
 //! One thing that trades speed for accuracy.
-struct Knob {
+struct Parameter {
     //! How finely the same is computed; what is left out; how often it is
     //! sampled; how the same work is arranged.
     enum class Kind { fineness, omission, paths, arrangement };
 
     std::string name;
     Kind kind = Kind::fineness;
-    std::vector<KnobValue> values;
+    std::vector<ParameterValue> values;
     std::size_t reference = 0;  //!< the value that counts as converged
     std::size_t own = 0;        //!< the campaign's value
     //! In what surroundings the values are compared.
@@ -43,12 +43,13 @@ struct Knob {
     Variant at(std::size_t value) const;
 };
 
-//! The knobs of a case. Those that compare leaves, stalks, hours or optics do
-//! so in a cell of 2 x 2 plants with all else converged, where draws are cheap
-//! and share their random numbers; cells are compared as the campaign has them.
-//! Where there is nothing to trade, as with the scattering of black surfaces, a
-//! knob is left out.
-std::vector<Knob> knobs(const Campaign& campaign, std::size_t case_index);
+//! The parameters of a case. Those that compare leaves, stalks, hours or optics
+//! do so in a cell of 2 x 2 plants with all else converged, where draws are
+//! cheap and share their random numbers; cells are compared as the campaign has
+//! them. Where there is nothing to trade, as with the scattering of black
+//! surfaces, a parameter is left out.
+std::vector<Parameter> parameters(const Campaign& campaign,
+                                  std::size_t case_index);
 
 //! The case of a variant's campaign.
 Case case_of(const Variant& variant, std::size_t case_index);

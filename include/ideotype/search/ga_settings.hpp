@@ -3,7 +3,7 @@
 namespace ideotype {
 
 //! Settings of the genetic algorithm.
-struct Optimizer {
+struct GaSettings {
     int population = 100;
     int elites = 2;      //!< parents that are carried over and re-evaluated
     int tournament = 2;  //!< contestants per selected parent

@@ -81,6 +81,8 @@ CanopyReport study(const CanopyModel& model, const Device& device,
         result.lai = leaf_area(field.mesh) / result.ground_area;
     };
     for_each_field(model, build_plant(model, traits), draws, trace);
+    for (const Tally& tally : tallies)
+        result.leaves_by_randomisation.push_back(tally.leaves());
     result.light = report(tallies, model.light);
     if (detail == Detail::full) add_sunlit(result.light, sunlit, model.light);
     if (!(result.light.balance_error < balance_tolerance))

@@ -53,6 +53,17 @@ TEST_F(TwoLeaves, AFieldForEachRandomisationAgreesWithOne) {
     EXPECT_NEAR(one.mean / each.mean, 1, .05);
 }
 
+TEST_F(TwoLeaves, LeavesAreKnownByRandomisation) {
+    for (const auto fields : {Draws::Fields::one, Draws::Fields::each}) {
+        const CanopyReport report = evaluated(fields);
+        ASSERT_EQ(report.leaves_by_randomisation.size(), 8u);
+        const Estimate all = estimate(report.leaves_by_randomisation);
+        const Estimate& leaves = report.light.day.leaves;
+        EXPECT_NEAR(all.mean / leaves.mean, 1, 1e-12);
+        EXPECT_NEAR(all.standard_error / leaves.standard_error, 1, 1e-9);
+    }
+}
+
 TEST_F(TwoLeaves, WithoutSunAllFiguresAreZero) {
     model.light = illuminate({}, SkyModel::uniform, 90);
     const CanopyReport report = evaluated();

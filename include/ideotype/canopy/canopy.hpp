@@ -54,6 +54,9 @@ void for_each_field(const CanopyModel& model, const Mesh& plant,
 //! What light does in one canopy.
 struct CanopyReport {
     DayReport light;
+    //! What all leaves absorb, by independent randomisation
+    //! [J m-2 of ground]: light.day.leaves is its mean.
+    std::vector<double> leaves_by_randomisation;
     std::uint64_t paths = 0;    //!< that the light is the mean of
     bool is_capped = false;     //!< more would be needed to meet the tolerance
     std::vector<Group> groups;  //!< that light was counted for

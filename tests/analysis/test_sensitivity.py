@@ -186,6 +186,6 @@ def test_every_row_of_the_correlation_has_its_leaf(sweep: Path) -> None:
         assert shown == [str(n) for n in range(1, LEAVES + 1)] * 5
         kinds = [t.label1.get_text() for t in axis.get_major_ticks()]
         assert kinds == [
-            *("length", "width", "insertion_angle"),
+            *("length", "width", "insertion angle"),
             *("cos azimuth", "sin azimuth"),
         ]

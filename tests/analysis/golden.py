@@ -16,6 +16,7 @@ import tempfile
 from pathlib import Path
 
 import h5py
+import history_2_0
 import numpy as np
 from real_program import executable
 
@@ -61,23 +62,29 @@ def _run(*words: str) -> str:
 
 
 def _history_figures(path: Path) -> dict[str, np.ndarray]:
-    found = {}
     with h5py.File(path, "r") as file:
-        traits = file["traits/name"].asstr()[:]
-        for part in ("evaluations", "final"):
-            rows = file[part]
-            for i, trait in enumerate(traits):
-                found[f"{part}.{trait}"] = rows["genome"][:, i]
-            for kind in ("objectives", "diagnostics"):
-                for i, name in enumerate(file[kind]["name"].asstr()[:]):
-                    found[f"{part}.{name}"] = rows[kind][:, i]
-                    errors = rows[f"{kind}_standard_error"]
-                    found[f"{part}.{name}.standard_error"] = errors[:, i]
-            for name in ("fitness", "status", "origin", "parents"):
-                found[f"{part}.{name}"] = rows[name][:]
-        for name in ("best", "best_slot", "best_standard_error", "mean", "spread"):
-            found[f"generations.{name}"] = file["generations"][name][:]
-        found["generations.diversity"] = file["generations"]["diversity"][:]
+        if "traits" in file:
+            return _figures_of_1_0(file)
+        return history_2_0.figures(file)
+
+
+def _figures_of_1_0(file: h5py.File) -> dict[str, np.ndarray]:
+    found = {}
+    traits = file["traits/name"].asstr()[:]
+    for part in ("evaluations", "final"):
+        rows = file[part]
+        for i, trait in enumerate(traits):
+            found[f"{part}.{trait}"] = rows["genome"][:, i]
+        for kind in ("objectives", "diagnostics"):
+            for i, name in enumerate(file[kind]["name"].asstr()[:]):
+                found[f"{part}.{name}"] = rows[kind][:, i]
+                errors = rows[f"{kind}_standard_error"]
+                found[f"{part}.{name}.standard_error"] = errors[:, i]
+        for name in ("fitness", "status", "origin", "parents"):
+            found[f"{part}.{name}"] = rows[name][:]
+    for name in ("best", "best_slot", "best_standard_error", "mean", "spread"):
+        found[f"generations.{name}"] = file["generations"][name][:]
+    found["generations.diversity"] = file["generations"]["diversity"][:]
     return found
 
 

@@ -21,9 +21,10 @@ bool is_allowed(char c) {
 
 }  // namespace
 
-Location location(const toml::node& node, const std::string& file) {
-    const toml::source_position begin = node.source().begin;
-    return {file, static_cast<int>(begin.line), static_cast<int>(begin.column)};
+Location location(const toml::source_region& source, const std::string& file) {
+    // The table of a whole file has no place of its own.
+    return {file, std::max(1, static_cast<int>(source.begin.line)),
+            std::max(1, static_cast<int>(source.begin.column))};
 }
 
 std::string kind(const toml::node& node) {

@@ -9,8 +9,8 @@
 
 namespace ideotype {
 
-//! Where a node begins.
-Location location(const toml::node& node, const std::string& file);
+//! Where a node or key begins.
+Location location(const toml::source_region& source, const std::string& file);
 
 //! The kind of a node in words: "an integer", "a table", ...
 std::string kind(const toml::node& node);

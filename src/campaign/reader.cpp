@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "nodes.hpp"
+#include "old_names.hpp"
 #include "syntax.hpp"
 #include "tables.hpp"
 
@@ -34,6 +35,23 @@ std::string nearest_file(const fs::path& missing) {
 //! Only plants have leaves; only campaigns have sites.
 bool is_plant(const toml::table& top) {
     return top.contains("leaf") && !top.contains("site");
+}
+
+//! The tables of a file under the names of today; reports the others.
+std::optional<toml::table> parse(const std::string& text,
+                                 const std::string& file, Report& report) {
+    report.open(file);
+    std::optional<toml::table> table = parse_toml(text, file, report);
+    if (!table) return table;
+    for (const OldName& name : rename_entries(*table, file))
+        report.add(
+            name.where,
+            fmt::format("{} is called '{}' since version 0.2; {}", name.what,
+                        name.is,
+                        name.is_both ? "remove one of the two"
+                                     : "write that, or let ideotype migrate " +
+                                           file + " do it"));
+    return table;
 }
 
 class DraftReader {
@@ -116,33 +134,30 @@ class DraftReader {
                                bounds_section(draft_.bounds.table));
         }
         tables_.read(*table, section);
-        if (const toml::node* baseline = table->get("baseline"))
-            read_baseline(*baseline);
+        if (table->contains("baseline"))
+            read_baseline(top, *table->get("baseline"));
     }
 
-    void read_baseline(const toml::node& baseline) {
+    void read_baseline(const toml::table& top, const toml::node& baseline) {
         if (const toml::table* table = baseline.as_table())
             return read_plant(*table, tables_);
-        const auto path = baseline.value<std::string>();
-        if (!path || source_ == PlantSource::table)
+        const bool is_path = baseline.is_string();
+        if (!is_path || source_ == PlantSource::table)
             return report_.add(
                 tables_.where(baseline),
                 fmt::format("plant.baseline is {} (expected: {}); write {}",
                             kind(baseline),
-                            path ? "the plant itself" : "path or table",
-                            path ? "it as [plant.baseline]"
-                                 : "for example baseline = "
-                                   "\"plants/b73.toml\""));
-        read_plant_file(*path, tables_.where(baseline));
+                            is_path ? "the plant itself" : "path or table",
+                            is_path ? "it as [plant.baseline]"
+                                    : "for example baseline = "
+                                      "\"plants/b73.toml\""));
+        read_plant_file(plant_path(top, file_), tables_.where(baseline));
     }
 
-    void read_plant_file(const std::string& path, const Location& named_at) {
-        const fs::path full =
-            (fs::path(file_).parent_path() / path).lexically_normal();
-        const std::string file = full.generic_string();
-        const std::optional<std::string> text = read_text(full.string());
+    void read_plant_file(const std::string& file, const Location& named_at) {
+        const std::optional<std::string> text = read_text(file);
         if (!text) {
-            const std::string near = nearest_file(full);
+            const std::string near = nearest_file(file);
             report_.add(
                 named_at,
                 fmt::format(
@@ -151,9 +166,8 @@ class DraftReader {
                                  : "did you mean '" + near + ".toml'?"));
             return;
         }
-        report_.open(file);
         TableReader tables(file, report_);
-        if (const auto table = parse_toml(*text, file, report_))
+        if (const auto table = parse(*text, file, report_))
             read_plant(*table, tables);
     }
 
@@ -185,8 +199,7 @@ class DraftReader {
 
 void read_draft(const std::string& text, const std::string& file,
                 PlantSource source, Draft& draft, Report& report) {
-    report.open(file);
-    const auto table = parse_toml(text, file, report);
+    const auto table = parse(text, file, report);
     if (table && is_plant(*table))
         report.add(Location{file, 1, 1},
                    "this is a plant file (it has leaves, but no site to "
@@ -198,12 +211,19 @@ void read_draft(const std::string& text, const std::string& file,
 
 bool read_plant_draft(const std::string& text, const std::string& file,
                       Draft& draft, Report& report) {
-    report.open(file);
-    const auto table = parse_toml(text, file, report);
+    const auto table = parse(text, file, report);
     if (table && !is_plant(*table)) return false;
     if (table)
         DraftReader(file, PlantSource::table, draft, report).read_plant(*table);
     return true;
+}
+
+std::string plant_path(const toml::table& campaign, const std::string& file) {
+    const auto path = campaign["plant"]["baseline"].value<std::string>();
+    if (!path) return "";
+    return (fs::path(file).parent_path() / *path)
+        .lexically_normal()
+        .generic_string();
 }
 
 std::optional<std::string> read_text(const std::string& path) {

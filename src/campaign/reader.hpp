@@ -3,6 +3,8 @@
 #include <optional>
 #include <string>
 
+#include <toml++/toml.h>
+
 #include "draft.hpp"
 #include "report.hpp"
 
@@ -23,6 +25,9 @@ void read_draft(const std::string& text, const std::string& file,
 //! is. Returns false if it is the text of something else.
 bool read_plant_draft(const std::string& text, const std::string& file,
                       Draft& draft, Report& report);
+
+//! The plant file that a campaign names, as seen from here; "" if none.
+std::string plant_path(const toml::table& campaign, const std::string& file);
 
 //! The whole content of a file; nothing if it cannot be read.
 std::optional<std::string> read_text(const std::string& path);

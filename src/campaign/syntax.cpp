@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "nodes.hpp"
 #include "spelling.hpp"
 
 namespace ideotype {
@@ -106,10 +107,8 @@ std::optional<toml::table> parse_toml(const std::string& text,
     try {
         return toml::parse(text, file);
     } catch (const toml::parse_error& error) {
-        const toml::source_position at = error.source().begin;
-        report.add(Location{file, static_cast<int>(at.line),
-                            static_cast<int>(at.column)},
-                   problem(error, line_of(text, at.line)));
+        report.add(location(error.source(), file),
+                   problem(error, line_of(text, error.source().begin.line)));
         return std::nullopt;
     }
 }

@@ -52,11 +52,7 @@ std::string advice(const std::string& name, const std::string& nearest,
 }  // namespace
 
 Location TableReader::where(const toml::node& node) const {
-    Location found = location(node, file_);
-    // The table of a whole file has no place of its own.
-    found.line = std::max(found.line, 1);
-    found.column = std::max(found.column, 1);
-    return found;
+    return location(node.source(), file_);
 }
 
 void TableReader::read(const toml::table& table, const Section& section,
@@ -149,13 +145,11 @@ std::set<std::string> TableReader::report_unknown(
         const std::string name(key.str());
         if (std::find(known.begin(), known.end(), name) != known.end())
             continue;
-        const toml::source_position begin = key.source().begin;
         const bool is_table = value.is_table() || value.is_array_of_tables();
         const std::string nearest = nearest_name(name, is_table ? known : keys);
         misspelt.insert(nearest);
         report_.add(
-            Location{file_, static_cast<int>(begin.line),
-                     static_cast<int>(begin.column)},
+            location(key.source(), file_),
             fmt::format("unknown {} '{}' {} (nothing would read it); "
                         "{}",
                         is_table ? "table" : "key", name, place(section.name),

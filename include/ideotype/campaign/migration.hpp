@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ideotype/core/error.hpp"
+
+namespace ideotype {
+
+//! A name of an earlier version that stands in a campaign or plant file.
+struct OldName {
+    Location where;
+    std::string what;  //!< "key 'inclination' in [leaf]"
+    std::string was;
+    std::string is;
+    bool is_both = false;  //!< its table has the new name too
+};
+
+//! A campaign or plant file with the names of this version.
+struct Migration {
+    std::string text;
+    std::vector<OldName> changes;  //!< in the order of the text
+    std::string plant_file;  //!< that the campaign names, as seen from here; ""
+};
+
+//! Gives the keys and values of a campaign or plant of an earlier version their
+//! names of today; all other bytes stay as they are. The campaign of a history
+//! of format 1.0 is read by `parse_campaign(migrated(text, file).text, file)`.
+//! @param file is used in messages and to find the plant
+//! @throws InputError if the text is not valid TOML
+Migration migrated(const std::string& text, const std::string& file);
+
+}  // namespace ideotype

@@ -1,0 +1,72 @@
+#include "ideotype/campaign/migration.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "old_names.hpp"
+#include "reader.hpp"
+#include "report.hpp"
+#include "syntax.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! The byte at a place whose column counts characters.
+std::size_t offset(const std::string& text, const Location& where) {
+    // A byte order mark has no column.
+    std::size_t at =
+        where.line == 1 && text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+    for (int line = 1; line < where.line; ++line) at = text.find('\n', at) + 1;
+    const auto continues = [&](std::size_t byte) {
+        return byte < text.size() &&
+               (static_cast<unsigned char>(text[byte]) & 0xC0) == 0x80;
+    };
+    for (int column = 1; column < where.column; ++column) do
+            ++at;
+        while (continues(at));
+    return at;
+}
+
+//! Whether the old name stands there as it is, perhaps quoted, and has been
+//! replaced.
+bool replace(std::string& text, const OldName& name) {
+    const std::size_t at = text.find_first_not_of(
+        "\"'", std::min(offset(text, name.where), text.size()));
+    if (at == std::string::npos || text.compare(at, name.was.size(), name.was))
+        return false;
+    text.replace(at, name.was.size(), name.is);
+    return true;
+}
+
+}  // namespace
+
+Migration migrated(const std::string& text, const std::string& file) {
+    Migration result{text, {}, ""};
+    std::set<std::string> ambiguous;
+    // Dotted keys may have an old name in several lines, of which each pass
+    // sees one.
+    for (bool is_first = true, is_changed = true; is_changed;
+         is_first = false) {
+        Report report;
+        std::optional<toml::table> table =
+            parse_toml(result.text, file, report);
+        report.throw_if_any();
+        result.plant_file = plant_path(*table, file);
+        std::vector<OldName> names = rename_entries(*table, file);
+        is_changed = false;
+        // From the end, so that places stay as they are.
+        std::reverse(names.begin(), names.end());
+        for (const OldName& name : names) {
+            if (is_first && name.is_both) ambiguous.insert(name.what);
+            if (ambiguous.count(name.what) != 0 || !replace(result.text, name))
+                continue;
+            result.changes.push_back(name);
+            is_changed = true;
+        }
+    }
+    std::sort(result.changes.begin(), result.changes.end(), is_before);
+    return result;
+}
+
+}  // namespace ideotype

@@ -30,6 +30,12 @@ Field build_field(const CanopyModel& model, const Mesh& plant,
         draw_plant_azimuths(model.field, draws.seed, draws.generation, draw));
 }
 
+Scene build_scene(const Device& device, const Field& field) {
+    return field.boundary == Boundary::isolated
+               ? Scene::isolated(device, field.mesh, field.ground_area)
+               : Scene(device, field.mesh, field.period_x, field.period_y);
+}
+
 void for_each_field(const CanopyModel& model, const Mesh& plant,
                     const Draws& draws,
                     const std::function<void(const Field&, const Sampling&,
@@ -60,7 +66,7 @@ CanopyReport study(const CanopyModel& model, const Device& device,
     };
     const auto trace = [&](const Field& field, Sampling sampling,
                            const Randomness& randomness) {
-        const Scene scene = Scene::of(device, field);
+        const Scene scene = build_scene(device, field);
         Simulation found =
             simulate_to_tolerance(scene, field.mesh.groups, model.optics, light,
                                   sampling, randomness, result.layers);

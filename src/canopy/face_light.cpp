@@ -32,7 +32,7 @@ class Sum {
     void add(const Field& field, const Sampling& sampling,
              const Randomness& randomness) {
         for (Tally& tally :
-             simulate(Scene::of(device_, field), field.mesh.groups,
+             simulate(build_scene(device_, field), field.mesh.groups,
                       model_.optics, model_.light.light, sampling, randomness))
             tallies_.push_back(std::move(tally));
         const std::vector<double> areas = face_areas(field.mesh);

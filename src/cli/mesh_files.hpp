@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ideotype/canopy/face_light.hpp"
-#include "ideotype/crop/field.hpp"
+#include "ideotype/canopy/field.hpp"
 
 namespace ideotype {
 

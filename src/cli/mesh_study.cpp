@@ -142,7 +142,7 @@ MeshReport study(const MeshOptions& options) {
         check_images(field);
         check_height(field, top);
     }
-    const Scene scene = Scene::of(device, field);
+    const Scene scene = build_scene(device, field);
     canopy.layers = {scene.top() / layers, layers};
     const Optics optics{options.leaf, options.stalk, options.soil_albedo};
     Sampling sampling = share(options.paths.value_or(most_tolerance_paths));

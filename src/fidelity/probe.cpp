@@ -106,7 +106,7 @@ Probe::Randomised Probe::evaluate(const Genome& genome, std::uint32_t draw) {
         build_field(model_, build_plant(model_, to_traits(genome)),
                     {seed, draw, variant_.campaign.sampling}, 0);
     const double built = processor_seconds();
-    const Scene scene = Scene::of(device_, field);
+    const Scene scene = build_scene(device_, field);
     const double committed = processor_seconds();
     Randomised result{};
     int traced = 0;

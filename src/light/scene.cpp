@@ -109,12 +109,6 @@ Scene::Scene(const Device& device, const Mesh& mesh, double period_x,
     commit(device);
 }
 
-Scene Scene::of(const Device& device, const Field& field) {
-    return field.boundary == Boundary::isolated
-               ? isolated(device, field.mesh, field.ground_area)
-               : Scene(device, field.mesh, field.period_x, field.period_y);
-}
-
 Scene Scene::isolated(const Device& device, const Mesh& mesh,
                       double ground_area) {
     if (!(ground_area > 0) || !std::isfinite(ground_area))

@@ -19,7 +19,7 @@ Field Stand::field(const Genome& genome) const {
 }
 
 Scene Stand::scene(const Field& field) const {
-    return Scene::of(device, field);
+    return build_scene(device, field);
 }
 
 double relative_error(const CanopyReport& report) {

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "extremes.hpp"
+#include "ideotype/canopy/field.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/units.hpp"
-#include "ideotype/crop/field.hpp"
 
 namespace ideotype {
 

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "extremes.hpp"
+#include "ideotype/canopy/field.hpp"
 #include "ideotype/core/units.hpp"
-#include "ideotype/crop/field.hpp"
 
 namespace ideotype {
 

@@ -16,23 +16,22 @@ namespace {
 //! slanting beam and a sky.
 class LitLeaf : public ::testing::Test {
   protected:
-    static Field leaf(double side) {
-        Field field;
-        field.mesh.vertices = {
+    static Mesh leaf(double side) {
+        Mesh mesh;
+        mesh.vertices = {
             {0, 0, 1}, {side, 0, 1}, {side, side, 1}, {0, side, 1}};
-        field.mesh.faces = {{0, 1, 2, 3}};
-        field.mesh.groups = {{"leaf01", Tissue::leaf}};
-        field.mesh.face_group = {0};
-        field.period_x = field.period_y = field.ground_area = 1;
-        return field;
+        mesh.faces = {{0, 1, 2, 3}};
+        mesh.groups = {{"leaf01", Tissue::leaf}};
+        mesh.face_group = {0};
+        return mesh;
     }
 
     Simulation found(double tolerance, std::uint64_t seed = 1,
                      double side = .7) const {
-        const Field field = leaf(side);
-        return simulate_to_tolerance(Scene::of(device, field),
-                                     field.mesh.groups, {}, light,
-                                     {most_paths, 16, tolerance}, {seed, 0, 0});
+        const Mesh mesh = leaf(side);
+        return simulate_to_tolerance(Scene(device, mesh, 1, 1), mesh.groups, {},
+                                     light, {most_paths, 16, tolerance},
+                                     {seed, 0, 0});
     }
 
     static Estimate leaves(const Simulation& simulation) {
@@ -60,9 +59,9 @@ TEST_F(LitLeaf, IsMetWithAsManyPathsAsThatTakes) {
 
 TEST_F(LitLeaf, GivesWhatThesePathsGiveWithoutATolerance) {
     const Simulation adaptive = found(2e-3);
-    const Field field = leaf(.7);
+    const Mesh mesh = leaf(.7);
     const std::vector<Tally> tallies =
-        simulate(Scene::of(device, field), field.mesh.groups, {}, light,
+        simulate(Scene(device, mesh, 1, 1), mesh.groups, {}, light,
                  {adaptive.paths, 16}, {1, 0, 0});
     ASSERT_EQ(adaptive.tallies.size(), tallies.size());
     for (std::size_t i = 0; i < tallies.size(); ++i)
@@ -101,12 +100,12 @@ TEST_F(LitLeaf, DoesNotTakeALeafThatNoPathMeetsForCertain) {
 }
 
 TEST_F(LitLeaf, IsCertainWhereItCannotAbsorb) {
-    const Field field = leaf(.7);
+    const Mesh mesh = leaf(.7);
     Optics white;
     white.leaf = {.4, .6};
     const Simulation found =
-        simulate_to_tolerance(Scene::of(device, field), field.mesh.groups,
-                              white, light, {most_paths, 16, 1e-3}, {1, 0, 0});
+        simulate_to_tolerance(Scene(device, mesh, 1, 1), mesh.groups, white,
+                              light, {most_paths, 16, 1e-3}, {1, 0, 0});
     EXPECT_FALSE(found.is_capped);
     EXPECT_LE(found.paths, 64);
     EXPECT_EQ(absorbed_by_leaves(found.tallies).standard_error, 0);
@@ -142,10 +141,10 @@ TEST(Tolerance, IsWhatTheErrorIsExpectedToBe) {
 }
 
 TEST_F(LitLeaf, HasNothingToTraceInTheDark) {
-    const Field field = leaf(.7);
+    const Mesh mesh = leaf(.7);
     const Simulation dark =
-        simulate_to_tolerance(Scene::of(device, field), field.mesh.groups, {},
-                              {}, {most_paths, 16, 1e-3}, {1, 0, 0});
+        simulate_to_tolerance(Scene(device, mesh, 1, 1), mesh.groups, {}, {},
+                              {most_paths, 16, 1e-3}, {1, 0, 0});
     EXPECT_FALSE(dark.is_capped);
     EXPECT_EQ(leaves(dark).mean, 0);
 }

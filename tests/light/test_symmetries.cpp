@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "expectations.hpp"
-#include "ideotype/crop/field.hpp"
+#include "ideotype/canopy/field.hpp"
 
 namespace ideotype {
 namespace {

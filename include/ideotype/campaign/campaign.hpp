@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "ideotype/canopy/field.hpp"
 #include "ideotype/climate/day.hpp"
 #include "ideotype/climate/radiance.hpp"
 #include "ideotype/climate/site.hpp"
 #include "ideotype/core/error.hpp"
-#include "ideotype/crop/field.hpp"
 #include "ideotype/crop/plant.hpp"
 #include "ideotype/light/optics.hpp"
 #include "ideotype/search/ga_settings.hpp"

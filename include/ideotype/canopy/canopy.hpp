@@ -4,13 +4,14 @@
 #include <functional>
 #include <vector>
 
+#include "ideotype/canopy/field.hpp"
 #include "ideotype/core/mesh.hpp"
-#include "ideotype/crop/field.hpp"
 #include "ideotype/crop/plant.hpp"
 #include "ideotype/light/device.hpp"
 #include "ideotype/light/illumination.hpp"
 #include "ideotype/light/optics.hpp"
 #include "ideotype/light/report.hpp"
+#include "ideotype/light/scene.hpp"
 #include "ideotype/light/transport.hpp"
 
 namespace ideotype {
@@ -43,6 +44,9 @@ Mesh build_plant(const CanopyModel& model,
 //! plant -> field, with the turns of one draw.
 Field build_field(const CanopyModel& model, const Mesh& plant,
                   const Draws& draws, std::uint32_t draw);
+
+//! The surfaces of a field, as its boundary says.
+Scene build_scene(const Device& device, const Field& field);
 
 //! Visits the fields of an estimate one by one, each with the part of the
 //! sampling that falls to it and its random numbers.

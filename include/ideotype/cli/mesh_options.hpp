@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
+#include "ideotype/canopy/field.hpp"
 #include "ideotype/climate/radiance.hpp"
 #include "ideotype/climate/site.hpp"
 #include "ideotype/climate/sun.hpp"
-#include "ideotype/crop/field.hpp"
 #include "ideotype/light/optics.hpp"
 #include "ideotype/light/scene.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ideotype/core/mesh.hpp"
-#include "ideotype/crop/field.hpp"
+#include "ideotype/light/boundary.hpp"
 #include "ideotype/light/device.hpp"
 
 struct RTCDeviceTy;
@@ -57,9 +57,6 @@ class Scene {
     //! positive, there are too many faces, or memory runs out.
     Scene(const Device& device, const Mesh& mesh, double period_x,
           double period_y);
-
-    //! The field as its boundary says.
-    static Scene of(const Device& device, const Field& field);
 
     //! A plot that stands alone.
     //! @param ground_area that all figures refer to [m2]

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "ideotype/canopy/field.hpp"
 #include "ideotype/core/error.hpp"
-#include "ideotype/crop/field.hpp"
 #include "ideotype/crop/plant.hpp"
 #include "sample_plant.hpp"
 

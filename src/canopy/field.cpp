@@ -1,4 +1,4 @@
-#include "ideotype/crop/field.hpp"
+#include "ideotype/canopy/field.hpp"
 
 #include <cmath>
 

@@ -4,12 +4,9 @@
 #include <vector>
 
 #include "ideotype/core/mesh.hpp"
+#include "ideotype/light/boundary.hpp"
 
 namespace ideotype {
-
-//! How a canopy goes on beyond its mesh: in copies without end, or not at all,
-//! on an infinite plane of soil.
-enum class Boundary { periodic, isolated };
 
 //! How a lattice of plants lies on the ground.
 struct Spacing {

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace ideotype {
+
+//! How a canopy goes on beyond its mesh: in copies without end, or not at all,
+//! on an infinite plane of soil.
+enum class Boundary { periodic, isolated };
+
+}  // namespace ideotype

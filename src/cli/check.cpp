@@ -106,11 +106,11 @@ ExitCode list_left(const PlanOptions& options, const Campaign& campaign) {
 
 }  // namespace
 
-ExitCode check(const std::string& campaign_path, const std::string& out) {
-    const Campaign campaign = read_campaign(campaign_path);
+ExitCode check(const CheckOptions& options) {
+    const Campaign campaign = read_campaign(options.campaign_path);
     print_warnings(campaign);
     const std::vector<Case> all = cases(campaign);
-    require_names_fit(campaign, all, out);
+    require_names_fit(campaign, all, options.out);
     const Case& first = all.front();
     const Genome baseline = to_genome(campaign.baseline);
     const CanopyModel model = canopy_model(campaign, first);
@@ -123,7 +123,7 @@ ExitCode check(const std::string& campaign_path, const std::string& out) {
     for (const Gene& gene : gene_space(campaign, first))
         free_genes += gene.is_free ? 1 : 0;
 
-    fmt::print("{}: no errors\n", campaign_path);
+    fmt::print("{}: no errors\n", options.campaign_path);
     fmt::print("campaign  {}, {} case{}\n", campaign.name, all.size(),
                all.size() == 1 ? "" : "s");
     fmt::print("plant     {}, {} leaves, {:.4f} m2 of leaf, {} faces\n",

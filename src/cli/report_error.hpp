@@ -7,6 +7,6 @@
 namespace ideotype {
 
 //! Tells the user, and returns the code for the shell.
-int report_error(const std::exception& error, ExitCode code);
+ExitCode report_error(const std::exception& error);
 
 }  // namespace ideotype

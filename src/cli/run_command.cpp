@@ -33,64 +33,55 @@ bool is_to_launch(int ranks) {
 }
 
 //! Collective over all ranks.
-int run_with_session(const RunOptions& options) {
+ExitCode run_with_session(const RunOptions& options) {
     StopFlag stop;
     const Session session;
-    int code = 0;
     try {
-        return static_cast<int>(run(options, session, stop));
-    } catch (const Error& error) {
-        code = report_error(error, error.exit_code());
+        return run(options, session, stop);
     } catch (const std::exception& error) {
-        code = report_error(error, ExitCode::runtime);
+        const ExitCode code = report_error(error);
+        // Rank 0 has told the others to leave. It would wait for ever for one
+        // that fails by itself.
+        if (session.rank() != 0) session.abort(static_cast<int>(code));
+        return code;
     }
-    // Rank 0 has told the others to leave. It would wait for ever for one
-    // that fails by itself.
-    if (session.rank() != 0) session.abort(code);
-    return code;
 }
 
 }  // namespace
 
-void RunCommand::add_to(CLI::App& app, int argc, char** argv) {
-    words_.assign(argv, argv + argc);
-    options_.command = quoted(words_);
-    auto* verb = app.add_subcommand(
-        "run",
-        "evolve the cases of a campaign on the cores of this machine "
-        "(--ranks auto), alone, or on a cluster (under mpirun or srun)");
-    verb->add_option("campaign", options_.campaign_path, "campaign file (TOML)")
+void declare_run(CLI::App& verb, RunCommand& command) {
+    RunOptions& options = command.options;
+    verb.add_option("campaign", options.campaign_path, "campaign file (TOML)")
         ->required();
-    verb->add_option("--ranks", ranks_,
-                     "start this many ranks under MPI; auto: as many as keep "
-                     "all cores busy");
-    verb->add_option("--case", options_.case_index,
-                     "only the case of this index (see plan)");
-    verb->add_flag("--resume", options_.is_resumed,
-                   "go on with histories that exist; start the others");
-    verb->add_option("--out", options_.out, "folder for <campaign>/<case>.h5")
+    verb.add_option("--ranks", command.ranks,
+                    "start this many ranks under MPI; auto: as many as keep "
+                    "all cores busy");
+    verb.add_option("--case", options.case_index,
+                    "only the case of this index (see plan)");
+    verb.add_flag("--resume", options.is_resumed,
+                  "go on with histories that exist; start the others");
+    verb.add_option("--out", options.out, "folder for <campaign>/<case>.h5")
         ->capture_default_str();
-    verb->add_option("--isa", options_.isa,
-                     "instruction set to begin with, the same on all ranks; "
-                     "if not given the widest that all have, and for a "
-                     "history that is resumed its own")
+    verb.add_option("--isa", options.isa,
+                    "instruction set to begin with, the same on all ranks; "
+                    "if not given the widest that all have, and for a "
+                    "history that is resumed its own")
         ->check(CLI::IsMember({"sse2", "sse4.2", "avx", "avx2", "avx512"}));
-    verb->add_option_function<std::string>(
+    verb.add_option_function<std::string>(
         "--wall-time",
-        [this](const std::string& text) {
-            options_.wall_time = to_seconds(text);
-        },
+        [&](const std::string& text) { options.wall_time = to_seconds(text); },
         "time after which to stop cleanly: seconds, or for example 30m, "
         "1h30m, 01:30:00");
 }
 
-int RunCommand::start() const {
-    if (ranks_) {
-        const int count = parse_ranks(*ranks_);
-        if (is_to_launch(count))
-            return launch(count, words_, way_on(options_.command, count));
-    }
-    return run_with_session(options_);
+ExitCode start_run(const RunCommand& command) {
+    RunOptions options = command.options;
+    options.command = quoted(command.words);
+    const int count = command.ranks ? parse_ranks(*command.ranks) : 1;
+    if (command.ranks && is_to_launch(count))
+        return ExitCode{
+            launch(count, command.words, way_on(options.command, count))};
+    return run_with_session(options);
 }
 
 }  // namespace ideotype

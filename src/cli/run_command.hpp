@@ -12,19 +12,16 @@ class App;
 
 namespace ideotype {
 
-//! The verb `run` with its options. Must outlive the parsing.
-class RunCommand {
-  public:
-    void add_to(CLI::App& app, int argc, char** argv);
-
-    //! Starts the ranks of `--ranks` and waits for them, or is one of them.
-    //! Returns the exit code.
-    int start() const;
-
-  private:
-    std::vector<std::string> words_;  //!< of the command line
-    RunOptions options_;
-    std::optional<std::string> ranks_;
+//! The verb `run` as typed.
+struct RunCommand {
+    std::vector<std::string> words;  //!< of the command line
+    RunOptions options;
+    std::optional<std::string> ranks;
 };
+
+void declare_run(CLI::App& verb, RunCommand& command);
+
+//! Starts the ranks of `--ranks` and waits for them, or is one of them.
+ExitCode start_run(const RunCommand& command);
 
 }  // namespace ideotype

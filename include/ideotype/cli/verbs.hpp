@@ -13,7 +13,11 @@ namespace ideotype {
 
 //! `check CAMPAIGN`: validates, builds one plant, reports size and cost, and
 //! whether the names of its files fit into the folder out.
-ExitCode check(const std::string& campaign_path, const std::string& out);
+struct CheckOptions {
+    std::string campaign_path;
+    std::string out = "results";
+};
+ExitCode check(const CheckOptions& options);
 
 //! `plan CAMPAIGN`: lists the cases with index, seed and cost, or only those
 //! that are left to do.

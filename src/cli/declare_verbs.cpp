@@ -1,0 +1,195 @@
+#include "declare_verbs.hpp"
+
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "ideotype/cli/mesh_study.hpp"
+#include "ideotype/cli/verbs.hpp"
+#include "mesh_command.hpp"
+#include "run_command.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! Options of verbs that choose one row.
+constexpr const char* row_options[] = {"--best", "--generation", "--slot"};
+
+void declare_row(CLI::App& verb, RowChoice& row) {
+    verb.add_flag(
+        "--best", row.is_best,
+        "the best finalist, or the best of the last complete generation");
+    verb.add_option("--generation", row.generation, "generation of the row")
+        ->excludes("--best");
+    verb.add_option("--slot", row.slot, "slot of the row")->excludes("--best");
+}
+
+void declare_check(CLI::App& verb, CheckOptions& options) {
+    verb.add_option("campaign", options.campaign_path, "campaign file (TOML)")
+        ->required();
+    verb.add_option("--out", options.out,
+                    "folder that the histories will be in")
+        ->capture_default_str();
+}
+
+void declare_plan(CLI::App& verb, PlanOptions& options) {
+    verb.add_option("campaign", options.campaign_path)->required();
+    verb.add_flag("--count", options.only_count,
+                  "print only how many cases there are");
+    verb.add_flag("--left", options.only_left,
+                  "print only the cases that are not finished: index and "
+                  "evaluations done")
+        ->excludes("--count");
+    verb.add_option("--out", options.out,
+                    "folder in which --left looks for histories")
+        ->capture_default_str();
+}
+
+void declare_status(CLI::App& verb, StatusOptions& options) {
+    verb.add_option("paths", options.paths, "histories or folders")->required();
+    verb.add_flag("--resumable", options.only_resumable,
+                  "print only the files of unfinished cases that nobody "
+                  "works on");
+}
+
+//! The three kinds of `evaluate`.
+struct AnyEvaluate {
+    EvaluateOptions one;
+    CrossOptions cross;
+    MeshOptions mesh;
+};
+
+void declare_evaluate(CLI::App& verb, AnyEvaluate& options) {
+    auto& [one, cross, mesh] = options;
+    auto* files = verb.add_option("files", cross.plants,
+                                  "campaign (.toml: its baseline) or history "
+                                  "(.h5); with --under several, "
+                                  "plant files (.toml) too");
+    auto* under = verb.add_option(
+        "--under", cross.under,
+        "campaign in whose cases all plants are evaluated, the best of each "
+        "history");
+    under->needs(files);
+    verb.add_option("--case", one.case_index, "case of the campaign")
+        ->capture_default_str();
+    declare_row(verb, one.row);
+    verb.add_flag("--json", one.is_json);
+    add_mesh_options(verb, mesh);
+    verb.add_option("--tolerance", one.tolerance,
+                    "relative standard error of the leaves' total: of a mesh "
+                    "(0.001 if not given), or of a second look at a row of a "
+                    "history, in the same field");
+    verb.get_option("--paths")->excludes("--tolerance");
+    auto* mesh_path = verb.get_option("--mesh")->excludes(files);
+    under->excludes(mesh_path)->excludes("--case")->excludes("--tolerance");
+    mesh_path->excludes("--case");
+    for (const char* each : row_options) {
+        under->excludes(each);
+        mesh_path->excludes(each);
+    }
+}
+
+ExitCode evaluate_any(const AnyEvaluate& options) {
+    auto [one, cross, mesh] = options;
+    mesh.is_json = cross.is_json = one.is_json;
+    mesh.tolerance = one.tolerance.value_or(mesh.tolerance);
+    if (!mesh.path.empty()) return evaluate_mesh(mesh);
+    if (!cross.under.empty()) return cross_evaluate(cross);
+    if (cross.plants.size() > 1)
+        throw Error("evaluate: several plants need --under CAMPAIGN",
+                    ExitCode::usage);
+    if (!cross.plants.empty()) one.path = cross.plants.front();
+    return evaluate(one);
+}
+
+void declare_fidelity(CLI::App& verb, FidelityOptions& options) {
+    verb.add_option("campaign", options.campaign_path)->required();
+    verb.add_option("--case", options.case_index)->capture_default_str();
+    verb.add_option("--tolerance", options.tolerance,
+                    "relative error of one evaluation that will do")
+        ->check(CLI::Range(1e-5, 0.05))
+        ->capture_default_str();
+    verb.add_option("--seconds", options.seconds,
+                    "to measure, about; at least what a few draws take")
+        ->check(CLI::Range(0.0, 1e6))
+        ->capture_default_str();
+    verb.add_option("--json", options.json_path,
+                    "also write everything to this file");
+}
+
+void declare_export(CLI::App& verb, ExportOptions& options) {
+    verb.add_option("file", options.path)->required();
+    declare_row(verb, options.row);
+    verb.add_option("--to", options.to, "new file, .obj, .vtp, .csv or .toml")
+        ->required();
+    verb.add_flag("--field", options.is_field,
+                  "the whole field instead of one plant (.obj, .vtp)");
+    verb.add_option("--paths", options.paths,
+                    "light paths per randomisation for the light on faces "
+                    "(.vtp); more for less noise")
+        ->check(CLI::Range(16, 16777216));
+    auto* generations =
+        verb.add_flag("--generations", options.is_generations,
+                      "all candidates with their fitness instead of one plant "
+                      "(.csv), also of a file that was cut short");
+    generations->excludes("--field")->excludes("--paths");
+    for (const char* each : row_options) generations->excludes(each);
+}
+
+ExitCode export_any(const ExportOptions& options) {
+    return options.is_generations ? export_generations(options)
+                                  : export_plant(options);
+}
+
+void declare_pack(CLI::App& verb, std::vector<std::string>& paths) {
+    verb.add_option("files", paths, "histories")->required();
+}
+
+}  // namespace
+
+void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
+                   std::function<int()>& action) {
+    const auto add = [&]<class Options>(
+                         const char* name, const char* about,
+                         void (*declare)(CLI::App&, Options&),
+                         ExitCode (*run)(const Options&)) -> Options& {
+        const auto options = std::make_shared<Options>();
+        CLI::App* verb = app.add_subcommand(name, about);
+        declare(*verb, *options);
+        verb->callback([&action, options, run] {
+            action = [=] { return static_cast<int>(run(*options)); };
+        });
+        return *options;
+    };
+    add("check", "validate a campaign; report its size and cost", declare_check,
+        check);
+    add("plan", "list the cases of a campaign with index, seed and cost",
+        declare_plan, plan);
+    add("run",
+        "evolve the cases of a campaign on the cores of this machine "
+        "(--ranks auto), alone, or on a cluster (under mpirun or srun)",
+        declare_run, start_run)
+        .words = words;
+    add("status", "how far histories have come, also while they are written",
+        declare_status, status);
+    add("evaluate",
+        "the light in one canopy: a campaign's baseline, or a row of a "
+        "history, which is recomputed and compared bit for bit, or any mesh, "
+        "or many plants under the cases of a campaign",
+        declare_evaluate, evaluate_any);
+    add("fidelity",
+        "measure what accuracy costs here: error and time of every setting "
+        "that trades one for the other, and the cheapest that will do",
+        declare_fidelity, fidelity);
+    add("export",
+        "write a plant of a history as OBJ (mesh), VTP (mesh with the PAR "
+        "that each face absorbs, for ParaView), CSV (traits) or TOML (plant "
+        "file, for campaigns), or all complete generations as CSV",
+        declare_export, export_any);
+    add("pack",
+        "compress finished histories; each is checked before it is replaced",
+        declare_pack, pack);
+}
+
+}  // namespace ideotype

@@ -102,7 +102,7 @@ void check_search(const Campaign& campaign, Report& report) {
 }
 
 void check_light(const Campaign& campaign, Report& report) {
-    const Sampling& light = campaign.sampling;
+    const Accuracy& light = campaign.sampling;
     if (!report.usable({&light.tolerance})) return;
     constexpr int fewest = 8;
     if (light.tolerance > 0 && report.usable({&light.randomisations}) &&

@@ -15,7 +15,7 @@ Key relative_error(const std::string& name, double& value,
     return key;
 }
 
-std::vector<Key> sampling_keys(Sampling& sampling) {
+std::vector<Key> sampling_keys(Accuracy& sampling) {
     return {{.name = "paths",
              .value = &sampling.paths,
              .lower = 16,

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "ideotype/core/error.hpp"
-#include "ideotype/light/accuracy.hpp"
 #include "ideotype/light/sunlit.hpp"
+#include "ideotype/light/tolerance.hpp"
 
 namespace ideotype {
 
@@ -38,18 +38,18 @@ Scene build_scene(const Device& device, const Field& field) {
 
 void for_each_field(const CanopyModel& model, const Mesh& plant,
                     const Draws& draws,
-                    const std::function<void(const Field&, const Sampling&,
+                    const std::function<void(const Field&, const Accuracy&,
                                              const Randomness&)>& visit) {
     const bool is_one = draws.fields == Draws::Fields::one;
     const int fields = is_one ? 1 : draws.sampling.randomisations;
-    Sampling sampling = draws.sampling;
+    Accuracy sampling = draws.sampling;
     sampling.randomisations /= fields;
     for (std::uint32_t f = 0; f < static_cast<std::uint32_t>(fields); ++f)
         visit(build_field(model, plant, draws, f), sampling,
               {draws.seed, draws.generation, f});
 }
 
-Sampling sunlit_sampling(const Sampling& sampling) {
+Accuracy sunlit_sampling(const Accuracy& sampling) {
     return {std::min(sampling.paths, 2048), sampling.randomisations};
 }
 
@@ -64,7 +64,7 @@ CanopyReport study(const CanopyModel& model, const Device& device,
     const auto append = [](auto& all, auto more) {
         all.insert(all.end(), more.begin(), more.end());
     };
-    const auto trace = [&](const Field& field, Sampling sampling,
+    const auto trace = [&](const Field& field, Accuracy sampling,
                            const Randomness& randomness) {
         const Scene scene = build_scene(device, field);
         Simulation found =

@@ -29,7 +29,7 @@ class Sum {
     Sum(const CanopyModel& model, const Device& device, std::size_t faces)
         : model_(model), device_(device), area_(faces) {}
 
-    void add(const Field& field, const Sampling& sampling,
+    void add(const Field& field, const Accuracy& sampling,
              const Randomness& randomness) {
         for (Tally& tally :
              simulate(build_scene(device_, field), field.mesh.groups,
@@ -81,13 +81,13 @@ FaceLight light_on_field(const CanopyModel& model, const Device& device,
     return {sum.per_area(), field.ground_area};
 }
 
-Sampling face_sampling(const Sampling& sampling, std::size_t faces) {
+Accuracy face_sampling(const Accuracy& sampling, std::size_t faces) {
     const double enough =
         std::min(paths_per_face * static_cast<double>(faces), most_paths) /
         sampling.randomisations;
     // Powers of two are where Sobol' nets are most even.
     const int paths = 1 << static_cast<int>(std::ceil(std::log2(enough)));
-    Sampling result = sampling;
+    Accuracy result = sampling;
     result.paths = std::max(sampling.paths, paths);
     return result;
 }

@@ -36,7 +36,7 @@ Combination evaluation(const Trade& trade, std::size_t parameter,
     for (const MeasuredParameter& each : trade.parameters)
         values.push_back(each.parameter.own);
     values[parameter] = value;
-    Sampling sampling = trade.own.campaign.sampling;
+    Accuracy sampling = trade.own.campaign.sampling;
     const MeasuredParameter& turned = trade.parameters[parameter];
     if (turned.parameter.kind == Parameter::Kind::paths)
         sampling.paths = turned.parameter.at(value).campaign.sampling.paths;

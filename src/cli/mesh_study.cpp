@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "ideotype/crop/obj_reader.hpp"
-#include "ideotype/light/accuracy.hpp"
 #include "ideotype/light/device.hpp"
 #include "ideotype/light/sunlit.hpp"
+#include "ideotype/light/tolerance.hpp"
 #include "ideotype/run/progress.hpp"
 
 namespace ideotype {
@@ -107,7 +107,7 @@ void check_height(const Field& field, double height) {
 }
 
 //! At least this many paths in all.
-Sampling share(std::uint64_t paths) {
+Accuracy share(std::uint64_t paths) {
     const std::uint64_t randomisations =
         std::clamp<std::uint64_t>(paths, 2, usual_randomisations);
     return {static_cast<int>((paths + randomisations - 1) / randomisations),
@@ -145,7 +145,7 @@ MeshReport study(const MeshOptions& options) {
     const Scene scene = build_scene(device, field);
     canopy.layers = {scene.top() / layers, layers};
     const Optics optics{options.leaf, options.stalk, options.soil_albedo};
-    Sampling sampling = share(options.paths.value_or(most_tolerance_paths));
+    Accuracy sampling = share(options.paths.value_or(most_tolerance_paths));
     if (!options.paths) sampling.tolerance = options.tolerance;
     const Randomness randomness{options.seed, 0, 0};
     const Simulation found = simulate_to_tolerance(

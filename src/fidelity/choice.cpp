@@ -113,7 +113,7 @@ Model model_of(const Trade& trade, const std::vector<std::size_t>& values,
 }
 
 Combination sampled(const Model& model, const PathLaw& law,
-                    const Sampling& sampling, Draws::Fields fields) {
+                    const Accuracy& sampling, Draws::Fields fields) {
     Combination result;
     result.sampling = sampling;
     result.fields = fields;
@@ -146,7 +146,7 @@ double Combination::error() const {
 }
 
 Combination combine(const Trade& trade, const std::vector<std::size_t>& values,
-                    const Sampling& sampling, Draws::Fields fields, Goal goal) {
+                    const Accuracy& sampling, Draws::Fields fields, Goal goal) {
     Combination result =
         sampled(model_of(trade, values, goal),
                 PathLaw(trade.parameter("paths"), goal), sampling, fields);

@@ -111,7 +111,7 @@ Probe::Randomised Probe::evaluate(const Genome& genome, std::uint32_t draw) {
     Randomised result{};
     int traced = 0;
     for (std::size_t i = 0; i < lights_.size(); ++i) {
-        const Sampling sampling{paths_[i], 2};
+        const Accuracy sampling{paths_[i], 2};
         const std::vector<Tally> tallies =
             simulate(scene, field.mesh.groups, model_.optics, lights_[i],
                      sampling, {seed + i, draw, 0});

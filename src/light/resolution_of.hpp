@@ -2,10 +2,10 @@
 
 #include <vector>
 
+#include "ideotype/light/layers.hpp"
 #include "ideotype/light/optics.hpp"
 #include "ideotype/light/resolution.hpp"
 #include "ideotype/light/scene.hpp"
-#include "ideotype/light/tally.hpp"
 
 namespace ideotype {
 

@@ -80,13 +80,13 @@ bool sees(const Scene& scene, const LeafArea::Point& point,
 
 SunlitFractions sunlit_fractions(const Scene& scene, const Mesh& mesh,
                                  const Illumination& illumination,
-                                 const Sampling& sampling,
+                                 const Accuracy& accuracy,
                                  const Randomness& randomness) {
     const std::vector<Source>& sources = illumination.sources;
     const LeafArea leaves(mesh);
-    const auto points = static_cast<std::uint32_t>(sampling.paths);
+    const auto points = static_cast<std::uint32_t>(accuracy.paths);
     SunlitFractions result;
-    result.fractions.assign(static_cast<std::size_t>(sampling.randomisations),
+    result.fractions.assign(static_cast<std::size_t>(accuracy.randomisations),
                             std::vector<double>(sources.size()));
     if (!(leaves.total() > 0)) return result;
     result.step = 1. / points;

@@ -169,18 +169,18 @@ std::vector<std::uint32_t> share_paths(const Illumination& illumination,
 
 std::vector<Tally> simulate(
     const Scene& scene, const std::vector<Group>& groups, const Optics& optics,
-    const Illumination& illumination, const Sampling& sampling,
+    const Illumination& illumination, const Accuracy& accuracy,
     const Randomness& randomness, const Layers& layers) {
     const std::vector<Source>& sources = illumination.sources;
-    const auto paths = static_cast<std::uint32_t>(sampling.paths);
-    if (sampling.paths < 1 || paths < sources.size())
+    const auto paths = static_cast<std::uint32_t>(accuracy.paths);
+    if (accuracy.paths < 1 || paths < sources.size())
         throw Error(fmt::format(
             "{} paths are too few for {} sources of light (a sun at each time "
             "step and the sky, a clear one at each); take more paths or a "
             "longer step",
             paths, sources.size()));
     std::vector<Tally> tallies(
-        static_cast<std::size_t>(sampling.randomisations),
+        static_cast<std::size_t>(accuracy.randomisations),
         {std::vector<Budget>(sources.size()),
          std::vector<double>(groups.size()),
          std::vector<double>(layers.count)});

@@ -8,7 +8,7 @@
 
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/hash.hpp"
-#include "ideotype/light/accuracy.hpp"
+#include "ideotype/light/tolerance.hpp"
 
 namespace ideotype {
 
@@ -28,7 +28,7 @@ Draws draws_of(const Task& task, const Campaign& campaign, const Case& chosen) {
     if (task.is_final)
         return {derive_seed(chosen.seed, "final"), 0,
                 campaign.final_rule.sampling, Draws::Fields::each};
-    Sampling sampling = campaign.sampling;
+    Accuracy sampling = campaign.sampling;
     if (campaign.first_tolerance > 0 && campaign.stop.generations > 1) {
         const double left = 1 - static_cast<double>(task.generation) /
                                     (campaign.stop.generations - 1);
@@ -39,12 +39,12 @@ Draws draws_of(const Task& task, const Campaign& campaign, const Case& chosen) {
 }
 
 double final_effort(const Campaign& campaign) {
-    const auto paths = [](const Sampling& sampling) {
+    const auto paths = [](const Accuracy& sampling) {
         return static_cast<double>(sampling.all_paths());
     };
-    const Sampling& final = campaign.final_rule.sampling;
+    const Accuracy& final = campaign.final_rule.sampling;
     // With a tolerance an evaluation may need the least that there is.
-    Sampling usual = campaign.sampling;
+    Accuracy usual = campaign.sampling;
     if (usual.tolerance > 0) usual.paths = std::min(usual.paths, fewest_paths);
     return std::max<double>(paths(final) / paths(usual), final.randomisations);
 }

@@ -30,7 +30,7 @@ void light(benchmark::State& state) {
     const Stand stand(Stand::ames());
     const Field field = stand.field(stand.baseline);
     const Scene traced = stand.scene(field);
-    const Sampling sampling = stand.campaign.sampling;
+    const Accuracy sampling = stand.campaign.sampling;
     for (auto _ : state)
         benchmark::DoNotOptimize(simulate(
             traced, field.mesh.groups, stand.campaign.optics,
@@ -41,7 +41,7 @@ void light(benchmark::State& state) {
 }
 BENCHMARK(light)->Unit(benchmark::kMillisecond);
 
-CanopyReport evaluate(const Stand& stand, const Sampling& sampling) {
+CanopyReport evaluate(const Stand& stand, const Accuracy& sampling) {
     return study(stand.model, stand.device, stand.campaign.baseline,
                  {stand.chosen.seed, 0, sampling}, Detail::history);
 }
@@ -68,7 +68,7 @@ int paths_for(const Stand& stand, double tolerance) {
 void evaluation(benchmark::State& state) {
     const Stand stand(Stand::ames());
     const double tolerance = std::pow(10, -static_cast<double>(state.range(0)));
-    const Sampling sampling{paths_for(stand, tolerance), 8};
+    const Accuracy sampling{paths_for(stand, tolerance), 8};
     double error = 0;
     for (auto _ : state) error = relative_error(evaluate(stand, sampling));
     state.counters["error"] = error;

@@ -12,7 +12,7 @@ namespace {
 
 void measure(benchmark::State& state, Campaign campaign, double size) {
     const Stand stand(std::move(campaign));
-    const Sampling sampling{1024, 8};
+    const Accuracy sampling{1024, 8};
     for (auto _ : state)
         benchmark::DoNotOptimize(
             study(stand.model, stand.device, stand.campaign.baseline,

@@ -23,17 +23,17 @@ double part_of(const Tally& tally, std::size_t source, const Mesh& mesh,
 
 //! Fewer paths, for random stands by way of fewer realisations where there
 //! are enough.
-Sampling spare(const ReferenceScene& scene, const Setup& setup, int thrift) {
-    Sampling sampling = scene.sampling;
+Accuracy spare(const ReferenceScene& scene, const Setup& setup, int thrift) {
+    Accuracy accuracy = scene.accuracy;
     if (scene.kind == ReferenceScene::Kind::random) {
         constexpr int least = 128;
-        const int fewer = std::min(thrift, sampling.randomisations / least);
-        sampling.randomisations /= fewer;
+        const int fewer = std::min(thrift, accuracy.randomisations / least);
+        accuracy.randomisations /= fewer;
         thrift /= fewer;
     }
-    sampling.paths /= thrift * setup.split;
-    sampling.randomisations *= setup.split;
-    return sampling;
+    accuracy.paths /= thrift * setup.split;
+    accuracy.randomisations *= setup.split;
+    return accuracy;
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ std::size_t count_cases(const std::vector<ReferenceScene>& scenes) {
 SceneResult compare(const ReferenceScene& reference, const Setup& setup,
                     int thrift) {
     const Device device(setup.isa);
-    const Sampling sampling = spare(reference, setup, thrift);
+    const Accuracy accuracy = spare(reference, setup, thrift);
 
     Stand stand;
     std::optional<Scene> scene;
@@ -64,16 +64,16 @@ SceneResult compare(const ReferenceScene& reference, const Setup& setup,
     };
     const auto run = [&](int randomisations, std::uint32_t first) {
         return simulate(*scene, stand.mesh.groups, reference.optics,
-                        stand.light, {sampling.paths, randomisations},
+                        stand.light, {accuracy.paths, randomisations},
                         {setup.seed, 0, first});
     };
     std::vector<Tally> tallies;
     if (reference.kind == ReferenceScene::Kind::fixed) {
         build(0);
-        tallies = run(sampling.randomisations, 0);
+        tallies = run(accuracy.randomisations, 0);
     } else {
         const auto realisations =
-            static_cast<std::uint32_t>(sampling.randomisations);
+            static_cast<std::uint32_t>(accuracy.randomisations);
         for (std::uint32_t i = 0; i < realisations; ++i) {
             build(i);
             tallies.push_back(run(1, i).front());

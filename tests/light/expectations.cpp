@@ -23,10 +23,10 @@ void expect_agreement(Estimate ours, Estimate reference, double bound,
 }
 
 Fractions closing(const Mesh& mesh, Period period, const Optics& optics,
-                  const Illumination& light, Sampling sampling) {
+                  const Illumination& light, Accuracy accuracy) {
     Findings findings;
     const Fractions fractions =
-        findings.closing(mesh, period, optics, light, sampling);
+        findings.closing(mesh, period, optics, light, accuracy);
     expect_none(findings);
     return fractions;
 }

@@ -15,7 +15,7 @@ void expect_agreement(Estimate ours, Estimate reference, double bound,
 
 //! Traces and expects finite fractions that close the balance to rounding.
 Fractions closing(const Mesh& mesh, Period period, const Optics& optics,
-                  const Illumination& light, Sampling sampling = {256, 4});
+                  const Illumination& light, Accuracy accuracy = {256, 4});
 
 //! The letters and digits of a case's name, for a test's name.
 std::string test_name(std::string name);

@@ -131,14 +131,14 @@ void closed_mirror(Findings& findings) {
     findings.require(std::abs(f.reflected.mean - 1) < 1e-12, "all comes back");
 }
 
-Estimate leaves_of_field(Findings& findings, int n, Sampling sampling) {
+Estimate leaves_of_field(Findings& findings, int n, Accuracy accuracy) {
     const FieldForm form{n, n, {.76, .15}, 0};
     const Field field =
         build_field(two_leaves(.7, .08, 40), form,
                     std::vector<double>(static_cast<std::size_t>(n * n), 0.));
     return findings
         .closing(field.mesh, {field.period_x, field.period_y}, par,
-                 sun_from(35, 200), sampling)
+                 sun_from(35, 200), accuracy)
         .leaves;
 }
 

@@ -104,11 +104,11 @@ void paths_beyond_two_to_the_32(Findings& findings) {
     // Path p of randomisation r is path r x paths + p of all.
     const Mesh mesh = load_reference_mesh("maize1");
     const Scene scene(widest_device(), mesh, own_cell.x, own_cell.y);
-    const Sampling sampling{4096, 16};
+    const Accuracy accuracy{4096, 16};
     const auto at = [&](std::uint32_t first) {
         const Fractions f =
             fractions_of(simulate(scene, mesh.groups, par, uniform_sky(),
-                                  sampling, {1, 0, first}),
+                                  accuracy, {1, 0, first}),
                          mesh.groups.size(), 1);
         findings.require_closed(f);
         return f.leaves;

@@ -85,11 +85,11 @@ void duplicate_faces(Findings& findings) {
     twice.faces.insert(twice.faces.end(), once.faces.begin(), once.faces.end());
     twice.face_group.insert(twice.face_group.end(), once.face_group.begin(),
                             once.face_group.end());
-    const Sampling sampling{4096, 16};
+    const Accuracy accuracy{4096, 16};
     const Fractions one =
-        findings.closing(once, own_cell, par, uniform_sky(), sampling);
+        findings.closing(once, own_cell, par, uniform_sky(), accuracy);
     const Fractions two =
-        findings.closing(twice, own_cell, par, uniform_sky(), sampling);
+        findings.closing(twice, own_cell, par, uniform_sky(), accuracy);
     findings.require_agreement(two.leaves, one.leaves, 1e-3, "leaves");
     findings.require_agreement(two.soil, one.soil, 1e-3, "soil");
 }

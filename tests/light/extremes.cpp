@@ -11,8 +11,8 @@ namespace ideotype {
 
 Fractions Findings::closing(const Mesh& mesh, Period period,
                             const Optics& optics, const Illumination& light,
-                            Sampling sampling) {
-    const Fractions fractions = trace(mesh, period, optics, light, sampling);
+                            Accuracy accuracy) {
+    const Fractions fractions = trace(mesh, period, optics, light, accuracy);
     require_closed(fractions);
     return fractions;
 }

@@ -16,7 +16,7 @@ class Findings {
     //! Traces, and requires that all figures are finite fractions and that
     //! the balance closes to rounding.
     Fractions closing(const Mesh& mesh, Period period, const Optics& optics,
-                      const Illumination& light, Sampling sampling = {256, 4});
+                      const Illumination& light, Accuracy accuracy = {256, 4});
 
     //! As above, for fractions that come from elsewhere.
     void require_closed(const Fractions& fractions);

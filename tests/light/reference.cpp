@@ -66,11 +66,11 @@ Fractions fractions_of(const std::vector<Tally>& tallies, std::size_t groups,
 }
 
 Fractions trace(const Mesh& mesh, Period period, const Optics& optics,
-                const Illumination& light, Sampling sampling,
+                const Illumination& light, Accuracy accuracy,
                 std::uint64_t seed) {
     const Scene scene(widest_device(), mesh, period.x, period.y);
     return fractions_of(
-        simulate(scene, mesh.groups, optics, light, sampling, {seed, 0, 0}),
+        simulate(scene, mesh.groups, optics, light, accuracy, {seed, 0, 0}),
         mesh.groups.size(), light.energy());
 }
 

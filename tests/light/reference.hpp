@@ -42,7 +42,7 @@ Fractions fractions_of(const std::vector<Tally>& tallies, std::size_t groups,
                        double incident);
 
 Fractions trace(const Mesh& mesh, Period period, const Optics& optics,
-                const Illumination& light, Sampling sampling = {16384, 16},
+                const Illumination& light, Accuracy accuracy = {16384, 16},
                 std::uint64_t seed = 1);
 
 //! Leaves with these reflectance and transmittance over soil, no stalks.

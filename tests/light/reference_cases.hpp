@@ -35,7 +35,7 @@ struct ReferenceScene {
     Period period{};
     Optics optics;
     std::vector<ReferenceCase> cases;
-    Sampling sampling;    //!< that gets every standard error below the bound
+    Accuracy accuracy;    //!< that gets every standard error below the bound
     double bound = 2e-4;  //!< of ours
 };
 

@@ -12,7 +12,7 @@ namespace ideotype {
 namespace {
 
 constexpr std::uint32_t runs = 1000;
-constexpr Sampling sampling{256, 32};
+constexpr Accuracy accuracy{256, 32};
 
 using Figure = std::function<double(const Tally&)>;
 
@@ -56,14 +56,14 @@ void report_honesty() {
         day.sources.push_back(sun_from(elevation, 100).sources[0]);
     std::vector<std::vector<Tally>> all;
     for (std::uint32_t run = 0; run < runs; ++run)
-        all.push_back(simulate(scene, mesh.groups, par, day, sampling,
+        all.push_back(simulate(scene, mesh.groups, par, day, accuracy,
                                {5000 + run, 0, 0}));
     fmt::print(
         "\n## Standard errors\n\nThe spread of the estimates of {} independent "
         "runs of one scene (maize1, a\nuniform sky and suns at 10, 40, 65 deg, "
         "{} x {} paths), divided by the standard\nerror that they report; 1 if "
         "that is honest.\n\n| figure | spread / s.e. |\n|---|---|\n",
-        runs, sampling.randomisations, sampling.paths);
+        runs, accuracy.randomisations, accuracy.paths);
     for (const auto& [name, figure] :
          {std::pair<std::string, Figure>{"leaves in all", total},
           {"leaf 6", [](const Tally& t) { return t.groups[5]; }},

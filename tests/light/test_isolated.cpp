@@ -18,10 +18,10 @@ struct Plot {
 
 Plot trace_plot(const Mesh& mesh, const Optics& optics,
                 const Illumination& light, double ground_area = 1,
-                Sampling sampling = {16384, 16}) {
+                Accuracy accuracy = {16384, 16}) {
     const Scene scene = Scene::isolated(widest_device(), mesh, ground_area);
     const auto tallies =
-        simulate(scene, mesh.groups, optics, light, sampling, {1, 0, 0});
+        simulate(scene, mesh.groups, optics, light, accuracy, {1, 0, 0});
     const auto part = [&](double Budget::*member) {
         std::vector<double> replicates;
         for (const Tally& tally : tallies)

@@ -18,14 +18,14 @@ Day instant(SunPosition sun, double beam, double diffuse) {
 
 DayReport report_of(const Mesh& mesh, Period period, const Optics& optics,
                     const Day& day, const Layers& layers = {},
-                    const Sampling& sampling = {4096, 16}) {
+                    const Accuracy& accuracy = {4096, 16}) {
     const Scene scene(widest_device(), mesh, period.x, period.y);
     const DayIllumination light = illuminate(day, SkyModel::uniform, 0);
     DayReport result = report(simulate(scene, mesh.groups, optics, light.light,
-                                       sampling, {1, 0, 0}, layers),
+                                       accuracy, {1, 0, 0}, layers),
                               light);
     add_sunlit(result,
-               sunlit_fractions(scene, mesh, light.light, sampling, {2, 0, 0}),
+               sunlit_fractions(scene, mesh, light.light, accuracy, {2, 0, 0}),
                light);
     return result;
 }

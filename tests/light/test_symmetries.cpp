@@ -9,7 +9,7 @@
 namespace ideotype {
 namespace {
 
-constexpr Sampling fine{32768, 16};
+constexpr Accuracy fine{32768, 16};
 const Optics nir = leaf_optics(.42, .42, .2);
 
 Mesh moved(Mesh mesh, const std::function<glm::dvec3(const glm::dvec3&)>& to) {

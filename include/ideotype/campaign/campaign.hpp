@@ -10,6 +10,7 @@
 #include "ideotype/climate/site.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/crop/plant.hpp"
+#include "ideotype/light/accuracy.hpp"
 #include "ideotype/light/optics.hpp"
 #include "ideotype/search/ga_settings.hpp"
 #include "ideotype/search/genome.hpp"
@@ -66,7 +67,7 @@ double violation(const Constraints& constraints,
 //! How the best candidates are judged at the end.
 struct FinalRule {
     int candidates = 5;
-    Sampling sampling{16384, 16};
+    Accuracy sampling{16384, 16};
 };
 
 //! How long workers may take. No part of what is studied: may differ when a
@@ -102,7 +103,7 @@ struct Campaign {
     Optics optics;
     double par_fraction = 0.45;
     SkyModel sky_model = SkyModel::uniform;  //!< of diffuse light
-    Sampling sampling;           //!< of an evaluation during evolution
+    Accuracy sampling;           //!< of an evaluation during evolution
     double first_tolerance = 0;  //!< of the first generation; 0: as all others
     Objective objective = Objective::absorbed_par;
     Constraints constraints;

@@ -31,7 +31,7 @@ struct CanopyModel {
 struct Draws {
     std::uint64_t seed = 0;
     std::uint32_t generation = 0;
-    Sampling sampling;
+    Accuracy sampling;
     //! One field for all randomisations makes candidates comparable at least
     //! cost; a new one for each makes the standard error include the jitter.
     enum class Fields { one, each } fields = Fields::one;
@@ -52,7 +52,7 @@ Scene build_scene(const Device& device, const Field& field);
 //! sampling that falls to it and its random numbers.
 void for_each_field(const CanopyModel& model, const Mesh& plant,
                     const Draws& draws,
-                    const std::function<void(const Field&, const Sampling&,
+                    const std::function<void(const Field&, const Accuracy&,
                                              const Randomness&)>& visit);
 
 //! What light does in one canopy.
@@ -71,7 +71,7 @@ struct CanopyReport {
 };
 
 //! Enough points to know a sunlit fraction to some 0.2 %.
-Sampling sunlit_sampling(const Sampling& sampling);
+Accuracy sunlit_sampling(const Accuracy& sampling);
 
 //! The sunlit leaf area costs more rays and changes no fitness: histories go
 //! without it.

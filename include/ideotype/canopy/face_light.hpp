@@ -28,6 +28,6 @@ FaceLight light_on_field(const CanopyModel& model, const Device& device,
 
 //! At least as many paths as to know the light on most faces to some 5 %, but
 //! no more than take about ten seconds.
-Sampling face_sampling(const Sampling& sampling, std::size_t faces);
+Accuracy face_sampling(const Accuracy& sampling, std::size_t faces);
 
 }  // namespace ideotype

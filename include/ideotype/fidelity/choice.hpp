@@ -14,7 +14,7 @@ namespace ideotype {
 //! leaves absorb.
 struct Combination {
     std::vector<std::size_t> values;  //!< by parameter of the trade
-    Sampling sampling;
+    Accuracy sampling;
     Draws::Fields fields = Draws::Fields::one;
     Estimate bias;
     double standard_error = 0;  //!< of one evaluation
@@ -29,7 +29,7 @@ struct Combination {
 //! add up, since that they cancel for these plants says nothing of others;
 //! costs and variances multiply with the ratios to the campaign's own values.
 Combination combine(const Trade& trade, const std::vector<std::size_t>& values,
-                    const Sampling& sampling, Draws::Fields fields, Goal goal);
+                    const Accuracy& sampling, Draws::Fields fields, Goal goal);
 
 //! All that are not beaten both in cost and in error, cheapest first.
 std::vector<Combination> pareto_front(const Trade& trade, Goal goal,

@@ -23,10 +23,10 @@ struct SunlitFractions {
 //! each source. Points are spread evenly over all leaves, the
 //! same for every sun, and sent towards it. What is below the soil is shaded.
 //! @param mesh that the scene was built from
-//! @param sampling as many points as paths, for each randomisation
+//! @param accuracy as many points as paths, for each randomisation
 SunlitFractions sunlit_fractions(const Scene& scene, const Mesh& mesh,
                                  const Illumination& illumination,
-                                 const Sampling& sampling,
+                                 const Accuracy& accuracy,
                                  const Randomness& randomness);
 
 }  // namespace ideotype

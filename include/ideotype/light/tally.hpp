@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -19,19 +18,6 @@ struct Budget {
     double unscattered = 0;  //!< of leaves: before it met anything else
 
     double total() const { return leaves + stalks + soil + reflected; }
-};
-
-//! Layers of equal thickness from the soil up; the last one has no upper end.
-struct Layers {
-    double thickness = 1;  //!< [m]
-    std::size_t count = 1;
-
-    //! The layer of a height [m].
-    std::size_t at(double height) const {
-        const double last = static_cast<double>(count - 1);
-        return static_cast<std::size_t>(
-            std::clamp(height / thickness, 0.0, last));
-    }
 };
 
 //! What one randomisation found [J m-2 of ground].

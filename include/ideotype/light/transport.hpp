@@ -1,21 +1,16 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
+#include "ideotype/core/randomness.hpp"
+#include "ideotype/light/accuracy.hpp"
 #include "ideotype/light/illumination.hpp"
+#include "ideotype/light/layers.hpp"
 #include "ideotype/light/optics.hpp"
 #include "ideotype/light/scene.hpp"
 #include "ideotype/light/tally.hpp"
 
 namespace ideotype {
-
-//! Which random numbers a simulation uses.
-struct Randomness {
-    std::uint64_t seed = 0;
-    std::uint32_t generation = 0;
-    std::uint32_t first_randomisation = 0;
-};
 
 //! Follows light from above the canopy, through as many periods as it takes,
 //! until leaves, stalks and soil have absorbed it or it has left upwards.
@@ -33,7 +28,7 @@ struct Randomness {
 //! soil anywhere absorbs, and `reflected` what goes to the sky, of the light
 //! that has been in the box.
 //!
-//! The tolerance of the sampling is not looked at.
+//! The tolerance is not looked at, nor how many fields there are.
 //!
 //! @param groups what each group of the scene's mesh is made of
 //! @param layers in which the light that leaves absorb is counted
@@ -41,7 +36,7 @@ struct Randomness {
 //! @throws Error if there are fewer paths than sources.
 std::vector<Tally> simulate(
     const Scene& scene, const std::vector<Group>& groups, const Optics& optics,
-    const Illumination& illumination, const Sampling& sampling,
+    const Illumination& illumination, const Accuracy& accuracy,
     const Randomness& randomness, const Layers& layers = {});
 
 }  // namespace ideotype

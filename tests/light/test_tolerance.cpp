@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "extremes.hpp"
-#include "ideotype/light/accuracy.hpp"
 #include "ideotype/light/device.hpp"
 #include "ideotype/light/report.hpp"
+#include "ideotype/light/tolerance.hpp"
 #include "setups.hpp"
 
 namespace ideotype {

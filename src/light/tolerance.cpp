@@ -1,4 +1,4 @@
-#include "ideotype/light/accuracy.hpp"
+#include "ideotype/light/tolerance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,10 +21,10 @@ constexpr std::uint32_t first_of_trials = 1u << 16;
 constexpr double longest_step = 8;
 
 //! Of the first trial, and of the result: one path for each source too.
-int fewest(const Sampling& sampling, std::size_t sources) {
+int fewest(const Accuracy& accuracy, std::size_t sources) {
     int paths = fewest_paths;
     while (paths < static_cast<int>(sources)) paths *= 2;
-    return std::min(paths, sampling.paths);
+    return std::min(paths, accuracy.paths);
 }
 
 //! Relative standard error of the leaves' light; 0 if that is certain,
@@ -47,10 +47,10 @@ double caution(int randomisations) {
 //! How many paths per randomisation a tolerance asks for.
 //! @param trials randomisations of each trial
 //! @param error relative error of the n-th trial, with so many paths
-double enough_paths(const Sampling& sampling, int trials, int first,
+double enough_paths(const Accuracy& accuracy, int trials, int first,
                     const std::function<double(int, std::uint32_t)>& error) {
-    const double wanted = sampling.tolerance / caution(trials) *
-                          std::sqrt(1. * sampling.randomisations / trials);
+    const double wanted = accuracy.tolerance / caution(trials) *
+                          std::sqrt(1. * accuracy.randomisations / trials);
     int paths = first;
     for (std::uint32_t n = 0;; ++n) {
         // Scrambled nets converge a little faster than independent paths.
@@ -58,10 +58,10 @@ double enough_paths(const Sampling& sampling, int trials, int first,
         const double enough = paths * excess * excess;
         const double next = std::isfinite(enough) ? enough / longest_step
                                                   : paths * longest_step;
-        if (next <= paths || next >= sampling.paths) {
+        if (next <= paths || next >= accuracy.paths) {
             // Nothing is known more finely than to one path.
             const double coarsest =
-                1 / (sampling.tolerance * sampling.randomisations);
+                1 / (accuracy.tolerance * accuracy.randomisations);
             return std::max(enough, coarsest);
         }
         paths = static_cast<int>(next);
@@ -72,31 +72,31 @@ double enough_paths(const Sampling& sampling, int trials, int first,
 
 Simulation simulate_to_tolerance(
     const Scene& scene, const std::vector<Group>& groups, const Optics& optics,
-    const Illumination& illumination, const Sampling& sampling,
+    const Illumination& illumination, const Accuracy& accuracy,
     const Randomness& randomness, const Layers& layers) {
     const auto trace = [&](int paths, int randomisations,
                            const Randomness& numbers) {
         return simulate(scene, groups, optics, illumination,
                         {paths, randomisations}, numbers, layers);
     };
-    if (!(sampling.tolerance > 0) || illumination.sources.empty())
-        return {trace(sampling.paths, sampling.randomisations, randomness),
-                sampling.paths, false};
+    if (!(accuracy.tolerance > 0) || illumination.sources.empty())
+        return {trace(accuracy.paths, accuracy.randomisations, randomness),
+                accuracy.paths, false};
 
-    const int trials = std::max(trial_randomisations, sampling.randomisations);
+    const int trials = std::max(trial_randomisations, accuracy.randomisations);
     const auto error_of_trial = [&](int paths, std::uint32_t n) {
         Randomness numbers = randomness;
         numbers.first_randomisation += (n + 1) * first_of_trials;
         return relative_error(trace(paths, trials, numbers));
     };
-    const int least = fewest(sampling, illumination.sources.size());
-    const double enough = enough_paths(sampling, trials, least, error_of_trial);
+    const int least = fewest(accuracy, illumination.sources.size());
+    const double enough = enough_paths(accuracy, trials, least, error_of_trial);
     const int paths = static_cast<int>(
-        std::clamp<double>(std::ceil(enough), least, sampling.paths));
-    Simulation result{trace(paths, sampling.randomisations, randomness), paths,
+        std::clamp<double>(std::ceil(enough), least, accuracy.paths));
+    Simulation result{trace(paths, accuracy.randomisations, randomness), paths,
                       false};
-    result.is_capped = enough > sampling.paths &&
-                       relative_error(result.tallies) > sampling.tolerance;
+    result.is_capped = enough > accuracy.paths &&
+                       relative_error(result.tallies) > accuracy.tolerance;
     return result;
 }
 

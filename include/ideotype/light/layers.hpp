@@ -1,0 +1,21 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+namespace ideotype {
+
+//! Layers of equal thickness from the soil up; the last one has no upper end.
+struct Layers {
+    double thickness = 1;  //!< [m]
+    std::size_t count = 1;
+
+    //! The layer of a height [m].
+    std::size_t at(double height) const {
+        const double last = static_cast<double>(count - 1);
+        return static_cast<std::size_t>(
+            std::clamp(height / thickness, 0.0, last));
+    }
+};
+
+}  // namespace ideotype

@@ -14,6 +14,24 @@ fail() {
     exit 1
 }
 
+# What stops a command that hangs, where a test has any that might.
+time_limit=()
+
+# $1 the expected exit code, the rest a command; its output is in out.log.
+expect() {
+    local expected=$1 code=0
+    shift
+    "${time_limit[@]}" "$@" >out.log 2>&1 || code=$?
+    [ $code -eq "$expected" ] ||
+        fail "'$*' ended with $code, not $expected: $(cat out.log)"
+    echo "\$ $*"
+    cat out.log
+}
+
+says() {
+    grep -q -- "$1" out.log || fail "no '$1' in: $(cat out.log)"
+}
+
 # A campaign of a second or so: small field, few paths.
 # $1 its name, $2 population, $3 generations
 write_campaign() {

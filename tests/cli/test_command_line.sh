@@ -2,19 +2,6 @@
 # Every verb, its output and its exit code.
 . "$(dirname "$0")/common.sh"
 
-# $1 the expected exit code, the rest a command; its output is in out.log.
-expect() {
-    local expected=$1 code=0
-    shift
-    "$@" >out.log 2>&1 || code=$?
-    [ $code -eq "$expected" ] ||
-        fail "'$*' ended with $code, not $expected: $(cat out.log)"
-}
-
-says() {
-    grep -q -- "$1" out.log || fail "no '$1' in: $(cat out.log)"
-}
-
 write_campaign verbs 6 2
 expect 0 "$ideotype" --version
 says "Embree [34]\."

@@ -3,19 +3,7 @@
 # another instruction set, a file that is no file or not there any more.
 . "$(dirname "$0")/common.sh"
 mixed_cluster=$(readlink -f "$4")
-
-# $1 the expected exit code, the rest a command; its output is in out.log.
-expect() {
-    local expected=$1 code=0
-    shift
-    timeout 60 "$@" >out.log 2>&1 || code=$?
-    [ $code -eq "$expected" ] ||
-        fail "'$*' ended with $code, not $expected: $(cat out.log)"
-}
-
-says() {
-    grep -q -- "$1" out.log || fail "no '$1' in: $(cat out.log)"
-}
+time_limit=(timeout 60)
 
 write_campaign maths 8 3
 maths=$(history_of run maths)

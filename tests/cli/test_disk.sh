@@ -9,21 +9,6 @@ stop_all() {
 }
 trap stop_all EXIT
 
-# $1 the expected exit code, the rest a command; its output is in out.log.
-expect() {
-    local expected=$1 code=0
-    shift
-    "$@" >out.log 2>&1 || code=$?
-    [ $code -eq "$expected" ] ||
-        fail "'$*' ended with $code, not $expected: $(cat out.log)"
-    echo "\$ $*"
-    cat out.log
-}
-
-says() {
-    grep -q -- "$1" out.log || fail "no '$1' in: $(cat out.log)"
-}
-
 write_campaign disk 12 200
 run=("$ideotype" run campaigns/disk.toml)
 "${run[@]}" --out whole >/dev/null

@@ -4,19 +4,6 @@
 . "$(dirname "$0")/common.sh"
 unset "${!OMPI_@}" "${!PRTE_@}"
 
-# $1 the expected exit code, the rest a command; its output is in out.log.
-expect() {
-    local expected=$1 code=0
-    shift
-    "$@" >out.log 2>&1 || code=$?
-    [ $code -eq "$expected" ] ||
-        fail "'$*' ended with $code, not $expected: $(cat out.log)"
-}
-
-says() {
-    grep -q -- "$1" out.log || fail "no '$1' in: $(cat out.log)"
-}
-
 write_campaign long 12 100
 "$ideotype" run campaigns/long.toml --out whole >/dev/null
 write_campaign short 8 3

@@ -2,17 +2,9 @@
 # What slurm/submit says and refuses without a cluster.
 . "$(dirname "$0")/../cli/common.sh"
 
-# $1 the expected exit code, the rest arguments; the output is in out.log.
-expect() {
-    local expected=$1 code=0
-    shift
-    "$project/slurm/submit" "$@" >out.log 2>&1 || code=$?
-    [ $code -eq "$expected" ] ||
-        fail "'submit $*' ended with $code, not $expected: $(cat out.log)"
-}
-
-says() {
-    grep -q -- "$1" out.log || fail "no '$1' in: $(cat out.log)"
+# $1 the expected exit code, the rest arguments.
+submit() {
+    expect "$1" "$project/slurm/submit" "${@:2}"
 }
 
 # A machine without SLURM has everything but its commands.
@@ -29,33 +21,33 @@ sed 's/^seed = 7/seed = 7\nreplicates = 3/' campaigns/plain.toml \
     >campaigns/sweep.toml
 sed 's/plants = 3/plnats = 3/' campaigns/plain.toml >campaigns/typo.toml
 
-expect 0 --help
+submit 0 --help
 says "--throttle"
-expect 2
+submit 2
 says "no campaign"
-expect 2 --form both campaigns/plain.toml
-expect 2 --throttle many campaigns/plain.toml
-expect 2 --site nowhere campaigns/plain.toml
+submit 2 --form both campaigns/plain.toml
+submit 2 --throttle many campaigns/plain.toml
+submit 2 --site nowhere campaigns/plain.toml
 says "generic.sh"
-expect 1 campaigns/plain.toml
+submit 1 campaigns/plain.toml
 says "there is no sbatch here"
-expect 3 --dry-run campaigns/typo.toml
+submit 3 --dry-run campaigns/typo.toml
 says "typo.toml:18:1: unknown key .plnats."
-expect 1 --dry-run campaigns/missing.toml
+submit 1 --dry-run campaigns/missing.toml
 IDEOTYPE=$folder/nothing
-expect 1 --dry-run campaigns/plain.toml
+submit 1 --dry-run campaigns/plain.toml
 says "IDEOTYPE"
 IDEOTYPE=$ideotype
 
-expect 0 --dry-run campaigns/sweep.toml
+submit 0 --dry-run campaigns/sweep.toml
 says "^queue     out of reach"
 says "^cases     3: 0 finished, 0 queued, 3 to submit"
 says "'--signal=B:USR1@120' .*/campaign.sbatch'"
-expect 0 --dry-run --form sweep --throttle 2 --lead 60 campaigns/sweep.toml \
+submit 0 --dry-run --form sweep --throttle 2 --lead 60 campaigns/sweep.toml \
     --time=7
 says "'--requeue' .*'--signal=B:USR1@60' .*'--array=0,1,2%2' .*'--time=7' .*/sweep"
 PATH=$full_path "$ideotype" run campaigns/sweep.toml --case 1 >/dev/null
-expect 0 --dry-run --form sweep campaigns/sweep.toml
+submit 0 --dry-run --form sweep campaigns/sweep.toml
 says "'--array=0,2'"
 
 # Nor is anything submitted while the controller does not answer.
@@ -63,5 +55,5 @@ printf '#!%s/bash\necho no controller >&2\nexit 1\n' "$folder/bin" >squeue
 chmod +x squeue
 cp squeue bin/squeue
 cp squeue bin/sbatch
-expect 1 campaigns/sweep.toml
+submit 1 campaigns/sweep.toml
 says "the queue cannot be read: .*no controller"

@@ -42,7 +42,7 @@ bool replace(std::string& text, const OldName& name) {
 }  // namespace
 
 Migration migrated(const std::string& text, const std::string& file) {
-    Migration result{text, {}, ""};
+    Migration result{file, text, {}, ""};
     std::set<std::string> ambiguous;
     // Dotted keys may have an old name in several lines, of which each pass
     // sees one.
@@ -66,6 +66,17 @@ Migration migrated(const std::string& text, const std::string& file) {
         }
     }
     std::sort(result.changes.begin(), result.changes.end(), is_before);
+    return result;
+}
+
+std::vector<Migration> read_migrations(const std::string& path) {
+    const std::optional<std::string> text = read_text(path);
+    if (!text) throw Error("cannot read " + path);
+    std::vector<Migration> result{migrated(*text, path)};
+    const std::string plant = result[0].plant_file;
+    // Who checks the campaign tells that it cannot be read.
+    if (const auto plant_text = plant.empty() ? std::nullopt : read_text(plant))
+        result.push_back(migrated(*plant_text, plant));
     return result;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -43,14 +44,21 @@ std::optional<toml::table> parse(const std::string& text,
     report.open(file);
     std::optional<toml::table> table = parse_toml(text, file, report);
     if (!table) return table;
+    // All leaves have the same old names.
+    std::map<std::string, std::vector<OldName>> kinds;
     for (const OldName& name : rename_entries(*table, file))
+        kinds[name.what].push_back(name);
+    for (const auto& [what, names] : kinds)
         report.add(
-            name.where,
-            fmt::format("{} is called '{}' since version 0.2; {}", name.what,
-                        name.is,
-                        name.is_both ? "remove one of the two"
-                                     : "write that, or let ideotype migrate " +
-                                           file + " do it"));
+            names[0].where,
+            fmt::format(
+                "{} is called '{}' since version 0.2{}; {}", what, names[0].is,
+                names.size() == 1
+                    ? ""
+                    : fmt::format(" (the first of {})", names.size()),
+                names[0].is_both ? "remove one of the two"
+                                 : "write that, or let ideotype migrate " +
+                                       file + " do it"));
     return table;
 }
 

@@ -142,6 +142,11 @@ ExitCode export_any(const ExportOptions& options) {
                                   : export_plant(options);
 }
 
+void declare_migrate(CLI::App& verb, std::string& path) {
+    verb.add_option("campaign", path, "campaign or plant file (TOML)")
+        ->required();
+}
+
 void declare_pack(CLI::App& verb, std::vector<std::string>& paths) {
     verb.add_option("files", paths, "histories")->required();
 }
@@ -187,6 +192,10 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
         "that each face absorbs, for ParaView), CSV (traits) or TOML (plant "
         "file, for campaigns), or all complete generations as CSV",
         declare_export, export_any);
+    add("migrate",
+        "give a campaign of an earlier version, and the plant file that it "
+        "names, the names of this version; the rest of the text stays",
+        declare_migrate, migrate);
     add("pack",
         "compress finished histories; each is checked before it is replaced",
         declare_pack, pack);

@@ -56,6 +56,55 @@ says "plants"
 expect 3 mpirun -n 3 "$ideotype" run campaigns/typo.toml
 says "typo.toml:18:1"
 
+# A campaign and a plant of version 0.1, with what makes rewriting hard.
+sed -e 's/^\[search\]/[evolution] # [evolution]/' -e 's/$/\r/' \
+    -e '/^plants = 3/a cut = 0  # cut' campaigns/verbs.toml >campaigns/old.toml
+sed -i 's/b73\.toml/old_plant.toml/' campaigns/old.toml
+sed -e 's/^insertion_angle\b/inclination/' -e 's/^curvature\b/droop/' \
+    campaigns/plants/b73.toml >campaigns/plants/old_plant.toml
+chmod 640 campaigns/old.toml
+cp campaigns/old.toml old.toml
+expect 3 "$ideotype" check campaigns/old.toml
+says "old.toml:19:1: key 'cut' in .field. is called 'border_rows' since version 0.2"
+says "'curvature' since version 0.2 (the first of 10); .*let ideotype migrate campaigns/plants/old_plant.toml do it"
+expect 0 "$ideotype" migrate campaigns/old.toml
+says "^campaigns/old.toml:26:2: table 'evolution' is now 'search'$"
+says "^campaigns/old.toml: 2 names changed; the old text is in campaigns/old.toml.bak$"
+says "^campaigns/plants/old_plant.toml: 20 names changed"
+cmp old.toml campaigns/old.toml.bak
+diff <(sed -e 's/^cut/border_rows/' -e 's/^\[evolution\]/[search]/' old.toml) \
+    campaigns/old.toml || fail "more than names has changed"
+cmp campaigns/plants/old_plant.toml campaigns/plants/b73.toml
+[ "$(stat -c %a campaigns/old.toml)" = 640 ] || fail "permissions have changed"
+expect 0 "$ideotype" migrate campaigns/old.toml
+says "^campaigns/old.toml: nothing to do$"
+says "^campaigns/plants/old_plant.toml: nothing to do$"
+# An older copy is not lost, and nothing is half done.
+cp campaigns/plants/old_plant.toml.bak campaigns/plants/old_plant.toml
+cp old.toml campaigns/other.toml
+expect 4 "$ideotype" migrate campaigns/other.toml
+says "ideotype: campaigns/plants/old_plant.toml.bak: exists already"
+cmp old.toml campaigns/other.toml
+[ ! -e campaigns/other.toml.bak ] || fail "a copy of what did not change"
+rm campaigns/plants/old_plant.toml.bak
+ln -s plants/old_plant.toml campaigns/link.toml
+expect 0 "$ideotype" migrate campaigns/link.toml
+says "the old text is in .*campaigns/plants/old_plant.toml.bak$"
+cmp campaigns/plants/old_plant.toml campaigns/plants/b73.toml
+[ -L campaigns/link.toml ] || fail "a link became a file"
+# What is not TOML stays; what is wrong besides is told.
+echo "[evolution" >campaigns/no.toml
+expect 3 "$ideotype" migrate campaigns/no.toml
+says "no.toml:1:11: not valid TOML"
+[ ! -e campaigns/no.toml.bak ] || fail "a copy of what is not TOML"
+sed 's/^elites.*/elites = 6/' old.toml >campaigns/wrong.toml
+expect 3 "$ideotype" migrate campaigns/wrong.toml
+says "names changed"
+says "wrong.toml:28:10: search.elites is 6"
+expect 1 "$ideotype" migrate campaigns/missing.toml
+[ -z "$(ls campaigns/*.migrating campaigns/plants/*.migrating 2>/dev/null)" ] ||
+    fail "something unfinished is left"
+
 expect 0 "$ideotype" evaluate campaigns/verbs.toml
 says "incident"
 expect 0 "$ideotype" evaluate campaigns/verbs.toml --json

@@ -18,6 +18,7 @@ struct OldName {
 
 //! A campaign or plant file with the names of this version.
 struct Migration {
+    std::string file;
     std::string text;
     std::vector<OldName> changes;  //!< in the order of the text
     std::string plant_file;  //!< that the campaign names, as seen from here; ""
@@ -29,5 +30,11 @@ struct Migration {
 //! @param file is used in messages and to find the plant
 //! @throws InputError if the text is not valid TOML
 Migration migrated(const std::string& text, const std::string& file);
+
+//! The same of a file, and then of the plant file that it names if there is
+//! one.
+//! @throws InputError if a file is not valid TOML
+//! @throws Error if the file cannot be read
+std::vector<Migration> read_migrations(const std::string& path);
 
 }  // namespace ideotype

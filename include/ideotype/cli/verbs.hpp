@@ -29,6 +29,10 @@ struct PlanOptions {
 };
 ExitCode plan(const PlanOptions& options);
 
+//! `migrate CAMPAIGN`: gives a campaign or plant file of an earlier version,
+//! and the plant file that a campaign names, the names of this one.
+ExitCode migrate(const std::string& path);
+
 //! `status PATH...`: one line per history or history in a folder, also of live
 //! ones, and how to go on with what stopped.
 struct StatusOptions {

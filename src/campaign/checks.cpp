@@ -86,18 +86,17 @@ void check_surface(const std::string& name, const Lambertian& surface,
 }
 
 void check_search(const Campaign& campaign, Report& report) {
-    const GaSettings& optimizer = campaign.optimizer;
-    const int population = optimizer.population;
+    const int& population = campaign.search.population;
     const auto at_most = [&](const std::string& name, const int& value,
                              int most) {
-        if (report.usable({&optimizer.population, &value}) && value > most)
+        if (report.usable({&population, &value}) && value > most)
             report.add(&value,
                        fmt::format("{} is {} (the population is {}); use {} "
                                    "or fewer",
                                    name, value, population, most));
     };
-    at_most("search.elites", optimizer.elites, population - 1);
-    at_most("search.tournament", optimizer.tournament, population);
+    at_most("search.elites", campaign.search.ga.elites, population - 1);
+    at_most("search.tournament", campaign.search.ga.tournament, population);
     at_most("final.candidates", campaign.final_rule.candidates, population);
 }
 

@@ -89,7 +89,7 @@ class DraftReader {
         tables_.read_child(top, "objective", objective_section(campaign));
         tables_.read_child(top, "constraints",
                            constraints_section(campaign.constraints));
-        tables_.read_child(top, "search", search_section(campaign.optimizer));
+        tables_.read_child(top, "search", search_section(campaign.search));
         tables_.read_child(top, "stop", stop_section(campaign.stop));
         tables_.read_child(top, "final", final_section(campaign.final_rule));
         tables_.read_child(top, "parallel",

@@ -71,7 +71,7 @@ std::string resolved_text(Draft& draft) {
     append_table(text, "objective", objective_section(campaign));
     append_table(text, "constraints",
                  constraints_section(campaign.constraints));
-    append_table(text, "search", search_section(campaign.optimizer));
+    append_table(text, "search", search_section(campaign.search));
     append_table(text, "stop", stop_section(campaign.stop));
     append_table(text, "final", final_section(campaign.final_rule));
     append_table(text, "parallel", parallel_section(campaign.answer_limits));

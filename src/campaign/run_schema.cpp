@@ -93,40 +93,40 @@ Section constraints_section(Constraints& constraints) {
                          "it"}}};
 }
 
-Section search_section(GaSettings& optimizer) {
+Section search_section(SearchSettings& search) {
     return {"search",
             {{.name = "population",
-              .value = &optimizer.population,
+              .value = &search.population,
               .lower = 2,
               .upper = 100000,
               .meaning = "plants per generation"},
              {.name = "elites",
-              .value = &optimizer.elites,
+              .value = &search.ga.elites,
               .lower = 0,
               .upper = 99999,
               .meaning = "best plants carried over and evaluated again; "
                          "fewer than the population"},
              {.name = "tournament",
-              .value = &optimizer.tournament,
+              .value = &search.ga.tournament,
               .lower = 1,
               .upper = 100000,
               .meaning = "contestants per selected parent; at most the "
                          "population"},
-             fraction("crossover_probability", optimizer.crossover_probability,
+             fraction("crossover_probability", search.ga.crossover_probability,
                       "per couple"),
              {.name = "crossover_index",
-              .value = &optimizer.crossover_index,
+              .value = &search.ga.crossover_index,
               .lower = 0,
               .upper = 1000,
               .meaning = "of simulated binary crossover; larger: children "
                          "nearer to their parents"},
              {.name = "mutations_per_child",
-              .value = &optimizer.mutations_per_child,
+              .value = &search.ga.mutations_per_child,
               .lower = 0,
               .upper = 160,
               .meaning = "expected number of mutated genes"},
              {.name = "mutation_index",
-              .value = &optimizer.mutation_index,
+              .value = &search.ga.mutation_index,
               .lower = 0,
               .upper = 1000,
               .meaning = "of polynomial mutation; larger: smaller "

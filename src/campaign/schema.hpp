@@ -84,7 +84,7 @@ Section optics_section(Campaign& campaign);
 Section light_section(Campaign& campaign);
 Section objective_section(Campaign& campaign);
 Section constraints_section(Constraints& constraints);
-Section search_section(GaSettings& optimizer);
+Section search_section(SearchSettings& search);
 Section stop_section(StopRules& stop);
 Section final_section(FinalRule& rule);
 Section parallel_section(AnswerLimits& limits);

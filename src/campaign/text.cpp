@@ -151,7 +151,7 @@ std::vector<KeyInfo> campaign_keys() {
                                    light_section(campaign),
                                    objective_section(campaign),
                                    constraints_section(campaign.constraints),
-                                   search_section(campaign.optimizer),
+                                   search_section(campaign.search),
                                    stop_section(campaign.stop),
                                    final_section(campaign.final_rule),
                                    parallel_section(campaign.answer_limits),

@@ -57,7 +57,7 @@ class Cost {
   public:
     Cost(const Campaign& campaign, const EvaluationCost& seconds)
         : seconds_(seconds),
-          population_(campaign.optimizer.population),
+          population_(campaign.search.population),
           generations_(campaign.stop.generations),
           finalists_(1 + campaign.final_rule.candidates) {}
 

@@ -9,8 +9,8 @@
 
 #include "ideotype/core/error.hpp"
 #include "ideotype/run/evaluator.hpp"
-#include "ideotype/search/breed.hpp"
-#include "ideotype/search/rank.hpp"
+#include "ideotype/search/duplicates.hpp"
+#include "ideotype/search/order.hpp"
 #include "ideotype/search/stop_rules.hpp"
 
 namespace ideotype {
@@ -34,9 +34,9 @@ Progress progress_of(const History& history) {
 //! Evaluates what is pending of a proposed generation. Under common random
 //! numbers equal genomes have equal outcomes: they are evaluated once and
 //! copied (attempt 0). False if a stop came first.
-Routine<bool> evaluate_generation(const Evolution& evolution, History& history,
-                                  std::uint32_t generation,
-                                  const std::vector<Candidate>& candidates) {
+Routine<bool> evaluate_pending(const Evolution& evolution, History& history,
+                               std::uint32_t generation,
+                               const std::vector<Candidate>& candidates) {
     const auto original_of = duplicates(candidates);
     std::vector<Work> work;
     for (const std::uint32_t slot : history.pending(generation))
@@ -66,26 +66,26 @@ Routine<bool> evaluate_generation(const Evolution& evolution, History& history,
 }
 
 void require_few_failures(const Evolution& evolution, History& history,
-                          std::uint32_t generation,
-                          const GenerationSummary& summary) {
-    const int population = evolution.campaign.optimizer.population;
-    const double limit = evolution.campaign.stop.failed_fraction * population;
-    if (summary.failures == 0 || summary.failures < limit) return;
+                          std::uint32_t generation, const Population& rows) {
+    const auto failures = std::count_if(
+        rows.begin(), rows.end(),
+        [](const Individual& row) { return row.status == Status::failed; });
+    const double limit = evolution.campaign.stop.failed_fraction *
+                         static_cast<double>(rows.size());
+    if (failures == 0 || static_cast<double>(failures) < limit) return;
     std::string reason;
-    for (std::uint32_t slot = 0;
-         slot < static_cast<std::uint32_t>(population) && reason.empty();
-         ++slot)
+    for (std::uint32_t slot = 0; reason.empty(); ++slot)
         reason = history.row(generation, slot).outcome.message;
     const std::string message = fmt::format(
         "{} of {} evaluations of generation {} failed, more than "
         "stop.failed_fraction allows; the first reason: {}",
-        summary.failures, population, generation, reason);
+        failures, rows.size(), generation, reason);
     history.message(message);
     throw CaseError(message);
 }
 
 //! Evaluates the baseline and the best distinct genomes of the last
-//! generation anew; false if a stop came first.
+//! generation again; false if a stop came first.
 Routine<bool> evaluate_finalists(const Evolution& evolution, History& history) {
     const Population last = history.last_committed();
     std::vector<Candidate> finalists{
@@ -115,37 +115,42 @@ Routine<bool> evaluate_finalists(const Evolution& evolution, History& history) {
 
 }  // namespace
 
+std::unique_ptr<Optimizer> optimizer_of(const Campaign& campaign,
+                                        const Case& chosen) {
+    return make_optimizer(
+        campaign.search,
+        {gene_space(campaign, chosen), to_genome(campaign.baseline)},
+        chosen.seed);
+}
+
 Routine<Ending> evolve_case(Evolution evolution, History& history) {
-    const auto& [campaign, chosen, dispatcher, stop, watcher, elapsed] =
+    const auto& [campaign, chosen, optimizer, dispatcher, watcher, elapsed] =
         evolution;
-    const GeneSpace genes = gene_space(campaign, chosen);
-    const Genome baseline = to_genome(campaign.baseline);
+    const GeneSpace& genes = history.header().genes;
     const double spent_before = history.wall_time();
 
+    for (std::uint32_t g = 0; g < history.next_generation(); ++g)
+        optimizer.tell(history.generation(g));
     Progress progress = progress_of(history);
-    std::optional<std::string> reason = finished(campaign.stop, progress);
-    Population parents = history.last_committed();
-    for (std::uint32_t g = history.next_generation(); !reason; ++g) {
-        const std::vector<Candidate> children =
-            breed(campaign.optimizer, genes, baseline, chosen.seed, g, parents);
-        history.propose(g, children);
+    std::optional<std::string> reason;
+    while (!(reason = finished(campaign.stop, progress))) {
+        const std::uint32_t g = history.next_generation();
+        const std::vector<Candidate> candidates = optimizer.ask();
+        history.propose(g, candidates);
         const bool is_complete =
-            co_await evaluate_generation(evolution, history, g, children);
+            co_await evaluate_pending(evolution, history, g, candidates);
         history.set_wall_time(spent_before + elapsed());
         if (!is_complete) co_return Ending::drained;
 
-        parents = history.generation(g);
-        GenerationSummary summary = summarize(parents, genes);
-        summary.evaluations = static_cast<std::uint32_t>(
-            children.size() - duplicates(children).size());
+        const Population rows = history.generation(g);
+        require_few_failures(evolution, history, g, rows);
+        optimizer.tell(rows);
+        GenerationSummary summary = summarize(rows, genes);
         summary.wall_time = history.wall_time();
-        require_few_failures(evolution, history, g, summary);
         history.commit(g, summary);
         watcher.on_generation(g, summary);
         add(progress, summary);
         progress.wall_time = summary.wall_time;
-        reason = finished(campaign.stop, progress);
-        if (!reason && stop.requested()) co_return Ending::drained;
     }
     watcher.on_final(*reason);
     const bool is_complete = co_await evaluate_finalists(evolution, history);

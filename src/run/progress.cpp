@@ -170,7 +170,7 @@ void ProgressLog::print(const std::string& text) {
 
 long long ProgressLog::all_after(std::uint32_t generation) const {
     return (campaign_.stop.generations - static_cast<long long>(generation)) *
-           campaign_.optimizer.population;
+           campaign_.search.population;
 }
 
 std::string ProgressLog::text(const Entry& entry) const {

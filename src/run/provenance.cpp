@@ -62,7 +62,7 @@ HistoryHeader header_of(const Campaign& campaign, const Case& chosen,
     header.schema = outcome_schema(
         campaign, clear_day(chosen.site, chosen.day, campaign.par_fraction));
     header.seed = chosen.seed;
-    header.population = campaign.optimizer.population;
+    header.population = campaign.search.population;
     header.generations = campaign.stop.generations;
     header.finalists = campaign.final_rule.candidates + 1;
     return header;

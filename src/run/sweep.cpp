@@ -95,9 +95,10 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
         history.begin_session(session_record(options_.command, ranks_));
         const double began = now();
         const auto watcher = progress_.watch(chosen, history.next_generation());
+        const auto optimizer = optimizer_of(campaign_, chosen);
         const Evolution evolution{
-            campaign_, chosen,   *dispatcher_,
-            stop_,     *watcher, [began] { return now() - began; }};
+            campaign_,    chosen,   *optimizer,
+            *dispatcher_, *watcher, [began] { return now() - began; }};
         const Ending ending = co_await evolve_case(evolution, history);
         if (ending == Ending::drained) {
             // What was saved before the stop may have gone since.

@@ -85,13 +85,13 @@ void generation(benchmark::State& state) {
     CanopyEvaluator evaluator(campaign, Device::supported_isas().back());
     const Genome baseline = to_genome(campaign.baseline);
     for (auto _ : state)
-        for (int slot = 0; slot < campaign.optimizer.population; ++slot) {
+        for (int slot = 0; slot < campaign.search.population; ++slot) {
             Task task;
             task.slot = static_cast<std::uint32_t>(slot);
             benchmark::DoNotOptimize(evaluator.evaluate(task, baseline));
         }
     state.counters["evaluations"] =
-        benchmark::Counter(campaign.optimizer.population,
+        benchmark::Counter(campaign.search.population,
                            benchmark::Counter::kIsIterationInvariantRate);
 }
 BENCHMARK(generation)->Unit(benchmark::kMillisecond)->Iterations(1);

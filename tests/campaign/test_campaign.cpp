@@ -32,7 +32,7 @@ TEST(Campaign, AmesIsTheStudyOfThePaper) {
     const Campaign campaign = ames();
     EXPECT_EQ(campaign.name, "ames");
     EXPECT_EQ(campaign.replicates, 3);
-    EXPECT_EQ(campaign.optimizer.population, 100);
+    EXPECT_EQ(campaign.search.population, 100);
     EXPECT_EQ(campaign.stop.generations, 200);
     ASSERT_EQ(campaign.sites.size(), 1u);
     EXPECT_EQ(campaign.sites[0].latitude, 42.0);
@@ -58,7 +58,7 @@ TEST(Campaign, AmesIsTheStudyOfThePaper) {
 TEST(Campaign, AmesQuickIsTheSameCaseWithLessWork) {
     const Campaign quick = read_campaign(IDEOTYPE_CAMPAIGNS "/ames_quick.toml");
     const Campaign full = ames();
-    EXPECT_EQ(quick.optimizer.population, 24);
+    EXPECT_EQ(quick.search.population, 24);
     EXPECT_EQ(quick.stop.generations, 20);
     EXPECT_EQ(quick.replicates, 1);
     EXPECT_GT(quick.sampling.tolerance, full.sampling.tolerance);

@@ -68,10 +68,10 @@ void measure(Campaign campaign, double seconds, const Session& session,
     // A few seconds each, and at least one whole generation.
     constexpr double enough = 4;
     constexpr double most_generations = 20;
-    campaign.optimizer.population = 100;
+    campaign.search.population = 100;
     campaign.stop.generations = static_cast<int>(std::clamp(
-        enough * workers / (seconds * campaign.optimizer.population + 1e-9),
-        1.0, most_generations));
+        enough * workers / (seconds * campaign.search.population + 1e-9), 1.0,
+        most_generations));
     const HistoryHeader header = header_of(campaign, chosen, "none");
     SleepingEvaluator evaluator(header.schema, seconds);
     if (session.rank() != 0) return serve(session, evaluator);
@@ -85,8 +85,9 @@ void measure(Campaign campaign, double seconds, const Session& session,
     const double cpu_began = cpu_seconds();
     {
         History history = History::create(path, header);
-        Once once(evolve_case({campaign, chosen, *dispatcher, stop, counter,
-                               [began] { return now() - began; }},
+        const auto optimizer = optimizer_of(campaign, chosen);
+        Once once(evolve_case({campaign, chosen, *optimizer, *dispatcher,
+                               counter, [began] { return now() - began; }},
                               history));
         dispatcher->run(once);
     }

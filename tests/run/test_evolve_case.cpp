@@ -59,7 +59,7 @@ class EvolveCase : public ::testing::Test {
         std::filesystem::create_directories(folder);
         campaign =
             read_campaign(std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml");
-        campaign.optimizer.population = 10;
+        campaign.search.population = 10;
         campaign.stop.generations = 6;
         chosen = cases(campaign)[0];
     }
@@ -71,9 +71,10 @@ class EvolveCase : public ::testing::Test {
     HistoryHeader header() const { return header_of(campaign, chosen, "sse2"); }
     Ending evolve(History& history, SumEvaluator& evaluator) {
         const auto dispatcher = make_dispatcher(evaluator, stop);
-        Once once(evolve_case(
-            {campaign, chosen, *dispatcher, stop, watcher, [] { return 1.0; }},
-            history));
+        const auto optimizer = optimizer_of(campaign, chosen);
+        Once once(evolve_case({campaign, chosen, *optimizer, *dispatcher,
+                               watcher, [] { return 1.0; }},
+                              history));
         dispatcher->run(once);
         return once.result();
     }
@@ -85,7 +86,7 @@ class EvolveCase : public ::testing::Test {
     NoWatcher watcher;
 };
 
-TEST_F(EvolveCase, EndsWithJudgedFinalistsAndAReason) {
+TEST_F(EvolveCase, EndsWithEvaluatedFinalistsAndAReason) {
     const HistoryHeader h = header();
     History history = History::create(path("a.h5"), h);
     SumEvaluator evaluator(h.schema, stop);
@@ -129,9 +130,10 @@ TEST_F(EvolveCase, LateGenerationsReadNoMoreThanEarlyOnes) {
     SumEvaluator evaluator(h.schema, stop);
     const auto dispatcher = make_dispatcher(evaluator, stop);
     ReadingWatcher reading;
-    Once once(evolve_case(
-        {campaign, chosen, *dispatcher, stop, reading, [] { return 1.0; }},
-        history));
+    const auto optimizer = optimizer_of(campaign, chosen);
+    Once once(evolve_case({campaign, chosen, *optimizer, *dispatcher, reading,
+                           [] { return 1.0; }},
+                          history));
     dispatcher->run(once);
     ASSERT_EQ(reading.bytes.size(), 400U);
     const long long early = reading.bytes[2];
@@ -169,8 +171,8 @@ TEST_F(EvolveCase, StopAndResumeGiveWhatAnUninterruptedRunGives) {
 }
 
 TEST_F(EvolveCase, EqualGenomesAreEvaluatedOnce) {
-    campaign.optimizer.mutations_per_child = 0;
-    campaign.optimizer.crossover_probability = 0;
+    campaign.search.ga.mutations_per_child = 0;
+    campaign.search.ga.crossover_probability = 0;
     const HistoryHeader h = header();
     History history = History::create(path("duplicates.h5"), h);
     SumEvaluator evaluator(h.schema, stop);

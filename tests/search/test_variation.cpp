@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/search/breed.hpp"
+#include "ideotype/search/genetic_algorithm.hpp"
 
 // How far children are from their parents, against the densities that were
 // published for simulated binary crossover and polynomial mutation.
@@ -79,15 +79,17 @@ Distribution step(double index) {
 }
 
 //! All children of parents with these values of one gene.
-std::vector<Candidate> children(const Gene& gene, GaSettings optimizer,
+std::vector<Candidate> children(const Gene& gene, GaSettings ga,
                                 const std::vector<double>& parents) {
-    optimizer.population = 200000;
-    optimizer.elites = 0;
-    optimizer.tournament = 1;
+    ga.elites = 0;
+    ga.tournament = 1;
+    GeneticAlgorithm optimizer({.population = 200000, .ga = ga},
+                               {{gene}, {parents[0]}}, 7);
     Population population;
     for (const double parent : parents)
         population.push_back({{{parent}, Origin::random, {}}, Status::done, 1});
-    return breed(optimizer, {gene}, {parents[0]}, 7, 1, population);
+    optimizer.tell(std::move(population));
+    return optimizer.ask();
 }
 
 //! How far the two children of each crossed couple are from the couple's mean,
@@ -98,11 +100,11 @@ struct Spreads {
 };
 
 Spreads crossed(const Gene& gene, double index, double low, double high) {
-    GaSettings optimizer;
-    optimizer.crossover_probability = 1;
-    optimizer.crossover_index = index;
-    optimizer.mutations_per_child = 0;
-    const auto all = children(gene, optimizer, {low, high});
+    GaSettings ga;
+    ga.crossover_probability = 1;
+    ga.crossover_index = index;
+    ga.mutations_per_child = 0;
+    const auto all = children(gene, ga, {low, high});
     const double half = difference(gene, low, high) / 2;
     Spreads spreads;
     for (std::size_t i = 0; i < all.size(); i += 2) {
@@ -164,12 +166,12 @@ TEST(Crossover, SpreadsAsPublishedOnTheCircle) {
 
 //! Steps of mutation over the gene's range.
 std::vector<double> mutated(const Gene& gene, double index, double parent) {
-    GaSettings optimizer;
-    optimizer.crossover_probability = 0;
-    optimizer.mutations_per_child = 1;
-    optimizer.mutation_index = index;
+    GaSettings ga;
+    ga.crossover_probability = 0;
+    ga.mutations_per_child = 1;
+    ga.mutation_index = index;
     std::vector<double> steps;
-    for (const Candidate& child : children(gene, optimizer, {parent}))
+    for (const Candidate& child : children(gene, ga, {parent}))
         steps.push_back(difference(gene, parent, child.genome[0]) /
                         (gene.upper - gene.lower));
     return steps;

@@ -12,8 +12,9 @@
 #include "ideotype/crop/plant.hpp"
 #include "ideotype/light/accuracy.hpp"
 #include "ideotype/light/optics.hpp"
-#include "ideotype/search/ga_settings.hpp"
 #include "ideotype/search/genome.hpp"
+#include "ideotype/search/settings.hpp"
+#include "ideotype/search/stop_rules.hpp"
 
 namespace ideotype {
 
@@ -107,7 +108,7 @@ struct Campaign {
     double first_tolerance = 0;  //!< of the first generation; 0: as all others
     Objective objective = Objective::absorbed_par;
     Constraints constraints;
-    GaSettings optimizer;
+    SearchSettings search;
     StopRules stop;
     FinalRule final_rule;
     AnswerLimits answer_limits;

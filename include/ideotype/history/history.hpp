@@ -12,7 +12,7 @@
 #include "ideotype/search/evaluation.hpp"
 #include "ideotype/search/genome.hpp"
 #include "ideotype/search/population.hpp"
-#include "ideotype/search/rank.hpp"
+#include "ideotype/search/summary.hpp"
 
 namespace ideotype {
 

@@ -1,14 +1,15 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "ideotype/campaign/campaign.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/routine.hpp"
-#include "ideotype/core/stop_flag.hpp"
 #include "ideotype/history/history.hpp"
 #include "ideotype/parallel/dispatcher.hpp"
+#include "ideotype/search/optimizer.hpp"
 
 namespace ideotype {
 
@@ -36,20 +37,26 @@ class Watcher {
     virtual void on_final(const std::string& reason) = 0;
 };
 
+//! The optimizer of a case, before its first generation.
+std::unique_ptr<Optimizer> optimizer_of(const Campaign& campaign,
+                                        const Case& chosen);
+
 //! What an evolution works with; all must outlive it.
 struct Evolution {
     const Campaign& campaign;
     const Case& chosen;
+    //! Not told of any generation yet.
+    Optimizer& optimizer;
     Dispatcher& dispatcher;
-    const StopFlag& stop;
     Watcher& watcher;
     //! Seconds since this session began to work on the case.
     std::function<double()> elapsed;
 };
 
 //! The master's loop: evolves a case from where its history stands until a
-//! stop rule holds and the finalists are judged, or a stop is requested. Pauses
-//! while evaluations are under way. The history must outlive it.
+//! stop rule holds and the finalists are evaluated, or a stop is requested of
+//! the dispatcher. Pauses while evaluations are under way. The history must
+//! outlive it.
 //! @throws CaseError if too many evaluations of a generation fail.
 Routine<Ending> evolve_case(Evolution evolution, History& history);
 

@@ -21,4 +21,11 @@ struct Gene {
 
 using GeneSpace = std::vector<Gene>;
 
+//! The value on the circle that a circular gene stands for, in
+//! [lower, upper).
+double wrapped(const Gene& gene, double value);
+
+//! The signed way from a to b: along the shorter arc for a circular gene.
+double difference(const Gene& gene, double a, double b);
+
 }  // namespace ideotype

@@ -19,6 +19,8 @@ struct Candidate {
     Origin origin = Origin::none;
     //! Slots of its parents in the generation before, or no_parent.
     std::array<std::int32_t, 2> parents{no_parent, no_parent};
+
+    bool operator==(const Candidate&) const = default;
 };
 
 //! An evaluated candidate.

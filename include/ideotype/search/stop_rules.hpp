@@ -4,9 +4,17 @@
 #include <string>
 #include <vector>
 
-#include "ideotype/search/ga_settings.hpp"
-
 namespace ideotype {
+
+//! When a case has evolved enough. Zero switches a rule off.
+struct StopRules {
+    int generations = 200;
+    int stagnation = 0;         //!< generations without a better mean fitness
+    long long evaluations = 0;  //!< rows that were evaluated
+    double wall_time = 0;       //!< of all sessions together [s]
+    double target = 0;          //!< best fitness, in the objective's unit
+    double failed_fraction = 0.5;  //!< of one generation: ends with an error
+};
 
 //! What the stop rules look at, after some committed generations.
 struct Progress {

@@ -1,25 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
-#include <vector>
 
 #include "ideotype/search/population.hpp"
 
 namespace ideotype {
-
-//! A higher fitness is better; a failed individual is worse than any other.
-bool is_better(const Individual& a, const Individual& b);
-
-//! Slots of the best individuals that did not fail, best first, each genome
-//! once; fewer than `count` if there are not so many. Equals keep their order.
-std::vector<std::uint32_t> best_distinct(const Population& population,
-                                         std::size_t count);
-
-//! For each slot whose genome stands in an earlier slot too: that slot. Under
-//! common random numbers both have the same outcome.
-std::map<std::uint32_t, std::uint32_t> duplicates(
-    const std::vector<Candidate>& candidates);
 
 //! What is kept of an evaluated generation.
 struct GenerationSummary {
@@ -38,7 +23,7 @@ struct GenerationSummary {
     double wall_time = 0;           //!< since the case began, all sessions [s]
 };
 
-//! All but evaluations and wall_time; NaN where every individual failed.
+//! All but wall_time; NaN where every individual failed.
 GenerationSummary summarize(const Population& population,
                             const GeneSpace& genes);
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/search/rank.hpp"
+#include "ideotype/search/summary.hpp"
 
 namespace ideotype {
 namespace {
@@ -12,33 +12,7 @@ Individual individual(Genome genome, double fitness,
     return {{std::move(genome), Origin::child, {0, 0}}, status, fitness, 0.1};
 }
 
-TEST(Rank, AFailureIsWorseThanAnything) {
-    const Individual failed = individual({0}, 99, Status::failed);
-    const Individual poor = individual({0}, -1e9);
-    EXPECT_TRUE(is_better(poor, failed));
-    EXPECT_FALSE(is_better(failed, poor));
-    EXPECT_FALSE(is_better(failed, failed));
-}
-
-TEST(Rank, BestDistinctSkipsTwinsAndFailures) {
-    const Population population{
-        individual({1}, 5), individual({2}, 7), individual({2}, 7),
-        individual({3}, 9, Status::failed), individual({4}, 6)};
-    EXPECT_EQ(best_distinct(population, 3),
-              (std::vector<std::uint32_t>{1, 4, 0}));
-    EXPECT_EQ(best_distinct(population, 9).size(), 3u);
-}
-
-TEST(Rank, TwinsPointToTheFirstOfTheirKind) {
-    std::vector<Candidate> candidates(4);
-    candidates[0].genome = {1, 2};
-    candidates[1].genome = {1, 3};
-    candidates[2].genome = candidates[3].genome = {1, 2};
-    EXPECT_EQ(duplicates(candidates),
-              (std::map<std::uint32_t, std::uint32_t>{{2, 0}, {3, 0}}));
-}
-
-TEST(Rank, SummaryDescribesWhatDidNotFail) {
+TEST(Summary, DescribesWhatDidNotFail) {
     const GeneSpace genes{{"length", "m", 0, 10, false, true},
                           {"azimuth", "deg", 0, 360, true, true},
                           {"width", "m", 0, 1, false, false}};
@@ -51,11 +25,12 @@ TEST(Rank, SummaryDescribesWhatDidNotFail) {
     EXPECT_DOUBLE_EQ(s.mean, 15);
     EXPECT_DOUBLE_EQ(s.spread, 5);
     EXPECT_EQ(s.failures, 1u);
+    EXPECT_EQ(s.evaluations, 3u);
     // 1 of 10 along the length, 1 of 360 around north.
     EXPECT_NEAR(s.diversity, (0.1 + 1 / 360.) / 2, 1e-12);
 }
 
-TEST(Rank, TheMeanIsOfPlantsThatKeepToTheirConstraints) {
+TEST(Summary, TheMeanIsOfPlantsThatKeepToTheirConstraints) {
     const Population mixed{individual({1}, -3), individual({2}, 4),
                            individual({3}, 6)};
     EXPECT_DOUBLE_EQ(summarize(mixed, {}).mean, 5);
@@ -63,7 +38,13 @@ TEST(Rank, TheMeanIsOfPlantsThatKeepToTheirConstraints) {
     EXPECT_DOUBLE_EQ(summarize(none, {}).mean, -2);
 }
 
-TEST(Rank, SummaryOfNothingButFailuresIsNotANumber) {
+TEST(Summary, CountsDuplicatesOnce) {
+    const Population population{individual({1}, 5), individual({2}, 7),
+                                individual({1}, 5)};
+    EXPECT_EQ(summarize(population, {}).evaluations, 2u);
+}
+
+TEST(Summary, OfNothingButFailuresIsNotANumber) {
     const GenerationSummary s =
         summarize({individual({1}, 1, Status::failed)}, {});
     EXPECT_TRUE(std::isnan(s.best));

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "ideotype/core/random.hpp"
-#include "ideotype/search/breed.hpp"
+#include "ideotype/search/genetic_algorithm.hpp"
 
 namespace ideotype {
 namespace {
@@ -15,12 +15,12 @@ const GeneSpace genes{{"length", "m", 0.4, 1.1, false, true},
                       {"width", "m", 0.05, 0.14, false, false}};
 const Genome baseline{0.7, 90, 0.08};
 
-GaSettings small_optimizer() {
-    GaSettings optimizer;
-    optimizer.population = 41;
-    optimizer.elites = 3;
-    optimizer.mutations_per_child = 1;
-    return optimizer;
+SearchSettings small() {
+    SearchSettings settings;
+    settings.population = 41;
+    settings.ga.elites = 3;
+    settings.ga.mutations_per_child = 1;
+    return settings;
 }
 
 //! A generation whose fitness is the first gene.
@@ -31,11 +31,38 @@ Population evaluated(const std::vector<Candidate>& candidates) {
     return population;
 }
 
-Population first_generation() {
-    return evaluated(breed(small_optimizer(), genes, baseline, 7, 0, {}));
+std::vector<Candidate> candidates_of(const Population& population) {
+    std::vector<Candidate> candidates;
+    for (const Individual& i : population) candidates.push_back(i.candidate);
+    return candidates;
 }
 
-TEST(Breed, FirstGenerationIsTheBaselineAndRandomGenomes) {
+//! What a new optimizer proposes for this generation; the generations before
+//! it were all as the last one.
+std::vector<Candidate> proposed(const SearchSettings& settings,
+                                std::uint64_t seed, std::uint32_t generation,
+                                const Population& parents) {
+    const auto optimizer = make_optimizer(settings, {genes, baseline}, seed);
+    for (std::uint32_t g = 0; g < generation; ++g) optimizer->tell(parents);
+    return optimizer->ask();
+}
+
+Population first_generation() {
+    return evaluated(proposed(small(), 7, 0, {}));
+}
+
+//! The generations of one search.
+std::vector<Population> searched(std::size_t generations) {
+    const auto optimizer = make_optimizer(small(), {genes, baseline}, 7);
+    std::vector<Population> all;
+    while (all.size() < generations) {
+        all.push_back(evaluated(optimizer->ask()));
+        optimizer->tell(all.back());
+    }
+    return all;
+}
+
+TEST(GeneticAlgorithm, FirstGenerationIsTheBaselineAndRandomGenomes) {
     const Population first = first_generation();
     ASSERT_EQ(first.size(), 41u);
     EXPECT_EQ(first[0].candidate.genome, baseline);
@@ -46,12 +73,11 @@ TEST(Breed, FirstGenerationIsTheBaselineAndRandomGenomes) {
     EXPECT_EQ(first[40].candidate.origin, Origin::random);
 }
 
-TEST(Breed, IsAPureFunctionOfItsArguments) {
+TEST(GeneticAlgorithm, IsAPureFunctionOfItsArguments) {
     const Population parents = first_generation();
     const auto genomes = [&](std::uint64_t seed, std::uint32_t generation) {
         std::vector<Genome> all;
-        for (const Candidate& c : breed(small_optimizer(), genes, baseline,
-                                        seed, generation, parents))
+        for (const Candidate& c : proposed(small(), seed, generation, parents))
             all.push_back(c.genome);
         return all;
     };
@@ -62,7 +88,7 @@ TEST(Breed, IsAPureFunctionOfItsArguments) {
 
 // Contract C3: another order of random numbers or of operations would make
 // other children. Write new values only with a change that is meant to do that.
-TEST(Breed, ChildrenOfASeedStayTheSame) {
+TEST(GeneticAlgorithm, ChildrenOfASeedStayTheSame) {
     struct Child {
         std::array<std::int32_t, 2> parents;
         double length, azimuth;
@@ -76,8 +102,7 @@ TEST(Breed, ChildrenOfASeedStayTheSame) {
                            {{24, 0}, 0.90261582956160313, 107.94439402888037},
                            {{0, 24}, 0.68144722408303704, 88.718537666155399},
                            {{19, 11}, 1.0258171986935358, 180.32462170641767}};
-    const auto children =
-        breed(small_optimizer(), genes, baseline, 7, 1, first_generation());
+    const auto children = proposed(small(), 7, 1, first_generation());
     std::size_t slot = 3;
     for (const Child& child : expected) {
         EXPECT_EQ(children[slot].parents, child.parents) << slot;
@@ -88,37 +113,53 @@ TEST(Breed, ChildrenOfASeedStayTheSame) {
     }
 }
 
-TEST(Breed, ChildrenStayInsideBounds) {
-    Population parents = first_generation();
-    for (std::uint32_t g = 1; g < 60; ++g) {
-        parents =
-            evaluated(breed(small_optimizer(), genes, baseline, 7, g, parents));
-        for (const Individual& i : parents) {
+// Contract C3: a resumed case goes on as if it had not been interrupted.
+TEST(GeneticAlgorithm, ToldTheSameGenerationsProposesTheSame) {
+    const std::vector<Population> all = searched(12);
+    for (std::size_t g = 0; g < all.size(); ++g) {
+        const auto optimizer = make_optimizer(small(), {genes, baseline}, 7);
+        for (std::size_t told = 0; told < g; ++told) optimizer->tell(all[told]);
+        EXPECT_EQ(candidates_of(all[g]), optimizer->ask()) << g;
+        EXPECT_EQ(optimizer->ask(), optimizer->ask()) << g;
+    }
+}
+
+TEST(GeneticAlgorithm, TakesGenerationsOfAnySize) {
+    const auto optimizer = make_optimizer(small(), {genes, baseline}, 7);
+    for (const std::size_t size : {17, 41, 3, 60}) {
+        Population told = first_generation();
+        told.resize(size, told.back());
+        optimizer->tell(told);
+        const auto candidates = optimizer->ask();
+        EXPECT_EQ(candidates.size(), 41u);
+        for (const Candidate& c : candidates)
+            for (const std::int32_t parent : c.parents)
+                EXPECT_LT(parent, static_cast<std::int32_t>(size));
+    }
+}
+
+TEST(GeneticAlgorithm, ChildrenStayInsideBounds) {
+    for (const Population& generation : searched(60))
+        for (const Individual& i : generation) {
             EXPECT_GE(i.candidate.genome[0], 0.4);
             EXPECT_LE(i.candidate.genome[0], 1.1);
             EXPECT_GE(i.candidate.genome[1], 0);
             EXPECT_LT(i.candidate.genome[1], 360);
         }
-    }
 }
 
-TEST(Breed, GenesThatAreNotFreeKeepTheBaseline) {
-    Population parents = first_generation();
-    for (std::uint32_t g = 1; g < 10; ++g) {
-        parents =
-            evaluated(breed(small_optimizer(), genes, baseline, 7, g, parents));
-        for (const Individual& i : parents)
+TEST(GeneticAlgorithm, GenesThatAreNotFreeKeepTheBaseline) {
+    for (const Population& generation : searched(10))
+        for (const Individual& i : generation)
             EXPECT_EQ(i.candidate.genome[2], baseline[2]);
-    }
 }
 
-TEST(Breed, ElitesAreTheBestDistinctParents) {
+TEST(GeneticAlgorithm, ElitesAreTheBestDistinctParents) {
     Population parents = first_generation();
     parents[5].candidate.genome[0] = parents[9].candidate.genome[0] = 1.09;
     parents[5].candidate.genome[1] = parents[9].candidate.genome[1] = 11;
     parents[5].fitness = parents[9].fitness = 1.09;
-    const auto children =
-        breed(small_optimizer(), genes, baseline, 7, 1, parents);
+    const auto children = proposed(small(), 7, 1, parents);
     EXPECT_EQ(children[0].genome, parents[5].candidate.genome);
     EXPECT_EQ(children[0].parents[0], 5);
     EXPECT_NE(children[1].genome, children[0].genome);
@@ -126,29 +167,26 @@ TEST(Breed, ElitesAreTheBestDistinctParents) {
     EXPECT_EQ(children[3].origin, Origin::child);
 }
 
-TEST(Breed, SelectionImprovesThePopulation) {
-    Population parents = first_generation();
-    for (std::uint32_t g = 1; g < 40; ++g)
-        parents =
-            evaluated(breed(small_optimizer(), genes, baseline, 7, g, parents));
+TEST(GeneticAlgorithm, SelectionImprovesThePopulation) {
+    const Population last = searched(40).back();
     double mean = 0;
-    for (const Individual& i : parents) mean += i.fitness / 41;
+    for (const Individual& i : last) mean += i.fitness / 41;
     EXPECT_GT(mean, 1.05);
 }
 
-TEST(Breed, AFailedParentIsNeverChosenOverAnother) {
+TEST(GeneticAlgorithm, AFailedParentIsNeverChosenOverAnother) {
     Population parents = first_generation();
     for (std::size_t i = 1; i < parents.size(); ++i)
         parents[i].status = Status::failed;
-    GaSettings optimizer = small_optimizer();
-    optimizer.tournament = 200;
-    const auto children = breed(optimizer, genes, baseline, 7, 1, parents);
+    SearchSettings settings = small();
+    settings.ga.tournament = 200;
+    const auto children = proposed(settings, 7, 1, parents);
     EXPECT_EQ(children[0].genome, baseline);
     for (std::size_t i = 1; i < children.size(); ++i)
         EXPECT_EQ(children[i].parents[0], 0);
 }
 
-TEST(Breed, AzimuthCrossesTheNorthByTheShortWay) {
+TEST(GeneticAlgorithm, AzimuthCrossesTheNorthByTheShortWay) {
     EXPECT_DOUBLE_EQ(difference(genes[1], 359, 1), 2);
     EXPECT_DOUBLE_EQ(difference(genes[1], 1, 359), -2);
     EXPECT_DOUBLE_EQ(wrapped(genes[1], 361), 1);
@@ -160,19 +198,19 @@ TEST(Breed, AzimuthCrossesTheNorthByTheShortWay) {
     RandomStream stream(1, Purpose::selection);
     for (Individual& i : parents)
         i.candidate.genome[1] = wrapped(genes[1], stream.uniform(-5, 5));
-    GaSettings optimizer = small_optimizer();
-    optimizer.mutations_per_child = 0;
-    for (const Candidate& c : breed(optimizer, genes, baseline, 7, 1, parents))
+    SearchSettings settings = small();
+    settings.ga.mutations_per_child = 0;
+    for (const Candidate& c : proposed(settings, 7, 1, parents))
         EXPECT_GT(std::cos(c.genome[1] * std::acos(-1.) / 180), 0.5);
 }
 
-TEST(Breed, MutationMovesGenesAtTheGivenRate) {
-    GaSettings optimizer = small_optimizer();
-    optimizer.population = 2003;
-    optimizer.crossover_probability = 0;
-    const auto first = evaluated(breed(optimizer, genes, baseline, 7, 0, {}));
+TEST(GeneticAlgorithm, MutationMovesGenesAtTheGivenRate) {
+    SearchSettings settings = small();
+    settings.population = 2003;
+    settings.ga.crossover_probability = 0;
+    const auto first = evaluated(proposed(settings, 7, 0, {}));
     int changed = 0;
-    const auto children = breed(optimizer, genes, baseline, 7, 1, first);
+    const auto children = proposed(settings, 7, 1, first);
     for (std::size_t i = 3; i < children.size(); ++i) {
         const auto& parent =
             first[static_cast<std::size_t>(children[i].parents[0])];

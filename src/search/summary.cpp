@@ -1,4 +1,4 @@
-#include "ideotype/search/rank.hpp"
+#include "ideotype/search/summary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,45 +7,9 @@
 #include <numeric>
 #include <set>
 
+#include "ideotype/search/order.hpp"
+
 namespace ideotype {
-
-bool is_better(const Individual& a, const Individual& b) {
-    if (a.status == Status::failed || b.status == Status::failed)
-        return a.status != Status::failed && b.status == Status::failed;
-    return a.fitness > b.fitness;
-}
-
-std::vector<std::uint32_t> best_distinct(const Population& population,
-                                         std::size_t count) {
-    std::vector<std::uint32_t> order(population.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) {
-                         return is_better(population[a], population[b]);
-                     });
-    std::vector<std::uint32_t> best;
-    std::set<Genome> seen;
-    for (const std::uint32_t slot : order) {
-        if (best.size() == count) break;
-        const Individual& individual = population[slot];
-        if (individual.status == Status::failed) break;
-        if (seen.insert(individual.candidate.genome).second)
-            best.push_back(slot);
-    }
-    return best;
-}
-
-std::map<std::uint32_t, std::uint32_t> duplicates(
-    const std::vector<Candidate>& candidates) {
-    std::map<Genome, std::uint32_t> first;
-    std::map<std::uint32_t, std::uint32_t> earlier;
-    for (std::uint32_t slot = 0; slot < candidates.size(); ++slot) {
-        const auto [it, is_new] =
-            first.try_emplace(candidates[slot].genome, slot);
-        if (!is_new) earlier.emplace(slot, it->second);
-    }
-    return earlier;
-}
 
 namespace {
 
@@ -83,6 +47,10 @@ double relative_spread(const Gene& gene, std::vector<double> values) {
 GenerationSummary summarize(const Population& population,
                             const GeneSpace& genes) {
     GenerationSummary summary;
+    std::set<Genome> genomes;
+    for (const Individual& each : population)
+        genomes.insert(each.candidate.genome);
+    summary.evaluations = static_cast<std::uint32_t>(genomes.size());
     std::vector<double> fitness;
     std::vector<std::size_t> succeeded;
     for (std::size_t slot = 0; slot < population.size(); ++slot)

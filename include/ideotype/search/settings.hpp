@@ -2,9 +2,11 @@
 
 namespace ideotype {
 
+//! Which optimizer searches.
+enum class OptimizerKind { ga };
+
 //! Settings of the genetic algorithm.
 struct GaSettings {
-    int population = 100;
     int elites = 2;      //!< parents that are carried over and re-evaluated
     int tournament = 2;  //!< contestants per selected parent
     double crossover_probability = 0.9;  //!< per couple
@@ -14,14 +16,11 @@ struct GaSettings {
     double mutation_index = 20;  //!< of polynomial mutation
 };
 
-//! When a case has evolved enough. Zero switches a rule off.
-struct StopRules {
-    int generations = 200;
-    int stagnation = 0;         //!< generations without a better mean fitness
-    long long evaluations = 0;  //!< rows that were evaluated
-    double wall_time = 0;       //!< of all sessions together [s]
-    double target = 0;          //!< best fitness, in the objective's unit
-    double failed_fraction = 0.5;  //!< of one generation: ends with an error
+//! How a case is searched.
+struct SearchSettings {
+    OptimizerKind optimizer = OptimizerKind::ga;
+    int population = 100;  //!< candidates that a generation usually has
+    GaSettings ga;
 };
 
 }  // namespace ideotype

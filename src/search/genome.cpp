@@ -1,0 +1,22 @@
+#include "ideotype/search/genome.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ideotype {
+
+double wrapped(const Gene& gene, double value) {
+    const double range = gene.upper - gene.lower;
+    const double turns = std::floor((value - gene.lower) / range);
+    const double result = value - turns * range;
+    // Rounding can put a tiny negative value onto the upper end.
+    return result < gene.upper ? std::max(result, gene.lower) : gene.lower;
+}
+
+double difference(const Gene& gene, double a, double b) {
+    if (!gene.is_circular) return b - a;
+    const double range = gene.upper - gene.lower;
+    return std::remainder(b - a, range);
+}
+
+}  // namespace ideotype

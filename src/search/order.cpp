@@ -1,0 +1,35 @@
+#include "ideotype/search/order.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+namespace ideotype {
+
+bool is_better(const Individual& a, const Individual& b) {
+    if (a.status == Status::failed || b.status == Status::failed)
+        return a.status != Status::failed && b.status == Status::failed;
+    return a.fitness > b.fitness;
+}
+
+std::vector<std::uint32_t> best_distinct(const Population& population,
+                                         std::size_t count) {
+    std::vector<std::uint32_t> order(population.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) {
+                         return is_better(population[a], population[b]);
+                     });
+    std::vector<std::uint32_t> best;
+    std::set<Genome> seen;
+    for (const std::uint32_t slot : order) {
+        if (best.size() == count) break;
+        const Individual& individual = population[slot];
+        if (individual.status == Status::failed) break;
+        if (seen.insert(individual.candidate.genome).second)
+            best.push_back(slot);
+    }
+    return best;
+}
+
+}  // namespace ideotype

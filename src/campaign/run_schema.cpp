@@ -95,7 +95,12 @@ Section constraints_section(Constraints& constraints) {
 
 Section search_section(SearchSettings& search) {
     return {"search",
-            {{.name = "population",
+            {{.name = "optimizer",
+              .value = &search.optimizer,
+              .choices = {"ga"},
+              .meaning = "what proposes the candidates: ga, the genetic "
+                         "algorithm"},
+             {.name = "population",
               .value = &search.population,
               .lower = 2,
               .upper = 100000,

@@ -15,7 +15,7 @@ namespace ideotype {
 using Target =
     std::variant<std::monostate, std::string*, std::uint64_t*, int*, long long*,
                  double*, bool*, Date*, Range*, std::vector<double>*, TraitSet*,
-                 SkyModel*, Boundary*, Objective*>;
+                 SkyModel*, Boundary*, Objective*, OptimizerKind*>;
 
 //! The address behind a target, which identifies the value in a Report.
 const void* address(const Target& target);

@@ -158,6 +158,7 @@ struct Reader {
     void operator()(SkyModel* value) const { read_choice(value); }
     void operator()(Boundary* value) const { read_choice(value); }
     void operator()(Objective* value) const { read_choice(value); }
+    void operator()(OptimizerKind* value) const { read_choice(value); }
 
     void operator()(std::string* value) const {
         const auto text = node.value<std::string>();

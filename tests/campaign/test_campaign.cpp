@@ -55,6 +55,25 @@ TEST(Campaign, AmesIsTheStudyOfThePaper) {
     EXPECT_EQ(campaign.baseline.size(), 10u);
 }
 
+TEST(Campaign, NamesItsOptimizer) {
+    const Campaign campaign = ames();
+    EXPECT_EQ(campaign.search.optimizer, OptimizerKind::ga);
+    EXPECT_NE(campaign.resolved.find("[search]\noptimizer = \"ga\"\n"),
+              std::string::npos);
+    try {
+        parse_campaign(replaced(campaign.resolved, "optimizer = \"ga\"",
+                                "optimizer = \"gradient\""),
+                       "c.toml");
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what())
+                      .find("search.optimizer is \"gradient\" (not one of its "
+                            "values); use \"ga\""),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
 TEST(Campaign, AmesQuickIsTheSameCaseWithLessWork) {
     const Campaign quick = read_campaign(IDEOTYPE_CAMPAIGNS "/ames_quick.toml");
     const Campaign full = ames();

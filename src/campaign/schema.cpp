@@ -4,202 +4,124 @@ namespace ideotype {
 
 namespace {
 
-constexpr auto required = Presence::required;
-
-// Names end up in the names of files and as fixed-length text in them.
-constexpr auto name_range = "at most 64 letters, digits, _ and -";
-
+//! The name of an entry, which is required if it has no initial one.
 Key entry_name(std::string& name, const std::string& initial,
                const std::string& example) {
-    return {.name = "name",
-            .value = &name,
-            .presence = initial.empty() ? required : Presence::optional,
-            .example = example,
-            .range = name_range,
-            .initial = initial,
-            .meaning = "part of the names of cases"};
+    Key key("name", &name, "part of the names of cases");
+    key.like(example).set(&Key::range, name_range).set(&Key::initial, initial);
+    key.is_required = initial.empty();
+    return key;
 }
 
-std::vector<MistakenUnit> spacing_units() {
-    std::vector<MistakenUnit> units = metric_units();
-    units.push_back({"inches", 0.0254});
-    return units;
+Key distance(const std::string& name, double& value, const std::string& example,
+             const std::string& meaning) {
+    return Key(name, &value, meaning)
+        .metres(0.02, 10, {{"centimetres", 0.01}, {"inches", 0.0254}})
+        .required(example);
+}
+
+Key instant(const std::string& name, double& value, const std::string& example,
+            const std::string& range, const std::string& meaning) {
+    return Key(name, &value, meaning)
+        .set(&Key::notation, Notation::clock)
+        .set(&Key::range, range)
+        .required(example);
+}
+
+Key fraction(const std::string& name, double& value,
+             const std::string& meaning) {
+    return Key(name, &value, meaning).within(0, 1);
 }
 
 }  // namespace
 
-Key fraction(const std::string& name, double& value,
-             const std::string& meaning) {
-    return {.name = name,
-            .value = &value,
-            .lower = 0,
-            .upper = 1,
-            .meaning = meaning};
-}
-
 Section top_section(Campaign& campaign) {
     return {"top",
-            {{.name = "name",
-              .value = &campaign.name,
-              .presence = required,
-              .example = "\"ames\"",
-              .range = name_range,
-              .meaning = "names the folder of the histories"},
-             {.name = "seed",
-              .value = &campaign.seed,
-              .range = "0 .. 2^63-1",
-              .meaning = "of all random numbers"},
-             {.name = "replicates",
-              .value = &campaign.replicates,
-              .lower = 1,
-              .upper = 1000,
-              .meaning = "evolutions with seeds of their own, per "
-                         "combination of the axes"}}};
+            {Key("name", &campaign.name, "names the folder of the histories")
+                 .set(&Key::range, name_range)
+                 .required("\"ames\""),
+             Key("seed", &campaign.seed, "of all random numbers")
+                 .set(&Key::range, "0 .. 2^63-1"),
+             Key("replicates", &campaign.replicates,
+                 "evolutions with seeds of their own, per combination of the "
+                 "axes")
+                 .within(1, 1000)}};
 }
 
 Section site_section(Site& site) {
     return {"site",
             {entry_name(site.name, "", R"("ames")"),
-             {.name = "latitude",
-              .value = &site.latitude,
-              .presence = required,
-              .unit = "deg",
-              .lower = -90,
-              .upper = 90,
-              .example = "42.0",
-              .meaning = "north is positive"},
-             {.name = "longitude",
-              .value = &site.longitude,
-              .presence = required,
-              .unit = "deg",
-              .lower = -180,
-              .upper = 180,
-              .example = "-93.6",
-              .meaning = "east is positive"},
-             {.name = "utc_offset",
-              .value = &site.utc_offset,
-              .presence = required,
-              .unit = "h",
-              .lower = -12,
-              .upper = 14,
-              .example = "-5",
-              .meaning = "local clock minus UTC, with summer time"},
-             {.name = "elevation",
-              .value = &site.elevation,
-              .unit = "m",
-              .lower = -500,
-              .upper = 9000,
-              .meaning = "above sea level"},
-             {.name = "linke_turbidity",
-              .value = &site.linke_turbidity,
-              .lower = 1,
-              .upper = 10,
-              .meaning = "haze of the clear sky: 2 very clear, 7 hazy"}}};
+             Key("latitude", &site.latitude, "north is positive")
+                 .within(-90, 90, "deg")
+                 .required("42.0"),
+             Key("longitude", &site.longitude, "east is positive")
+                 .within(-180, 180, "deg")
+                 .required("-93.6"),
+             Key("utc_offset", &site.utc_offset,
+                 "local clock minus UTC, with summer time")
+                 .within(-12, 14, "h")
+                 .required("-5"),
+             Key("elevation", &site.elevation, "above sea level")
+                 .within(-500, 9000, "m"),
+             Key("linke_turbidity", &site.linke_turbidity,
+                 "haze of the clear sky: 2 very clear, 7 hazy")
+                 .within(1, 10)}};
 }
 
 Section day_section(Named<DaySpan>& day) {
-    return {"day",
-            {entry_name(day.name, R"(month and day, "0807")", R"("0807")"),
-             {.name = "date",
-              .value = &day.value.date,
-              .presence = required,
-              .example = "2025-08-07",
-              .range = "1950-01-01 .. 2100-12-31",
-              .meaning = "fixes the sun's path"},
-             {.name = "start",
-              .value = &day.value.start,
-              .presence = required,
-              .notation = Notation::clock,
-              .example = "07:00:00",
-              .range = "00:00:00 .. 23:59:59",
-              .meaning = "first instant, on the local clock"},
-             {.name = "end",
-              .value = &day.value.end,
-              .presence = required,
-              .notation = Notation::clock,
-              .example = "20:00:00",
-              .range = "after start",
-              .meaning = "last instant"},
-             {.name = "step_minutes",
-              .value = &day.value.step_minutes,
-              .unit = "min",
-              .lower = 1,
-              .upper = 720,
-              .meaning = "between instants; divides the time from start to "
-                         "end"}}};
+    DaySpan& span = day.value;
+    return {
+        "day",
+        {entry_name(day.name, R"(month and day, "0807")", R"("0807")"),
+         Key("date", &span.date, "fixes the sun's path")
+             .set(&Key::range, "1950-01-01 .. 2100-12-31")
+             .required("2025-08-07"),
+         instant("start", span.start, "07:00:00", "00:00:00 .. 23:59:59",
+                 "first instant, on the local clock"),
+         instant("end", span.end, "20:00:00", "after start", "last instant"),
+         Key("step_minutes", &span.step_minutes,
+             "between instants; divides the time from start to end")
+             .within(1, 720, "min")}};
 }
 
 Section spacing_section(Named<Spacing>& spacing) {
     return {"spacing",
             {entry_name(spacing.name, R"(row x plant in mm, "762x152")",
                         R"("762x152")"),
-             {.name = "row",
-              .value = &spacing.value.row,
-              .presence = required,
-              .unit = "m",
-              .mistaken = spacing_units(),
-              .lower = 0.02,
-              .upper = 10,
-              .example = "0.762",
-              .meaning = "between neighbouring rows"},
-             {.name = "plant",
-              .value = &spacing.value.plant,
-              .presence = required,
-              .unit = "m",
-              .mistaken = spacing_units(),
-              .lower = 0.02,
-              .upper = 10,
-              .example = "0.1524",
-              .meaning = "between neighbours in a row"},
-             {.name = "row_direction",
-              .value = &spacing.value.row_direction,
-              .unit = "deg",
-              .lower = 0,
-              .upper = 360,
-              .meaning = "clockwise from north; 90 is east-west"}}};
+             distance("row", spacing.value.row, "0.762",
+                      "between neighbouring rows"),
+             distance("plant", spacing.value.plant, "0.1524",
+                      "between neighbours in a row"),
+             Key("row_direction", &spacing.value.row_direction,
+                 "clockwise from north; 90 is east-west")
+                 .within(0, 360, "deg")}};
 }
 
 Section traits_section(Named<TraitSet>& traits) {
-    return {"traits",
-            {entry_name(traits.name, "", R"("angles")"),
-             {.name = "free",
-              .value = &traits.value,
-              .presence = required,
-              .example = R"(["insertion_angle", "azimuth"])",
-              .range = "any of length, width, insertion_angle, azimuth",
-              .meaning = "what may be bred; the rest keeps the baseline's "
-                         "values"}}};
+    return {
+        "traits",
+        {entry_name(traits.name, "", R"("angles")"),
+         Key("free", &traits.value,
+             "what may be bred; the rest keeps the baseline's values")
+             .set(&Key::range, "any of length, width, insertion_angle, azimuth")
+             .required(R"(["insertion_angle", "azimuth"])")}};
 }
 
 Section field_section(FieldForm& field) {
     return {"field",
-            {{.name = "rows",
-              .value = &field.rows,
-              .lower = 1,
-              .upper = 100,
-              .meaning = "of the field"},
-             {.name = "plants",
-              .value = &field.plants,
-              .lower = 1,
-              .upper = 100,
-              .meaning = "per row"},
-             {.name = "boundary",
-              .value = &field.boundary,
-              .choices = {"periodic", "isolated"},
-              .meaning = "whether the field repeats without end or is a plot "
-                         "alone on endless soil, lit from all sides"},
-             {.name = "border_rows",
-              .value = &field.border_rows,
-              .lower = 0,
-              .upper = 49,
-              .meaning = "rows, and plants of each row, that are cut away on "
-                         "all sides of an isolated plot"},
-             {.name = "jitter",
-              .value = &field.jitter,
-              .unit = "deg",
-              .lower = 0,
-              .upper = 180,
-              .meaning = "largest random turn of each plant, either way"}}};
+            {Key("rows", &field.rows, "of the field").within(1, 100),
+             Key("plants", &field.plants, "per row").within(1, 100),
+             Key("boundary", choice(field.boundary),
+                 "whether the field repeats without end or is a plot alone on "
+                 "endless soil, lit from all sides")
+                 .one_of({"periodic", "isolated"}),
+             Key("border_rows", &field.border_rows,
+                 "rows, and plants of each row, that are cut away on all "
+                 "sides of an isolated plot")
+                 .within(0, 49),
+             Key("jitter", &field.jitter,
+                 "largest random turn of each plant, either way")
+                 .within(0, 180, "deg")}};
 }
 
 Section optics_section(Campaign& campaign) {
@@ -215,11 +137,9 @@ Section optics_section(Campaign& campaign) {
                       "reflectance + transmittance <= 1"),
              fraction("soil_albedo", optics.soil_albedo,
                       "light that the soil sends back"),
-             {.name = "par_fraction",
-              .value = &campaign.par_fraction,
-              .lower = 0.01,
-              .upper = 1,
-              .meaning = "PAR over all solar energy"}}};
+             Key("par_fraction", &campaign.par_fraction,
+                 "PAR over all solar energy")
+                 .within(0.01, 1)}};
 }
 
 }  // namespace ideotype

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -10,17 +11,33 @@
 
 namespace ideotype {
 
+//! An enumeration, by the position of its value in a list of names.
+struct Choice {
+    void* value;
+    std::size_t (*get)(const void*);
+    void (*set)(void*, std::size_t);
+};
+
+template <class Enum>
+Choice choice(Enum& value) {
+    return {
+        &value,
+        [](const void* from) {
+            return static_cast<std::size_t>(*static_cast<const Enum*>(from));
+        },
+        [](void* to, std::size_t position) {
+            *static_cast<Enum*>(to) = static_cast<Enum>(position);
+        }};
+}
+
 //! Where the value of a key is kept, which also fixes its type. None: the
 //! value has a form of its own and is read and written by hand.
-using Target =
-    std::variant<std::monostate, std::string*, std::uint64_t*, int*, long long*,
-                 double*, bool*, Date*, Range*, std::vector<double>*, TraitSet*,
-                 SkyModel*, Boundary*, Objective*, OptimizerKind*>;
+using Target = std::variant<std::monostate, std::string*, std::uint64_t*, int*,
+                            long long*, double*, bool*, Date*, Range*,
+                            std::vector<double>*, TraitSet*, Choice>;
 
 //! The address behind a target, which identifies the value in a Report.
 const void* address(const Target& target);
-
-enum class Presence { optional, required };
 
 //! How a number is written, where that is not as a plain number.
 enum class Notation {
@@ -38,25 +55,55 @@ struct MistakenUnit {
 //! One key, bound to the place of its value. This is the only declaration of
 //! a key: parsing, the canonical text and the documentation all use it.
 struct Key {
+    Key(std::string key_name, Target target, std::string words)
+        : name(std::move(key_name)), value(target), meaning(std::move(words)) {}
+
+    //! It has no default; messages show the example, as TOML.
+    Key& required(const std::string& shown) {
+        is_required = true;
+        return like(shown);
+    }
+    Key& like(const std::string& shown) { return set(&Key::example, shown); }
+    //! Bounds of numbers.
+    Key& within(double least, double most, const std::string& in = "") {
+        return set(&Key::lower, least)
+            .set(&Key::upper, most)
+            .set(&Key::unit, in);
+    }
+    //! The same [m]; numbers above may have been given in other units.
+    Key& metres(double least, double most,
+                const std::vector<MistakenUnit>& others = {
+                    {"centimetres", 0.01}}) {
+        return within(least, most, "m").set(&Key::mistaken, others);
+    }
+    //! The names of an enumeration's values in their order, or all texts.
+    Key& one_of(const std::vector<std::string>& names) {
+        return set(&Key::choices, names);
+    }
+    template <class Value, class Given>
+    Key& set(Value Key::*member, const Given& given) {
+        this->*member = given;
+        return *this;
+    }
+
     std::string name;
     Target value;
-    Presence presence = Presence::optional;
+    std::string meaning;
+    bool is_required = false;
     Notation notation = Notation::plain;
-    std::string unit = "";
+    std::string unit;
     //! Units that a number above the range may have been given in.
-    std::vector<MistakenUnit> mistaken = {};
+    std::vector<MistakenUnit> mistaken;
     double lower = 0;
     double upper = 0;       //!< of numbers; lower == upper: none
     std::size_t count = 0;  //!< of the numbers of a list
-    //! Of a text, none: any name. Of an enumeration, the names of its values in
-    //! their order.
-    std::vector<std::string> choices = {};
-    std::string example = "";  //!< as TOML, shown in messages
+    //! Of a text, none: any name.
+    std::vector<std::string> choices;
+    std::string example;  //!< as TOML, shown in messages
     //! Words for the documentation that can't be had from the above.
-    std::string type = "";
-    std::string range = "";
-    std::string initial = "";
-    std::string meaning = "";
+    std::string type;
+    std::string range;
+    std::string initial;
 };
 
 //! The keys of one table.
@@ -65,12 +112,8 @@ struct Section {
     std::vector<Key> keys;
 };
 
-//! What lengths are given in instead of metres.
-std::vector<MistakenUnit> metric_units();
-
-//! An optional number from 0 to 1.
-Key fraction(const std::string& name, double& value,
-             const std::string& meaning);
+// Names end up in the names of files and as fixed-length text in them.
+inline constexpr auto name_range = "at most 64 letters, digits, _ and -";
 
 Section top_section(Campaign& campaign);
 Section site_section(Site& site);

@@ -67,7 +67,7 @@ void TableReader::read(const toml::table& table, const Section& section,
             read_value(*node, section.name, key, report_);
         } else if (misspelt.count(key.name) != 0) {
             report_.spoil(id);
-        } else if (key.presence == Presence::required) {
+        } else if (key.is_required) {
             report_.add(id, fmt::format("missing key '{}' {} (it has no "
                                         "default); add {} = {}",
                                         key.name, place(section.name), key.name,
@@ -84,9 +84,9 @@ void TableReader::read_child(const toml::table& parent, const std::string& name,
             where(*node),
             fmt::format("{} is {} (expected: one table); write [{}] once", name,
                         kind(*node), section.name));
-    const bool requires_any = std::any_of(
-        section.keys.begin(), section.keys.end(),
-        [](const Key& key) { return key.presence == Presence::required; });
+    const bool requires_any =
+        std::any_of(section.keys.begin(), section.keys.end(),
+                    [](const Key& key) { return key.is_required; });
     if (!node && requires_any) report_missing(parent, name, section);
     if (!node || !node->is_table()) {
         for (const Key& key : section.keys)
@@ -126,7 +126,7 @@ void TableReader::report_missing(const toml::table& parent,
                                  const Section& section) {
     std::vector<std::string> needed;
     for (const Key& key : section.keys)
-        if (key.presence == Presence::required) needed.push_back(key.name);
+        if (key.is_required) needed.push_back(key.name);
     report_.add(where(parent),
                 fmt::format("missing table [{}] (it has no default); add it "
                             "with {}",

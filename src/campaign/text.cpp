@@ -38,13 +38,12 @@ struct Writer {
             if (set->*member) names.push_back(fmt::format("\"{}\"", name));
         return fmt::format("[{}]", fmt::join(names, ", "));
     }
+    std::string operator()(const Choice& choice) const {
+        return fmt::format("\"{}\"", key.choices[choice.get(choice.value)]);
+    }
     template <class Plain>
     std::string operator()(const Plain* value) const {
-        if constexpr (std::is_enum_v<Plain>)
-            return fmt::format("\"{}\"",
-                               key.choices[static_cast<std::size_t>(*value)]);
-        else
-            return fmt::format("{}", *value);
+        return fmt::format("{}", *value);
     }
 };
 
@@ -65,9 +64,10 @@ struct TypeName {
         return fmt::format("list of {} numbers", key.count);
     }
     std::string operator()(const TraitSet*) const { return "list of texts"; }
-    template <class Plain>
-    std::string operator()(const Plain*) const {
-        return std::is_enum_v<Plain> ? "text" : "integer";
+    std::string operator()(const Choice&) const { return "text"; }
+    template <class Integer>
+    std::string operator()(const Integer*) const {
+        return "integer";
     }
 };
 
@@ -80,7 +80,7 @@ KeyInfo describe(const Section& section, const Key& key) {
     Key unitless = key;
     unitless.unit.clear();
     info.range = range_text(unitless);
-    if (key.presence == Presence::required)
+    if (key.is_required)
         info.initial = "required";
     else
         info.initial = key.initial.empty() ? toml_text(key) : key.initial;
@@ -95,6 +95,8 @@ const void* address(const Target& target) {
         [](auto value) -> const void* {
             if constexpr (std::is_same_v<decltype(value), std::monostate>)
                 return nullptr;
+            else if constexpr (std::is_same_v<decltype(value), Choice>)
+                return value.value;
             else
                 return value;
         },

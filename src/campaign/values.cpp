@@ -136,41 +136,34 @@ struct Reader {
 
     void operator()(std::monostate) const {}
 
-    bool is_choice(const std::string& text) const {
-        if (std::find(key.choices.begin(), key.choices.end(), text) !=
-            key.choices.end())
-            return true;
-        fail(fmt::format("is \"{}\" (not one of its values); use {}", text,
-                         range_text(key)));
-        return false;
-    }
-
-    template <class Enum>
-    void read_choice(Enum* value) const {
+    //! The position of a text in a list of names; otherwise reports.
+    std::optional<std::size_t> position() const {
         const auto text = node.value<std::string>();
-        if (!text) return fail_type(node);
-        if (!is_choice(*text)) return;
+        if (!text) return fail_type(node), std::nullopt;
         const auto& names = key.choices;
-        *value = static_cast<Enum>(
-            std::find(names.begin(), names.end(), *text) - names.begin());
+        const auto found = std::find(names.begin(), names.end(), *text);
+        if (found != names.end()) return found - names.begin();
+        fail(fmt::format("is \"{}\" (not one of its values); use {}", *text,
+                         range_text(key)));
+        return std::nullopt;
     }
 
-    void operator()(SkyModel* value) const { read_choice(value); }
-    void operator()(Boundary* value) const { read_choice(value); }
-    void operator()(Objective* value) const { read_choice(value); }
-    void operator()(OptimizerKind* value) const { read_choice(value); }
+    void operator()(const Choice& choice) const {
+        if (const auto found = position()) choice.set(choice.value, *found);
+    }
 
     void operator()(std::string* value) const {
+        if (!key.choices.empty()) {
+            if (const auto found = position()) *value = key.choices[*found];
+            return;
+        }
         const auto text = node.value<std::string>();
         if (!text) return fail_type(node);
-        if (!key.choices.empty()) {
-            if (!is_choice(*text)) return;
-        } else if (!is_name(*text)) {
+        if (!is_name(*text))
             return fail(
                 fmt::format("is \"{}\" (allowed: {}); use for example "
                             "\"{}\"",
                             *text, range_text(key), make_name(*text)));
-        }
         *value = *text;
     }
 

@@ -1,11 +1,14 @@
 #include "ideotype/canopy/canopy.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "ideotype/core/error.hpp"
+#include "ideotype/light/device.hpp"
 #include "ideotype/light/sunlit.hpp"
 #include "ideotype/light/tolerance.hpp"
 
@@ -16,18 +19,155 @@ namespace {
 //! The part of a randomised day that a relative error of rounding may reach.
 constexpr double balance_tolerance = 1e-9;
 
-}  // namespace
+//! Enough points to know a sunlit fraction to some 0.2 %.
+constexpr int most_sunlit_points = 2048;
 
-Mesh build_plant(const CanopyModel& model,
-                 const std::vector<LeafTraits>& traits) {
-    return build_plant(traits, model.plant, model.tessellation);
+//! The same surfaces, with the light of each face counted for itself.
+Mesh with_a_group_per_face(Mesh mesh) {
+    std::vector<Group> groups;
+    groups.reserve(mesh.faces.size());
+    for (const std::uint32_t group : mesh.face_group)
+        groups.push_back(mesh.groups[group]);
+    mesh.groups = std::move(groups);
+    std::iota(mesh.face_group.begin(), mesh.face_group.end(), 0u);
+    return mesh;
 }
 
-Field build_field(const CanopyModel& model, const Mesh& plant,
-                  const Draws& draws, std::uint32_t draw) {
-    return build_field(
-        plant, model.field,
-        draw_plant_azimuths(model.field, draws.seed, draws.generation, draw));
+template <class All>
+void append(All& all, All more) {
+    all.insert(all.end(), std::make_move_iterator(more.begin()),
+               std::make_move_iterator(more.end()));
+}
+
+//! One request on its way to its report.
+class Evaluation {
+  public:
+    Evaluation(const CanopyRequest& request, const Device& device,
+               const Clock& clock)
+        : request_(request), device_(device), clock_(clock), last_(time()) {
+        result_.layers = request.layers;
+    }
+
+    //! Fields of plants that are drawn at random, each with its part of the
+    //! randomisations.
+    void trace(const Plant& plant) {
+        const Mesh mesh = split(build_plant(plant));
+        Accuracy accuracy = request_.accuracy;
+        Randomness randomness = request_.randomness;
+        const bool is_one = randomness.fields == Randomness::Fields::one;
+        const int fields = is_one ? 1 : accuracy.randomisations;
+        accuracy.randomisations /= fields;
+        for (int f = 0; f < fields; ++f, ++randomness.first_randomisation)
+            trace(draw_field(mesh, request_.scenario.field, randomness),
+                  accuracy, randomness);
+    }
+
+    void trace(const Field& field) {
+        if (!request_.details.faces)
+            return trace(field, request_.accuracy, request_.randomness);
+        Field by_face = field;
+        by_face.mesh = split(std::move(by_face.mesh));
+        trace(by_face, request_.accuracy, request_.randomness);
+    }
+
+    CanopyReport report() {
+        const DayIllumination& light = request_.scenario.light;
+        for (const Tally& tally : tallies_)
+            result_.leaves_by_randomisation.push_back(tally.leaves());
+        result_.light = ideotype::report(tallies_, light);
+        if (request_.details.sunlit) add_sunlit(result_.light, sunlit_, light);
+        if (request_.details.faces) result_.faces = per_area();
+        if (!(result_.light.balance_error < balance_tolerance))
+            throw Error(fmt::format("the energy balance is off by {:.3g}",
+                                    result_.light.balance_error));
+        return std::move(result_);
+    }
+
+  private:
+    Mesh split(Mesh mesh) const {
+        return request_.details.faces ? with_a_group_per_face(std::move(mesh))
+                                      : mesh;
+    }
+
+    void trace(const Field& field, Accuracy accuracy,
+               const Randomness& randomness) {
+        const Mesh& mesh = field.mesh;
+        const Illumination& light = request_.scenario.light.light;
+        result_.groups = mesh.groups;
+        result_.boundary = field.boundary;
+        result_.ground_area = field.ground_area;
+        result_.lai = leaf_area(mesh) / field.ground_area;
+        if (request_.details.faces) add_areas(mesh);
+        take(result_.seconds.geometry);
+
+        const Scene scene = build_scene(device_, field);
+        Layers& layers = result_.layers;
+        if (!(layers.thickness > 0))
+            layers.thickness = scene.top() / static_cast<double>(layers.count);
+        take(result_.seconds.scene);
+
+        Simulation found =
+            simulate_to_tolerance(scene, mesh.groups, request_.scenario.optics,
+                                  light, accuracy, randomness, layers);
+        append(tallies_, std::move(found.tallies));
+        accuracy.paths = found.paths;
+        result_.paths += accuracy.all_paths();
+        result_.is_capped |= found.is_capped;
+        if (request_.details.sunlit) {
+            accuracy.paths = std::min(accuracy.paths, most_sunlit_points);
+            SunlitFractions sunlit =
+                sunlit_fractions(scene, mesh, light, accuracy, randomness);
+            append(sunlit_.fractions, std::move(sunlit.fractions));
+            sunlit_.step = std::max(sunlit_.step, sunlit.step);
+        }
+        take(result_.seconds.light);
+    }
+
+    void add_areas(const Mesh& mesh) {
+        const std::vector<double> areas = face_areas(mesh);
+        areas_.resize(mesh.groups.size());
+        for (std::size_t f = 0; f < areas.size(); ++f)
+            areas_[mesh.face_group[f]] += areas[f];
+        ++fields_;
+    }
+
+    std::vector<Estimate> per_area() const {
+        std::vector<Estimate> faces = result_.light.groups;
+        for (std::size_t face = 0; face < faces.size(); ++face) {
+            const double area = areas_[face] / fields_;
+            faces[face] = area > 0
+                              ? scaled(faces[face], result_.ground_area / area)
+                              : Estimate{};
+        }
+        return faces;
+    }
+
+    double time() const { return clock_ ? clock_() : 0; }
+
+    void take(double& part) {
+        const double now = time();
+        part += now - std::exchange(last_, now);
+    }
+
+    const CanopyRequest& request_;
+    const Device& device_;
+    const Clock& clock_;
+    double last_;
+    CanopyReport result_;
+    std::vector<Tally> tallies_;
+    SunlitFractions sunlit_;
+    std::vector<double> areas_;  //!< of all copies of each face [m2]
+    int fields_ = 0;
+};
+
+}  // namespace
+
+CanopyReport evaluate(const CanopyRequest& request, const Device& device,
+                      const Clock& clock) {
+    Evaluation evaluation(request, device, clock);
+    std::visit([&](const auto& stand) { evaluation.trace(stand); },
+               request.stand);
+    return evaluation.report();
 }
 
 Scene build_scene(const Device& device, const Field& field) {
@@ -36,65 +176,15 @@ Scene build_scene(const Device& device, const Field& field) {
                : Scene(device, field.mesh, field.period_x, field.period_y);
 }
 
-void for_each_field(const CanopyModel& model, const Mesh& plant,
-                    const Draws& draws,
-                    const std::function<void(const Field&, const Accuracy&,
-                                             const Randomness&)>& visit) {
-    const bool is_one = draws.fields == Draws::Fields::one;
-    const int fields = is_one ? 1 : draws.sampling.randomisations;
-    Accuracy sampling = draws.sampling;
-    sampling.randomisations /= fields;
-    for (std::uint32_t f = 0; f < static_cast<std::uint32_t>(fields); ++f)
-        visit(build_field(model, plant, draws, f), sampling,
-              {draws.seed, draws.generation, f});
-}
-
-Accuracy sunlit_sampling(const Accuracy& sampling) {
-    return {std::min(sampling.paths, 2048), sampling.randomisations};
-}
-
-CanopyReport study(const CanopyModel& model, const Device& device,
-                   const std::vector<LeafTraits>& traits, const Draws& draws,
-                   Detail detail) {
-    const Illumination& light = model.light.light;
-    CanopyReport result;
-    result.layers = model.layers;
-    std::vector<Tally> tallies;
-    SunlitFractions sunlit;
-    const auto append = [](auto& all, auto more) {
-        all.insert(all.end(), more.begin(), more.end());
-    };
-    const auto trace = [&](const Field& field, Accuracy sampling,
-                           const Randomness& randomness) {
-        const Scene scene = build_scene(device, field);
-        Simulation found =
-            simulate_to_tolerance(scene, field.mesh.groups, model.optics, light,
-                                  sampling, randomness, result.layers);
-        append(tallies, std::move(found.tallies));
-        sampling.paths = found.paths;
-        result.paths += sampling.all_paths();
-        result.is_capped |= found.is_capped;
-        if (detail == Detail::full) {
-            SunlitFractions found_sunlit =
-                sunlit_fractions(scene, field.mesh, light,
-                                 sunlit_sampling(sampling), randomness);
-            append(sunlit.fractions, std::move(found_sunlit.fractions));
-            sunlit.step = std::max(sunlit.step, found_sunlit.step);
-        }
-        result.groups = field.mesh.groups;
-        result.boundary = field.boundary;
-        result.ground_area = field.ground_area;
-        result.lai = leaf_area(field.mesh) / result.ground_area;
-    };
-    for_each_field(model, build_plant(model, traits), draws, trace);
-    for (const Tally& tally : tallies)
-        result.leaves_by_randomisation.push_back(tally.leaves());
-    result.light = report(tallies, model.light);
-    if (detail == Detail::full) add_sunlit(result.light, sunlit, model.light);
-    if (!(result.light.balance_error < balance_tolerance))
-        throw Error(fmt::format("the energy balance is off by {:.3g}",
-                                result.light.balance_error));
-    return result;
+Accuracy face_accuracy(const Accuracy& accuracy, std::size_t faces) {
+    constexpr int paths_per_face = 1600;
+    constexpr double most_paths = 8e6;
+    const double enough =
+        std::min(paths_per_face * static_cast<double>(faces), most_paths) /
+        accuracy.randomisations;
+    // Powers of two are where Sobol' nets are most even.
+    const int paths = 1 << static_cast<int>(std::ceil(std::log2(enough)));
+    return {std::max(accuracy.paths, paths), accuracy.randomisations};
 }
 
 }  // namespace ideotype

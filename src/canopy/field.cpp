@@ -11,10 +11,9 @@
 namespace ideotype {
 
 std::vector<double> draw_plant_azimuths(const FieldForm& form,
-                                        std::uint64_t seed,
-                                        std::uint32_t generation,
-                                        std::uint32_t draw) {
-    RandomStream stream(seed, Purpose::jitter, generation, draw);
+                                        const Randomness& randomness) {
+    RandomStream stream(randomness.seed, Purpose::jitter, randomness.generation,
+                        randomness.first_randomisation);
     std::vector<double> turns(static_cast<std::size_t>(form.rows) *
                               static_cast<std::size_t>(form.plants));
     for (double& turn : turns) turn = stream.uniform(-form.jitter, form.jitter);
@@ -114,6 +113,11 @@ Field build_field(const Mesh& plant, const FieldForm& form,
     }
     if (form.border_rows > 0) remove_border(field, form);
     return field;
+}
+
+Field draw_field(const Mesh& plant, const FieldForm& form,
+                 const Randomness& randomness) {
+    return build_field(plant, form, draw_plant_azimuths(form, randomness));
 }
 
 }  // namespace ideotype

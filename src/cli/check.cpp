@@ -113,11 +113,12 @@ ExitCode check(const CheckOptions& options) {
     require_names_fit(campaign, all, options.out);
     const Case& first = all.front();
     const Genome baseline = to_genome(campaign.baseline);
-    const CanopyModel model = canopy_model(campaign, first);
-    const Mesh plant = build_plant(model, campaign.baseline);
-    const Day day = clear_day(first.site, first.day, campaign.par_fraction);
+    const Scenario scenario = scenario_of(campaign, first);
+    const Mesh plant =
+        build_plant({campaign.plant, campaign.baseline, campaign.tessellation});
+    const Day& day = scenario.light.day;
     const Field field =
-        build_field(model, plant, draws_of({}, campaign, first), 0);
+        draw_field(plant, scenario.field, randomness_of({}, first));
     const Cost cost(campaign, measure_cost(campaign, first));
     int free_genes = 0;
     for (const Gene& gene : gene_space(campaign, first))

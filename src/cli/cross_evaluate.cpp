@@ -43,7 +43,7 @@ std::string light_name(const Case& chosen) {
 
 struct Column {
     Case chosen;
-    CanopyModel model;
+    Scenario scenario;
 };
 
 //! The cases without their replicates, which have the same light.
@@ -51,7 +51,7 @@ std::vector<Column> columns(const Campaign& campaign) {
     std::vector<Column> first;
     for (const Case& each : cases(campaign))
         if (each.replicate == 1)
-            first.push_back({each, canopy_model(campaign, each)});
+            first.push_back({each, scenario_of(campaign, each)});
     return first;
 }
 
@@ -71,7 +71,7 @@ Cross read(const CrossOptions& options) {
         cross.plants.push_back(named_plant(path));
     cross.columns = columns(cross.under);
     cross.quantity =
-        outcome_schema(cross.under, cross.columns[0].model.light.day)
+        outcome_schema(cross.under, cross.columns[0].scenario.light.day)
             .objectives.front();
     return cross;
 }
@@ -86,16 +86,14 @@ class CrossEvaluator : public Evaluator {
 
     Outcome evaluate(const Task& task, const Genome& genome) override {
         const Column& column = cross_.columns.at(task.generation);
-        CanopyModel model = column.model;
-        model.plant = cross_.plants.at(task.slot).form;
         Task shared;  // all plants of a case share their random numbers
         shared.case_index = task.case_index;
         shared.is_final = true;
-        Outcome outcome =
-            to_outcome(cross_.under, genome,
-                       study(model, device_, to_traits(genome),
-                             draws_of(shared, cross_.under, column.chosen),
-                             Detail::history));
+        CanopyRequest request = request_of(shared, cross_.under, column.chosen,
+                                           column.scenario, genome);
+        std::get<Plant>(request.stand).form = cross_.plants.at(task.slot).form;
+        Outcome outcome = to_outcome(cross_.under, genome,
+                                     ideotype::evaluate(request, device_));
         outcome.diagnostics.clear();
         return outcome;
     }

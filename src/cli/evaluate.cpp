@@ -44,15 +44,18 @@ struct Study {
     double seconds;
 };
 
-Study timed_study(const Campaign& campaign, const Case& chosen,
-                  const Genome& genome, const Draws& draws,
-                  const std::string& isa) {
-    const CanopyModel model = canopy_model(campaign, chosen);
+Study timed_study(CanopyRequest request, const std::string& isa) {
+    request.details.sunlit = true;
     const Device device(isa);
     const double began = now();
-    CanopyReport report =
-        study(model, device, to_traits(genome), draws, Detail::full);
+    CanopyReport report = evaluate(request, device);
     return {std::move(report), now() - began};
+}
+
+CanopyRequest request_of(const ChosenRow& row) {
+    return request_of(row.task, row.campaign, row.chosen,
+                      scenario_of(row.campaign, row.chosen),
+                      row.row.candidate.genome);
 }
 
 ExitCode evaluate_baseline(const EvaluateOptions& options) {
@@ -72,9 +75,11 @@ ExitCode evaluate_baseline(const EvaluateOptions& options) {
     Task task;
     task.case_index = static_cast<std::uint32_t>(index);
     task.is_final = true;
-    const auto [report, seconds] = timed_study(
-        campaign, all[index], to_genome(campaign.baseline),
-        draws_of(task, campaign, all[index]), Device::supported_isas().back());
+    const auto [report, seconds] =
+        timed_study(request_of(task, campaign, all[index],
+                               scenario_of(campaign, all[index]),
+                               to_genome(campaign.baseline)),
+                    Device::supported_isas().back());
     if (options.is_json)
         fmt::print("{}\n", to_text(to_json(report, all[index], seconds)));
     else
@@ -98,9 +103,7 @@ Json to_json(const Task& task, const Row& row) {
 //! Recomputes a row, and compares every bit.
 ExitCode repeat_row(const ChosenRow& which, bool is_json) {
     const auto& [campaign, chosen, task, row, isa] = which;
-    const auto [report, seconds] =
-        timed_study(campaign, chosen, row.candidate.genome,
-                    draws_of(task, campaign, chosen), isa);
+    const auto [report, seconds] = timed_study(request_of(which), isa);
     const Outcome again = to_outcome(campaign, row.candidate.genome, report);
     const bool is_done = row.outcome.status == Status::done;
     const bool agrees = is_done &&
@@ -133,11 +136,10 @@ ExitCode evaluate_row_again(const ChosenRow& which, double tolerance,
                         name_of(task),
                         task.is_final ? "had many fields" : "has no result"),
             ExitCode::usage);
-    Draws draws = draws_of(task, campaign, chosen);
+    CanopyRequest request = request_of(which);
     constexpr int most_paths = 1 << 26;
-    draws.sampling = {most_paths, 16, tolerance};
-    const auto [report, seconds] =
-        timed_study(campaign, chosen, row.candidate.genome, draws, isa);
+    request.accuracy = {most_paths, 16, tolerance};
+    const auto [report, seconds] = timed_study(std::move(request), isa);
     const Estimate was = row.outcome.objectives.front();
     const Estimate is =
         to_outcome(campaign, row.candidate.genome, report).objectives.front();

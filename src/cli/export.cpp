@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/os.h>
 
-#include "ideotype/canopy/face_light.hpp"
+#include "ideotype/canopy/canopy.hpp"
 #include "ideotype/cli/choose_row.hpp"
 #include "ideotype/cli/verbs.hpp"
 #include "ideotype/run/evaluator.hpp"
@@ -49,61 +49,40 @@ std::string about_ground(const Field& field) {
                        field.period_x, field.period_y);
 }
 
-//! The light on a shape as the row's evaluation draws it.
-class Lamp {
-  public:
-    Lamp(const ChosenRow& row, std::optional<int> paths)
-        : row_(row),
-          paths_(paths),
-          model_(canopy_model(row.campaign, row.chosen)),
-          device_(row.isa) {}
-
-    FaceLight on_plant(const Mesh& plant) const {
-        return light_on_plant(model_, device_, plant,
-                              draws(plant.faces.size()));
-    }
-
-    FaceLight on_field(const Field& field) const {
-        return light_on_field(model_, device_, field,
-                              draws(field.mesh.faces.size()));
-    }
-
-  private:
-    Draws draws(std::size_t faces) const {
-        Draws result = draws_of(row_.task, row_.campaign, row_.chosen);
-        if (paths_)
-            result.sampling.paths = *paths_;
-        else
-            result.sampling = face_sampling(result.sampling, faces);
-        return result;
-    }
-
-    const ChosenRow& row_;
-    std::optional<int> paths_;
-    CanopyModel model_;
-    Device device_;
-};
+//! What the faces of a request's stand absorb as the row's evaluation draws
+//! it [J m-2 day-1].
+std::vector<Estimate> light_on_faces(CanopyRequest request, std::size_t faces,
+                                     std::optional<int> paths,
+                                     const std::string& isa) {
+    request.details.faces = true;
+    request.accuracy = paths ? Accuracy{*paths, request.accuracy.randomisations}
+                             : face_accuracy(request.accuracy, faces);
+    return evaluate(request, Device(isa)).faces;
+}
 
 //! The surfaces of a plant or its field, with the light on them or without.
 void write_shape(const ExportOptions& options, const ChosenRow& row,
                  const std::string& title, bool is_lit) {
-    const CanopyModel model = canopy_model(row.campaign, row.chosen);
-    Mesh plant = build_plant(model, to_traits(row.row.candidate.genome));
-    Shape shape{about(title, row.chosen), {}, {}};
-    std::optional<FaceLight> light;
+    CanopyRequest request = request_of(row.task, row.campaign, row.chosen,
+                                       scenario_of(row.campaign, row.chosen),
+                                       row.row.candidate.genome);
+    const Mesh plant = build_plant(std::get<Plant>(request.stand));
+    const Spacing& spacing = request.scenario.field.spacing;
+    Shape shape{
+        about(title, row.chosen), plant, {}, spacing.row * spacing.plant};
     if (options.is_field) {
-        Field field = build_field(
-            model, plant, draws_of(row.task, row.campaign, row.chosen), 0);
-        if (is_lit) light = Lamp(row, options.paths).on_field(field);
+        const Field field =
+            draw_field(plant, request.scenario.field, request.randomness);
         shape.about.push_back(about_ground(field));
-        shape.mesh = std::move(field.mesh);
-        shape.face_plant = std::move(field.face_plant);
-    } else {
-        shape.mesh = std::move(plant);
-        if (is_lit) light = Lamp(row, options.paths).on_plant(shape.mesh);
+        shape.mesh = field.mesh;
+        shape.face_plant = field.face_plant;
+        shape.ground_area = field.ground_area;
+        request.stand = field;
     }
-    if (light)
-        write_vtp(options.to, shape, *light);
+    if (is_lit)
+        write_vtp(options.to, shape,
+                  light_on_faces(std::move(request), shape.mesh.faces.size(),
+                                 options.paths, row.isa));
     else
         write_obj(options.to, shape);
 }

@@ -30,7 +30,8 @@ std::vector<Choice> choose(const Trade& trade, const FidelityOptions& options,
         for_checks * options.seconds / (4 * static_cast<double>(all.size()));
     std::vector<Choice> choices;
     for (const Goal goal : {Goal::value, Goal::difference})
-        for (const auto fields : {Draws::Fields::one, Draws::Fields::each}) {
+        for (const auto fields :
+             {Randomness::Fields::one, Randomness::Fields::each}) {
             const std::vector<Combination> front =
                 pareto_front(trade, goal, fields);
             for (const double tolerance : all) {

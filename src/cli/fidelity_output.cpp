@@ -15,8 +15,8 @@ const char* name_of(Goal goal) {
     return goal == Goal::value ? "value" : "difference";
 }
 
-const char* name_of(Draws::Fields fields) {
-    return fields == Draws::Fields::one ? "one" : "each";
+const char* name_of(Randomness::Fields fields) {
+    return fields == Randomness::Fields::one ? "one" : "each";
 }
 
 //! "-0.123 +- 0.004", in per cent.
@@ -36,17 +36,17 @@ Combination evaluation(const Trade& trade, std::size_t parameter,
     for (const MeasuredParameter& each : trade.parameters)
         values.push_back(each.parameter.own);
     values[parameter] = value;
-    Accuracy sampling = trade.own.campaign.sampling;
+    Accuracy accuracy = trade.own.campaign.sampling;
     const MeasuredParameter& turned = trade.parameters[parameter];
     if (turned.parameter.kind == Parameter::Kind::paths)
-        sampling.paths = turned.parameter.at(value).campaign.sampling.paths;
-    return combine(trade, values, sampling, Draws::Fields::one, goal);
+        accuracy.paths = turned.parameter.at(value).campaign.sampling.paths;
+    return combine(trade, values, accuracy, Randomness::Fields::one, goal);
 }
 
 std::string summary(const Combination& combination, const Campaign& campaign) {
     return fmt::format(
-        "{:>7} x {:<3} {:>5} {:>6} {:>6} {:>6}", combination.sampling.paths,
-        combination.sampling.randomisations,
+        "{:>7} x {:<3} {:>5} {:>6} {:>6} {:>6}", combination.accuracy.paths,
+        combination.accuracy.randomisations,
         fmt::format("{}x{}", campaign.field.rows, campaign.field.plants),
         campaign.tessellation.cells_along, campaign.tessellation.stalk_sides,
         campaign.days[0].value.step_minutes);
@@ -160,7 +160,7 @@ void print_choices(const Trade& trade, const std::vector<Choice>& choices,
     }
     for (const Choice& choice : choices)
         if (choice.combination && choice.tolerance == asked &&
-            choice.fields == Draws::Fields::one)
+            choice.fields == Randomness::Fields::one)
             fmt::print("\n# {} to {:.3f} %: change in the campaign\n{}",
                        name_of(choice.goal), 100 * asked,
                        keys_text(trade.own.campaign,
@@ -196,7 +196,8 @@ Json to_json(const Trade& trade, const std::vector<Choice>& choices) {
         json["parameters"].push_back(std::move(parameter));
     }
     for (const Goal goal : {Goal::value, Goal::difference})
-        for (const auto fields : {Draws::Fields::one, Draws::Fields::each}) {
+        for (const auto fields :
+             {Randomness::Fields::one, Randomness::Fields::each}) {
             Json front{{"goal", name_of(goal)}, {"fields", name_of(fields)}};
             for (const Combination& each : pareto_front(trade, goal, fields))
                 front["combinations"].push_back(to_json(each, trade));

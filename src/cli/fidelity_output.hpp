@@ -12,7 +12,7 @@ namespace ideotype {
 //! The cheapest combination for a tolerance, and what it is really like.
 struct Choice {
     Goal goal = Goal::value;
-    Draws::Fields fields = Draws::Fields::one;
+    Randomness::Fields fields = Randomness::Fields::one;
     double tolerance = 0;
     std::optional<Combination> combination;
     std::optional<Check> check;

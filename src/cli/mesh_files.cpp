@@ -51,17 +51,16 @@ void write_text(fmt::ostream& out, const std::string& name,
 }
 
 void write_cell_data(fmt::ostream& out, const Shape& shape,
-                     const FaceLight& light) {
+                     const std::vector<Estimate>& light) {
     const std::string absorbed =
         fmt::format("absorbed_par [{}]", per_face_area);
     out.print("<CellData Scalars=\"{}\">\n", absorbed);
     write_array(out, "Float64", absorbed, "", [&] {
-        for (const Estimate& x : light.absorbed)
-            out.print("{} ", x.mean / megajoule);
+        for (const Estimate& x : light) out.print("{} ", x.mean / megajoule);
     });
     write_array(out, "Float64",
                 fmt::format("standard_error [{}]", per_face_area), "", [&] {
-                    for (const Estimate& x : light.absorbed)
+                    for (const Estimate& x : light)
                         out.print("{} ", x.standard_error / megajoule);
                 });
     write_array(out, "Float64", "area [m2]", "", [&] {
@@ -122,7 +121,7 @@ void write_obj(const std::string& path, const Shape& shape) {
 }
 
 void write_vtp(const std::string& path, const Shape& shape,
-               const FaceLight& light) {
+               const std::vector<Estimate>& light) {
     auto out = fmt::output_file(path);
     out.print(
         "<?xml version=\"1.0\"?>\n"
@@ -131,7 +130,7 @@ void write_vtp(const std::string& path, const Shape& shape,
         "<PolyData>\n<FieldData>\n");
     write_text(out, "title", fmt::format("{}", fmt::join(shape.about, "\n")));
     write_array(out, "Float64", "ground_area [m2]", " NumberOfTuples=\"1\"",
-                [&] { out.print("{}", light.ground_area); });
+                [&] { out.print("{}", shape.ground_area); });
     out.print(
         "</FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" "
         "NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n",

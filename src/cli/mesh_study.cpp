@@ -7,8 +7,6 @@
 
 #include "ideotype/crop/obj_reader.hpp"
 #include "ideotype/light/device.hpp"
-#include "ideotype/light/sunlit.hpp"
-#include "ideotype/light/tolerance.hpp"
 #include "ideotype/run/progress.hpp"
 
 namespace ideotype {
@@ -19,7 +17,6 @@ namespace {
 //! to an eighth.
 constexpr std::uint64_t usual_randomisations = 32;
 
-//! Layers of equal thickness up to the top of the canopy.
 constexpr std::size_t layers = 10;
 
 //! A single light is that of a second.
@@ -50,8 +47,7 @@ Field field_of(Mesh mesh, const MeshOptions& options) {
                 fmt::format("a field of {} plants of {} faces is too "
                             "large (at most {:.0e} faces)",
                             plants, mesh.faces.size(), most_faces));
-        field = build_field(mesh, form,
-                            draw_plant_azimuths(form, options.seed, 0, 0));
+        field = draw_field(mesh, form, {options.seed});
     } else {
         field.mesh = std::move(mesh);
         if (options.period) {
@@ -106,12 +102,27 @@ void check_height(const Field& field, double height) {
             height, period, most_crossings));
 }
 
-//! At least this many paths in all.
-Accuracy share(std::uint64_t paths) {
+//! At least as many paths as asked for.
+Accuracy accuracy_of(const MeshOptions& options) {
+    const std::uint64_t paths = options.paths.value_or(most_tolerance_paths);
     const std::uint64_t randomisations =
         std::clamp<std::uint64_t>(paths, 2, usual_randomisations);
     return {static_cast<int>((paths + randomisations - 1) / randomisations),
-            static_cast<int>(randomisations)};
+            static_cast<int>(randomisations),
+            options.paths ? 0 : options.tolerance};
+}
+
+CanopyRequest to_request(const MeshOptions& options, Field field) {
+    constexpr double north = 0;  // the mesh's y axis
+    return {std::move(field),
+            {{},
+             illuminate(day_of(options),
+                        options.sky.value_or(SkyModel::uniform), north),
+             {options.leaf, options.stalk, options.soil_albedo}},
+            {0, layers},
+            accuracy_of(options),
+            {options.seed},
+            {.sunlit = true}};
 }
 
 }  // namespace
@@ -119,19 +130,10 @@ Accuracy share(std::uint64_t paths) {
 MeshReport study(const MeshOptions& options) {
     check(options);
     const double began = now();
-    const DayIllumination illumination =
-        illuminate(day_of(options), options.sky.value_or(SkyModel::uniform), 0);
     ObjMesh obj = read_obj(options.path);
     MeshReport result;
     result.warnings = std::move(obj.warnings);
-    const Field field = field_of(std::move(obj.mesh), options);
-    CanopyReport& canopy = result.canopy;
-    canopy.groups = field.mesh.groups;
-    canopy.boundary = options.boundary;
-    canopy.ground_area = field.ground_area;
-    canopy.lai = leaf_area(field.mesh) / field.ground_area;
-
-    const Device device(Device::supported_isas().back());
+    Field field = field_of(std::move(obj.mesh), options);
     const double top = height(field.mesh);
     if (top > usual_height)
         result.warnings.push_back(fmt::format(
@@ -142,23 +144,8 @@ MeshReport study(const MeshOptions& options) {
         check_images(field);
         check_height(field, top);
     }
-    const Scene scene = build_scene(device, field);
-    canopy.layers = {scene.top() / layers, layers};
-    const Optics optics{options.leaf, options.stalk, options.soil_albedo};
-    Accuracy sampling = share(options.paths.value_or(most_tolerance_paths));
-    if (!options.paths) sampling.tolerance = options.tolerance;
-    const Randomness randomness{options.seed, 0, 0};
-    const Simulation found = simulate_to_tolerance(
-        scene, field.mesh.groups, optics, illumination.light, sampling,
-        randomness, canopy.layers);
-    sampling.paths = found.paths;
-    canopy.paths = sampling.all_paths();
-    canopy.is_capped = found.is_capped;
-    canopy.light = report(found.tallies, illumination);
-    add_sunlit(canopy.light,
-               sunlit_fractions(scene, field.mesh, illumination.light,
-                                sunlit_sampling(sampling), randomness),
-               illumination);
+    result.canopy = evaluate(to_request(options, std::move(field)),
+                             Device(Device::supported_isas().back()));
     result.seconds = now() - began;
     return result;
 }

@@ -68,8 +68,8 @@ std::string leaf_name(std::size_t index) {
 
 }  // namespace
 
-Mesh build_plant(const std::vector<LeafTraits>& traits, const PlantForm& form,
-                 const Tessellation& tessellation) {
+Mesh build_plant(const Plant& plant) {
+    const auto& [form, traits, tessellation] = plant;
     if (traits.size() != form.leaves.size())
         throw Error(
             fmt::format("a plant has {} leaves, but traits are given for {}",

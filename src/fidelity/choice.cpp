@@ -113,19 +113,19 @@ Model model_of(const Trade& trade, const std::vector<std::size_t>& values,
 }
 
 Combination sampled(const Model& model, const PathLaw& law,
-                    const Accuracy& sampling, Draws::Fields fields) {
+                    const Accuracy& accuracy, Randomness::Fields fields) {
     Combination result;
-    result.sampling = sampling;
+    result.accuracy = accuracy;
     result.fields = fields;
     result.bias = model.bias;
-    const int n = sampling.randomisations;
-    const int drawn = fields == Draws::Fields::each ? n : 1;
+    const int n = accuracy.randomisations;
+    const int drawn = fields == Randomness::Fields::each ? n : 1;
     result.standard_error =
         std::sqrt(model.field_variance / drawn +
-                  model.path_ratio * squared(law.at(sampling.paths)) / n);
+                  model.path_ratio * squared(law.at(accuracy.paths)) / n);
     result.cost = {drawn * model.cost.geometry, drawn * model.cost.scene,
-                   model.cost.path * n * sampling.paths,
-                   1.0 * n * sampling.paths};
+                   model.cost.path * n * accuracy.paths,
+                   1.0 * n * accuracy.paths};
     return result;
 }
 
@@ -146,16 +146,17 @@ double Combination::error() const {
 }
 
 Combination combine(const Trade& trade, const std::vector<std::size_t>& values,
-                    const Accuracy& sampling, Draws::Fields fields, Goal goal) {
+                    const Accuracy& accuracy, Randomness::Fields fields,
+                    Goal goal) {
     Combination result =
         sampled(model_of(trade, values, goal),
-                PathLaw(trade.parameter("paths"), goal), sampling, fields);
+                PathLaw(trade.parameter("paths"), goal), accuracy, fields);
     result.values = values;
     return result;
 }
 
 std::vector<Combination> pareto_front(const Trade& trade, Goal goal,
-                                      Draws::Fields fields) {
+                                      Randomness::Fields fields) {
     // Nobody wants a worse one.
     constexpr double worst = 0.05;
     const PathLaw law(trade.parameter("paths"), goal);
@@ -199,7 +200,7 @@ Campaign applied(const Trade& trade, const Combination& combination) {
         if (may_turn(trade.parameters[k]))
             trade.parameters[k].parameter.values[combination.values[k]].apply(
                 variant);
-    variant.campaign.sampling = combination.sampling;
+    variant.campaign.sampling = combination.accuracy;
     variant.campaign.first_tolerance = 0;
     return variant.campaign;
 }
@@ -231,21 +232,21 @@ std::vector<PastedKey> keys_of(const Campaign& campaign) {
 
 Check check_combination(const Trade& trade, const Combination& combination,
                         Goal goal, const Device& device, double budget) {
-    const Variant variant{applied(trade, combination)};
-    const Case chosen = case_of(variant, trade.case_index);
-    const CanopyModel model = canopy_model(variant.campaign, chosen);
+    CanopyRequest request = request_of({applied(trade, combination)},
+                                       trade.case_index, trade.rivals[0]);
+    request.randomness.seed = derive_seed(request.randomness.seed, "check");
+    request.randomness.fields = combination.fields;
     constexpr std::size_t least = 8, most = 64;
     std::vector<double> found, seconds;
     const double until = now() + budget;
     while (found.size() < least || (found.size() < most && now() < until)) {
-        const Draws draws{derive_seed(chosen.seed, "check"),
-                          static_cast<std::uint32_t>(found.size()),
-                          combination.sampling, combination.fields};
+        request.randomness.generation =
+            static_cast<std::uint32_t>(found.size());
         const auto leaves = [&](const Genome& genome) {
-            const double began = processor_seconds();
+            std::get<Plant>(request.stand).traits = to_traits(genome);
             const CanopyReport report =
-                study(model, device, to_traits(genome), draws, Detail::history);
-            seconds.push_back(processor_seconds() - began);
+                evaluate(request, device, processor_seconds);
+            seconds.push_back(report.seconds.total());
             return report.light.day.leaves.mean;
         };
         const double value = leaves(trade.rivals[0]);

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/run/evaluator.hpp"
+
 namespace ideotype {
 
 namespace {
@@ -116,7 +118,7 @@ Parameter sky_parameter(const Campaign& campaign) {
         parameter.kind = Parameter::Kind::arrangement;
         parameter.values = {{"shared by all instants", [](Variant&) {}},
                             {"one for each instant", [](Variant& variant) {
-                                 variant.skies = Variant::Skies::each;
+                                 variant.skies = Skies::each;
                              }}};
     }
     return parameter;
@@ -165,6 +167,20 @@ Variant Parameter::at(std::size_t value) const {
 
 Case case_of(const Variant& variant, std::size_t case_index) {
     return cases(variant.campaign).at(case_index);
+}
+
+CanopyRequest request_of(const Variant& variant, std::size_t case_index,
+                         const Genome& genome) {
+    const Campaign& campaign = variant.campaign;
+    const Case chosen = case_of(variant, case_index);
+    CanopyRequest request =
+        request_of({}, campaign, chosen, scenario_of(campaign, chosen), genome);
+    DayIllumination& light = request.scenario.light;
+    light = illuminate(light.day, campaign.sky_model,
+                       chosen.spacing.row_direction, variant.skies);
+    for (Source& source : light.light.sources)
+        if (!source.direction) source.effort = variant.sky_effort;
+    return request;
 }
 
 std::vector<Parameter> parameters(const Campaign& campaign,

@@ -5,18 +5,11 @@
 #include <ctime>
 
 #include "ideotype/core/hash.hpp"
-#include "ideotype/light/transport.hpp"
 #include "ideotype/run/evaluator.hpp"
 
 namespace ideotype {
 
 namespace {
-
-double leaves(const Tally& tally) {
-    double sum = 0;
-    for (const Budget& budget : tally.sources) sum += budget.leaves;
-    return sum;
-}
 
 //! A standard deviation from an estimate of its square.
 Estimate root(double square, double standard_error) {
@@ -56,76 +49,30 @@ Rivals rivals(const Campaign& campaign, const Case& chosen) {
     return {baseline, other};
 }
 
-Probe::Probe(Variant variant, std::size_t case_index, const Device& device,
-             const Rivals& plants)
-    : variant_(std::move(variant)),
-      case_(case_of(variant_, case_index)),
-      model_(canopy_model(variant_.campaign, case_)),
+Probe::Probe(const Variant& variant, std::size_t case_index,
+             const Device& device, const Rivals& plants)
+    : request_(request_of(variant, case_index, plants[0])),
       device_(device),
       rivals_(plants) {
-    const Campaign& campaign = variant_.campaign;
-    if (variant_.skies == Variant::Skies::each) {
-        std::vector<Source>& sources = model_.light.light.sources;
-        std::erase_if(sources,
-                      [](const Source& source) { return !source.direction; });
-        for (const TimeStep& step : model_.light.day.steps) {
-            const SunPosition sun{
-                step.sun.zenith,
-                step.sun.azimuth - case_.spacing.row_direction};
-            sources.push_back({std::nullopt, step.par.diffuse * step.seconds,
-                               SkySampler({campaign.sky_model, sun})});
-        }
-    }
-    arrange();
-}
-
-void Probe::arrange() {
-    const Illumination& day = model_.light.light;
-    const int paths = variant_.campaign.sampling.paths;
-    if (variant_.sky_effort == 1) {
-        lights_ = {day};
-        paths_ = {paths};
-        return;
-    }
-    Illumination beam, sky;
-    for (const Source& source : day.sources)
-        (source.direction ? beam : sky).sources.push_back(source);
-    const double share =
-        std::min(0.9, variant_.sky_effort * sky.energy() / day.energy());
-    const int of_sky = static_cast<int>(paths * share);
-    lights_ = {beam, sky};
-    paths_ = {
-        std::max<int>(paths - of_sky, static_cast<int>(beam.sources.size())),
-        std::max<int>(of_sky, static_cast<int>(sky.sources.size()))};
+    request_.accuracy = {request_.accuracy.paths, 2};
+    request_.randomness.seed =
+        derive_seed(request_.randomness.seed, "fidelity");
 }
 
 Probe::Randomised Probe::evaluate(const Genome& genome, std::uint32_t draw) {
-    const std::uint64_t seed = derive_seed(case_.seed, "fidelity");
-    const double began = processor_seconds();
-    const Field field =
-        build_field(model_, build_plant(model_, to_traits(genome)),
-                    {seed, draw, variant_.campaign.sampling}, 0);
-    const double built = processor_seconds();
-    const Scene scene = build_scene(device_, field);
-    const double committed = processor_seconds();
-    Randomised result{};
-    int traced = 0;
-    for (std::size_t i = 0; i < lights_.size(); ++i) {
-        const Accuracy sampling{paths_[i], 2};
-        const std::vector<Tally> tallies =
-            simulate(scene, field.mesh.groups, model_.optics, lights_[i],
-                     sampling, {seed + i, draw, 0});
-        result.first += leaves(tallies[0]);
-        result.second += leaves(tallies[1]);
-        traced += 2 * sampling.paths;
-    }
-    const double ended = processor_seconds();
-    geometry_.push_back(built - began);
-    scene_.push_back(committed - built);
-    path_.push_back((ended - committed) / traced);
-    paths_traced_.push_back(traced);
-    seconds_ += ended - began;
-    return result;
+    std::get<Plant>(request_.stand).traits = to_traits(genome);
+    request_.randomness.generation = draw;
+    const CanopyReport report =
+        ideotype::evaluate(request_, device_, processor_seconds);
+    const Timing& seconds = report.seconds;
+    const auto paths = static_cast<double>(report.paths);
+    geometry_.push_back(seconds.geometry);
+    scene_.push_back(seconds.scene);
+    path_.push_back(seconds.light / paths);
+    paths_traced_.push_back(paths);
+    seconds_ += seconds.total();
+    const std::vector<double>& leaves = report.leaves_by_randomisation;
+    return {leaves.front(), leaves.back()};
 }
 
 void Probe::draw() {

@@ -191,10 +191,10 @@ class Survey {
 //! Per randomisation, for the tolerance of the campaign.
 int needed_paths(const Campaign& campaign, const Case& chosen,
                  const Device& device, const Genome& genome) {
-    const CanopyReport report =
-        study(canopy_model(campaign, chosen), device, to_traits(genome),
-              {chosen.seed, 0, campaign.sampling, Draws::Fields::one},
-              Detail::history);
+    CanopyRequest request =
+        request_of({}, campaign, chosen, scenario_of(campaign, chosen), genome);
+    request.accuracy = campaign.sampling;
+    const CanopyReport report = evaluate(request, device);
     return static_cast<int>(
         report.paths /
         static_cast<std::uint64_t>(campaign.sampling.randomisations));

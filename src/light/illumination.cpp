@@ -10,7 +10,8 @@ double Illumination::energy() const {
     return sum;
 }
 
-DayIllumination illuminate(Day day, SkyModel sky_model, double row_direction) {
+DayIllumination illuminate(Day day, SkyModel sky_model, double row_direction,
+                           Skies skies) {
     DayIllumination result;
     std::vector<Source>& sources = result.light.sources;
     const auto add = [&](const Source& source) {
@@ -24,7 +25,7 @@ DayIllumination illuminate(Day day, SkyModel sky_model, double row_direction) {
     for (const TimeStep& step : day.steps)
         result.beam_of.push_back(add(
             {beam_direction(sun_of(step)), step.par.beam * step.seconds, {}}));
-    if (sky_model == SkyModel::clear) {
+    if (sky_model == SkyModel::clear || skies == Skies::each) {
         for (const TimeStep& step : day.steps)
             result.sky_of.push_back(
                 add({std::nullopt, step.par.diffuse * step.seconds,

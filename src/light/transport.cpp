@@ -138,18 +138,19 @@ class Tracer {
     PathSampler sampler_;
 };
 
-//! Splits paths among sources in proportion to energy, at least one each, by
-//! largest remainders.
+//! Splits paths among sources in proportion to energy and effort, at least one
+//! each, by largest remainders.
 std::vector<std::uint32_t> share_paths(const Illumination& illumination,
                                        std::uint32_t paths) {
     const std::vector<Source>& sources = illumination.sources;
-    const double total = illumination.energy();
+    double total = 0;
+    for (const Source& source : sources) total += source.energy * source.effort;
     std::vector<std::uint32_t> counts;
     std::vector<double> remainders;
     std::uint32_t given = 0;
     for (const Source& source : sources) {
-        const double exact =
-            source.energy / total * static_cast<double>(paths - sources.size());
+        const double exact = source.energy * source.effort / total *
+                             static_cast<double>(paths - sources.size());
         counts.push_back(1 + static_cast<std::uint32_t>(exact));
         remainders.push_back(exact - std::floor(exact));
         given += counts.back();

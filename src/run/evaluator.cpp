@@ -24,23 +24,28 @@ std::string clock_name(double hour) {
 
 }  // namespace
 
-Draws draws_of(const Task& task, const Campaign& campaign, const Case& chosen) {
-    if (task.is_final)
-        return {derive_seed(chosen.seed, "final"), 0,
-                campaign.final_rule.sampling, Draws::Fields::each};
-    Accuracy sampling = campaign.sampling;
+Accuracy accuracy_of(const Task& task, const Campaign& campaign) {
+    if (task.is_final) return campaign.final_rule.sampling;
+    Accuracy accuracy = campaign.sampling;
     if (campaign.first_tolerance > 0 && campaign.stop.generations > 1) {
         const double left = 1 - static_cast<double>(task.generation) /
                                     (campaign.stop.generations - 1);
-        sampling.tolerance *=
-            std::pow(campaign.first_tolerance / sampling.tolerance, left);
+        accuracy.tolerance *=
+            std::pow(campaign.first_tolerance / accuracy.tolerance, left);
     }
-    return {chosen.seed, task.generation, sampling, Draws::Fields::one};
+    return accuracy;
+}
+
+Randomness randomness_of(const Task& task, const Case& chosen) {
+    if (task.is_final)
+        return {derive_seed(chosen.seed, "final"), 0, 0,
+                Randomness::Fields::each};
+    return {chosen.seed, task.generation};
 }
 
 double final_effort(const Campaign& campaign) {
-    const auto paths = [](const Accuracy& sampling) {
-        return static_cast<double>(sampling.all_paths());
+    const auto paths = [](const Accuracy& accuracy) {
+        return static_cast<double>(accuracy.all_paths());
     };
     const Accuracy& final = campaign.final_rule.sampling;
     // With a tolerance an evaluation may need the least that there is.
@@ -59,16 +64,24 @@ Layers canopy_layers(const Campaign& campaign) {
     return {thickness, static_cast<std::size_t>(std::ceil(top / thickness))};
 }
 
-CanopyModel canopy_model(const Campaign& campaign, const Case& chosen) {
+Scenario scenario_of(const Campaign& campaign, const Case& chosen) {
     FieldForm field = campaign.field;
     field.spacing = chosen.spacing;
     const Day day = clear_day(chosen.site, chosen.day, campaign.par_fraction);
-    return {campaign.plant,
-            campaign.tessellation,
-            field,
+    return {field,
             illuminate(day, campaign.sky_model, chosen.spacing.row_direction),
-            campaign.optics,
-            canopy_layers(campaign)};
+            campaign.optics};
+}
+
+CanopyRequest request_of(const Task& task, const Campaign& campaign,
+                         const Case& chosen, const Scenario& scenario,
+                         const Genome& genome) {
+    return {Plant{campaign.plant, to_traits(genome), campaign.tessellation},
+            scenario,
+            canopy_layers(campaign),
+            accuracy_of(task, campaign),
+            randomness_of(task, chosen),
+            {}};
 }
 
 OutcomeSchema outcome_schema(const Campaign& campaign, const Day& day) {
@@ -164,7 +177,7 @@ CanopyEvaluator::CanopyEvaluator(const Campaign& campaign,
                                  const std::string& isa)
     : campaign_(campaign),
       cases_(cases(campaign)),
-      models_(cases_.size()),
+      scenarios_(cases_.size()),
       device_(isa) {
     for (const Case& c : cases_)
         schemas_.push_back(outcome_schema(
@@ -177,12 +190,12 @@ const OutcomeSchema& CanopyEvaluator::schema(const Task& task) const {
 
 Outcome CanopyEvaluator::evaluate(const Task& task, const Genome& genome) {
     const Case& chosen = cases_.at(task.case_index);
-    std::optional<CanopyModel>& model = models_[task.case_index];
-    if (!model) model = canopy_model(campaign_, chosen);
+    std::optional<Scenario>& scenario = scenarios_[task.case_index];
+    if (!scenario) scenario = scenario_of(campaign_, chosen);
     return to_outcome(
         campaign_, genome,
-        study(*model, device_, to_traits(genome),
-              draws_of(task, campaign_, chosen), Detail::history));
+        ideotype::evaluate(
+            request_of(task, campaign_, chosen, *scenario, genome), device_));
 }
 
 }  // namespace ideotype

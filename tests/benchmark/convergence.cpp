@@ -30,11 +30,12 @@ struct Setting {
 };
 
 std::vector<Setting> settings(const Stand& stand) {
-    Illumination beams = stand.model.light.light;
+    Illumination beams = stand.request.scenario.light.light;
     std::erase_if(beams.sources,
                   [](const Source& source) { return !source.direction; });
     return {
-        {"whole day", stand.campaign.optics, stand.model.light.light},
+        {"whole day", stand.campaign.optics,
+         stand.request.scenario.light.light},
         {"beams on black surfaces", {}, beams},
     };
 }

@@ -30,20 +30,24 @@ void light(benchmark::State& state) {
     const Stand stand(Stand::ames());
     const Field field = stand.field(stand.baseline);
     const Scene traced = stand.scene(field);
-    const Accuracy sampling = stand.campaign.sampling;
+    const Accuracy accuracy = stand.campaign.sampling;
     for (auto _ : state)
-        benchmark::DoNotOptimize(simulate(
-            traced, field.mesh.groups, stand.campaign.optics,
-            stand.model.light.light, sampling, {stand.chosen.seed, 0, 0}));
+        benchmark::DoNotOptimize(simulate(traced, field.mesh.groups,
+                                          stand.campaign.optics,
+                                          stand.request.scenario.light.light,
+                                          accuracy, {stand.chosen.seed, 0, 0}));
     state.counters["paths"] =
-        benchmark::Counter(1.0 * sampling.paths * sampling.randomisations,
+        benchmark::Counter(1.0 * accuracy.paths * accuracy.randomisations,
                            benchmark::Counter::kIsIterationInvariantRate);
 }
 BENCHMARK(light)->Unit(benchmark::kMillisecond);
 
-CanopyReport evaluate(const Stand& stand, const Accuracy& sampling) {
-    return study(stand.model, stand.device, stand.campaign.baseline,
-                 {stand.chosen.seed, 0, sampling}, Detail::history);
+CanopyReport evaluate(const Stand& stand, const Accuracy& accuracy,
+                      std::uint32_t generation = 0) {
+    CanopyRequest request = stand.request;
+    request.accuracy = accuracy;
+    request.randomness.generation = generation;
+    return evaluate(request, stand.device);
 }
 
 //! The fewest paths, in eight randomisations, that meet a tolerance on average
@@ -53,9 +57,7 @@ int paths_for(const Stand& stand, double tolerance) {
     double squares = 0;
     constexpr std::uint32_t draws = 8;
     for (std::uint32_t d = 0; d < draws; ++d) {
-        const double error = relative_error(
-            study(stand.model, stand.device, stand.campaign.baseline,
-                  {stand.chosen.seed, d, {trial, 8}}, Detail::history));
+        const double error = relative_error(evaluate(stand, {trial, 8}, d));
         squares += error * error / draws;
     }
     constexpr double slope = 0.55;
@@ -68,18 +70,18 @@ int paths_for(const Stand& stand, double tolerance) {
 void evaluation(benchmark::State& state) {
     const Stand stand(Stand::ames());
     const double tolerance = std::pow(10, -static_cast<double>(state.range(0)));
-    const Accuracy sampling{paths_for(stand, tolerance), 8};
+    const Accuracy accuracy{paths_for(stand, tolerance), 8};
     double error = 0;
-    for (auto _ : state) error = relative_error(evaluate(stand, sampling));
+    for (auto _ : state) error = relative_error(evaluate(stand, accuracy));
     state.counters["error"] = error;
-    state.counters["paths"] = 1.0 * sampling.paths * sampling.randomisations;
+    state.counters["paths"] = 1.0 * accuracy.paths * accuracy.randomisations;
 }
 BENCHMARK(evaluation)
     ->DenseRange(2, 4)
     ->ArgName("tolerance_1e-")
     ->Unit(benchmark::kMillisecond);
 
-//! As a worker does it: a population with the campaign's sampling.
+//! As a worker does it: a population with the campaign's accuracy.
 void generation(benchmark::State& state) {
     const Campaign campaign = Stand::ames();
     CanopyEvaluator evaluator(campaign, Device::supported_isas().back());

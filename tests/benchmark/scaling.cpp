@@ -11,12 +11,10 @@ namespace ideotype {
 namespace {
 
 void measure(benchmark::State& state, Campaign campaign, double size) {
-    const Stand stand(std::move(campaign));
-    const Accuracy sampling{1024, 8};
+    Stand stand(std::move(campaign));
+    stand.request.accuracy = {1024, 8};
     for (auto _ : state)
-        benchmark::DoNotOptimize(
-            study(stand.model, stand.device, stand.campaign.baseline,
-                  {stand.chosen.seed, 0, sampling}, Detail::history));
+        benchmark::DoNotOptimize(evaluate(stand.request, stand.device));
     state.counters["size"] = size;
 }
 

@@ -9,13 +9,15 @@ Campaign Stand::ames() {
 Stand::Stand(Campaign changed)
     : campaign(std::move(changed)),
       chosen(cases(campaign).front()),
-      model(canopy_model(campaign, chosen)),
       baseline(to_genome(campaign.baseline)),
+      request(request_of({}, campaign, chosen, scenario_of(campaign, chosen),
+                         baseline)),
       device(Device::supported_isas().back()) {}
 
 Field Stand::field(const Genome& genome) const {
-    return build_field(model, build_plant(model, to_traits(genome)),
-                       {chosen.seed, 0, campaign.sampling}, 0);
+    return draw_field(
+        build_plant({campaign.plant, to_traits(genome), campaign.tessellation}),
+        request.scenario.field, request.randomness);
 }
 
 Scene Stand::scene(const Field& field) const {

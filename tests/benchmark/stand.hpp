@@ -19,8 +19,8 @@ struct Stand {
 
     Campaign campaign;
     Case chosen;
-    CanopyModel model;
     Genome baseline;
+    CanopyRequest request;  //!< of the baseline in the first generation
     Device device;
 };
 

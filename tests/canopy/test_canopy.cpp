@@ -1,34 +1,26 @@
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "ideotype/canopy/canopy.hpp"
 #include "ideotype/core/error.hpp"
+#include "ideotype/light/device.hpp"
+#include "two_leaves.hpp"
 
 namespace ideotype {
 namespace {
 
-const std::vector<LeafTraits> traits{{.7, .08, 40, 90}, {.5, .06, 30, 270}};
+using Fields = Randomness::Fields;
 
 class TwoLeaves : public ::testing::Test {
   protected:
-    TwoLeaves() {
-        model.plant.leaves = {{60, .2}, {40, .5}};
-        model.plant.blade.width_controls = {.28, .89, .9, 1.15, .38, 0};
-        model.field.rows = model.field.plants = 2;
-        model.field.spacing = {.76, .15, 90};
-        model.optics = {{.05, .05}, {.31, .12}, .1};
-        model.light = illuminate(
-            clear_day({"ames", 42, -93.6, -5}, {{2025, 8, 7}, 7, 20, 60}, .45),
-            SkyModel::uniform, 90);
-        model.layers = {.25, 4};
-    }
-
-    CanopyReport evaluated(Draws::Fields fields = Draws::Fields::one) const {
-        return study(model, device, traits, {1, 0, {512, 8}, fields},
-                     Detail::history);
+    CanopyReport evaluated(Fields fields = Fields::one) {
+        request.randomness.fields = fields;
+        return evaluate(request, device);
     }
 
     const Device device{Device::supported_isas().back()};
-    CanopyModel model;
+    CanopyRequest request = two_leaves({512, 8});
 };
 
 TEST_F(TwoLeaves, PartsOfTheLightSumToWhatFalls) {
@@ -48,13 +40,13 @@ TEST_F(TwoLeaves, PartsOfTheLightSumToWhatFalls) {
 
 TEST_F(TwoLeaves, AFieldForEachRandomisationAgreesWithOne) {
     const Estimate one = evaluated().light.day.leaves;
-    const Estimate each = evaluated(Draws::Fields::each).light.day.leaves;
+    const Estimate each = evaluated(Fields::each).light.day.leaves;
     EXPECT_NE(one.mean, each.mean);
     EXPECT_NEAR(one.mean / each.mean, 1, .05);
 }
 
 TEST_F(TwoLeaves, LeavesAreKnownByRandomisation) {
-    for (const auto fields : {Draws::Fields::one, Draws::Fields::each}) {
+    for (const auto fields : {Fields::one, Fields::each}) {
         const CanopyReport report = evaluated(fields);
         ASSERT_EQ(report.leaves_by_randomisation.size(), 8u);
         const Estimate all = estimate(report.leaves_by_randomisation);
@@ -65,16 +57,81 @@ TEST_F(TwoLeaves, LeavesAreKnownByRandomisation) {
 }
 
 TEST_F(TwoLeaves, WithoutSunAllFiguresAreZero) {
-    model.light = illuminate({}, SkyModel::uniform, 90);
+    request.scenario.light = illuminate({}, SkyModel::uniform, 90);
     const CanopyReport report = evaluated();
     EXPECT_EQ(report.light.day.leaves.mean, 0);
     EXPECT_EQ(report.light.day.leaves.standard_error, 0);
 }
 
 TEST_F(TwoLeaves, PlantsOfOtherNumbersOfLeavesAreRefused) {
-    EXPECT_THROW(
-        study(model, device, {traits[0]}, {1, 0, {64, 2}}, Detail::history),
-        Error);
+    std::get<Plant>(request.stand).traits.pop_back();
+    EXPECT_THROW(evaluated(), Error);
+}
+
+TEST_F(TwoLeaves, AReadyFieldHasTheLightOfItsPlants) {
+    const CanopyReport drawn = evaluated();
+    request.stand = draw_field(build_plant(std::get<Plant>(request.stand)),
+                               request.scenario.field, request.randomness);
+    for (const Fields fields : {Fields::one, Fields::each})
+        EXPECT_EQ(evaluated(fields).leaves_by_randomisation,
+                  drawn.leaves_by_randomisation);
+}
+
+TEST_F(TwoLeaves, LayersWithoutAThicknessReachTheTop) {
+    request.layers = {0, 10};
+    const CanopyReport report = evaluated();
+    ASSERT_EQ(report.light.layers.size(), 10u);
+    EXPECT_NEAR(report.layers.thickness, .2001, 1e-9);
+    double leaves = 0;
+    for (const Estimate& layer : report.light.layers) leaves += layer.mean;
+    EXPECT_NEAR(leaves / report.light.day.leaves.mean, 1, 1e-12);
+}
+
+TEST_F(TwoLeaves, TheSunlitLeafAreaIsToldOnlyOnDemand) {
+    const CanopyReport without = evaluated();
+    EXPECT_FALSE(without.light.steps.front().sunlit);
+    request.details.sunlit = true;
+    const CanopyReport with = evaluated();
+    ASSERT_TRUE(with.light.steps[6].sunlit);
+    EXPECT_GT(with.light.steps[6].sunlit->mean, .3);
+    EXPECT_EQ(with.leaves_by_randomisation, without.leaves_by_randomisation);
+}
+
+TEST_F(TwoLeaves, AClockTimesGeometrySceneAndLightApart) {
+    // Each look at it is a second later than the one before.
+    double now = 100;
+    const Clock clock = [&] { return now++; };
+    request.accuracy = {64, 3};
+    request.randomness.fields = Fields::each;
+    const Timing seconds = evaluate(request, device, clock).seconds;
+    EXPECT_EQ(seconds.geometry, 3);
+    EXPECT_EQ(seconds.scene, 3);
+    EXPECT_EQ(seconds.light, 3);
+    EXPECT_EQ(seconds.total(), 9);
+    EXPECT_EQ(evaluated().seconds.total(), 0);
+}
+
+TEST_F(TwoLeaves, MoreEffortMakesTheLightOfASourceMoreCertain) {
+    request.accuracy = {512, 64};
+    const Estimate usual = evaluated().light.day.leaves_sky;
+    for (Source& source : request.scenario.light.light.sources)
+        if (!source.direction) source.effort = 8;
+    const Estimate more = evaluated().light.day.leaves_sky;
+    EXPECT_LT(more.standard_error, .7 * usual.standard_error);
+    EXPECT_NEAR(more.mean, usual.mean,
+                4 * std::hypot(more.standard_error, usual.standard_error));
+}
+
+//! A quarter turn of rows and sun together changes nothing but the axes.
+TEST_F(TwoLeaves, SkiesOfInstantsFollowTheSunWithTheRows) {
+    const auto leaves = [&](double rows, double sun) {
+        const Day day{{{12, 3600, {60, sun}, {0, 300}}}};
+        request.scenario.light =
+            illuminate(day, SkyModel::clear, rows, Skies::each);
+        return evaluated().light.day.leaves.mean;
+    };
+    EXPECT_NEAR(leaves(0, 0) / leaves(90, 90), 1, 1e-12);
+    EXPECT_GT(std::abs(leaves(0, 0) / leaves(90, 0) - 1), .005);
 }
 
 }  // namespace

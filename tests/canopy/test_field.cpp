@@ -16,9 +16,8 @@ const FieldForm form{6, 4, {0.762, 0.1524}, 10};
 
 TEST(Field, PeriodIsSpacingTimesNumberWhateverTheLeavesReach) {
     const SamplePlant sample;
-    const Mesh plant = build_plant(sample.traits, sample.form, {});
-    const Field field =
-        build_field(plant, form, draw_plant_azimuths(form, 1, 0, 0));
+    const Mesh plant = build_plant({sample.form, sample.traits, {}});
+    const Field field = draw_field(plant, form, {1, 0, 0});
     EXPECT_DOUBLE_EQ(field.period_x, 6 * 0.762);
     EXPECT_DOUBLE_EQ(field.period_y, 4 * 0.1524);
     EXPECT_EQ(field.mesh.faces.size(), 24 * plant.faces.size());
@@ -26,23 +25,23 @@ TEST(Field, PeriodIsSpacingTimesNumberWhateverTheLeavesReach) {
 }
 
 TEST(Field, EveryPlantIsTurnedByItsOwnDraw) {
-    const auto turns = draw_plant_azimuths(form, 1, 0, 0);
+    const auto turns = draw_plant_azimuths(form, {1, 0, 0});
     EXPECT_EQ(std::set<double>(turns.begin(), turns.end()).size(), 24u);
     for (const double turn : turns) EXPECT_LE(std::abs(turn), 10);
-    EXPECT_EQ(draw_plant_azimuths(form, 1, 0, 0), turns);
-    EXPECT_NE(draw_plant_azimuths(form, 2, 0, 0), turns);
-    EXPECT_NE(draw_plant_azimuths(form, 1, 1, 0), turns);
-    EXPECT_NE(draw_plant_azimuths(form, 1, 0, 1), turns);
+    EXPECT_EQ(draw_plant_azimuths(form, {1, 0, 0}), turns);
+    EXPECT_NE(draw_plant_azimuths(form, {2, 0, 0}), turns);
+    EXPECT_NE(draw_plant_azimuths(form, {1, 1, 0}), turns);
+    EXPECT_NE(draw_plant_azimuths(form, {1, 0, 1}), turns);
 }
 
 TEST(Field, TurningByAnAngleEqualsChangingTheLeafAzimuths) {
     SamplePlant sample;
     const FieldForm single{1, 1, {0.76, 0.15}, 10};
-    const Field turned =
-        build_field(build_plant(sample.traits, sample.form, {}), single, {7.5});
+    const Field turned = build_field(
+        build_plant({sample.form, sample.traits, {}}), single, {7.5});
     for (LeafTraits& traits : sample.traits) traits.azimuth += 7.5;
     const Field changed =
-        build_field(build_plant(sample.traits, sample.form, {}), single, {0});
+        build_field(build_plant({sample.form, sample.traits, {}}), single, {0});
     const std::size_t leaf_vertices = 3 * 13 * 3;
     for (std::size_t v = 0; v < leaf_vertices; ++v) {
         EXPECT_NEAR(turned.mesh.vertices[v].x, changed.mesh.vertices[v].x,
@@ -56,9 +55,8 @@ TEST(Field, APlotHasTheGroundOfItsPlants) {
     const SamplePlant sample;
     FieldForm plot = form;
     plot.boundary = Boundary::isolated;
-    const Mesh plant = build_plant(sample.traits, sample.form, {});
-    const Field field =
-        build_field(plant, plot, draw_plant_azimuths(plot, 1, 0, 0));
+    const Mesh plant = build_plant({sample.form, sample.traits, {}});
+    const Field field = draw_field(plant, plot, {1, 0, 0});
     EXPECT_EQ(field.boundary, Boundary::isolated);
     EXPECT_NEAR(field.ground_area, 24 * 0.762 * 0.1524, 1e-12);
     EXPECT_EQ(field.mesh.faces.size(), 24 * plant.faces.size());
@@ -69,9 +67,8 @@ TEST(Field, ACutPlotEndsAtItsEdge) {
     FieldForm plot = form;
     plot.boundary = Boundary::isolated;
     plot.border_rows = 1;
-    const Mesh plant = build_plant(sample.traits, sample.form, {});
-    const Field field =
-        build_field(plant, plot, draw_plant_azimuths(plot, 1, 0, 0));
+    const Mesh plant = build_plant({sample.form, sample.traits, {}});
+    const Field field = draw_field(plant, plot, {1, 0, 0});
     EXPECT_NEAR(field.ground_area, 4 * 2 * 0.762 * 0.1524, 1e-12);
     // What is cut off its plants, its neighbours hang over the edge.
     EXPECT_NEAR(leaf_area(field.mesh) / (8 * leaf_area(plant)), 1, .2);
@@ -82,8 +79,7 @@ TEST(Field, ACutPlotEndsAtItsEdge) {
             EXPECT_LT(field.mesh.vertices[v].x, 5 * 0.762 + half_a_face);
         }
     plot.border_rows = 2;
-    EXPECT_THROW(build_field(plant, plot, draw_plant_azimuths(plot, 1, 0, 0)),
-                 Error);
+    EXPECT_THROW(draw_field(plant, plot, {1, 0, 0}), Error);
 }
 
 TEST(Field, EveryFaceKnowsItsPlantAlsoInACutPlot) {
@@ -91,9 +87,8 @@ TEST(Field, EveryFaceKnowsItsPlantAlsoInACutPlot) {
     FieldForm plot = form;
     plot.boundary = Boundary::isolated;
     plot.border_rows = 1;
-    const Mesh plant = build_plant(sample.traits, sample.form, {});
-    const Field field =
-        build_field(plant, plot, draw_plant_azimuths(plot, 1, 0, 0));
+    const Mesh plant = build_plant({sample.form, sample.traits, {}});
+    const Field field = draw_field(plant, plot, {1, 0, 0});
     ASSERT_EQ(field.face_plant.size(), field.mesh.faces.size());
     // Stalks stand where their plants do.
     const std::uint32_t stalk =
@@ -115,9 +110,8 @@ TEST(Field, ACutPlotKeepsNoVertexWithoutAFace) {
     FieldForm plot = form;
     plot.boundary = Boundary::isolated;
     plot.border_rows = 1;
-    const Mesh plant = build_plant(sample.traits, sample.form, {});
-    const Field field =
-        build_field(plant, plot, draw_plant_azimuths(plot, 1, 0, 0));
+    const Mesh plant = build_plant({sample.form, sample.traits, {}});
+    const Field field = draw_field(plant, plot, {1, 0, 0});
     std::set<std::uint32_t> used;
     for (const auto& face : field.mesh.faces)
         used.insert(face.begin(), face.end());
@@ -127,7 +121,7 @@ TEST(Field, ACutPlotKeepsNoVertexWithoutAFace) {
 
 TEST(Field, RefusesAWrongNumberOfTurns) {
     const SamplePlant sample;
-    const Mesh plant = build_plant(sample.traits, sample.form, {});
+    const Mesh plant = build_plant({sample.form, sample.traits, {}});
     EXPECT_THROW(build_field(plant, form, {0, 0}), Error);
 }
 

@@ -85,7 +85,7 @@ TEST_F(Fidelity, MorePathsScatterLessAndCostMore) {
 
 TEST_F(Fidelity, NothingOnTheFrontIsBeatenByAnythingElse) {
     for (const Goal goal : {Goal::value, Goal::difference}) {
-        const auto front = pareto_front(trade(), goal, Draws::Fields::one);
+        const auto front = pareto_front(trade(), goal, Randomness::Fields::one);
         ASSERT_GT(front.size(), 5u);
         for (std::size_t i = 1; i < front.size(); ++i) {
             EXPECT_GE(front[i].seconds(), front[i - 1].seconds());
@@ -95,7 +95,7 @@ TEST_F(Fidelity, NothingOnTheFrontIsBeatenByAnythingElse) {
         for (const MeasuredParameter& each : trade().parameters)
             own.push_back(each.parameter.own);
         const Combination mine =
-            combine(trade(), own, {1024, 8}, Draws::Fields::one, goal);
+            combine(trade(), own, {1024, 8}, Randomness::Fields::one, goal);
         bool is_matched = false;
         for (const Combination& each : front)
             is_matched = is_matched || (each.seconds() <= mine.seconds() &&
@@ -107,7 +107,8 @@ TEST_F(Fidelity, NothingOnTheFrontIsBeatenByAnythingElse) {
 TEST_F(Fidelity, TheCheapestMeetsTheToleranceWhenEvaluatedAnew) {
     constexpr double tolerance = .02;
     const Device device(Device::supported_isas().back());
-    for (const auto fields : {Draws::Fields::one, Draws::Fields::each})
+    for (const auto fields :
+         {Randomness::Fields::one, Randomness::Fields::each})
         for (const Goal goal : {Goal::value, Goal::difference}) {
             const auto found =
                 cheapest(pareto_front(trade(), goal, fields), tolerance);
@@ -136,7 +137,8 @@ std::string with_keys(std::string text, const std::vector<PastedKey>& keys) {
 }
 
 TEST_F(Fidelity, PastedKeysMakeTheChosenCampaign) {
-    const auto front = pareto_front(trade(), Goal::value, Draws::Fields::one);
+    const auto front =
+        pareto_front(trade(), Goal::value, Randomness::Fields::one);
     const Campaign chosen = applied(trade(), front[front.size() / 2]);
     const Campaign pasted =
         parse_campaign(with_keys(small().resolved, keys_of(chosen)), "pasted");

@@ -85,9 +85,10 @@ Mesh two_leaves(double length, double width, double insertion_angle) {
         {{60, 0.2}, {40, 0.5}},
         {{0.28, 0.885870, 0.895017, 1.149943, 0.379696, 0.0}, 10, 1.5},
         {false, 2, 0.027}};
-    return build_plant({{length, width, insertion_angle, 0},
-                        {length, width, insertion_angle, 90}},
-                       form, {});
+    return build_plant({form,
+                        {{length, width, insertion_angle, 0},
+                         {length, width, insertion_angle, 90}},
+                        {}});
 }
 
 }  // namespace ideotype

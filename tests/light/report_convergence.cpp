@@ -27,23 +27,24 @@ struct Baseline {
     explicit Baseline(const std::string& campaigns)
         : campaign(ames(campaigns)),
           chosen(cases(campaign).front()),
-          model(canopy_model(campaign, chosen)),
-          field(build_field(model, build_plant(model, campaign.baseline),
-                            {chosen.seed, 0, {}, Draws::Fields::one}, 0)),
+          scenario(scenario_of(campaign, chosen)),
+          field(draw_field(build_plant({campaign.plant, campaign.baseline,
+                                        campaign.tessellation}),
+                           scenario.field, {chosen.seed})),
           device(Device::supported_isas().back()),
           scene(device, field.mesh, field.period_x, field.period_y) {}
 
     BudgetEstimate light(int paths) const {
         return report(simulate(scene, field.mesh.groups, campaign.optics,
-                               model.light.light, {paths, randomisations},
-                               {chosen.seed, 0, 0}),
-                      model.light)
+                               scenario.light.light, {paths, randomisations},
+                               {chosen.seed}),
+                      scenario.light)
             .day;
     }
 
     Campaign campaign;
     Case chosen;
-    CanopyModel model;
+    Scenario scenario;
     Field field;
     Device device;
     Scene scene;

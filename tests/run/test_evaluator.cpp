@@ -108,7 +108,7 @@ TEST_F(Ames, TheToleranceTightensFromTheFirstGenerationToTheLast) {
         Task task;
         task.generation = generation;
         task.is_final = is_final;
-        return draws_of(task, scheduled, all[0]).sampling.tolerance;
+        return accuracy_of(task, scheduled).tolerance;
     };
     EXPECT_EQ(tolerance(0, false), 1e-3);
     scheduled.first_tolerance = 1.6e-2;
@@ -162,14 +162,16 @@ TEST(Canopy, InThePolarNightAllFiguresAreZero) {
         Case night = cases(campaign)[0];
         night.site.latitude = pole;
         night.day.date = {2025, pole > 0 ? 12 : 6, 21};
-        const CanopyModel model = canopy_model(campaign, night);
-        ASSERT_TRUE(model.light.day.steps.empty());
+        const Scenario scenario = scenario_of(campaign, night);
+        ASSERT_TRUE(scenario.light.day.steps.empty());
         const Device device(Device::supported_isas().back());
+        const Genome baseline = to_genome(campaign.baseline);
         const Outcome outcome = checked_outcome(
-            outcome_schema(campaign, model.light.day),
-            to_outcome(campaign, to_genome(campaign.baseline),
-                       study(model, device, campaign.baseline,
-                             draws_of({}, campaign, night), Detail::history)));
+            outcome_schema(campaign, scenario.light.day),
+            to_outcome(
+                campaign, baseline,
+                evaluate(request_of({}, campaign, night, scenario, baseline),
+                         device)));
         EXPECT_EQ(outcome.status, Status::done) << outcome.message;
         EXPECT_EQ(outcome.objectives[0].mean, 0);
         EXPECT_EQ(outcome.objectives[0].standard_error, 0);

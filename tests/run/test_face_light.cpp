@@ -1,87 +1,107 @@
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
-#include "ideotype/canopy/face_light.hpp"
 #include "ideotype/run/evaluator.hpp"
 
 namespace ideotype {
 namespace {
 
-class FaceLightTest : public ::testing::Test {
+class FaceLight : public ::testing::Test {
   protected:
-    FaceLightTest() { model.field.rows = model.field.plants = 3; }
+    FaceLight() {
+        request.scenario.field.rows = request.scenario.field.plants = 3;
+        request.accuracy = {512, 4};
+        request.randomness = {5, 2};
+    }
 
-    Draws few(Draws::Fields fields) const { return {5, 2, {512, 4}, fields}; }
+    std::vector<Estimate> of_faces() const {
+        CanopyRequest by_face = request;
+        by_face.details.faces = true;
+        return evaluate(by_face, device).faces;
+    }
 
-    CanopyReport evaluation(const Draws& draws) const {
-        return study(model, device, campaign.baseline, draws, Detail::history);
+    Field field() const {
+        return draw_field(plant, request.scenario.field, request.randomness);
     }
 
     //! What the faces of a tissue absorb, for each area of ground
     //! [J m-2 day-1].
-    static double sum(const Mesh& mesh, const FaceLight& light, Tissue tissue) {
+    static double sum(const Mesh& mesh, const std::vector<Estimate>& light,
+                      double ground_area, Tissue tissue) {
         const std::vector<double> areas = face_areas(mesh);
-        EXPECT_EQ(light.absorbed.size(), areas.size());
+        EXPECT_EQ(light.size(), areas.size());
         double energy = 0;
         for (std::size_t f = 0; f < areas.size(); ++f)
             if (mesh.groups[mesh.face_group[f]].tissue == tissue)
-                energy += light.absorbed[f].mean * areas[f];
-        return energy / light.ground_area;
+                energy += light[f].mean * areas[f];
+        return energy / ground_area;
     }
 
-    static void expect_totals(const Mesh& mesh, const FaceLight& light,
-                              const CanopyReport& report) {
-        const BudgetEstimate& whole = report.light.day;
-        EXPECT_NEAR(sum(mesh, light, Tissue::leaf) / whole.leaves.mean, 1,
-                    1e-12);
-        EXPECT_NEAR(sum(mesh, light, Tissue::stalk) / whole.stalks.mean, 1,
-                    1e-12);
+    //! The light on the faces of a mesh against the request's evaluation.
+    void expect_totals(const Mesh& mesh, const std::vector<Estimate>& light,
+                       double ground_area) const {
+        const BudgetEstimate whole = evaluate(request, device).light.day;
+        EXPECT_NEAR(
+            sum(mesh, light, ground_area, Tissue::leaf) / whole.leaves.mean, 1,
+            1e-12);
+        EXPECT_NEAR(
+            sum(mesh, light, ground_area, Tissue::stalk) / whole.stalks.mean, 1,
+            1e-12);
     }
 
-    Campaign campaign =
+    //! The light on the faces of the request's field against its evaluation.
+    void expect_totals_of_field() {
+        const Field ready = field();
+        const auto plants = std::exchange(request.stand, ready);
+        const std::vector<Estimate> light = of_faces();
+        request.stand = plants;
+        expect_totals(ready.mesh, light, ready.ground_area);
+    }
+
+    const Campaign campaign =
         read_campaign(std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml");
-    CanopyModel model = canopy_model(campaign, cases(campaign)[0]);
+    const Case chosen = cases(campaign)[0];
+    const double ground = chosen.spacing.row * chosen.spacing.plant;
+    CanopyRequest request =
+        request_of({}, campaign, chosen, scenario_of(campaign, chosen),
+                   to_genome(campaign.baseline));
+    const Mesh plant = build_plant(std::get<Plant>(request.stand));
     const Device device{Device::supported_isas().back()};
-    const Mesh plant = build_plant(model, campaign.baseline);
 };
 
-TEST_F(FaceLightTest, FacesOfAPlantSumToItsEvaluation) {
-    for (const auto fields : {Draws::Fields::one, Draws::Fields::each})
-        expect_totals(plant, light_on_plant(model, device, plant, few(fields)),
-                      evaluation(few(fields)));
+TEST_F(FaceLight, FacesOfAPlantSumToItsEvaluation) {
+    for (const auto fields :
+         {Randomness::Fields::one, Randomness::Fields::each}) {
+        request.randomness.fields = fields;
+        expect_totals(plant, of_faces(), ground);
+    }
 }
 
-TEST_F(FaceLightTest, FacesOfAFieldSumToItsEvaluation) {
-    const Draws draws = few(Draws::Fields::one);
-    const Field field = build_field(model, plant, draws, 0);
-    expect_totals(field.mesh, light_on_field(model, device, field, draws),
-                  evaluation(draws));
+TEST_F(FaceLight, FacesOfAFieldSumToItsEvaluation) {
+    expect_totals_of_field();
 }
 
-TEST_F(FaceLightTest, FacesOfACutPlotSumToItsEvaluation) {
-    model.field.boundary = Boundary::isolated;
-    model.field.border_rows = 1;
-    const Draws draws = few(Draws::Fields::one);
-    const Field field = build_field(model, plant, draws, 0);
-    expect_totals(field.mesh, light_on_field(model, device, field, draws),
-                  evaluation(draws));
+TEST_F(FaceLight, FacesOfACutPlotSumToItsEvaluation) {
+    request.scenario.field.boundary = Boundary::isolated;
+    request.scenario.field.border_rows = 1;
+    expect_totals_of_field();
     // A face that is there in one field only counts by what is there of it.
-    const FaceLight light = light_on_plant(model, device, plant, draws);
-    EXPECT_NEAR(sum(plant, light, Tissue::leaf) /
-                    evaluation(draws).light.day.leaves.mean,
+    EXPECT_NEAR(sum(plant, of_faces(), ground, Tissue::leaf) /
+                    evaluate(request, device).light.day.leaves.mean,
                 1, .2);
 }
 
-TEST_F(FaceLightTest, StandardErrorsOfFacesAreHonestAndSmall) {
-    model.field.jitter = 0;
-    Draws draws{5, 2, face_sampling({16, 16}, plant.faces.size())};
-    const FaceLight one = light_on_plant(model, device, plant, draws);
-    draws.seed = 6;
-    const FaceLight other = light_on_plant(model, device, plant, draws);
+TEST_F(FaceLight, StandardErrorsOfFacesAreHonestAndSmall) {
+    request.scenario.field.jitter = 0;
+    request.accuracy = face_accuracy({16, 16}, plant.faces.size());
+    const std::vector<Estimate> one = of_faces();
+    request.randomness.seed = 6;
+    const std::vector<Estimate> other = of_faces();
     double squares = 0, relative = 0, count = 0;
     for (std::size_t f = 0; f < plant.faces.size(); ++f) {
-        const Estimate &a = one.absorbed[f], &b = other.absorbed[f];
+        const Estimate &a = one[f], &b = other[f];
         const double error = std::hypot(a.standard_error, b.standard_error);
         if (!(error > 0)) continue;
         squares += std::pow((a.mean - b.mean) / error, 2);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ideotype/core/mesh.hpp"
+#include "ideotype/core/randomness.hpp"
 #include "ideotype/light/boundary.hpp"
 
 namespace ideotype {
@@ -41,11 +42,9 @@ struct Field {
 };
 
 //! The turn of each plant [deg], row by row: independent and uniform in
-//! +-jitter, a function of seed, generation and draw.
+//! +-jitter, a function of seed, generation and first randomisation.
 std::vector<double> draw_plant_azimuths(const FieldForm& form,
-                                        std::uint64_t seed,
-                                        std::uint32_t generation,
-                                        std::uint32_t draw);
+                                        const Randomness& randomness);
 
 //! Places a turned copy of the plant at every lattice point. turns has one
 //! entry per plant. Groups are those of the plant.
@@ -53,5 +52,9 @@ std::vector<double> draw_plant_azimuths(const FieldForm& form,
 //! left of a plot.
 Field build_field(const Mesh& plant, const FieldForm& form,
                   const std::vector<double>& turns);
+
+//! The same with turns that are drawn.
+Field draw_field(const Mesh& plant, const FieldForm& form,
+                 const Randomness& randomness);
 
 }  // namespace ideotype

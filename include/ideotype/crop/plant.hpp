@@ -52,10 +52,16 @@ struct PlantForm {
     StalkForm stalk;
 };
 
-//! The surfaces of one plant: its foot at the origin, y along the row, z up.
+//! One plant, to be built.
+struct Plant {
+    PlantForm form;
+    std::vector<LeafTraits> traits;  //!< lowest leaf first
+    Tessellation tessellation;
+};
+
+//! The surfaces of a plant: its foot at the origin, y along the row, z up.
 //! Group i is leaf i + 1; the stalk, if present, is the last group.
 //! @throws Error if the numbers of leaves differ.
-Mesh build_plant(const std::vector<LeafTraits>& traits, const PlantForm& form,
-                 const Tessellation& tessellation);
+Mesh build_plant(const Plant& plant);
 
 }  // namespace ideotype

@@ -14,8 +14,8 @@ namespace ideotype {
 //! leaves absorb.
 struct Combination {
     std::vector<std::size_t> values;  //!< by parameter of the trade
-    Accuracy sampling;
-    Draws::Fields fields = Draws::Fields::one;
+    Accuracy accuracy;
+    Randomness::Fields fields = Randomness::Fields::one;
     Estimate bias;
     double standard_error = 0;  //!< of one evaluation
     Cost cost;                  //!< of one evaluation; path: of all light [s]
@@ -25,15 +25,16 @@ struct Combination {
     double seconds() const { return cost.geometry + cost.scene + cost.path; }
 };
 
-//! What a value of each parameter should give with a sampling: sizes of biases
+//! What a value of each parameter should give with an accuracy: sizes of biases
 //! add up, since that they cancel for these plants says nothing of others;
 //! costs and variances multiply with the ratios to the campaign's own values.
 Combination combine(const Trade& trade, const std::vector<std::size_t>& values,
-                    const Accuracy& sampling, Draws::Fields fields, Goal goal);
+                    const Accuracy& accuracy, Randomness::Fields fields,
+                    Goal goal);
 
 //! All that are not beaten both in cost and in error, cheapest first.
 std::vector<Combination> pareto_front(const Trade& trade, Goal goal,
-                                      Draws::Fields fields);
+                                      Randomness::Fields fields);
 
 //! The cheapest whose error is within a tolerance.
 std::optional<Combination> cheapest(const std::vector<Combination>& front,

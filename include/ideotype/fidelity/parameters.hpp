@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ideotype/campaign/campaign.hpp"
+#include "ideotype/canopy/request.hpp"
 
 namespace ideotype {
 
@@ -13,9 +14,8 @@ namespace ideotype {
 //! accuracy.
 struct Variant {
     Campaign campaign;
-    //! Whether a sky that keeps its shape is traced once for all hours.
-    enum class Skies { shared, each } skies = Skies::shared;
-    //! Paths of the diffuse light over those in proportion to its energy.
+    Skies skies = Skies::shared;
+    //! Paths of skies for their energy, relative to those of the sun.
     double sky_effort = 1;
 };
 
@@ -53,5 +53,9 @@ std::vector<Parameter> parameters(const Campaign& campaign,
 
 //! The case of a variant's campaign.
 Case case_of(const Variant& variant, std::size_t case_index);
+
+//! How the first generation of a case evaluates a plant.
+CanopyRequest request_of(const Variant& variant, std::size_t case_index,
+                         const Genome& genome);
 
 }  // namespace ideotype

@@ -8,7 +8,6 @@
 #include "ideotype/core/estimate.hpp"
 #include "ideotype/fidelity/parameters.hpp"
 #include "ideotype/light/device.hpp"
-#include "ideotype/light/illumination.hpp"
 
 namespace ideotype {
 
@@ -52,7 +51,7 @@ double median(std::vector<double> x);
 class Probe {
   public:
     //! The device must outlive the probe.
-    Probe(Variant variant, std::size_t case_index, const Device& device,
+    Probe(const Variant& variant, std::size_t case_index, const Device& device,
           const Rivals& rivals);
 
     //! Makes the next draw: a field, two randomisations.
@@ -80,13 +79,8 @@ class Probe {
 
     static std::size_t index(Goal goal) { return goal == Goal::value ? 0 : 1; }
     Randomised evaluate(const Genome& genome, std::uint32_t draw);
-    void arrange();
 
-    Variant variant_;
-    Case case_;
-    CanopyModel model_;
-    std::vector<Illumination> lights_;  //!< traced one after the other
-    std::vector<int> paths_;            //!< of each
+    CanopyRequest request_;
     const Device& device_;
     Rivals rivals_;
     std::array<std::vector<double>, 2> means_;

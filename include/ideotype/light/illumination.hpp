@@ -14,6 +14,7 @@ struct Source {
     std::optional<glm::dvec3> direction;  //!< of travel, unit length, downwards
     double energy = 0;                    //!< on horizontal ground [J m-2]
     SkySampler sky;                       //!< in use if there is no direction
+    double effort = 1;  //!< paths for its energy, relative to other sources
 };
 
 //! All light that falls on a stand, each source traced for itself.
@@ -23,9 +24,12 @@ struct Illumination {
     double energy() const;  //!< [J m-2]
 };
 
+//! Whether a sky whose shape does not change is one source for the whole day,
+//! or one for each instant, as a clear one always is.
+enum class Skies { shared, each };
+
 //! The light of a day in the axes of a field: one beam for each instant and
-//! one sky for the whole day, if its shape does not change, or else one for
-//! each instant. Sources without energy are left out. beam_of[i] and
+//! its skies. Sources without energy are left out. beam_of[i] and
 //! sky_of[i] are the sources of instant i, or -1 if it has none.
 struct DayIllumination {
     Day day;
@@ -35,6 +39,7 @@ struct DayIllumination {
 };
 
 //! @param row_direction of the field's y axis, clockwise from north [deg]
-DayIllumination illuminate(Day day, SkyModel sky_model, double row_direction);
+DayIllumination illuminate(Day day, SkyModel sky_model, double row_direction,
+                           Skies skies = Skies::shared);
 
 }  // namespace ideotype

@@ -15,13 +15,13 @@ namespace ideotype {
 //! Follows light from above the canopy, through as many periods as it takes,
 //! until leaves, stalks and soil have absorbed it or it has left upwards.
 //!
-//! Each source gets a share of the paths in proportion to its energy, at
-//! least one; its paths share equally what enters of it, see Launcher. At a
-//! surface light is absorbed, reflected or transmitted (Lambertian); see
-//! absorb_and_continue() in the source for the unbiased rule that ends paths.
-//! In every randomisation the budget of every source sums to what entered, to
-//! rounding: in a periodic stand its energy, in an isolated plot what came
-//! through its bounding box.
+//! Each source gets a share of the paths in proportion to its energy and
+//! effort, at least one; its paths share equally what enters of it, see
+//! Launcher. At a surface light is absorbed, reflected or transmitted
+//! (Lambertian); see absorb_and_continue() in the source for the unbiased rule
+//! that ends paths. In every randomisation the budget of every source sums to
+//! what entered, to rounding: in a periodic stand its energy, in an isolated
+//! plot what came through its bounding box.
 //!
 //! Nothing is neglected around an isolated plot: the soil is infinite and lit,
 //! and light that leaves the box comes back by way of it. `soil` is then what

@@ -11,9 +11,12 @@
 
 namespace ideotype {
 
-//! The draws of a task: common to all candidates of a generation; fresh and
-//! finer ones for all finalists.
-Draws draws_of(const Task& task, const Campaign& campaign, const Case& chosen);
+//! How accurate a task is: finalists are evaluated more finely.
+Accuracy accuracy_of(const Task& task, const Campaign& campaign);
+
+//! The random numbers of a task: common to all candidates of a generation;
+//! fresh ones for all finalists.
+Randomness randomness_of(const Task& task, const Case& chosen);
 
 //! How many times longer the evaluation of a finalist takes, about: it has
 //! more paths, and a field for each randomisation.
@@ -22,8 +25,15 @@ double final_effort(const Campaign& campaign);
 //! Layers of 0.25 m, up to what the highest leaf could reach.
 Layers canopy_layers(const Campaign& campaign);
 
-//! What the plants of a case are evaluated in; worth keeping for all of them.
-CanopyModel canopy_model(const Campaign& campaign, const Case& chosen);
+//! What the plants of a case are evaluated under; worth keeping for all of
+//! them.
+Scenario scenario_of(const Campaign& campaign, const Case& chosen);
+
+//! How a task evaluates a plant.
+//! @param scenario that of the case
+CanopyRequest request_of(const Task& task, const Campaign& campaign,
+                         const Case& chosen, const Scenario& scenario,
+                         const Genome& genome);
 
 //! The columns of a case's outcomes.
 OutcomeSchema outcome_schema(const Campaign& campaign, const Day& day);
@@ -53,7 +63,7 @@ class CanopyEvaluator : public Evaluator {
     const Campaign& campaign_;
     std::vector<Case> cases_;
     //! By case; set up when its first candidate comes.
-    std::vector<std::optional<CanopyModel>> models_;
+    std::vector<std::optional<Scenario>> scenarios_;
     std::vector<OutcomeSchema> schemas_;  //!< by case
     Device device_;
 };

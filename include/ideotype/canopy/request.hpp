@@ -1,0 +1,36 @@
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "ideotype/canopy/scenario.hpp"
+#include "ideotype/core/randomness.hpp"
+#include "ideotype/crop/plant.hpp"
+#include "ideotype/light/accuracy.hpp"
+#include "ideotype/light/layers.hpp"
+
+namespace ideotype {
+
+//! What is to be found out about a canopy besides where light goes. Neither
+//! changes any fitness: histories go without.
+struct Details {
+    bool sunlit = false;  //!< the sunlit leaf area, which costs more rays
+    //! The light on each face: groups are then faces, not organs.
+    bool faces = false;
+};
+
+//! One evaluation of a canopy: all that its result is a function of.
+struct CanopyRequest {
+    //! Plants alike, in fields of the scenario that are drawn at random; or a
+    //! field that is ready.
+    std::variant<Plant, Field> stand;
+    Scenario scenario;
+    //! In which the light that leaves absorb is counted. With no thickness they
+    //! are equal parts of the height of the canopy.
+    Layers layers;
+    Accuracy accuracy;
+    Randomness randomness;
+    Details details;
+};
+
+}  // namespace ideotype

@@ -26,6 +26,7 @@ Range intersection(Range a, Range b) {
 Draft::Draft() {
     // What `fidelity` recommends; the field and the time step are so anyway.
     campaign.sampling = {16384, 16, 0.008};
+    campaign.trait_sets = {{"all", {}}};
     campaign.optics = {{0.05, 0.05}, {0.31, 0.12}, 0.10};
     // A least-squares fit of a maize width profile with a maximum of 1 and an
     // area of 0.7455 length x width.

@@ -26,46 +26,6 @@ Key insertion_angle(Value& value, const std::string& example,
         .required(example);
 }
 
-}  // namespace
-
-Section plant_section(Draft& draft) {
-    Campaign& campaign = draft.campaign;
-    return {"plant",
-            {Key("baseline", {},
-                 "plant file, relative to the campaign file; or its content "
-                 "as [plant.baseline]")
-                 .set(&Key::type, "path or table")
-                 .set(&Key::range, "-")
-                 .required("\"plants/b73.toml\""),
-             Key("bounds", &draft.bounds.rule,
-                 "a rule, or its own values as [plant.bounds]")
-                 .set(&Key::type, "text or table")
-                 .one_of({"paper", "biological"}),
-             Key("stalk", &campaign.plant.stalk.is_present,
-                 "whether plants have stalks"),
-             Key("cells_along", &campaign.tessellation.cells_along,
-                 "faces along a leaf; there are two across")
-                 .within(4, 200),
-             Key("stalk_sides", &campaign.tessellation.stalk_sides,
-                 "faces around a stalk")
-                 .within(3, 100)}};
-}
-
-Section bounds_section(LeafBounds& bounds) {
-    return {
-        "plant.bounds",
-        {length(bounds.length, "[0.4, 1.1]", "of every leaf"),
-         width(bounds.width, "[0.05, 0.14]", "of every leaf"),
-         insertion_angle(bounds.insertion_angle, "[10, 80]", "of every leaf")}};
-}
-
-Section plant_file_section(PlantForm& plant) {
-    return {"plant file",
-            {Key("name", &plant.name, "of the plant")
-                 .set(&Key::range, name_range)
-                 .required("\"b73\"")}};
-}
-
 Section stalk_section(StalkForm& stalk) {
     return {"stalk",
             {Key("height", &stalk.height, "above the soil").metres(0.05, 6),
@@ -107,6 +67,54 @@ Section leaf_section(LeafEntry& leaf) {
                  "above the soil, at most the stalk's height")
                  .metres(0, 6)
                  .required("0.09")}};
+}
+
+}  // namespace
+
+Section plant_section(Draft& draft) {
+    Campaign& campaign = draft.campaign;
+    return {"plant",
+            {Key("baseline", {},
+                 "plant file, relative to the campaign file; or its content "
+                 "as [plant.baseline]")
+                 .set(&Key::type, "path or table")
+                 .set(&Key::range, "-")
+                 .required("\"plants/b73.toml\""),
+             Key("bounds",
+                 draft.bounds.rule.empty() ? Target{} : &draft.bounds.rule,
+                 "a rule, or its own values as [plant.bounds]")
+                 .set(&Key::type, "text or table")
+                 .one_of({"paper", "biological"}),
+             Key("stalk", &campaign.plant.stalk.is_present,
+                 "whether plants have stalks"),
+             Key("cells_along", &campaign.tessellation.cells_along,
+                 "faces along a leaf; there are two across")
+                 .within(4, 200),
+             Key("stalk_sides", &campaign.tessellation.stalk_sides,
+                 "faces around a stalk")
+                 .within(3, 100)}};
+}
+
+Section bounds_section(LeafBounds& bounds) {
+    return {
+        "plant.bounds",
+        {length(bounds.length, "[0.4, 1.1]", "of every leaf"),
+         width(bounds.width, "[0.05, 0.14]", "of every leaf"),
+         insertion_angle(bounds.insertion_angle, "[10, 80]", "of every leaf")}};
+}
+
+Section plant_file_section(PlantForm& plant) {
+    return {"plant file",
+            {Key("name", &plant.name, "of the plant")
+                 .set(&Key::range, name_range)
+                 .required("\"b73\"")}};
+}
+
+std::vector<Table> plant_tables(Draft& draft) {
+    PlantForm& plant = draft.campaign.plant;
+    return {one_table(stalk_section(plant.stalk)),
+            one_table(blade_section(plant.blade)),
+            list_of_tables("leaf", leaf_section, draft.leaves)};
 }
 
 }  // namespace ideotype

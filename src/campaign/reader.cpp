@@ -74,78 +74,30 @@ class DraftReader {
 
     void read(const toml::table& top) {
         Campaign& campaign = draft_.campaign;
-        tables_.read(top, top_section(campaign),
-                     {"site", "day", "spacing", "traits", "field", "plant",
-                      "optics", "light", "objective", "constraints", "search",
-                      "stop", "final", "parallel"});
-        read_axes(top);
-        tables_.read_child(top, "field", field_section(campaign.field));
-        read_plant_choice(top);
-        tables_.read_child(top, "optics", optics_section(campaign));
-        tables_.read_child(top, "light", light_section(campaign));
+        const toml::table* bounds = top["plant"]["bounds"].as_table();
+        if (bounds) draft_.bounds.rule.clear();
+        const std::vector<Table> tables = campaign_tables(draft_);
+        tables_.read(top, top_section(campaign), tables);
+        for (const Table& table : tables) tables_.read(top, table);
+        if (bounds) tables_.read(*bounds, bounds_section(draft_.bounds.table));
+        if (const auto baseline = top["plant"]["baseline"])
+            read_baseline(top, *baseline.node());
         // A number of paths alone means all of them.
         if (top["light"]["paths"] && !top["light"]["tolerance"])
             campaign.sampling.tolerance = 0;
-        tables_.read_child(top, "objective", objective_section(campaign));
-        tables_.read_child(top, "constraints",
-                           constraints_section(campaign.constraints));
-        tables_.read_child(top, "search", search_section(campaign.search));
-        tables_.read_child(top, "stop", stop_section(campaign.stop));
-        tables_.read_child(top, "final", final_section(campaign.final_rule));
-        tables_.read_child(top, "parallel",
-                           parallel_section(campaign.answer_limits));
+        for (auto& [name, span] : campaign.days)
+            if (name.empty())
+                name =
+                    fmt::format("{:02}{:02}", span.date.month, span.date.day);
+        for (auto& [name, spacing] : campaign.spacings)
+            if (name.empty())
+                name = fmt::format("{}x{}", std::lround(spacing.row * 1000),
+                                   std::lround(spacing.plant * 1000));
     }
 
     void read_plant(const toml::table& table) { read_plant(table, tables_); }
 
   private:
-    template <class Record>
-    void read_axis(const toml::table& top, const std::string& name,
-                   Section (*section_of)(Record&),
-                   std::vector<Record>& records) {
-        tables_.read_entries(top, name, section_of, records);
-        Record sample;
-        if (!top.contains(name))
-            tables_.report_missing(top, name, section_of(sample));
-    }
-
-    void read_axes(const toml::table& top) {
-        Campaign& campaign = draft_.campaign;
-        read_axis(top, "site", site_section, campaign.sites);
-        read_axis(top, "day", day_section, campaign.days);
-        for (auto& [name, span] : campaign.days)
-            if (name.empty())
-                name =
-                    fmt::format("{:02}{:02}", span.date.month, span.date.day);
-        read_axis(top, "spacing", spacing_section, campaign.spacings);
-        for (auto& [name, spacing] : campaign.spacings)
-            if (name.empty())
-                name = fmt::format("{}x{}", std::lround(spacing.row * 1000),
-                                   std::lround(spacing.plant * 1000));
-        if (top.contains("traits"))
-            tables_.read_entries(top, "traits", traits_section,
-                                 campaign.trait_sets);
-        else
-            campaign.trait_sets = {{"all", {}}};
-    }
-
-    void read_plant_choice(const toml::table& top) {
-        const toml::table* table = top["plant"].as_table();
-        Section section = plant_section(draft_);
-        if (!table) return tables_.read_child(top, "plant", section);
-        const toml::node* bounds = table->get("bounds");
-        if (bounds && bounds->is_table()) {
-            draft_.bounds.rule.clear();
-            for (Key& key : section.keys)
-                if (key.name == "bounds") key.value = {};
-            tables_.read_child(*table, "bounds",
-                               bounds_section(draft_.bounds.table));
-        }
-        tables_.read(*table, section);
-        if (table->contains("baseline"))
-            read_baseline(top, *table->get("baseline"));
-    }
-
     void read_baseline(const toml::table& top, const toml::node& baseline) {
         if (const toml::table* table = baseline.as_table())
             return read_plant(*table, tables_);
@@ -180,15 +132,9 @@ class DraftReader {
     }
 
     void read_plant(const toml::table& table, TableReader& tables) {
-        PlantForm& plant = draft_.campaign.plant;
-        tables.read(table, plant_file_section(plant),
-                    {"stalk", "blade", "leaf"});
-        tables.read_child(table, "stalk", stalk_section(plant.stalk));
-        tables.read_child(table, "blade", blade_section(plant.blade));
-        tables.read_entries(table, "leaf", leaf_section, draft_.leaves);
-        LeafEntry sample;
-        if (!table.contains("leaf"))
-            tables.report_missing(table, "leaf", leaf_section(sample));
+        const std::vector<Table> parts = plant_tables(draft_);
+        tables.read(table, plant_file_section(draft_.campaign.plant), parts);
+        for (const Table& part : parts) tables.read(table, part);
         if (draft_.leaves.size() > most_leaves)
             report_.add(&draft_.leaves[most_leaves],
                         fmt::format("the plant has {} leaves (the limit is "

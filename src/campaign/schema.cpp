@@ -33,21 +33,6 @@ Key fraction(const std::string& name, double& value,
     return Key(name, &value, meaning).within(0, 1);
 }
 
-}  // namespace
-
-Section top_section(Campaign& campaign) {
-    return {"top",
-            {Key("name", &campaign.name, "names the folder of the histories")
-                 .set(&Key::range, name_range)
-                 .required("\"ames\""),
-             Key("seed", &campaign.seed, "of all random numbers")
-                 .set(&Key::range, "0 .. 2^63-1"),
-             Key("replicates", &campaign.replicates,
-                 "evolutions with seeds of their own, per combination of the "
-                 "axes")
-                 .within(1, 1000)}};
-}
-
 Section site_section(Site& site) {
     return {"site",
             {entry_name(site.name, "", R"("ames")"),
@@ -140,6 +125,39 @@ Section optics_section(Campaign& campaign) {
              Key("par_fraction", &campaign.par_fraction,
                  "PAR over all solar energy")
                  .within(0.01, 1)}};
+}
+
+}  // namespace
+
+Section top_section(Campaign& campaign) {
+    return {"top",
+            {Key("name", &campaign.name, "names the folder of the histories")
+                 .set(&Key::range, name_range)
+                 .required("\"ames\""),
+             Key("seed", &campaign.seed, "of all random numbers")
+                 .set(&Key::range, "0 .. 2^63-1"),
+             Key("replicates", &campaign.replicates,
+                 "evolutions with seeds of their own, per combination of the "
+                 "axes")
+                 .within(1, 1000)}};
+}
+
+std::vector<Table> campaign_tables(Draft& draft) {
+    Campaign& campaign = draft.campaign;
+    return {list_of_tables("site", site_section, campaign.sites),
+            list_of_tables("day", day_section, campaign.days),
+            list_of_tables("spacing", spacing_section, campaign.spacings),
+            list_of_tables("traits", traits_section, campaign.trait_sets),
+            one_table(field_section(campaign.field)),
+            one_table(plant_section(draft)),
+            one_table(optics_section(campaign)),
+            one_table(light_section(campaign)),
+            one_table(objective_section(campaign)),
+            one_table(constraints_section(campaign.constraints)),
+            one_table(search_section(campaign.search)),
+            one_table(stop_section(campaign.stop)),
+            one_table(final_section(campaign.final_rule)),
+            one_table(parallel_section(campaign.answer_limits))};
 }
 
 }  // namespace ideotype

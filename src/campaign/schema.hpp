@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -115,15 +116,48 @@ struct Section {
 // Names end up in the names of files and as fixed-length text in them.
 inline constexpr auto name_range = "at most 64 letters, digits, _ and -";
 
+//! A table that is written once, or any number of times as [[name]].
+struct Table {
+    std::string name;
+    std::function<Section(std::size_t)> section;  //!< of an entry
+    std::function<std::size_t()> size;
+    //! Makes all entries anew: values are known by their addresses from then
+    //! on. None if there is one entry.
+    std::function<void(std::size_t)> resize;
+};
+
+inline Table one_table(const Section& section) {
+    return {section.name, [section](std::size_t) { return section; },
+            [] { return std::size_t{1}; }, nullptr};
+}
+
+template <class Record>
+Table list_of_tables(const std::string& name, Section (*section_of)(Record&),
+                     std::vector<Record>& records) {
+    return {name,
+            [&records, section_of](std::size_t i) {
+                return section_of(records.at(i));
+            },
+            [&records] { return records.size(); },
+            [&records](std::size_t n) { records.assign(n, Record{}); }};
+}
+
+//! The keys before the first table.
 Section top_section(Campaign& campaign);
-Section site_section(Site& site);
-Section day_section(Named<DaySpan>& day);
-Section spacing_section(Named<Spacing>& spacing);
-Section traits_section(Named<TraitSet>& traits);
-Section field_section(FieldForm& field);
-Section plant_section(Draft& draft);
+
+//! All tables of a campaign in the order of its resolved text.
+std::vector<Table> campaign_tables(Draft& draft);
+
 Section bounds_section(LeafBounds& bounds);
-Section optics_section(Campaign& campaign);
+
+//! The keys of a plant file, or of [plant.baseline], before the first table.
+Section plant_file_section(PlantForm& plant);
+
+//! All tables of a plant file.
+std::vector<Table> plant_tables(Draft& draft);
+
+// Those of run_schema.cpp and plant_schema.cpp.
+Section plant_section(Draft& draft);
 Section light_section(Campaign& campaign);
 Section objective_section(Campaign& campaign);
 Section constraints_section(Constraints& constraints);
@@ -131,12 +165,6 @@ Section search_section(SearchSettings& search);
 Section stop_section(StopRules& stop);
 Section final_section(FinalRule& rule);
 Section parallel_section(AnswerLimits& limits);
-
-//! The sections of a plant file, or of [plant.baseline].
-Section plant_file_section(PlantForm& plant);
-Section stalk_section(StalkForm& stalk);
-Section blade_section(BladeForm& blade);
-Section leaf_section(LeafEntry& leaf);
 
 inline constexpr std::size_t most_leaves = 40;
 

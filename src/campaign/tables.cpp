@@ -56,7 +56,7 @@ Location TableReader::where(const toml::node& node) const {
 }
 
 void TableReader::read(const toml::table& table, const Section& section,
-                       const std::vector<std::string>& children) {
+                       const std::vector<Table>& children) {
     const std::set<std::string> misspelt =
         report_unknown(table, section, children);
     for (const Key& key : section.keys) {
@@ -76,70 +76,68 @@ void TableReader::read(const toml::table& table, const Section& section,
     }
 }
 
-void TableReader::read_child(const toml::table& parent, const std::string& name,
-                             const Section& section) {
-    const toml::node* node = parent.get(name);
-    if (node && !node->is_table())
-        report_.add(
-            where(*node),
-            fmt::format("{} is {} (expected: one table); write [{}] once", name,
-                        kind(*node), section.name));
-    const bool requires_any =
-        std::any_of(section.keys.begin(), section.keys.end(),
-                    [](const Key& key) { return key.is_required; });
-    if (!node && requires_any) report_missing(parent, name, section);
-    if (!node || !node->is_table()) {
-        for (const Key& key : section.keys)
+void TableReader::read(const toml::table& parent, const Table& table) {
+    const toml::node* node = parent.get(table.name);
+    if (!node) report_missing(parent, table);
+    const auto found =
+        node ? entries(*node, table) : std::vector<const toml::table*>{};
+    if (node && table.resize) table.resize(found.size());
+    for (std::size_t i = 0; i < found.size(); ++i)
+        read(*found[i], table.section(i));
+    if (!found.empty()) return;
+    for (std::size_t i = 0; i < table.size(); ++i)
+        for (const Key& key : table.section(i).keys)
             report_.locate(address(key.value), where(parent));
-        return;
-    }
-    read(*node->as_table(), section);
 }
 
-std::vector<const toml::table*> TableReader::entries(const toml::table& parent,
-                                                     const std::string& name) {
-    const toml::node* node = parent.get(name);
-    if (!node) return {};
-    if (const toml::table* table = node->as_table()) return {table};
-    std::vector<const toml::table*> tables;
-    const auto refuse = [&](const toml::node& found) {
-        report_.add(where(found),
-                    fmt::format("{} is {} (expected: tables); write [[{}]] "
-                                "before the keys of each",
-                                name, kind(found), name));
+std::vector<const toml::table*> TableReader::entries(const toml::node& node,
+                                                     const Table& table) {
+    if (const toml::table* one = node.as_table()) return {one};
+    const auto refuse = [&](const toml::node& found, const std::string& how) {
+        report_.add(where(found), fmt::format("{} is {} (expected: {}",
+                                              table.name, kind(found), how));
     };
-    if (!node->is_array() || node->as_array()->empty()) {
-        refuse(*node);
-        return {};
-    }
-    for (const toml::node& element : *node->as_array()) {
-        if (element.is_table())
-            tables.push_back(element.as_table());
-        else
-            refuse(element);
-    }
+    const std::string lists = fmt::format(
+        "tables); write [[{}]] before the keys of each", table.name);
+    std::vector<const toml::table*> tables;
+    const toml::array* array = node.as_array();
+    if (!table.resize)
+        refuse(node, fmt::format("one table); write [{}] once", table.name));
+    else if (!array || array->empty())
+        refuse(node, lists);
+    else
+        for (const toml::node& element : *array) {
+            if (element.is_table())
+                tables.push_back(element.as_table());
+            else
+                refuse(element, lists);
+        }
     return tables;
 }
 
 void TableReader::report_missing(const toml::table& parent,
-                                 const std::string& name,
-                                 const Section& section) {
+                                 const Table& table) {
+    // Entries that are there already are the default.
+    if (table.resize && table.size() > 0) return;
+    if (table.resize) table.resize(1);
     std::vector<std::string> needed;
-    for (const Key& key : section.keys)
+    for (const Key& key : table.section(0).keys)
         if (key.is_required) needed.push_back(key.name);
-    report_.add(where(parent),
-                fmt::format("missing table [{}] (it has no default); add it "
-                            "with {}",
-                            name, fmt::join(needed, ", ")));
+    if (table.resize) table.resize(0);
+    if (!needed.empty())
+        report_.add(where(parent),
+                    fmt::format("missing table [{}] (it has no default); add "
+                                "it with {}",
+                                table.name, fmt::join(needed, ", ")));
 }
 
 std::set<std::string> TableReader::report_unknown(
     const toml::table& table, const Section& section,
-    const std::vector<std::string>& children) {
+    const std::vector<Table>& children) {
     std::vector<std::string> keys;
     for (const Key& key : section.keys) keys.push_back(key.name);
     std::vector<std::string> known = keys;
-    known.insert(known.end(), children.begin(), children.end());
+    for (const Table& child : children) known.push_back(child.name);
     std::set<std::string> misspelt;
     for (const auto& [key, value] : table) {
         const std::string name(key.str());

@@ -18,41 +18,24 @@ class TableReader {
     TableReader(const std::string& file, Report& report)
         : file_(file), report_(report) {}
 
-    //! Reads the keys of a table; children are the names of its sub-tables,
-    //! which are read on their own.
+    //! Reads the keys of a table; children are read on their own.
     void read(const toml::table& table, const Section& section,
-              const std::vector<std::string>& children = {});
+              const std::vector<Table>& children = {});
 
-    //! Reads a table that may be given once, or left out if it has defaults
-    //! only.
-    void read_child(const toml::table& parent, const std::string& name,
-                    const Section& section);
-
-    //! Reads `[name]` or every `[[name]]` into a record of its own.
-    template <class Record>
-    void read_entries(const toml::table& parent, const std::string& name,
-                      Section (*section_of)(Record&),
-                      std::vector<Record>& records) {
-        const std::vector<const toml::table*> tables = entries(parent, name);
-        // All at once: values are known by their addresses from here on.
-        records.assign(tables.size(), Record{});
-        for (std::size_t i = 0; i < tables.size(); ++i)
-            read(*tables[i], section_of(records[i]));
-    }
-
-    //! Reports a table that has to be there.
-    void report_missing(const toml::table& parent, const std::string& name,
-                        const Section& section);
+    //! Reads a table, or every `[[name]]` into a record of its own. It may be
+    //! left out if it has defaults.
+    void read(const toml::table& parent, const Table& table);
 
     Location where(const toml::node& node) const;
 
   private:
-    std::vector<const toml::table*> entries(const toml::table& parent,
-                                            const std::string& name);
+    std::vector<const toml::table*> entries(const toml::node& node,
+                                            const Table& table);
+    void report_missing(const toml::table& parent, const Table& table);
     //! Returns the keys that unknown ones seem to have been meant for.
-    std::set<std::string> report_unknown(
-        const toml::table& table, const Section& section,
-        const std::vector<std::string>& children);
+    std::set<std::string> report_unknown(const toml::table& table,
+                                         const Section& section,
+                                         const std::vector<Table>& children);
 
     std::string file_;
     Report& report_;

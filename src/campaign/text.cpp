@@ -134,35 +134,22 @@ std::string range_text(const Key& key) {
 
 std::vector<KeyInfo> campaign_keys() {
     Draft draft;
-    Campaign& campaign = draft.campaign;
-    Site site;
-    Named<DaySpan> day;
-    Named<Spacing> spacing;
-    Named<TraitSet> traits;
-    LeafEntry leaf;
     std::vector<KeyInfo> keys;
-    for (const Section& section : {top_section(campaign),
-                                   site_section(site),
-                                   day_section(day),
-                                   spacing_section(spacing),
-                                   traits_section(traits),
-                                   field_section(campaign.field),
-                                   plant_section(draft),
-                                   bounds_section(draft.bounds.table),
-                                   optics_section(campaign),
-                                   light_section(campaign),
-                                   objective_section(campaign),
-                                   constraints_section(campaign.constraints),
-                                   search_section(campaign.search),
-                                   stop_section(campaign.stop),
-                                   final_section(campaign.final_rule),
-                                   parallel_section(campaign.answer_limits),
-                                   plant_file_section(campaign.plant),
-                                   stalk_section(campaign.plant.stalk),
-                                   blade_section(campaign.plant.blade),
-                                   leaf_section(leaf)})
+    const auto add = [&](const Section& section) {
         for (const Key& key : section.keys)
             keys.push_back(describe(section, key));
+    };
+    const auto add_table = [&](const Table& table) {
+        if (table.resize) table.resize(1);
+        add(table.section(0));
+    };
+    add(top_section(draft.campaign));
+    for (const Table& table : campaign_tables(draft)) {
+        add_table(table);
+        if (table.name == "plant") add(bounds_section(draft.bounds.table));
+    }
+    add(plant_file_section(draft.campaign.plant));
+    for (const Table& table : plant_tables(draft)) add_table(table);
     return keys;
 }
 

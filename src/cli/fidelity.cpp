@@ -12,7 +12,7 @@ namespace ideotype {
 
 namespace {
 
-//! Part of the time for evaluating choices anew.
+//! Part of the time for evaluating choices again.
 constexpr double for_checks = 0.25;
 
 std::vector<double> tolerances(double asked) {
@@ -37,9 +37,9 @@ std::vector<Choice> choose(const Trade& trade, const FidelityOptions& options,
             for (const double tolerance : all) {
                 Choice choice{goal, fields, tolerance,
                               cheapest(front, tolerance), std::nullopt};
-                live.show(fmt::format("evaluating anew at {}", tolerance));
-                if (choice.combination)
-                    choice.check = check_combination(trade, *choice.combination,
+                live.show(fmt::format("evaluating again at {}", tolerance));
+                if (choice.is_met())
+                    choice.check = check_combination(trade, choice.combination,
                                                      goal, device, each);
                 choices.push_back(std::move(choice));
             }

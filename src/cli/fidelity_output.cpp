@@ -137,34 +137,42 @@ void print_choices(const Trade& trade, const std::vector<Choice>& choices,
         "\nThe cheapest for one evaluation, its error (root mean square of "
         "bias and standard\nerror) in %; fields: one for all randomisations, "
         "as generations have it, or one for\neach, as finalists have it. Last: "
-        "as found by evaluating anew.\n\n{:<10} {:>9} {:>6} {:>13} {:>5} {:>6} "
+        "as found by evaluating again.\n\n{:<10} {:>9} {:>6} {:>13} {:>5} "
+        "{:>6} "
         "{:>6} {:>6} {:>7} {:>6} {:>6}  {}\n",
         "error of", "tolerance", "fields", "paths", "cell", "cells", "sides",
         "step", "error", "ms", "ms", "bias, s.e.");
     for (const Choice& choice : choices) {
         fmt::print("{:<10} {:>9.3f} {:>6} ", name_of(choice.goal),
                    100 * choice.tolerance, name_of(choice.fields));
-        if (!choice.combination) {
-            fmt::print("none of these settings meets it\n");
-            continue;
-        }
-        const Combination& found = *choice.combination;
-        fmt::print("{} {:>7.3f} {:>6.2f}",
+        const Combination& found = choice.combination;
+        fmt::print("{} {:>7.3f} {:>6.2f} ",
                    summary(found, applied(trade, found)), 100 * found.error(),
                    milliseconds(found.seconds()));
         if (choice.check)
-            fmt::print(" {:>6.2f}  {}, {}", milliseconds(choice.check->seconds),
+            fmt::print("{:>6.2f}  {}, {}\n",
+                       milliseconds(choice.check->seconds),
                        percent(choice.check->bias),
                        percent(choice.check->standard_error));
-        fmt::print("\n");
+        else
+            fmt::print("not met; the most accurate\n");
     }
-    for (const Choice& choice : choices)
-        if (choice.combination && choice.tolerance == asked &&
-            choice.fields == Randomness::Fields::one)
-            fmt::print("\n# {} to {:.3f} %: change in the campaign\n{}",
-                       name_of(choice.goal), 100 * asked,
-                       keys_text(trade.own.campaign,
-                                 applied(trade, *choice.combination)));
+    for (const Choice& choice : choices) {
+        if (choice.tolerance != asked ||
+            choice.fields != Randomness::Fields::one)
+            continue;
+        const std::string goal =
+            fmt::format("{} to {:.3f} %", name_of(choice.goal), 100 * asked);
+        const Combination& found = choice.combination;
+        fmt::print(
+            "\n# {}: change in the campaign\n{}",
+            choice.is_met()
+                ? goal
+                : fmt::format("{} is not met (no setting is so accurate); the "
+                              "most accurate, {:.3f} %",
+                              goal, 100 * found.error()),
+            keys_text(trade.own.campaign, applied(trade, found)));
+    }
 }
 
 Json to_json(const Trade& trade, const std::vector<Choice>& choices) {
@@ -206,9 +214,9 @@ Json to_json(const Trade& trade, const std::vector<Choice>& choices) {
     for (const Choice& choice : choices) {
         Json one{{"goal", name_of(choice.goal)},
                  {"fields", name_of(choice.fields)},
-                 {"tolerance", choice.tolerance}};
-        if (choice.combination)
-            one["combination"] = to_json(*choice.combination, trade);
+                 {"tolerance", choice.tolerance},
+                 {"is_met", choice.is_met()},
+                 {"combination", to_json(choice.combination, trade)}};
         if (choice.check)
             one["check"] = {
                 {"bias", to_json(choice.check->bias)},

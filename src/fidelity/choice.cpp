@@ -157,8 +157,6 @@ Combination combine(const Trade& trade, const std::vector<std::size_t>& values,
 
 std::vector<Combination> pareto_front(const Trade& trade, Goal goal,
                                       Randomness::Fields fields) {
-    // Nobody wants a worse one.
-    constexpr double worst = 0.05;
     const PathLaw law(trade.parameter("paths"), goal);
     std::vector<std::size_t> values;
     for (const MeasuredParameter& each : trade.parameters)
@@ -166,12 +164,10 @@ std::vector<Combination> pareto_front(const Trade& trade, Goal goal,
     std::vector<Combination> all;
     do {
         const Model model = model_of(trade, values, goal);
-        if (std::abs(model.bias.mean) > worst) continue;
         for (int paths = paths_of(trade.parameter("paths"), 0);
              paths <= most_paths; paths *= 2)
             for (const int n : randomisations) {
                 Combination next = sampled(model, law, {paths, n}, fields);
-                if (next.error() > worst) continue;
                 next.values = values;
                 all.push_back(std::move(next));
             }
@@ -184,14 +180,20 @@ std::vector<Combination> pareto_front(const Trade& trade, Goal goal,
     for (Combination& each : all)
         if (front.empty() || each.error() < front.back().error())
             front.push_back(std::move(each));
+    // Nobody wants a worse one.
+    constexpr double worst = 0.05;
+    const auto good = std::find_if(
+        front.begin(), front.end() - 1,
+        [](const Combination& each) { return each.error() <= worst; });
+    front.erase(front.begin(), good);
     return front;
 }
 
-std::optional<Combination> cheapest(const std::vector<Combination>& front,
-                                    double tolerance) {
-    for (const Combination& each : front)
-        if (each.error() <= tolerance) return each;
-    return std::nullopt;
+const Combination& cheapest(const std::vector<Combination>& front,
+                            double tolerance) {
+    return *std::find_if(
+        front.begin(), front.end() - 1,
+        [=](const Combination& each) { return each.error() <= tolerance; });
 }
 
 Campaign applied(const Trade& trade, const Combination& combination) {

@@ -37,10 +37,10 @@ Scatter scaled(const Scatter& scatter, double factor) {
 }
 
 //! The probes of one parameter.
-class KnobProbes {
+class ParameterProbes {
   public:
-    KnobProbes(const Parameter& parameter, std::size_t case_index,
-               const Device& device, const Rivals& plants)
+    ParameterProbes(const Parameter& parameter, std::size_t case_index,
+                    const Device& device, const Rivals& plants)
         : parameter_(parameter) {
         for (std::size_t v = 0; v < parameter.values.size(); ++v)
             probes_.emplace_back(parameter.at(v), case_index, device, plants);
@@ -59,7 +59,7 @@ class KnobProbes {
         while (reference.draws() < probes_[value].draws()) reference.draw();
     }
 
-    //! By how much the error of the biases would fall [squared parts per
+    //! By how much the error of the biases would fall [relative, squared, per
     //! second], if there was one draw more.
     double worth(std::size_t value) const {
         if (value == parameter_.reference) return 0;
@@ -110,14 +110,14 @@ class Survey {
     Survey(const Effort& effort, const OnProgress& on_progress)
         : effort_(effort), on_progress_(on_progress), began_(now()) {}
 
-    void add(KnobProbes probes) { all_.push_back(std::move(probes)); }
+    void add(ParameterProbes probes) { all_.push_back(std::move(probes)); }
 
     void run() {
         // In turns, so that what else the machine does slows all alike.
         const std::size_t least =
             std::min(effort_.least_draws, effort_.most_draws);
         for (std::size_t n = 1; n <= least; ++n)
-            for (KnobProbes& probes : all_)
+            for (ParameterProbes& probes : all_)
                 for (std::size_t v = 0; v < probes.size(); ++v)
                     while (probes.draws(v) < n) step(probes, v);
         const double until = effort_.seconds * (1 - for_converged);
@@ -137,7 +137,7 @@ class Survey {
 
     std::vector<MeasuredParameter> measured() const {
         std::vector<MeasuredParameter> result;
-        for (const KnobProbes& probes : all_)
+        for (const ParameterProbes& probes : all_)
             result.push_back(probes.measured());
         return result;
     }
@@ -149,7 +149,7 @@ class Survey {
         on_progress_(what, std::min(1.0, elapsed() / effort_.seconds));
     }
 
-    void step(KnobProbes& probes, std::size_t value) {
+    void step(ParameterProbes& probes, std::size_t value) {
         tell(probes.parameter().name + " " +
              probes.parameter().values[value].name);
         probes.draw(value);
@@ -158,9 +158,9 @@ class Survey {
     //! A few draws where they help most; false if none does.
     bool refine() {
         double most = 0;
-        KnobProbes* best = nullptr;
+        ParameterProbes* best = nullptr;
         std::size_t value = 0;
-        for (KnobProbes& probes : all_) {
+        for (ParameterProbes& probes : all_) {
             // What has no bias is known well enough.
             if (probes.parameter().kind == Parameter::Kind::paths ||
                 probes.parameter().kind == Parameter::Kind::arrangement)
@@ -185,7 +185,7 @@ class Survey {
     Effort effort_;
     const OnProgress& on_progress_;
     double began_;
-    std::vector<KnobProbes> all_;
+    std::vector<ParameterProbes> all_;
 };
 
 //! Per randomisation, for the tolerance of the campaign.

@@ -29,7 +29,8 @@ def fidelity(tmp_path_factory: pytest.TempPathFactory) -> Path:
     head, *leaves = plant.read_text().split("[[leaf]]")
     plant.write_text("[[leaf]]".join([head, leaves[3], leaves[7]]))
     path = folder / "fidelity.json"
-    output_of("fidelity", campaign, "--seconds", 0, "--json", path)
+    options = ("--seconds", 0, "--tolerance", 1e-5, "--json", path)
+    path.with_suffix(".txt").write_text(output_of("fidelity", campaign, *options))
     return path
 
 
@@ -42,6 +43,19 @@ def cross(own: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
         output_of("evaluate", own, campaign, "--under", campaign, "--json")
     )
     return path
+
+
+def test_keys_to_paste_are_told_also_where_none_is_so_accurate(fidelity: Path) -> None:
+    told = fidelity.with_suffix(".txt").read_text()
+    value, difference = told.split("\n# ")[1:]
+    assert value.startswith("value to 0.001 % is not met")
+    assert difference.startswith("difference to 0.001 % is not met")
+    assert re.search(r"^\[light\]\npaths = \d+$", value, re.MULTILINE)
+    unmet = [c for c in json.loads(fidelity.read_text())["choices"] if not c["is_met"]]
+    assert {choice["tolerance"] for choice in unmet} >= {1e-5}
+    for choice in unmet:
+        assert "check" not in choice
+        assert choice["combination"]["error"] > choice["tolerance"]
 
 
 def test_what_the_program_measures_is_what_is_drawn(fidelity: Path) -> None:

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,7 +9,7 @@
 namespace ideotype {
 
 //! A value for every parameter that may be turned, and what an evaluation
-//! should then be like. Errors are in parts of the light that the baseline's
+//! should then be like. Errors are relative to the light that the baseline's
 //! leaves absorb.
 struct Combination {
     std::vector<std::size_t> values;  //!< by parameter of the trade
@@ -32,13 +31,15 @@ Combination combine(const Trade& trade, const std::vector<std::size_t>& values,
                     const Accuracy& accuracy, Randomness::Fields fields,
                     Goal goal);
 
-//! All that are not beaten both in cost and in error, cheapest first.
+//! All that are not beaten both in cost and in error, cheapest first; of those
+//! beyond 5 % only the most accurate, if there is no other.
 std::vector<Combination> pareto_front(const Trade& trade, Goal goal,
                                       Randomness::Fields fields);
 
-//! The cheapest whose error is within a tolerance.
-std::optional<Combination> cheapest(const std::vector<Combination>& front,
-                                    double tolerance);
+//! The cheapest whose error is within a tolerance, or the most accurate if
+//! none is.
+const Combination& cheapest(const std::vector<Combination>& front,
+                            double tolerance);
 
 //! The campaign with a combination's values.
 Campaign applied(const Trade& trade, const Combination& combination);
@@ -56,7 +57,7 @@ std::vector<PastedKey> keys_of(const Campaign& campaign);
 //! What a combination is really like: evaluations as campaigns make them, each
 //! with fresh random numbers, against the trade's converged figures.
 struct Check {
-    Estimate bias;            //!< in parts of the baseline's light
+    Estimate bias;            //!< relative to the baseline's light
     Estimate standard_error;  //!< of one evaluation, from their spread
     double seconds = 0;       //!< of one evaluation, as cost, median
 };

@@ -8,7 +8,7 @@
 
 namespace ideotype {
 
-//! What is wrong with an estimate, in parts of the light that the baseline's
+//! What is wrong with an estimate, relative to the light that the baseline's
 //! leaves absorb, also for differences: selection asks which of two plants
 //! absorbs more of the same light.
 struct Inaccuracy {

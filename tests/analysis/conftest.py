@@ -7,8 +7,10 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 from made_history import MadeHistory
+from made_kinds import Measured
 from real_program import start
 
 HERE = Path(__file__).parent
@@ -89,17 +91,24 @@ def sweep(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder of finished histories: two sites, two seeds each, with PAR in
     three height layers, and by origin."""
     folder = tmp_path_factory.mktemp("sweep")
-    names = [f"layer_{n}" for n in ("000_025cm", "025_050cm", "050_100cm")]
-    extra = [(f"absorbed_{n}", "MJ m-2 day-1", 1 / 3) for n in names]
-    extra += [("absorbed_beam", "MJ m-2 day-1", 0.75)]
-    extra += [("absorbed_sky", "MJ m-2 day-1", 0.25)]
+    layers = Measured("MJ m-2 day-1", "layer")
+    sources = Measured("MJ m-2 day-1", "light_source")
+    extra = {
+        "absorbed_by_layer": (layers, np.full(3, 1 / 3)),
+        "absorbed_by_source": (sources, np.array([0.75, 0.25])),
+    }
+    labels = {"layer": [0.125, 0.375, 0.75], "light_source": ["beam", "sky"]}
     for site, latitude in SITES.items():
         for seed, shift in enumerate(SHIFTS, start=1):
             name = f"{site}_0807_762x152_all_r{seed}"
             place = {"campaign": "sweep", "case": name, "site": site}
             place |= {"latitude": latitude, "replicate": float(seed)}
             made = MadeHistory(
-                folder / f"{name}.h5", place=place, shift=shift, extra=extra
+                folder / f"{name}.h5",
+                attributes=place,
+                shift=shift,
+                labels=labels,
+                extra=extra,
             )
             made.evolve(6)
             made.finish()

@@ -8,8 +8,6 @@ import h5py
 import numpy as np
 
 EXACT = ("incident", "balance_error", "paths", "capped", "lai")
-ELITE = 3
-"""The lowest origin that has a parent."""
 PARTS = ("absorbed", "stalk", "soil", "reflected")
 
 
@@ -28,10 +26,8 @@ def figures(file: h5py.File) -> dict[str, np.ndarray]:
         found[f"{part}.violation.standard_error"] = 0 * violation
         fitness = np.where(violation > 0, -violation, rows["objectives"][:, 0])
         found[f"{part}.fitness"] = np.where(status == 3, -np.inf, fitness)
-        origin, parents = rows["origin"][:], _slots(file, rows["parents"][:])
-        found[f"{part}.status"], found[f"{part}.origin"] = status, origin
-        # 1.0 had 0 where there is no parent.
-        found[f"{part}.parents"] = np.where(origin[:, None] < ELITE, 0, parents)
+        found[f"{part}.status"], found[f"{part}.origin"] = status, rows["origin"][:]
+        found[f"{part}.parents"] = _slots(file, rows["parents"][:])
     generations = file["generations"]
     for name in ("best", "best_standard_error", "mean", "spread", "diversity"):
         found[f"generations.{name}"] = generations[name][:]

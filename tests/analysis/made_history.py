@@ -9,25 +9,74 @@ from __future__ import annotations
 
 import fcntl
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping
 from pathlib import Path
 
 import h5py
 import numpy as np
-from made_layout import Layout
+from made_kinds import ORIGIN, STATUS, Measured
+from made_layout import (
+    Layout,
+    finalist_checksum,
+    generation_checksum,
+)
 from made_numbers import (
     ERROR,
     FINALISTS,
-    LAI,
-    ORIGIN,
+    GENERATIONS,
+    LABELS,
+    LEAVES,
     POPULATION,
-    STATUS,
+    QUANTITIES,
+    RANDOMISATIONS,
+    TRAITS,
     absorbed,
     baseline_genome,
-    diagnostics,
     final_absorbed,
     genome,
+    quantities,
+    randomisations,
 )
+
+_HEADER = 1 << 18  # bytes
+
+Extra = tuple[Measured, float | np.ndarray]
+"""A quantity, and which part of the absorbed PAR it is."""
+
+
+ATTRIBUTES: dict[str, object] = {
+    "format": "ideotype-history",
+    "format_version": "2.0",
+    "program": "ideotype",
+    "program_version": "0.1.0",
+    "git_sha": "0123456789abcdef",
+    "git_dirty": "no",
+    "isa": "avx2",
+    "campaign": "made",
+    "case": "ames-aug-30x6-all-r1",
+    "site": "ames",
+    "day": "2025-08-07",
+    "spacing": "30x6",
+    "trait_set": "all",
+    "seed": np.uint64(2**63 + 1),
+    "population": np.int32(POPULATION),
+    "generations": np.int32(GENERATIONS),
+    "finalists": np.int32(FINALISTS),
+    "rows": np.int32(GENERATIONS * POPULATION),
+    "latitude": 42.0,
+    "longitude": -93.6,
+    "row_spacing": 0.762,
+    "plant_spacing": 0.1524,
+}
+SESSION = {
+    "started": "2025-08-07T12:00:00Z",
+    "host": "node1",
+    "command": "ideotype run",
+    "ranks": 3,
+    "program": "ideotype 0.2.0",
+    "compiler": "g++ 12",
+    "libraries": "HDF5 1.10.8",
+}
 
 
 class MadeHistory:
@@ -36,28 +85,67 @@ class MadeHistory:
     def __init__(
         self,
         path: Path,
-        version: str = "1.0",
-        kind: str = "ideotype-history",
+        *,
         without: str | None = None,
-        place: dict[str, str | float] | None = None,
+        attributes: Mapping[str, str | float] = {},
+        resolved: str = 'name = "made" # resolved',
         shift: float = 0.0,
-        extra: Sequence[tuple[str, str, float]] = (),
+        labels: Mapping[str, object] = {},
+        extra: Mapping[str, Extra] = {},
+        objective: tuple[str, str] = ("absorbed_par", "maximise"),
+        draws: bool = True,
     ) -> None:
-        """Creates everything, empty, but the dataset `without`. `place` are
-        root attributes, `shift` is added to what bred plants absorb, `extra`
-        are diagnostics: name, unit, part of the absorbed PAR."""
+        """Creates everything, empty, but the dataset `without`. `attributes`
+        are those of the root beside or instead of the usual, `shift` is added
+        to what bred plants absorb, `extra` are more quantities and `labels`
+        those of their axes."""
         self._shift = shift
-        self._extra = np.array([part for _, _, part in extra])
+        self._objective = objective[0]
+        self._extra = {name: part for name, (_, part) in extra.items()}
+        self._measured = QUANTITIES | {n: kind for n, (kind, _) in extra.items()}
         self._lock_path = Path(f"{path}.lock")
         self._lock = self._lock_path.open("w")
         fcntl.flock(self._lock, fcntl.LOCK_EX)
-        self.file = h5py.File(path, "w", libver=("v110", "v110"))
-        layout = Layout(self.file, without, [(name, unit) for name, unit, _ in extra])
-        layout.create(kind, version, place or {})
+        # As the program, what describes the data stands at the beginning.
+        self.file = h5py.File(
+            path, "w", libver=("v110", "v110"), meta_block_size=_HEADER
+        )
+        names, units, lower, upper, circular = zip(*TRAITS)
+        genes = {
+            "gene": names,
+            "trait": [name.split("_", 1)[1] for name in names],
+            "leaf": np.repeat(np.arange(1, LEAVES + 1, dtype="i4"), 4),
+            "unit": units,
+            "lower": lower,
+            "upper": upper,
+            "is_circular": circular,
+            "is_free": [True] * len(names),
+        }
+        self._counts = (RANDOMISATIONS * draws, 2 * RANDOMISATIONS * draws)
+        Layout(
+            self.file,
+            GENERATIONS * POPULATION,
+            FINALISTS,
+            GENERATIONS,
+            genes,
+            [(objective[0], "MJ m-2 day-1", objective[1])],
+            {**LABELS, **labels},
+            self._measured,
+            self._counts,
+            without,
+        ).create(
+            ATTRIBUTES | attributes,
+            {"source": 'name = "made" # source', "resolved": resolved},
+        )
+        for name, value in SESSION.items():
+            value = value.encode() if isinstance(value, str) else value
+            self.file["sessions"][name][0] = value
+        if "messages/text" in self.file:
+            self.file["messages/text"][0] = "Zeit f\u00fcr Licht".encode()
         self.file.swmr_mode = True
 
     def propose(self, generation: int) -> None:
-        """Genomes first, then the status."""
+        """Genomes first, then the place, then the status."""
         for slot in range(POPULATION):
             row = generation * POPULATION + slot
             first = ORIGIN["baseline"] if slot == 0 else ORIGIN["random"]
@@ -65,7 +153,13 @@ class MadeHistory:
             rows = self.file["evaluations"]
             rows["genome"][row] = genome(generation, slot)
             rows["origin"][row] = later if generation else first
-            rows["status"][row] = STATUS["proposed"]
+            before = row - slot - POPULATION
+            rows["parents"][row] = [before, before + 1] if generation else -1
+        table, start = self.file["generations"], generation * POPULATION
+        table["first_row"][generation] = start
+        table["count"][generation] = POPULATION
+        status = [STATUS["proposed"]] * POPULATION
+        rows["status"][start : start + POPULATION] = status
         self.file.flush()
 
     def record(self, generation: int, slot: int) -> None:
@@ -74,30 +168,48 @@ class MadeHistory:
         if generation or slot:
             total += self._shift
         row = generation * POPULATION + slot
-        self._outcome("evaluations", row, total, ERROR)
+        noise = generation, slot
+        self._outcome("evaluations", row, total, ERROR, noise, self._counts[0])
+        self.file["evaluations/status"][row] = STATUS["done"]
+        self.file.flush()
 
     def fail(self, generation: int, slot: int) -> None:
         """A failed row with its reason."""
         rows, row = self.file["evaluations"], generation * POPULATION + slot
-        rows["fitness"][row] = -np.inf
         rows["message"][row] = b"leaf 3 folds into itself"
+        for name, kind in self._measured.items():
+            if kind.is_exact:
+                rows[name][row] = np.nan
         rows["status"][row] = STATUS["failed"]
         self.file.flush()
 
-    def _outcome(self, group: str, row: int, total: float, error: float) -> None:
+    def _outcome(
+        self,
+        group: str,
+        row: int,
+        total: float,
+        error: float,
+        noise: tuple[int, int],
+        draws: int,
+    ) -> None:
         rows = self.file[group]
-        values = np.append(diagnostics(total), self._extra * total)
-        rows["objectives"][row] = total
-        rows["objectives_standard_error"][row] = error
-        rows["diagnostics"][row] = values
-        errors = values * error / total
-        errors[LAI] = 0.0
-        rows["diagnostics_standard_error"][row] = errors
-        rows["fitness"][row] = total
+        extra = {name: part * total for name, part in self._extra.items()}
+        known = quantities(total) | extra
+        scale = known[self._objective] / total
+        rows["objectives"][row] = total * scale
+        rows["objectives_standard_error"][row] = error * scale
+        if draws:
+            values = randomisations(total, error, draws, *noise)
+            rows["objectives_by_randomisation"][row, 0] = scale * values
+        rows["violation"][row] = 0.0
+        for name, kind in self._measured.items():
+            rows[name][row] = known[name]
+            if not kind.is_exact:
+                errors = known[name] * error / total
+                rows[f"{name}_standard_error"][row] = errors
         rows["attempt"][row] = 1
         rows["seconds"][row] = 0.25
         rows["worker"][row] = 1 + row % 2
-        rows["status"][row] = STATUS["done"]
         self.file.flush()
 
     def commit(self, generation: int) -> None:
@@ -105,21 +217,24 @@ class MadeHistory:
         first = generation * POPULATION
         rows = self.file["evaluations"]
         status = rows["status"][first : first + POPULATION]
-        fitness = rows["fitness"][first : first + POPULATION]
-        good = fitness[status == STATUS["done"]]
+        values = rows["objectives"][first : first + POPULATION, 0]
+        good = values[status == STATUS["done"]]
         summary = {
-            "best_slot": int(fitness.argmax()),
+            "best_row": first + int(np.nanargmax(values)),
             "best": good.max(),
             "best_standard_error": ERROR,
             "mean": good.mean(),
             "spread": good.std(ddof=1),
             "diversity": 0.3 / (1 + generation),
-            "failures": len(fitness) - len(good),
-            "evaluations": len(fitness),
+            "failures": len(values) - len(good),
+            "evaluations": len(values),
             "wall_time": 3.0 * (generation + 1),
         }
         for name, value in summary.items():
-            self.file["generations"][name][generation] = value
+            if name in self.file["generations"]:
+                self.file["generations"][name][generation] = value
+        checksum = generation_checksum(self.file, generation).encode()
+        self.file["generations/checksum"][generation] = checksum
         self.file.flush()
         self.file["generations/committed"][generation] = True
         self.file["state/wall_time"][()] = 3.0 * (generation + 1)
@@ -147,7 +262,12 @@ class MadeHistory:
     def record_final(self, slot: int) -> None:
         """A final evaluation."""
         total = final_absorbed(slot) + (self._shift if slot else 0.0)
-        self._outcome("final", slot, total, ERROR / 4)
+        noise = 999, slot
+        self._outcome("final", slot, total, ERROR / 4, noise, self._counts[1])
+        checksum = finalist_checksum(self.file, slot, STATUS["done"]).encode()
+        self.file["final/checksum"][slot] = checksum
+        self.file["final/status"][slot] = STATUS["done"]
+        self.file.flush()
 
     def finish(self, reason: str = "generations") -> None:
         """The finals, and the end."""

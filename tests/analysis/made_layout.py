@@ -1,170 +1,265 @@
-"""Lays out an empty history to the letter of analysis/FORMAT.md."""
+"""Lays out an empty history of format 2.0 to the letter of
+analysis/FORMAT.md."""
 
 from __future__ import annotations
 
+import hashlib
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
 import h5py
 import numpy as np
-from made_numbers import (
-    DIAGNOSTICS,
-    FINALISTS,
-    GENERATIONS,
-    ORIGIN,
-    POPULATION,
-    STATUS,
-    TRAITS,
-)
+from made_kinds import ORIGIN, STATUS, Measured
+
+ENERGY = "MJ m-2 day-1"
+AXES_UNITS = {"layer": "m", "hour": "h"}
 
 
-def _fixed(length: int) -> np.dtype:
+def fixed(length: int) -> np.dtype:
+    """A text of at most so many bytes."""
     return h5py.string_dtype("utf-8", length)
 
 
+def texts(values: Iterable[str]) -> np.ndarray:
+    """As they stand in a file."""
+    encoded = [value.encode() for value in values]
+    return np.array(encoded, fixed(max(map(len, encoded))))
+
+
+@dataclass
 class Layout:
-    """Creates what a file has before SWMR writing starts, but the dataset
+    """What a file has before SWMR writing starts, but the dataset
     `without`."""
 
-    def __init__(
-        self,
-        file: h5py.File,
-        without: str | None,
-        extra: list[tuple[str, str]],
-    ) -> None:
-        self.file = file
-        self._diagnostics = [*DIAGNOSTICS, *extra]
-        self._without = without
+    file: h5py.File
+    rows: int
+    finalists: int
+    generations: int
+    genes: Mapping[str, Sequence]
+    """Datasets of /genes."""
+    objectives: Sequence[tuple[str, str, str]]
+    """Name, unit, sense."""
+    labels: Mapping[str, Sequence]
+    """Of the axes of quantities."""
+    quantities: Mapping[str, Measured]
+    randomisations: tuple[int, int] = (0, 0)
+    """In /evaluations and /final; 0: none are kept."""
+    without: str | None = None
 
-    def create(self, kind: str, version: str, place: dict[str, str | float]) -> None:
-        """All of it."""
-        self.attributes(kind, version, place)
-        self.columns()
-        for group, rows in (
-            ("evaluations", GENERATIONS * POPULATION),
-            ("final", FINALISTS),
-        ):
-            self.rows(self.file.create_group(group), rows)
-        self.generations()
-        self.state()
-
-    def attributes(
-        self, kind: str, version: str, place: dict[str, str | float]
+    def create(
+        self, attributes: Mapping[str, object], campaign: Mapping[str, str]
     ) -> None:
-        texts = {
-            "format": kind,
-            "format_version": version,
-            "program": "ideotype",
-            "program_version": "0.1.0",
-            "git_sha": "0123456789abcdef",
-            "git_dirty": "no",
-            "isa": "avx2",
-            "campaign": "made",
-            "case": "ames-aug-30x6-all-r1",
-            "site": "ames",
-            "day": "2025-08-07",
-            "spacing": "30x6",
-            "trait_set": "all",
-        }
-        texts |= {k: v for k, v in place.items() if isinstance(v, str)}
-        for name, value in texts.items():
-            self.file.attrs.create(
-                name, value.encode(), dtype=_fixed(len(value.encode()) + 1)
-            )
-        self.file.attrs["seed"] = np.uint64(2**63 + 1)
-        sizes = (POPULATION, GENERATIONS, FINALISTS)
-        for name, size in zip(("population", "generations", "finalists"), sizes):
-            self.file.attrs[name] = np.int32(size)
-        places = {"latitude": 42.0, "longitude": -93.6}
-        places |= {"row_spacing": 0.762, "plant_spacing": 0.1524}
-        places |= {k: v for k, v in place.items() if isinstance(v, float)}
-        for name, value in places.items():
+        """All of it, empty but for the header."""
+        for name, value in attributes.items():
+            self._attribute(name, value)
+        for form, text in campaign.items():
+            size = max(len(text.encode()), 256)
+            self._add(f"campaign/{form}", text.encode(), (), "", fixed(size))
+        self._table("genes", "gene", self.genes)
+        names, units, senses = zip(*self.objectives)
+        columns = {"objective": names, "unit": units, "sense": senses}
+        self._table("objectives", "objective", columns)
+        counts = (self.rows, self.finalists)
+        places = zip(("evaluations", "final"), counts, self.randomisations)
+        for group, count, draws in places:
+            self._rows(group, count, draws)
+        self._generations()
+        self._state()
+        self._attribute("checksum", header_checksum(self.file))
+
+    def _attribute(self, name: str, value: object) -> None:
+        if isinstance(value, str):
+            text = value.encode()
+            self.file.attrs.create(name, text, dtype=fixed(len(text) + 1))
+        else:
             self.file.attrs[name] = value
 
-    def _make(
-        self, name: str, shape: tuple, dtype: object, fill: object, unit: str
+    def _add(
+        self,
+        path: str,
+        values: object,
+        axes: tuple[str, ...],
+        units: str = "",
+        dtype: object = None,
     ) -> None:
-        if name == self._without:
+        if path == self.without:
             return
-        keywords = {} if fill is None else {"fillvalue": fill}
-        if shape:
-            keywords["chunks"] = (min(POPULATION, shape[0]), *shape[1:])
-        dataset = self.file.create_dataset(name, shape, dtype, **keywords)
-        dataset.attrs.create("unit", unit.encode(), dtype=_fixed(32))
+        made = self.file.create_dataset(path, data=values, dtype=dtype)
+        for i, axis in enumerate(axes):
+            made.dims[i].attach_scale(self.file[axis])
+        self._label(made, units)
 
-    def _write(self, name: str, values: object) -> None:
-        if name in self.file:
-            self.file[name][...] = values
+    def _label(self, dataset: h5py.Dataset, units: str) -> None:
+        name = dataset.name.rsplit("/", 1)[-1].replace("_", " ")
+        for key, text in (("units", units), ("long_name", name)):
+            dataset.attrs.create(key, text.encode(), dtype=fixed(64))
 
-    def columns(self) -> None:
-        gene_count = (len(TRAITS),)
-        for name in ("name", "unit"):
-            self._make(f"traits/{name}", gene_count, _fixed(32), None, "")
-        for name in ("lower", "upper"):
-            self._make(f"traits/{name}", gene_count, "f8", np.nan, "/traits/unit")
-        for name in ("is_circular", "is_free"):
-            self._make(f"traits/{name}", gene_count, bool, False, "1")
-        columns = zip(*TRAITS)
-        for name in ("name", "unit", "lower", "upper", "is_circular"):
-            column = next(columns)
-            texts = [c.encode() for c in column if isinstance(c, str)]
-            self._write(f"traits/{name}", texts or column)
-        self._write("traits/is_free", True)
-        for group, entries in (
-            ("objectives", [("absorbed_par", "MJ m-2 day-1")]),
-            ("diagnostics", self._diagnostics),
+    def _scale(self, path: str, labels: Sequence, units: str = "1") -> None:
+        if isinstance(labels[0], str):
+            labels, units = texts(labels), ""
+        scale = self.file.create_dataset(path, data=labels)
+        scale.make_scale(path.rsplit("/", 1)[-1])
+        self._label(scale, units)
+
+    def _table(
+        self, group: str, axis: str, columns: Mapping[str, Sequence]
+    ) -> None:
+        for name, values in columns.items():
+            if name == axis:
+                self._scale(f"{group}/{axis}", list(values))
+            else:
+                at, units, column = (f"{group}/{axis}",), "1", list(values)
+                if isinstance(values[0], str):
+                    units, column = "", texts(values)
+                self._add(f"{group}/{name}", column, at, units)
+
+    def _rows(self, group: str, n: int, draws: int) -> None:
+        row = f"{group}/{'row' if group == 'evaluations' else 'finalist'}"
+        at = {axis: f"{group}/{axis}" for axis in self.labels}
+        self._scale(row, np.arange(n))
+        self._scale(f"{group}/gene", list(self.genes["gene"]))
+        self._scale(f"{group}/parent", np.arange(2, dtype="i4"))
+        names = [name for name, _, _ in self.objectives]
+        self._scale(f"{group}/objective", names)
+        for axis, labels in self.labels.items():
+            self._scale(at[axis], list(labels), AXES_UNITS.get(axis, "1"))
+
+        def add(name: str, fill: object, dtype: object, units: str, *axes: str) -> None:
+            shape = (n, *(len(self.file[axis]) for axis in axes))
+            values = np.full(shape, fill, dtype)
+            self._add(f"{group}/{name}", values, (row, *axes), units, dtype)
+
+        add("status", 0, h5py.enum_dtype(STATUS, "u1"), "1")
+        add("genome", np.nan, "f8", "", f"{group}/gene")
+        add("origin", 0, h5py.enum_dtype(ORIGIN, "u1"), "1")
+        add("parents", -1, "i8", "1", f"{group}/parent")
+        objective = f"{group}/objective"
+        for end in ("", "_standard_error"):
+            add(f"objectives{end}", np.nan, "f8", ENERGY, objective)
+        if draws:
+            draw = f"{group}/randomisation"
+            self._scale(draw, np.arange(draws, dtype="i4"))
+            name = "objectives_by_randomisation"
+            add(name, np.nan, "f8", ENERGY, objective, draw)
+        add("violation", np.nan, "f8", "1")
+        for name, what in self.quantities.items():
+            axes = (at[what.axis],) if what.axis else ()
+            for end in ("",) if what.is_exact else ("", "_standard_error"):
+                add(name + end, np.nan, "f8", what.units, *axes)
+        add("attempt", 0, "u4", "1")
+        add("seconds", np.nan, "f8", "s")
+        add("worker", -1, "i4", "1")
+        add("message", b"", fixed(160), "")
+        if group == "final":
+            add("checksum", b"", fixed(64), "")
+
+    def _generations(self) -> None:
+        n, at = self.generations, "generations/generation"
+        self._scale(at, np.arange(n, dtype="i4"))
+        for name, fill, dtype, units in (
+            ("committed", False, bool, "1"),
+            ("first_row", 0, "i8", "1"),
+            ("count", 0, "u4", "1"),
+            ("best_row", -1, "i8", "1"),
+            *(
+                (name, np.nan, "f8", ENERGY)
+                for name in ("best", "best_standard_error", "mean", "spread")
+            ),
+            ("diversity", np.nan, "f8", "1"),
+            ("failures", 0, "u4", "1"),
+            ("evaluations", 0, "u4", "1"),
+            ("wall_time", np.nan, "f8", "s"),
+            ("checksum", b"", fixed(64), ""),
         ):
-            for i, name in enumerate(("name", "unit")):
-                self._make(f"{group}/{name}", (len(entries),), _fixed(64), None, "")
-                self._write(f"{group}/{name}", [e[i].encode() for e in entries])
-        for form in ("source", "resolved"):
-            self._make(f"campaign/{form}", (), _fixed(64), None, "")
-            self._write(f"campaign/{form}", f'name = "made" # {form}'.encode())
+            values = np.full(n, fill, dtype)
+            self._add(f"generations/{name}", values, (at,), units, dtype)
 
-    def rows(self, group: h5py.Group, n: int) -> None:
-        at = group.name
-        status = h5py.enum_dtype(STATUS, basetype="u1")
-        origin = h5py.enum_dtype(ORIGIN, basetype="u1")
-        self._make(f"{at}/status", (n,), status, 0, "1")
-        self._make(f"{at}/origin", (n,), origin, 0, "1")
-        self._make(f"{at}/parents", (n, 2), "i4", -1, "1")
-        genes = (n, len(TRAITS))
-        self._make(f"{at}/genome", genes, "f8", np.nan, "/traits/unit")
-        for name, count in (
-            ("objectives", 1),
-            ("diagnostics", len(self._diagnostics)),
+    def _state(self) -> None:
+        self._add("state/finished", False, (), "1", bool)
+        self._add("state/reason", np.bytes_(b""), (), "", fixed(64))
+        self._add("state/wall_time", 0.0, (), "s")
+        self._scale("sessions/session", np.arange(3, dtype="i4"))
+        for name, size in (
+            ("started", 32),
+            ("host", 64),
+            ("command", 512),
+            *((name, 128) for name in ("program", "compiler", "libraries")),
         ):
-            for end in ("", "_standard_error"):
-                unit = f"/{name}/unit"
-                self._make(f"{at}/{name}{end}", (n, count), "f8", np.nan, unit)
-        self._make(f"{at}/fitness", (n,), "f8", np.nan, "MJ m-2 day-1")
-        self._make(f"{at}/attempt", (n,), "u4", 0, "1")
-        self._make(f"{at}/seconds", (n,), "f8", np.nan, "s")
-        self._make(f"{at}/worker", (n,), "i4", -1, "1")
-        self._make(f"{at}/message", (n,), _fixed(160), None, "")
-        self.file["traits/name"].make_scale()
-        if f"{at}/genome" in self.file:
-            group["genome"].dims[1].attach_scale(self.file["traits/name"])
+            empty, at = np.zeros(3, fixed(size)), ("sessions/session",)
+            self._add(f"sessions/{name}", empty, at, "", fixed(size))
+        self._add("sessions/ranks", np.zeros(3, "i4"), at, "1", "i4")
+        self._scale("messages/message", np.arange(3, dtype="i4"))
+        at, size = ("messages/message",), fixed(240)
+        self._add("messages/text", np.zeros(3, size), at, "", size)
 
-    def generations(self) -> None:
-        n = (GENERATIONS,)
-        self._make("generations/committed", n, bool, False, "1")
-        for name in ("best_slot", "failures", "evaluations"):
-            self._make(f"generations/{name}", n, "u4", 0, "1")
-        for name in ("best", "best_standard_error", "mean", "spread"):
-            self._make(f"generations/{name}", n, "f8", np.nan, "MJ m-2 day-1")
-        self._make("generations/diversity", n, "f8", np.nan, "1")
-        self._make("generations/wall_time", n, "f8", np.nan, "s")
 
-    def state(self) -> None:
-        self._make("state/finished", (), bool, False, "1")
-        self._make("state/reason", (), _fixed(64), None, "")
-        self._make("state/wall_time", (), "f8", 0.0, "s")
-        session = np.dtype(
-            [("started", _fixed(32)), ("host", _fixed(64))]
-            + [("command", _fixed(512)), ("ranks", "i4")]
-        )
-        self._make("sessions", (3,), session, None, "")
-        entry = (b"2025-08-07T12:00:00Z", b"node1", b"ideotype run", 3)
-        unused = (b"", b"", b"", 0)
-        entries = np.array([entry, unused, unused], session)
-        self._write("sessions", entries)
-        self._make("messages", (3,), _fixed(240), None, "")
-        self._write("messages", ["Zeit f\u00fcr Licht".encode(), b"", b""])
+def _hash(parts: Iterable[tuple[str, bytes]]) -> str:
+    digest = hashlib.sha256()
+    for name, content in parts:
+        digest.update(name.encode() + b"\0" + content)
+    return digest.hexdigest()
+
+
+def _attribute_bytes(file: h5py.File, name: str) -> bytes:
+    attribute = h5py.h5a.open(file.id, name.encode())
+    value = np.empty(attribute.shape, attribute.dtype)
+    attribute.read(value)
+    return value.tobytes()
+
+
+def header_checksum(file: h5py.File) -> str:
+    """As FORMAT.md defines it."""
+    names = sorted({*file.attrs} - {"checksum"})
+    parts = [(name, _attribute_bytes(file, name)) for name in names]
+    tables = ("campaign", "genes", "objectives")
+    paths = [file[g][n].name for g in tables for n in file[g]]
+    for group in ("evaluations", "final"):
+        each = file[group].values()
+        paths += [dataset.name for dataset in each if dataset.is_scale]
+    parts += [(path, file[path][...].tobytes()) for path in sorted(paths)]
+    return _hash(parts)
+
+
+def generation_checksum(file: h5py.File, generation: int) -> str:
+    """As FORMAT.md defines it."""
+    table = file["generations"]
+    first = int(table["first_row"][generation])
+    last = first + int(table["count"][generation])
+    parts = [
+        (name, dataset[first:last].tobytes())
+        for name, dataset in sorted(file["evaluations"].items())
+        if not dataset.is_scale
+    ]
+    parts += [
+        (name, dataset[generation : generation + 1].tobytes())
+        for name, dataset in sorted(table.items())
+        if name not in ("generation", "committed", "checksum")
+    ]
+    return _hash(parts)
+
+
+def finalist_checksum(file: h5py.File, finalist: int, status: int) -> str:
+    """As FORMAT.md defines it, with the status that the row will have."""
+    rows = sorted(file["final"].items())
+    return _hash(
+        (name, bytes([status]))
+        if name == "status"
+        else (name, dataset[finalist : finalist + 1].tobytes())
+        for name, dataset in rows
+        if not dataset.is_scale and name != "checksum"
+    )
+
+
+def seal(file: h5py.File) -> None:
+    """Sets all checksums anew, after a test has changed a finished file."""
+    del file.attrs["checksum"]
+    text = header_checksum(file).encode()
+    file.attrs.create("checksum", text, dtype=fixed(len(text) + 1))
+    committed = np.flatnonzero(file["generations/committed"][:])
+    for generation in committed:
+        text = generation_checksum(file, generation).encode()
+        file["generations/checksum"][generation] = text
+    for slot, status in enumerate(file["final/status"][:]):
+        if status >= STATUS["done"]:
+            text = finalist_checksum(file, slot, status).encode()
+            file["final/checksum"][slot] = text

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from made_kinds import Measured
 
 LEAVES = 10
 POPULATION = 12
@@ -15,9 +16,6 @@ INCIDENT = 12.2
 ERROR = 0.02
 """Standard error of absorbed PAR; a quarter of it in /final."""
 HOURS = list(range(7, 20)) + [19.5]
-
-STATUS = {"empty": 0, "proposed": 1, "done": 2, "failed": 3}
-ORIGIN = {"none": 0, "baseline": 1, "random": 2, "elite": 3, "child": 4}
 
 KINDS = {
     "length": ("m", 0.40, 1.10),
@@ -51,19 +49,24 @@ TRAITS = [
 ]
 """Name, unit, lower and upper bound, is circular."""
 
-HOUR_NAMES = [f"{int(h):02}_{round(h % 1 * 60):02}" for h in HOURS]
-FRACTIONS = ["absorbed", "stalk", "soil", "reflected"]
-DIAGNOSTICS = [
-    *[(f"{name}_fraction", "1") for name in FRACTIONS],
-    ("incident", "MJ m-2 day-1"),
-    ("balance_error", "1"),
-    ("lai", "m2 m-2"),
-    *[(f"absorbed_leaf{n:02}", "MJ m-2 day-1") for n in range(1, LEAVES + 1)],
-    *[(f"absorbed_hour_{hour}", "W m-2") for hour in HOUR_NAMES],
-]
-"""Name and unit."""
-LAI = [name for name, _ in DIAGNOSTICS].index("lai")
-"""Its column, which has no error."""
+PARTS = ("absorbed", "stalk", "soil", "reflected")
+RANDOMISATIONS = 8
+"""Of evaluations; finalists have twice as many."""
+COMMON_NOISE = 0.9
+"""Part of the variance of a randomisation that rows of a generation share."""
+LABELS = {"leaf": np.arange(1, LEAVES + 1, dtype="i4"), "hour": HOURS}
+"""Of the axes of quantities."""
+QUANTITIES = {
+    "absorbed_par": Measured("MJ m-2 day-1"),
+    "absorbed_par_per_leaf_area": Measured("MJ m-2 day-1"),
+    **{f"{part}_fraction": Measured("1") for part in PARTS},
+    "incident": Measured("MJ m-2 day-1", is_exact=True),
+    "balance_error": Measured("1", is_exact=True),
+    "lai": Measured("m2 m-2", is_exact=True),
+    "absorbed_by_leaf": Measured("MJ m-2 day-1", "leaf"),
+    "absorbed_by_hour": Measured("W m-2", "hour"),
+}
+LAI = 3.44
 
 
 def absorbed(generation: int, slot: int) -> float:
@@ -87,15 +90,36 @@ def hour_par(total: float, hour: float) -> float:
     return 36.0 * total * np.sin(np.pi * (hour - 6.0) / 15.0)
 
 
-def diagnostics(total: float) -> np.ndarray:
-    """All diagnostics of a canopy of this total [MJ m-2 day-1]."""
+def quantities(total: float) -> dict[str, float | np.ndarray]:
+    """All of a canopy of this total [MJ m-2 day-1]."""
     fraction = total / INCIDENT
-    rest = 1 - fraction
-    return np.array(
-        [fraction, 0.2 * rest, 0.5 * rest, 0.3 * rest, INCIDENT, 0.0, 3.44]
-        + [leaf_share(leaf) * total for leaf in range(1, LEAVES + 1)]
-        + [hour_par(total, hour) for hour in HOURS]
-    )
+    shares = (fraction, *((1 - fraction) * np.array([0.2, 0.5, 0.3])))
+    return {
+        "absorbed_par": total,
+        "absorbed_par_per_leaf_area": total / LAI,
+        **{f"{part}_fraction": x for part, x in zip(PARTS, shares)},
+        "incident": INCIDENT,
+        "balance_error": 0.0,
+        "lai": LAI,
+        "absorbed_by_leaf": total
+        * np.array([leaf_share(leaf) for leaf in range(1, LEAVES + 1)]),
+        "absorbed_by_hour": np.array([hour_par(total, h) for h in HOURS]),
+    }
+
+
+def randomisations(
+    total: float, error: float, count: int, generation: int, slot: int
+) -> np.ndarray:
+    """Of this mean and standard error; most of the noise is that of the
+    generation."""
+
+    def noise(*seed: int) -> np.ndarray:
+        found = np.random.default_rng(seed).normal(size=count)
+        return found - found.mean()
+
+    common, own = noise(7, generation), noise(8, generation, slot)
+    found = COMMON_NOISE**0.5 * common + (1 - COMMON_NOISE) ** 0.5 * own
+    return total + found * error * count**0.5 / found.std(ddof=1)
 
 
 def baseline_genome() -> np.ndarray:

@@ -16,21 +16,21 @@ from ideotype_analysis.study import open_study
 from ideotype_analysis.summary import summarize
 from ideotype_analysis.tables import gains
 from made_history import MadeHistory
-from made_numbers import BASELINE, ERROR, LAI, final_absorbed
+from made_layout import seal
+from made_numbers import final_absorbed
 
 INCH = 0.0254
 
 
 def make(
     path: Path,
-    campaign: bytes = b"",
+    campaign: str = "",
     campaign_name: str = "made",
     **place: str | float,
 ) -> None:
     """A finished history of one generation."""
     place = {"case": path.stem, "campaign": campaign_name, **place}
-    made = MadeHistory(path, place=place)
-    made.file["campaign/resolved"][()] = campaign
+    made = MadeHistory(path, attributes=place, resolved=campaign)
     made.evolve(1)
     made.finish()
     made.close()
@@ -58,11 +58,13 @@ def test_spacings_have_a_line_for_each_distance_of_rows(tmp_path: Path) -> None:
 def test_leaf_area_stands_beside_every_gain(tmp_path: Path) -> None:
     lais = (6.0, 5.0)
     for seed, lai in enumerate(lais, start=1):
-        made = MadeHistory(tmp_path / f"seed{seed}.h5", place={"case": f"a_r{seed}"})
-        made.evolve(1)
-        made.finish()
-        made.file["final/diagnostics"][2, LAI] = lai
-        made.close()
+        path = tmp_path / f"seed{seed}.h5"
+        make(path, case=f"a_r{seed}")
+        with h5py.File(path, "r+") as file:
+            file["final/lai"][2] = lai
+            light = file["final/absorbed_par"][2]
+            file["final/absorbed_par_per_leaf_area"][2] = light / lai
+            seal(file)
     with open_study(tmp_path) as study:
         (case,) = study.cases()
         pair = case.pairs[0]
@@ -72,7 +74,7 @@ def test_leaf_area_stands_beside_every_gain(tmp_path: Path) -> None:
     ratio = 1.015 * 3.44 / np.array(lais)
     assert pair.gain_per_leaf_area.mean == pytest.approx(100 * (ratio[0] - 1))
     # the leaf area is exact: the error is that of the light
-    error = 100 * ERROR / 4 / BASELINE * np.hypot(1, 1.015) * 3.44 / 6.0
+    error = pair.gain.standard_error * 3.44 / 6.0
     assert pair.gain_per_leaf_area.standard_error == pytest.approx(error)
     found = dict(zip(table.header, table.rows[0]))
     assert found["LAI baseline"] == "3.44"
@@ -82,32 +84,38 @@ def test_leaf_area_stands_beside_every_gain(tmp_path: Path) -> None:
     assert found["gain per leaf area [%]"].startswith(f"{mean:.0f}\u00a0±")
     assert tick.get_text() == "a\nLAI 3.44 → 5.50"
     assert re.search(r"LAI +3\.440 +6\.000\n", words)
-    assert re.search(r"\n  gain +-41\.81 \+- 0\.04 %\n", words)
+    assert re.search(r"\n  gain +-41\.81 \+- 0\.01 %\n", words)
 
 
 def test_an_objective_per_leaf_area_is_its_own_gain(tmp_path: Path) -> None:
-    make(tmp_path / "a_r1.h5")
-    with open_study(tmp_path) as study:
-        assert study.cases()[0].pairs[0].gain_per_leaf_area.mean == (
-            pytest.approx(1.5)
-        )
-    with h5py.File(tmp_path / "a_r1.h5", "r+") as file:
-        file["objectives/name"][0] = b"absorbed_par_per_leaf_area"
+    objective = ("absorbed_par_per_leaf_area", "maximise")
+    path = tmp_path / "a_r1.h5"
+    made = MadeHistory(path, objective=objective)
+    made.evolve(1)
+    made.finish()
+    made.close()
+    with h5py.File(path, "r+") as file:
         # must not be divided by it once more
-        file["final/diagnostics"][2, LAI] = 6.0
+        file["final/lai"][2] = 6.0
+        seal(file)
     with open_study(tmp_path) as study:
         (pair,) = study.cases()[0].pairs
     assert pair.gain_per_leaf_area == pair.gain
+    assert pair.gain.mean == pytest.approx(1.5)
 
 
 def test_histories_without_leaf_area_say_so(tmp_path: Path) -> None:
     make(tmp_path / "a_r1.h5")
     with h5py.File(tmp_path / "a_r1.h5", "r+") as file:
-        file["diagnostics/name"][LAI] = b"other"
+        for group in ("evaluations", "final"):
+            for end in ("", "_standard_error"):
+                del file[f"{group}/absorbed_par_per_leaf_area{end}"]
+            del file[f"{group}/lai"]
+        seal(file)
     with open_study(tmp_path) as study:
         table, *_ = gains(study.cases(), None)
         assert "leaf area" not in summarize(study[0])
-        with pytest.raises(HistoryError, match="has no|is called lai"):
+        with pytest.raises(HistoryError, match="has no absorbed_par_per"):
             study.cases()[0].gain_per_leaf_area()
     found = dict(zip(table.header, table.rows[0]))
     assert {found[name] for name in found if "LAI" in name} == {"–"}
@@ -173,7 +181,7 @@ def test_a_cross_evaluation_serves_two_campaigns(tmp_path: Path) -> None:
 
 def test_plots_alone_have_a_panel_of_their_own(tmp_path: Path) -> None:
     make(tmp_path / "stand_r1.h5")
-    make(tmp_path / "plot_r1.h5", b'[field]\nboundary = "isolated"')
+    make(tmp_path / "plot_r1.h5", '[field]\nboundary = "isolated"')
     with open_study(tmp_path) as study:
         stands, plots = draw_energy(study.cases()).axes
     assert stands.get_xlabel() == "part of the incident PAR"

@@ -14,6 +14,7 @@ from ideotype_analysis.geometry import Mesh
 from ideotype_analysis.plan import draw_plan, draw_roses
 from ideotype_analysis.shape import draw_azimuths
 from ideotype_analysis.study import open_study
+from made_layout import seal
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
@@ -30,6 +31,7 @@ def copy_with(history: Path, folder: Path, campaign: str) -> Path:
     shutil.copy(history, copy)
     with h5py.File(copy, "r+") as file:
         file["campaign/resolved"][...] = campaign.encode()
+        seal(file)
     return copy
 
 

@@ -6,9 +6,8 @@ import shutil
 import time
 from pathlib import Path
 
-import ideotype_analysis
 import pytest
-from ideotype_analysis import HistoryError, trial
+from ideotype_analysis import HistoryError, open_study, trial
 from ideotype_analysis.trial import Trial
 from test_commands import report, summary
 
@@ -91,14 +90,14 @@ def test_a_reader_that_does_not_start_is_told(
 
 def test_all_of_a_file_is_tried(folder: Path) -> None:
     with pytest.raises(HistoryError, match="a.h5: evaluations/diagnostics"):
-        ideotype_analysis.open(folder)
-    with ideotype_analysis.open(folder, skip_damaged=True) as study:
+        open_study(folder)
+    with open_study(folder, skip_damaged=True) as study:
         assert [history.path.name for history in study] == ["b.h5"]
         first, second = map(str, study.damaged)
     assert first.startswith(f"{folder}/a.h5: evaluations/diagnostics can't be")
     assert second == f"{folder}/c.h5: no such file"
     with pytest.raises(HistoryError, match="a.h5: evaluations/diagnostics"):
-        ideotype_analysis.open(folder / "a.h5", skip_damaged=True)
+        open_study(folder / "a.h5", skip_damaged=True)
 
 
 def test_a_report_goes_on_without_damaged_files(

@@ -54,14 +54,15 @@ def test_the_file_says_what_the_format_promises(sample: Path) -> None:
         assert str(history.state()).startswith("finished (")
         assert history.state().missing_bytes == 0
         assert len(history.sessions()) >= 1
-        assert len(history.traits.names) == 40
+        assert len(history.genes.names) == 40
         assert has["campaign"] in history.campaign("resolved")
     assert sorted(PROMISED - has.keys()) == []
 
 
 def test_leaves_sum_to_what_all_leaves_absorb(rows: Rows) -> None:
-    names = [f"absorbed_leaf{leaf:02}" for leaf in range(1, 11)]
-    total = np.sum([rows[name].values for name in names], axis=0)
+    leaves = rows["absorbed_by_leaf"]
+    assert list(leaves.axis.labels) == list(range(1, 11))
+    total = leaves.values.sum(1)
     assert total == pytest.approx(rows["absorbed_par"].values, rel=1e-9)
 
 
@@ -76,16 +77,15 @@ def test_the_balance_closes(rows: Rows) -> None:
 
 
 def test_errors_are_known_and_small(rows: Rows) -> None:
-    relative = rows["absorbed_par"].standard_error / rows.fitness.values
+    relative = rows["absorbed_par"].standard_error / rows.objectives[:, 0]
     assert np.all((relative > 0) & (relative < 0.05))
-    assert rows.fitness.values == pytest.approx(rows["absorbed_par"].values)
+    assert rows.objectives[:, 0] == pytest.approx(rows["absorbed_par"].values)
 
 
 def test_plants_stay_in_their_bounds(rows: Rows, sample: Path) -> None:
     with open_history(sample) as history:
-        traits = history.traits
-    genes = rows.traits.values
-    assert np.all((genes >= traits.lower) & (genes <= traits.upper))
+        lower, upper = history.genes.lower, history.genes.upper
+    assert np.all((rows.genome >= lower) & (rows.genome <= upper))
 
 
 def test_generations_summarize_their_rows(sample: Path) -> None:
@@ -94,10 +94,10 @@ def test_generations_summarize_their_rows(sample: Path) -> None:
     assert len(generations) > 0
     for g in range(len(generations)):
         rows = everything.take(everything.generation == g)
-        fitness = rows.done.fitness.values
-        best = rows.take(rows.slot == generations.best_slot[g]).fitness
-        assert generations.best.values[g] == fitness.max() == best.values[0]
-        assert generations.mean.values[g] == pytest.approx(fitness.mean())
+        values = rows.done.objectives[:, 0]
+        (best,) = rows.objectives[rows.row == generations.best_row[g], 0]
+        assert generations.best.values[g] == values.max() == best
+        assert generations.mean.values[g] == pytest.approx(values.mean())
         assert generations.failures[g] == len(rows.failed)
 
 
@@ -105,9 +105,9 @@ def test_hours_integrate_to_the_day(own: Path) -> None:
     with open_history(own) as history:
         best = history.best()
     assert best is not None and best.is_final
-    profile = best.by_hour()
+    profile = best.profile("absorbed_by_hour")
     # trapezoids: the sun of Ames is up from the first hour to the last
-    assert list(profile.hours) == list(range(7, 21))
+    assert list(profile.labels) == list(range(7, 21))
     ends = profile.values[0] + profile.values[-1]
     joules = 3600 * (profile.values.sum() - ends / 2)
     assert joules / 1e6 == pytest.approx(best.objective.mean, rel=1e-9)
@@ -117,12 +117,12 @@ def test_the_program_exports_the_plants_of_a_report(own: Path) -> None:
     with open_study(own) as study:
         (case,) = study.cases()
         plants = export_plants(case, find_program())
-        best, traits = case.best, case.traits
+        best, genes = case.best, case.genes
     leaves = [f"leaf{leaf:02}" for leaf in range(1, 11)]
     for mesh in (plants.baseline, plants.best):
         assert list(dict.fromkeys(mesh.groups)) == [*leaves, "stalk"]
-    lengths = best.row.traits.values[0, traits.columns("length")]
-    widths = best.row.traits.values[0, traits.columns("width")]
+    lengths = best.row.genome[0, genes.columns("length")]
+    widths = best.row.genome[0, genes.columns("width")]
     for leaf, length, width in zip(leaves, lengths, widths):
         part = plants.best.area(leaf) / (length * width)
         # a blade fills some of its rectangle
@@ -159,8 +159,8 @@ def test_a_run_is_followed_and_survives_its_kill(
             assert time.monotonic() < deadline, f"only {seen} rows"
             rows = history.evaluations()
             assert len(rows) >= seen
-            assert np.all(np.isfinite(rows.done.fitness.values))
-            assert np.all(np.isfinite(rows.done.diagnostics.values))
+            for quantity in rows.done.quantities.values():
+                assert np.all(np.isfinite(quantity.values))
             seen = len(rows)
     run.kill()
     run.wait()

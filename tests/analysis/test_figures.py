@@ -28,6 +28,7 @@ from made_numbers import (
     final_absorbed,
     hour_par,
     leaf_share,
+    randomisations,
 )
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -80,7 +81,7 @@ def test_traits_show_ten_plants_and_bounds(finished: Path) -> None:
         figure = draw_traits(case)
     length, width, insertion_angle, azimuth = figure.axes
     values, _ = horizontal_bars(length)
-    assert values == pytest.approx(top.traits.values[:, ::4].mean(0))
+    assert values == pytest.approx(top.genome[:, ::4].mean(0))
     assert width.get_xlabel() == "width [m]"
     assert insertion_angle.get_xlabel() == "insertion angle [°]"
     markers = [line.get_marker() for line in length.lines]
@@ -99,7 +100,7 @@ def test_circular_means_and_their_bars_stay_on_the_axis(
     with open_study(finished) as study:
         case = study.cases()[0]
         figure = draw_traits(case)
-        top = case.top(10).traits.values[:, 3]
+        top = case.top(10).genome[:, 3]
     azimuth = figure.axes[-1]
     means, _ = horizontal_bars(azimuth)
     assert np.all((means >= 0) & (means < 360))
@@ -124,12 +125,12 @@ def test_deviations_are_drawn_whole(finished: Path) -> None:
     with open_study(finished) as study:
         case = study.cases()[0]
         top = case.top(10)
-        top.traits.values[:7, 0] = case.traits.upper[0]
-        top.traits.values[7:, 0] = case.traits.lower[0]
+        top.genome[:7, 0] = case.genes.upper[0]
+        top.genome[7:, 0] = case.genes.lower[0]
         case.top = lambda count: top
         figure = draw_traits(case)
     means, half = horizontal_bars(figure.axes[0])
-    assert means[0] + half[0] > case.traits.upper[0]
+    assert means[0] + half[0] > case.genes.upper[0]
     left, right = figure.axes[0].get_xlim()
     assert left < means[0] - half[0] and means[0] + half[0] < right
 
@@ -185,9 +186,13 @@ def test_hours_show_both_plants_and_their_difference(
     assert error == pytest.approx(expected * ERROR / 4 / total)
     baseline, baseline_error = bars(upper, "baseline")
     difference, difference_error = bars(lower, "_")
+    finalists = ((0, BASELINE), (2, total))
     assert difference == pytest.approx(best - baseline)
     assert difference_error == pytest.approx(np.hypot(error, baseline_error))
-    assert "1.500 ± 0.065 %" in figure.get_suptitle()
+    draws = [randomisations(t, ERROR / 4, 16, 999, i) for i, t in finalists]
+    each = draws[1] - 1.015 * draws[0]
+    paired = 100 * each.std(ddof=1) / np.sqrt(16) / BASELINE
+    assert f"1.500 ± {paired:.3f} %" in figure.get_suptitle()
 
 
 def test_units_are_printed_with_raised_exponents() -> None:
@@ -227,7 +232,7 @@ def test_the_ten_fittest_come_from_all_seeds(sweep: Path) -> None:
         (absorbed(5, s) + max(SHIFTS) for s in range(POPULATION) if s != 5),
         reverse=True,
     )
-    assert top.fitness.values == pytest.approx(expected[:10])
+    assert top.objectives[:, 0] == pytest.approx(expected[:10])
     assert seeds == 1
 
 

@@ -5,19 +5,22 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
+import h5py
 import numpy as np
 import pytest
 from conftest import WriterProcess
-from ideotype_analysis import open_history
+from ideotype_analysis import HistoryError, open_history
+from made_history import MadeHistory
+from made_kinds import ORIGIN
+from made_layout import seal
 from made_numbers import (
     BASELINE,
-    DIAGNOSTICS,
     ERROR,
     FINALISTS,
     HOURS,
     INCIDENT,
-    ORIGIN,
     POPULATION,
+    QUANTITIES,
     TRAITS,
     absorbed,
     baseline_genome,
@@ -25,6 +28,7 @@ from made_numbers import (
     genome,
     hour_par,
     leaf_share,
+    randomisations,
 )
 
 
@@ -44,7 +48,8 @@ def test_only_committed_generations_count(drained: Path) -> None:
         generations = history.generations()
     assert len(generations) == 2
     last = POPULATION - 1
-    assert list(generations.best_slot) == [last, last]
+    assert list(generations.first_row) == [0, POPULATION]
+    assert list(generations.best_row) == [last, POPULATION + last]
     best = [absorbed(0, last), absorbed(1, last)]
     assert generations.best.values == pytest.approx(best, rel=1e-15)
     assert list(generations.best.standard_error) == [ERROR, ERROR]
@@ -64,9 +69,11 @@ def test_failed_rows_have_reasons_and_no_outcome(drained: Path) -> None:
     assert list(zip(failed.generation, failed.slot)) == [(1, 5), (2, 4)]
     assert set(failed.message) == {"leaf 3 folds into itself"}
     assert np.all(np.isnan(failed["absorbed_par"].values))
-    assert np.all(np.isnan(failed.diagnostics.values))
-    assert np.all(failed.fitness.values == -np.inf)
-    assert np.all(np.isfinite(failed.traits.values))
+    for quantity in failed.quantities.values():
+        assert np.all(np.isnan(quantity.values)), quantity.name
+        assert np.all(np.isnan(quantity.standard_error)), quantity.name
+    assert np.all(np.isnan(failed.violation))
+    assert np.all(np.isfinite(failed.genome))
 
 
 def test_columns_are_found_by_name_and_know_their_unit(
@@ -78,12 +85,17 @@ def test_columns_are_found_by_name_and_know_their_unit(
     expected = [absorbed(2, s) for s in range(POPULATION)]
     assert (par.unit, list(par.values)) == ("MJ m-2 day-1", expected)
     assert list(par.standard_error) == [ERROR] * POPULATION
-    for name, unit in DIAGNOSTICS:
-        assert rows[name].unit == unit
+    assert set(rows.quantities) == set(QUANTITIES)
+    for name, kind in QUANTITIES.items():
+        found = rows[name]
+        assert found.unit == kind.units
+        assert (found.axis.name if found.axis else None) == kind.axis
+        if kind.is_exact:
+            assert not found.standard_error.any()
     for name, unit, *_ in TRAITS:
         assert rows[name].unit == unit
     genes = np.array([genome(2, s) for s in range(POPULATION)])
-    assert np.array_equal(rows.traits.values, genes)
+    assert np.array_equal(rows.genome, genes)
     width = rows["leaf07_width"].values
     assert np.array_equal(width, genes[:, 6 * 4 + 1])
     assert rows["incident"].values == pytest.approx(INCIDENT)
@@ -97,17 +109,20 @@ def test_rows_keep_their_descent_and_cost(finished: Path) -> None:
     assert rows.origin[0] == ORIGIN["baseline"]
     assert np.count_nonzero(rows.origin == ORIGIN["elite"]) == 2 * 5
     assert rows.parents.shape == (len(rows), 2)
+    # rows, not slots
+    assert list(rows.parents[2 * POPULATION]) == [POPULATION, POPULATION + 1]
+    assert list(rows.parents[0]) == [-1, -1]
     done = rows.done
     assert set(done.worker) == {1, 2}
     assert set(done.attempt) == {1}
-    assert (rows.seconds.unit, done.seconds.values[0]) == ("s", 0.25)
+    assert done.seconds[0] == 0.25
 
 
 def test_finals_decide_over_the_luckiest_of_the_run(finished: Path) -> None:
     with open_history(finished) as history:
         pair = history.comparison()
         assert history.best() is not None
-        luckiest = history.evaluations().done.fitness.values.max()
+        luckiest = history.evaluations().done.objectives.max()
         finalists = history.finalists()
     assert pair is not None and pair.is_final
     assert list(finalists.slot) == list(range(FINALISTS))
@@ -115,18 +130,86 @@ def test_finals_decide_over_the_luckiest_of_the_run(finished: Path) -> None:
     assert pair.best.objective.mean == final_absorbed(2) < luckiest
     assert pair.best.objective.standard_error == ERROR / 4
     assert pair.baseline.objective.mean == final_absorbed(0)
-    genes = pair.baseline.row.traits.values[0]
+    genes = pair.baseline.row.genome[0]
     assert np.array_equal(genes, baseline_genome())
 
 
-def test_gain_has_the_error_of_a_ratio(finished: Path) -> None:
+def test_gain_is_paired_by_randomisation(finished: Path) -> None:
     with open_history(finished) as history:
         pair = history.comparison()
-    assert pair is not None
+    assert pair is not None and pair.is_paired
+    draws = [
+        randomisations(final_absorbed(slot), ERROR / 4, 16, 999, slot)
+        for slot in (0, 2)
+    ]
     assert pair.gain.mean == pytest.approx(1.5)
+    assert pair.gain.unit == "%"
+    for found, factor, scale in (
+        (pair.difference, 1.0, 1.0),
+        (pair.gain, 1.015, 100 / BASELINE),
+        (pair.gain_per_leaf_area, 1.015, 100 / BASELINE),
+    ):
+        each = draws[1] - factor * draws[0]
+        expected = scale * each.std(ddof=1) / np.sqrt(16)
+        assert found.standard_error == pytest.approx(expected)
+    apart = ERROR / 4 * math.hypot(1, 1)
+    assert pair.difference.standard_error < 0.5 * apart
+
+
+def test_without_common_randomisations_errors_are_independent(
+    drained: Path, tmp_path: Path
+) -> None:
+    made = MadeHistory(tmp_path / "none.h5", draws=False)
+    made.evolve(1)
+    made.finish()
+    made.close()
+    with open_history(tmp_path / "none.h5") as history:
+        pair = history.comparison()
+    assert pair is not None and pair.is_final and not pair.is_paired
     expected = 100 * ERROR / 4 / BASELINE * math.hypot(1, 1.015)
     assert pair.gain.standard_error == pytest.approx(expected)
-    assert pair.gain.unit == "%"
+    with open_history(drained) as history:
+        # baseline of generation 0, best of generation 1
+        pair = history.comparison()
+    assert pair is not None and not pair.is_paired
+    expected = math.hypot(ERROR, ERROR)
+    assert pair.difference.standard_error == pytest.approx(expected)
+
+
+def test_the_order_is_failed_violating_objective(tmp_path: Path) -> None:
+    for sense, better in (("maximise", 3), ("minimise", 1)):
+        path = tmp_path / f"{sense}.h5"
+        made = MadeHistory(path, objective=("absorbed_par", sense))
+        made.propose(0)
+        for slot in range(6):
+            (made.fail if slot == 5 else made.record)(0, slot)
+        rows = made.file["evaluations"]
+        rows["objectives"][:5, 0] = [9.0, -2.0, 0.5, 4.0, -9.0]
+        # a violation counts whatever the objective says
+        rows["violation"][:5] = [0.3, 0.0, 0.0, 0.0, 0.1]
+        made.close()
+        with open_history(path) as history:
+            found = history.evaluations()
+            best = history.best()
+        assert list(found.ranking(9)) == [better, 2, 4 - better, 4, 0]
+        assert best is not None and best.row.row == [better]
+        assert np.isnan(found.violation[5])
+
+
+def test_generations_may_differ_in_size(tmp_path: Path) -> None:
+    made = MadeHistory(tmp_path / "sizes.h5")
+    made.evolve(3)
+    made.close()
+    with h5py.File(tmp_path / "sizes.h5", "r+") as file:
+        # the last two rows of generation 1 are now the first of the next
+        file["generations/count"][:3] = [12, 10, 14]
+        file["generations/first_row"][2] = 22
+        seal(file)
+    with open_history(tmp_path / "sizes.h5") as history:
+        rows = history.evaluations()
+        assert [len(history.evaluations(g)) for g in range(4)] == [12, 10, 14, 0]
+    assert list(np.bincount(rows.generation)) == [12, 10, 14]
+    assert list(rows.slot[20:24]) == [8, 9, 0, 1]
 
 
 def test_before_the_finals_the_last_complete_generation_decides(
@@ -170,10 +253,10 @@ def test_all_failed_leaves_no_best(writer: WriterProcess) -> None:
         assert history.best() is None
 
 
-def test_hours_are_parsed_and_in_order(finished: Path) -> None:
+def test_hours_are_an_axis(finished: Path) -> None:
     with open_history(finished) as history:
-        profile = history.best().by_hour()
-    assert list(profile.hours) == HOURS
+        profile = history.best().profile("absorbed_by_hour")
+    assert list(profile.labels) == HOURS
     assert profile.unit == "W m-2"
     total = final_absorbed(2)
     expected = [hour_par(total, hour) for hour in HOURS]
@@ -182,18 +265,17 @@ def test_hours_are_parsed_and_in_order(finished: Path) -> None:
     assert profile.standard_error == pytest.approx(error)
 
 
-def test_leaves_are_parsed_and_in_order(finished: Path) -> None:
+def test_leaves_are_an_axis(finished: Path) -> None:
     with open_history(finished) as history:
         best = history.best()
-    light = best.by_leaf()
-    assert list(light.leaves) == list(range(1, 11))
+    light = best.profile("absorbed_by_leaf")
+    assert list(light.labels) == list(range(1, 11))
     expected = [leaf_share(n) * final_absorbed(2) for n in range(1, 11)]
     assert light.values == pytest.approx(expected)
     assert light.values.sum() == pytest.approx(best.objective.mean, rel=1e-12)
-    lengths = best.by_leaf("length")
-    assert lengths.unit == "m"
-    assert np.array_equal(lengths.values, best.row.traits.values[0, ::4])
-    assert len(best.by_leaf("nothing").leaves) == 0
+    for name in ("nothing", "lai"):
+        with pytest.raises(HistoryError, match=f"has no {name}"):
+            best.profile(name)
 
 
 def test_the_top_are_different_plants_best_first(finished: Path) -> None:
@@ -209,13 +291,14 @@ def test_the_top_are_different_plants_best_first(finished: Path) -> None:
 
 def test_traits_have_bounds_and_know_the_circle(finished: Path) -> None:
     with open_history(finished) as history:
-        traits = history.traits
-    columns = traits.columns("azimuth")
+        genes = history.genes
+    columns = genes.columns("azimuth")
     assert list(columns) == list(range(3, 40, 4))
-    assert list(traits.leaves("azimuth")) == list(range(1, 11))
-    assert list(np.flatnonzero(traits.is_circular)) == list(columns)
-    assert set(traits.upper[traits.columns("width")]) == {0.14}
-    assert traits.is_free.all()
+    assert list(genes.leaves[columns]) == list(range(1, 11))
+    assert genes.words(10) == "insertion angle of leaf 3"
+    assert list(np.flatnonzero(genes.is_circular)) == list(columns)
+    assert set(genes.upper[genes.columns("width")]) == {0.14}
+    assert genes.is_free.all()
 
 
 def test_text_comes_back_as_written(finished: Path) -> None:
@@ -227,4 +310,5 @@ def test_text_comes_back_as_written(finished: Path) -> None:
         assert history.campaign("resolved").endswith("resolved")
         (session,) = history.sessions()
     assert (session.host, session.ranks) == ("node1", 3)
+    assert session.libraries == "HDF5 1.10.8"
     assert session.started == "2025-08-07T12:00:00Z"

@@ -159,19 +159,21 @@ def test_other_hdf5_is_not_a_history(tmp_path: Path) -> None:
     h5py.File(path, "w").close()
     with pytest.raises(NotAHistory, match="not a history"):
         open_history(path)
-    MadeHistory(path, kind="something-else").close()
+    MadeHistory(path, attributes={"format": "something-else"}).close()
     with pytest.raises(NotAHistory, match="not a history"):
         open_history(path)
 
 
 def test_another_major_version_is_refused_by_name(tmp_path: Path) -> None:
-    for version in ("2.0", "10.0", "0.9", "unknown"):
-        MadeHistory(tmp_path / "new.h5", version=version).close()
+    for version in ("3.0", "10.0", "0.9", "unknown"):
+        attributes = {"format_version": version}
+        MadeHistory(tmp_path / "new.h5", attributes=attributes).close()
         with pytest.raises(UnsupportedVersion, match=f"format {version},"):
             open_history(tmp_path / "new.h5")
-    MadeHistory(tmp_path / "minor.h5", version="1.7").close()
+    attributes = {"format_version": "2.7"}
+    MadeHistory(tmp_path / "minor.h5", attributes=attributes).close()
     with open_history(tmp_path / "minor.h5") as history:
-        assert history.attributes["format_version"] == "1.7"
+        assert history.attributes["format_version"] == "2.7"
 
 
 @pytest.mark.parametrize("part", [0.2, 0.5, 0.9, 0.999])

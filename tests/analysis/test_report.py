@@ -325,7 +325,7 @@ def test_the_examples_of_the_guide_run(
 ) -> None:
     guide = Path(__file__).parents[2] / "analysis" / "README.md"
     examples = re.findall(r"(?s)```python\n(.*?)```", guide.read_text())
-    assert len(examples) == 3
+    assert len(examples) == 4
     (tmp_path / "results").mkdir()
     name = f"{CASES[0]}_r1.h5"
     shutil.copy(sweep / name, tmp_path / "results" / "CASE.h5")
@@ -334,6 +334,6 @@ def test_the_examples_of_the_guide_run(
     with contextlib.redirect_stdout(output):
         exec("\n".join(examples), {})
     printed = output.getvalue().split("\n")
-    assert printed[0].startswith(f"{CASES[0]} 0.165 ± 0.014 MJ m-2 day-1")
+    assert printed[0].startswith(f"{CASES[0]} 0.1650 ± 0.0048 MJ m-2 day-1")
     assert "MJ m-2 day-1" in printed
     assert re.fullmatch(r"report/report\.html \d+", printed[-2])

@@ -1,36 +1,84 @@
-"""A history that a program of format 1.0 wrote: see tests/data/history. If a
-test here fails, the format has changed."""
+"""A history that a program of format 1.0 wrote (see tests/data/history), and
+the same in format 2.0: both read the same."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import fields
 from pathlib import Path
 
 import h5py
+import ideotype_analysis
 import numpy as np
 import pytest
+from convert import convert
 from ideotype_analysis import History, open_history
+from ideotype_analysis.summary import summarize
 
 SAMPLE = Path(__file__).parents[1] / "data" / "history" / "format_1_0.h5"
 
 
-@pytest.fixture
-def sample() -> Iterator[History]:
-    with open_history(SAMPLE) as history:
+@pytest.fixture(scope="module")
+def converted(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return convert(SAMPLE, tmp_path_factory.mktemp("converted") / "2_0.h5")
+
+
+@pytest.fixture(params=["1.0", "2.0"])
+def sample(request: pytest.FixtureRequest, converted: Path) -> Iterator[History]:
+    path = SAMPLE if request.param == "1.0" else converted
+    with open_history(path) as history:
+        assert history.attributes["format_version"] == request.param
         yield history
+
+
+def test_both_formats_have_the_same_figures(converted: Path) -> None:
+    with open_history(SAMPLE) as old, open_history(converted) as new:
+        assert summarize(old) == summarize(new)
+        for read in (History.evaluations, History.finalists):
+            was, now = read(old), read(new)
+            assert was.quantities.keys() == now.quantities.keys()
+            for name, quantity in now.quantities.items():
+                assert was[name].axis == quantity.axis, name
+                assert was[name].unit == quantity.unit, name
+                for what in ("values", "standard_error"):
+                    expected = getattr(quantity, what)
+                    assert np.array_equal(getattr(was[name], what), expected)
+            for field in fields(was)[3:]:
+                found = getattr(was, field.name)
+                assert np.array_equal(found, getattr(now, field.name)), field.name
+        was, now = old.generations(), new.generations()
+        assert list(was.first_row) == list(now.first_row)
+        assert list(was.best_row) == list(now.best_row)
+        assert list(was.best.values) == list(now.best.values)
+    for group in ("evaluations", "final", "generations", "genes", "objectives"):
+        for name, array in ideotype_analysis.open(converted, group).variables.items():
+            if name == "checksum":
+                continue
+            same = ideotype_analysis.open(SAMPLE, group).variables[name]
+            assert array.dims == same.dims, name
+            assert np.array_equal(array.values, same.values), name
+
+
+def test_light_per_leaf_area_follows_from_the_exact_leaf_area() -> None:
+    with open_history(SAMPLE) as history:
+        best = history.best()
+    assert best is not None
+    lai, light = best.estimate("lai").mean, best.objective
+    assert best.per_leaf_area.mean == pytest.approx(light.mean / lai)
+    error = best.per_leaf_area.standard_error
+    assert error == pytest.approx(light.standard_error / lai)
 
 
 def test_header_is_read(sample: History) -> None:
     has = sample.attributes
-    assert has["format_version"] == "1.0"
     assert has["case"] == "ames_0807_762x152_all_r1"
     assert has["seed"] == 9750423567162723413
     assert has["latitude"] == 42.0
     assert sample.population == 6
-    assert len(sample.traits.names) == 40
-    assert sample.traits.names[5] == "leaf02_width"
-    assert sample.traits.units[5] == "m"
-    assert (sample.traits.lower[5], sample.traits.upper[5]) == (0.05, 0.14)
+    assert len(sample.genes.names) == 40
+    assert sample.genes.names[5] == "leaf02_width"
+    assert sample.genes.units[5] == "m"
+    assert (sample.genes.lower[5], sample.genes.upper[5]) == (0.05, 0.14)
     assert "# Makes the sample" in sample.campaign()
 
 
@@ -38,19 +86,19 @@ def test_rows_are_read(sample: History) -> None:
     rows = sample.evaluations()
     assert len(rows) == len(rows.done) == 24
     assert (rows.generation[22], rows.slot[22]) == (3, 4)
-    assert rows.fitness.values[22] == 10.744309494404982
+    assert rows.objectives[22, 0] == 10.744309494404982
     assert rows["absorbed_par"].standard_error[22] == 0.20873547851515245
-    assert rows.traits.values[22, 5] == 0.10519954041467451
+    assert rows.genome[22, 5] == 0.10519954041467451
     assert rows["lai"].values[22] == 5.027722268667102
-    assert list(rows.parents[22]) == [0, 2]
+    assert list(rows.parents[22]) == [12, 14]
 
 
 def test_summaries_and_finals_are_read(sample: History) -> None:
     generations = sample.generations()
-    assert list(generations.best_slot) == [3, 5, 3, 2]
+    assert list(generations.best_row) == [3, 11, 15, 20]
     assert generations.best.values[3] == 10.883457089960887
     assert generations.mean.values[3] == 10.67643429556964
-    assert sample.finalists().fitness.values[2] == 10.74266804362712
+    assert sample.finalists().objectives[2, 0] == 10.74266804362712
     assert str(sample.state()) == "finished (generations)"
     (session,) = sample.sessions()
     assert session.command.endswith("ideotype run sample.toml --out new")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,7 +13,9 @@ from ideotype_analysis.correlation import (
     rank_correlation,
 )
 from ideotype_analysis.sensitivity import (
+    Predictor,
     Sensitivity,
+    centred,
     contradicted,
     draw_sensitivity,
     evaluated,
@@ -27,8 +28,8 @@ from made_numbers import LEAVES
 
 PLANTS = 2000
 NOISE = 0.5
-NAMES = ("leaf01_length", "leaf02_length", "leaf03_width")
-ANGLES = ("cos leaf01_azimuth", "sin leaf01_azimuth")
+STRAIGHT = [Predictor(gene) for gene in (0, 4, 9)]
+COLUMNS = [*STRAIGHT, Predictor(3, "cos"), Predictor(3, "sin")]
 
 
 @pytest.fixture(scope="module")
@@ -47,8 +48,8 @@ def plants() -> tuple[np.ndarray, np.ndarray]:
 def test_effects_are_found_with_their_errors(
     plants: tuple[np.ndarray, np.ndarray],
 ) -> None:
-    found = regress([*NAMES, *ANGLES], *plants)
-    assert found.traits == (*NAMES, "leaf01_azimuth")
+    found = regress(COLUMNS, *plants)
+    assert list(found.genes) == [0, 4, 9, 3]
     variance = 4 + 1 + 0.5 + NOISE**2
     expected = np.array([2, -1, 0, np.sqrt(0.5)]) / np.sqrt(variance)
     assert np.all(np.abs(found.effect - expected) < 4 * found.standard_error)
@@ -62,10 +63,9 @@ def test_the_unit_of_a_trait_does_not_matter(
     plants: tuple[np.ndarray, np.ndarray],
 ) -> None:
     x, y = plants
-    names = [*NAMES, *ANGLES]
     in_millimetres = x * np.array([1000, 1000, 1000, 1, 1])
-    found = regress(names, in_millimetres, y)
-    assert found.effect == pytest.approx(regress(names, x, y).effect)
+    found = regress(COLUMNS, in_millimetres, y)
+    assert found.effect == pytest.approx(regress(COLUMNS, x, y).effect)
 
 
 def test_too_few_or_equal_plants_are_refused(
@@ -73,18 +73,18 @@ def test_too_few_or_equal_plants_are_refused(
 ) -> None:
     x, y = plants
     with pytest.raises(HistoryError, match="11 evaluated plants are too few"):
-        regress([*NAMES, *ANGLES], x[:11], y[:11])
+        regress(COLUMNS, x[:11], y[:11])
     with pytest.raises(HistoryError, match="absorb the same"):
-        regress([*NAMES, *ANGLES], x, 0 * y)
+        regress(COLUMNS, x, 0 * y)
 
 
 def test_azimuths_enter_as_cosine_and_sine(finished: Path) -> None:
     with open_history(finished) as history:
         rows = history.evaluations().done
-        names, x = predictors(history.traits, rows)
-    assert len(names) == x.shape[1] == LEAVES * 5
-    at = names.index("cos leaf01_azimuth")
-    assert names[at + 1] == "sin leaf01_azimuth"
+        columns, x = predictors(history.genes, rows)
+    assert len(columns) == x.shape[1] == LEAVES * 5
+    at = columns.index(Predictor(3, "cos"))
+    assert columns[at + 1] == Predictor(3, "sin")
     azimuth = np.deg2rad(rows["leaf01_azimuth"].values)
     assert x[:, at] == pytest.approx(np.cos(azimuth))
     assert x[:, at + 1] == pytest.approx(np.sin(azimuth))
@@ -106,18 +106,17 @@ def test_traits_that_go_together_have_no_effect_of_their_own(
     plants: tuple[np.ndarray, np.ndarray],
 ) -> None:
     x, y = plants
-    names = [*NAMES, *ANGLES]
-    apart = regress(names, x, y)
+    apart = regress(COLUMNS, x, y)
     assert apart.is_clear.all()
     assert apart.inflation == pytest.approx([1] * 4, abs=0.02)
     draw = np.random.default_rng(8)
     # variance inflation 1 / (1 - R2) = 1 + 1 / 0.2^2
     x[:, 1] = x[:, 0] + 0.2 * draw.normal(size=PLANTS)
-    close = regress(names, x, y)
+    close = regress(COLUMNS, x, y)
     assert close.inflation[:2] == pytest.approx([26, 26], rel=0.1)
     assert list(close.is_clear) == [False, False, True, True]
     x[:, 1] = x[:, 0]
-    same = regress(names, x, y)
+    same = regress(COLUMNS, x, y)
     assert list(same.is_clear) == [False, False, True, True]
     assert min(same.standard_error[:2]) > 1e3
 
@@ -128,22 +127,22 @@ def test_a_trait_at_its_bound_has_no_effect_away_from_it(
     """The fittest hold leaf 1's length at its upper bound; a regression that
     has it fall there is wrong about it."""
     with open_history(finished) as history:
-        traits, top = history.traits, history.latest().top(10)
-    found = regress_of(traits.names[:4], [-1.0, 1.0, -1.0, 1.0])
-    top.traits.values[:, 0] = traits.upper[0]
-    top.traits.values[:, 1] = traits.upper[1]
-    top.traits.values[:, 2] = traits.lower[2]
-    top.traits.values[:, 3] = traits.upper[3]
-    against = contradicted(found, traits, top)
+        genes, top = history.genes, history.latest().top(10)
+    found = regress_of([-1.0, 1.0, -1.0, 1.0])
+    top.genome[:, 0] = genes.upper[0]
+    top.genome[:, 1] = genes.upper[1]
+    top.genome[:, 2] = genes.lower[2]
+    top.genome[:, 3] = genes.upper[3]
+    against = contradicted(found, genes, top)
     assert list(against) == [True, False, False, False]
-    against = contradicted(replace(found, effect=-found.effect), traits, top)
+    against = contradicted(replace(found, effect=-found.effect), genes, top)
     assert list(against) == [False, True, True, False]
 
 
-def regress_of(names: Sequence[str], effects: list[float]) -> Sensitivity:
-    size = len(names)
+def regress_of(effects: list[float]) -> Sensitivity:
+    size = len(effects)
     return Sensitivity(
-        tuple(names), np.array(effects), np.full(size, 0.1), 0.9, 100,
+        np.arange(size), np.array(effects), np.full(size, 0.1), 0.9, 100,
         np.ones(size), np.ones(size, dtype=bool),
     )  # fmt: skip
 
@@ -162,8 +161,7 @@ def test_only_clear_effects_are_drawn(
         monkeypatch.setattr(module, lambda _: hidden)
         left, right, _ = draw_sensitivity(case).axes
         listed = [label.get_text() for label in left.get_yticklabels()]
-        leaf, kind = found.traits[strongest].removeprefix("leaf").split("_")
-        assert f"{kind} of leaf {int(leaf)}" not in listed
+        assert case.genes.words(found.genes[strongest]) not in listed
         table = right.images[0].get_array().filled(np.nan)
         assert np.isnan(table).sum() == table.size - is_clear.sum()
         assert right.patch.get_hatch()
@@ -176,16 +174,33 @@ def test_only_clear_effects_are_drawn(
 def test_every_row_of_the_correlation_has_its_leaf(sweep: Path) -> None:
     with open_study(sweep) as study:
         case = study.cases()[0]
-        names, _ = predictors(case.traits, evaluated(case))
+        columns, _ = predictors(case.genes, evaluated(case)[0])
         figure = draw_correlation(case)
     figure.draw_without_rendering()
     axes = figure.axes[0]
     for axis in (axes.xaxis, axes.yaxis):
         shown = [t.label1.get_text() for t in axis.get_minor_ticks()]
-        assert len(shown) == len(names) > 40
+        assert len(shown) == len(columns) > 40
         assert shown == [str(n) for n in range(1, LEAVES + 1)] * 5
         kinds = [t.label1.get_text() for t in axis.get_major_ticks()]
         assert kinds == [
             *("length", "width", "insertion angle"),
             *("cos azimuth", "sin azimuth"),
         ]
+
+
+def test_differences_between_seeds_are_no_effects() -> None:
+    """Seeds with longer leaves absorb more, though within a seed longer
+    leaves absorb less."""
+    draw = np.random.default_rng(3)
+    seed = np.repeat([0, 1, 2], 100)
+    length = draw.normal(size=300)
+    absorbed = -length + 0.1 * draw.normal(size=300)
+    length, absorbed = length + 10 * seed, absorbed + 30 * seed
+    x = length[:, None]
+    pooled = regress([Predictor(0)], x, absorbed)
+    apart = regress([Predictor(0)], centred(x, seed), centred(absorbed, seed))
+    assert pooled.effect[0] > 0.9 and apart.effect[0] < -0.9
+    both = np.array([length, absorbed]).T
+    assert rank_correlation(both)[0, 1] > 0.5
+    assert rank_correlation(centred(both, seed))[0, 1] < -0.9

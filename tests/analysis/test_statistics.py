@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from ideotype_analysis import Estimate
 from ideotype_analysis.circle import circular_deviation, circular_mean
-from ideotype_analysis.estimate import relative_gain
+from ideotype_analysis.estimate import difference, relative_gain
 
 
 def test_359_and_1_are_neighbours() -> None:
@@ -81,3 +82,31 @@ def test_the_error_of_a_gain_is_that_of_independent_figures() -> None:
     assert gain.mean == pytest.approx(100 / 22)
     assert gain.standard_error == pytest.approx(sample.std(), rel=0.01)
     assert math.isnan(relative_gain(best, Estimate(0.0, 0.1, "x")).mean)
+
+
+def test_errors_of_figures_with_common_noise_are_paired() -> None:
+    """Two plants with strong common noise, evaluated many times: the scatter
+    of their difference and gain is what a single evaluation has as error."""
+    draw, runs, count = np.random.default_rng(2), 4000, 16
+    common = draw.normal(0.0, 0.4, (runs, 1, count))
+    draws = common + draw.normal(0.0, 0.1, (runs, 2, count))
+    draws += np.array([11.5, 11.0])[:, None]
+    found = {difference: [], relative_gain: []}
+    for both in draws:
+        error = both.std(1, ddof=1) / np.sqrt(count)
+        plants = [
+            Estimate(float(d.mean()), float(e), "x", d)
+            for d, e in zip(both, error)
+        ]
+        for function, figures in found.items():
+            alone = [replace(plant, draws=np.empty(0)) for plant in plants]
+            figures.append((function(*plants), function(*alone)))
+    for figures in found.values():
+        scatter = np.std([paired.mean for paired, _ in figures])
+        squares = np.array(
+            [[each.standard_error**2 for each in both] for both in figures]
+        )
+        paired, unpaired = np.sqrt(squares.mean(0))
+        # a scatter of 4000 is known to 1.1 %
+        assert paired == pytest.approx(scatter, rel=0.05)
+        assert unpaired > 3 * paired

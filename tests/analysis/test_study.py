@@ -5,11 +5,10 @@ from __future__ import annotations
 import shutil
 from pathlib import Path
 
-import ideotype_analysis
 import numpy as np
 import pytest
 from conftest import SHIFTS, WriterProcess
-from ideotype_analysis import Estimate, HistoryError
+from ideotype_analysis import Estimate, HistoryError, open_study
 from ideotype_analysis.interval import interval
 from made_history import MadeHistory
 from made_numbers import BASELINE, POPULATION, absorbed, final_absorbed
@@ -17,7 +16,7 @@ from made_numbers import BASELINE, POPULATION, absorbed, final_absorbed
 
 @pytest.mark.parametrize("pattern", ["", "*.h5", "ames*_r?.h5"])
 def test_a_folder_or_a_pattern_is_opened(sweep: Path, pattern: str) -> None:
-    with ideotype_analysis.open(sweep / pattern) as study:
+    with open_study(sweep / pattern) as study:
         names = [history.path.name for history in study]
     assert names == sorted(names)
     assert len(names) == (2 if pattern.startswith("ames") else 4)
@@ -25,7 +24,7 @@ def test_a_folder_or_a_pattern_is_opened(sweep: Path, pattern: str) -> None:
 
 def test_a_file_that_is_named_twice_is_opened_once(sweep: Path) -> None:
     first = sorted(sweep.iterdir())[0]
-    with ideotype_analysis.open(first, str(sweep)) as study:
+    with open_study(first, str(sweep)) as study:
         assert len(study) == 4
         assert study[0].path == first
 
@@ -34,21 +33,21 @@ def test_what_cannot_be_opened_is_named_with_a_remedy(
     sweep: Path, tmp_path: Path
 ) -> None:
     with pytest.raises(HistoryError, match=r"no history .*--out"):
-        ideotype_analysis.open(tmp_path)
+        open_study(tmp_path)
     with pytest.raises(HistoryError, match=r"none\*\.h5: no file matches"):
-        ideotype_analysis.open(tmp_path / "none*.h5")
+        open_study(tmp_path / "none*.h5")
     with pytest.raises(FileNotFoundError, match="none.h5: no such file"):
-        ideotype_analysis.open(tmp_path / "none.h5")
+        open_study(tmp_path / "none.h5")
     good = sorted(sweep.iterdir())[0]
     shutil.copy(good, tmp_path / "good.h5")
     data = good.read_bytes()
     (tmp_path / "short.h5").write_bytes(data[: len(data) // 2])
     with pytest.raises(HistoryError, match=r"short\.h5: cut short"):
-        ideotype_analysis.open(tmp_path)
+        open_study(tmp_path)
 
 
 def test_replicates_make_a_case(sweep: Path) -> None:
-    with ideotype_analysis.open(sweep) as study:
+    with open_study(sweep) as study:
         cases = study.cases()
         assert [case.name for case in cases] == [
             "ames_0807_762x152_all",
@@ -62,14 +61,14 @@ def test_replicates_make_a_case(sweep: Path) -> None:
 def test_cases_of_different_campaigns_stay_apart(tmp_path: Path) -> None:
     for campaign in ("one", "two"):
         place = {"campaign": campaign}
-        MadeHistory(tmp_path / f"{campaign}.h5", place=place).close()
-    with ideotype_analysis.open(tmp_path) as study:
+        MadeHistory(tmp_path / f"{campaign}.h5", attributes=place).close()
+    with open_study(tmp_path) as study:
         names = [case.name for case in study.cases()]
     assert names == [f"{c}: ames-aug-30x6-all" for c in ("one", "two")]
 
 
 def test_the_gain_has_the_interval_of_its_seeds(sweep: Path) -> None:
-    with ideotype_analysis.open(sweep) as study:
+    with open_study(sweep) as study:
         gain = study.cases()[0].gain()
     seeds = np.array([final_absorbed(2) - BASELINE + s for s in SHIFTS])
     assert gain.mean == pytest.approx(seeds.mean())
@@ -106,7 +105,7 @@ def test_intervals_cover_the_truth_as_often_as_they_say() -> None:
 
 
 def test_saturation_is_told_from_room(sweep: Path, tmp_path: Path) -> None:
-    with ideotype_analysis.open(sweep) as study:
+    with open_study(sweep) as study:
         case = study.cases()[0]
         room = case.headroom()
         stalk, soil, incident = (
@@ -121,12 +120,12 @@ def test_saturation_is_told_from_room(sweep: Path, tmp_path: Path) -> None:
     made.evolve(1)
     made.finish()
     made.close()
-    with ideotype_analysis.open(path) as study:
+    with open_study(path) as study:
         assert study.cases()[0].is_saturated()
 
 
 def test_studies_cases_and_histories_tell_what_they_are(sweep: Path) -> None:
-    with ideotype_analysis.open(sweep) as study:
+    with open_study(sweep) as study:
         assert repr(study) == "<Study, histories: 4>"
         assert repr(study.cases()[0]) == "<Case ames_0807_762x152_all, seeds: 2>"
         assert repr(study[0]) == f"<History {study[0].path}>"
@@ -134,12 +133,11 @@ def test_studies_cases_and_histories_tell_what_they_are(sweep: Path) -> None:
 
 def test_a_plot_alone_has_no_ceiling(tmp_path: Path) -> None:
     path = tmp_path / "plot.h5"
-    made = MadeHistory(path)
-    made.file["campaign/resolved"][()] = b'[field]\nboundary = "isolated"'
+    made = MadeHistory(path, resolved='[field]\nboundary = "isolated"')
     made.evolve(1)
     made.finish()
     made.close()
-    with ideotype_analysis.open(path) as study:
+    with open_study(path) as study:
         (case,) = study.cases()
         assert case.is_isolated and study[0].is_isolated
         with pytest.raises(HistoryError, match="lit from its sides"):
@@ -147,7 +145,7 @@ def test_a_plot_alone_has_no_ceiling(tmp_path: Path) -> None:
 
 
 def test_the_frame_holds_every_evaluation_with_units(sweep: Path) -> None:
-    with ideotype_analysis.open(sweep) as study:
+    with open_study(sweep) as study:
         frame = study.frame()
     assert len(frame) == 4 * 6 * POPULATION
     units = frame.attrs["units"]
@@ -167,21 +165,21 @@ def test_the_frame_holds_every_evaluation_with_units(sweep: Path) -> None:
 def test_histories_with_other_columns_share_a_frame(
     sweep: Path, finished: Path
 ) -> None:
-    with ideotype_analysis.open(sweep, finished) as study:
+    with open_study(sweep, finished) as study:
         frame = study.frame()
     lacks = frame["campaign"] == "made"
     assert lacks.sum() == 6 * POPULATION
-    assert frame.loc[lacks, "absorbed_layer_000_025cm"].isna().all()
+    assert frame.loc[lacks, "absorbed_by_layer 0.125"].isna().all()
     assert frame.loc[~lacks & (frame["status"] == "done")].notna().all().all()
 
 
 def test_a_live_study_is_provisional(writer: WriterProcess) -> None:
-    with ideotype_analysis.open(writer.path) as study:
+    with open_study(writer.path) as study:
         (case,) = study.cases()
         assert case.pairs == ()
         with pytest.raises(HistoryError, match="not evaluated yet"):
             case.gain()
     writer.do("evolve 1")
-    with ideotype_analysis.open(writer.path) as study:
+    with open_study(writer.path) as study:
         (case,) = study.cases()
         assert len(case.pairs) == 1 and not case.is_final

@@ -14,17 +14,20 @@ from ideotype_analysis import Rows, open_history
 
 def values(rows: Rows) -> list[np.ndarray]:
     """All numbers of complete rows that no kill may change."""
-    return [
+    found = [
+        rows.row,
         rows.generation,
-        rows.slot,
         rows.status,
         rows.parents,
-        rows.traits.values,
-        rows.objectives.values,
-        rows.objectives.standard_error,
-        rows.diagnostics.values,
-        rows.diagnostics.standard_error,
+        rows.genome,
+        rows.objectives,
+        rows.objectives_standard_error,
+        rows.randomisations,
+        rows.violation,
     ]
+    for quantity in rows.quantities.values():
+        found += [quantity.values, quantity.standard_error]
+    return found
 
 
 def main() -> int:
@@ -34,15 +37,13 @@ def main() -> int:
         open_history(killed_path) as killed,
     ):
         expected, found = whole.evaluations(), killed.evaluations()
-        population = whole.population
+        count = whole.generations().count
         committed = len(killed.generations())
-    if len(found) < max(int(reported), committed) * population:
+    if len(found) < count[: max(int(reported), committed)].sum():
         print(f"lost: {len(found)} rows, {reported} generations reported")
         return 4
-    numbers = found.generation * population + found.slot
-    for a, b in zip(
-        values(expected.take(numbers)), values(found), strict=True
-    ):
+    same = values(expected.take(found.row))
+    for a, b in zip(same, values(found), strict=True):
         if a.tobytes() != b.tobytes():
             print("a row differs from that of the uninterrupted run")
             return 3

@@ -5,11 +5,11 @@ from .estimate import Estimate
 from .file import HistoryError, NotAHistory, UnsupportedVersion
 from .history import History, open_history
 from .interval import Interval
+from .labelled import open_arrays as open
 from .pair import Pair
-from .rows import Evaluation, HourProfile, LayerProfile, LeafProfile, Rows
-from .study import Study
-from .study import open_study as open
-from .table import Quantity
+from .quantity import Objective, Profile, Quantity
+from .rows import Evaluation, Rows
+from .study import Study, open_study
 
 __all__ = [
     "Case",
@@ -17,16 +17,16 @@ __all__ = [
     "Evaluation",
     "History",
     "HistoryError",
-    "HourProfile",
     "Interval",
-    "LayerProfile",
-    "LeafProfile",
     "NotAHistory",
+    "Objective",
     "Pair",
+    "Profile",
     "Quantity",
     "Rows",
     "Study",
     "UnsupportedVersion",
     "open",
     "open_history",
+    "open_study",
 ]

@@ -17,10 +17,11 @@ from .pair import Pair
 from .rows import Evaluation, Rows, join
 
 _SMALL = 1e-12
+_TAKEN = ("stalk_fraction", "soil_fraction")
 
 
 class Case:
-    """The replicates of one case: the same light, field and traits, other
+    """The replicates of one case: the same light, field and genes, other
     random numbers. What is asked for once is remembered, so that all figures
     show the same moment of a run."""
 
@@ -33,7 +34,7 @@ class Case:
         self.light = light or name
         self.histories = tuple(histories)
         self.attributes = histories[0].attributes
-        self.traits = histories[0].traits
+        self.genes = histories[0].genes
         self.is_isolated = histories[0].is_isolated
 
     def __repr__(self) -> str:
@@ -65,7 +66,8 @@ class Case:
     @cached_property
     def _winner(self) -> tuple[History, Pair]:
         self.need_pairs()
-        return max(self._known, key=lambda known: known[1].best.objective.mean)
+        rows = join([pair.best.row for _, pair in self._known])
+        return self._known[int(rows.ranking(1)[0])]
 
     @property
     def best_history(self) -> History:
@@ -115,9 +117,7 @@ class Case:
         return len(set(seed[rows.ranking(count)]))
 
     def gains(self) -> list[Estimate]:
-        """best - baseline of each seed, in the unit of the objective. The
-        standard error takes both as independent: an upper bound, since they
-        share random numbers."""
+        """best - baseline of each seed, in the unit of the objective."""
         return [pair.difference for pair in self.pairs]
 
     def gain(self) -> Interval:
@@ -144,41 +144,36 @@ class Case:
         Raises HistoryError if it is not known."""
         self.need_pairs()
         plants = [getattr(pair, who) for pair in self.pairs]
-        try:
-            figures = [
-                p.objective if name is None else p.estimate(name)
-                for p in plants
-            ]
-        except KeyError as error:
-            raise HistoryError(f"the history has no {name}") from error
-        return interval(figures)
+        return interval(
+            [p.objective if name is None else p.estimate(name) for p in plants]
+        )
 
     def headroom(self) -> Estimate:
         """How much more the leaves of the best plant could absorb if stalks
         and soil took nothing: incident (1 - reflected) - absorbed. Reflected
         light is lost to any canopy of these leaves.
 
-        Raises HistoryError if there is no such ceiling, or a column is
+        The light is shared out in every randomisation, so that the figure is
+        what stalks and soil take, and its standard error at most the sum of
+        theirs; absorbed and reflected light have larger ones, which cancel.
+
+        Raises HistoryError if there is no such ceiling, or a quantity is
         missing."""
         best = self.best
-        if best.row.objectives.names[0] != "absorbed_par":
+        if best.row.goals[0].name != "absorbed_par":
             raise HistoryError("the objective is not absorbed PAR alone")
         if self.is_isolated:
             raise HistoryError("a plot alone is lit from its sides too")
-        try:
-            incident = best.estimate("incident")
-            reflected = best.estimate("reflected_fraction")
-        except KeyError as error:
-            raise HistoryError(str(error.args[0])) from error
-        ceiling = incident.mean * (1 - reflected.mean)
+        names = ("incident", "reflected_fraction", *_TAKEN)
+        incident, reflected, *taken = map(best.estimate, names)
         return Estimate(
-            ceiling - best.objective.mean,
-            best.objective.standard_error,
+            incident.mean * (1 - reflected.mean) - best.objective.mean,
+            incident.mean * sum(part.standard_error for part in taken),
             best.objective.unit,
         )
 
     def is_saturated(self) -> bool:
         """The best is within its standard error of the ceiling: nearly all
         light is absorbed, and breeding can't gain more."""
-        room = self.headroom()
-        return room.mean <= max(room.standard_error, _SMALL)
+        error = self.best.objective.standard_error
+        return self.headroom().mean <= max(error, _SMALL)

@@ -59,7 +59,7 @@ CASE_FIGURES: dict[str, tuple[Callable[[Case], Figure], str]] = {
         draw_sensitivity,
         "Which traits matter. Coefficients of a linear regression of the "
         "objective on all free traits over all evaluated plants, each in its "
-        "standard deviations; azimuths enter as cosine and sine and show the "
+        "standard deviations and less the means of its seed; azimuths enter as cosine and sine and show the "
         "length of both coefficients. Hatched are traits that have no effect "
         "of their own: their variance inflation is above 10, since they go "
         "together with others, or the fittest hold them at a bound that the "
@@ -69,7 +69,8 @@ CASE_FIGURES: dict[str, tuple[Callable[[Case], Figure], str]] = {
     "correlation": (
         draw_correlation,
         "Which traits go together. Spearman's rank correlation over all "
-        "evaluated plants, azimuths as cosine and sine; what evolution fixes "
+        "evaluated plants, less the means of their seeds, azimuths as cosine "
+        "and sine; what evolution fixes "
         "together correlates too.",
     ),
 }

@@ -63,7 +63,7 @@ def draw_gains(cases: Sequence[Case], cross: Cross | None = None) -> Figure:
     axes.axvline(0, color=style.BASELINE, linewidth=1, linestyle="--")
     axes.set_yticks(range(len(known)), [_with_leaf_area(c) for c in known])
     axes.set_ylim(len(known) - 0.5, -0.5)
-    names = {case.best.row.objectives.names[0] for case in known}
+    names = {case.best.row.goals[0].name for case in known}
     what = style.words(names.pop()) if len(names) == 1 else "the objective"
     axes.set_xlabel(f"gain in {what} [%]")
     figure.legend(loc="outside lower center", ncols=3, fontsize=8)

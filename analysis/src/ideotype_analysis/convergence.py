@@ -1,4 +1,4 @@
-"""The fitness of all generations."""
+"""The objective over all generations."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from .state import Generations
 
 
 def draw_convergence(case: Case) -> Figure:
-    """Fitness by generation, numbered from 0 as in the file, against the
-    baseline, and the best evaluated again. Of one seed: best with standard error, mean with the spread of the
-    population. Of several: means over seeds, with the range of seeds as a
-    band."""
+    """The first objective by generation, numbered from 0 as in the file,
+    against the baseline, and the best evaluated again. Of one seed: best with
+    standard error, mean with the spread of the population. Of several: means
+    over seeds, with the range of seeds as a band."""
     runs = [history.generations() for history in case.histories]
     runs = [run for run in runs if len(run)]
     if not runs:
@@ -33,9 +33,8 @@ def draw_convergence(case: Case) -> Figure:
     count = max(map(len, runs))
     if case.pairs:
         _draw_pairs(axes, case, count)
-    objective = runs[0].best
-    name = case.best.row.objectives.names[0] if case.pairs else "fitness"
-    label_light(axes, "y", name, objective.unit)
+    objective = case.histories[0].objectives[0]
+    label_light(axes, "y", objective.name, objective.unit)
     axes.set_xlabel("generation")
     _set_ticks(axes, count, case.is_final)
     seeds = f", {len(runs)} seeds" if len(runs) > 1 else ""

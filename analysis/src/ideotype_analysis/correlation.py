@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Sequence
-
 import pandas
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
@@ -12,7 +9,7 @@ from numpy.typing import NDArray
 from . import style
 from .case import Case
 from .file import HistoryError
-from .sensitivity import evaluated, predictors
+from .sensitivity import Predictor, centred, evaluated, predictors
 
 
 def rank_correlation(x: NDArray) -> NDArray:
@@ -24,24 +21,28 @@ def rank_correlation(x: NDArray) -> NDArray:
 def draw_correlation(case: Case) -> Figure:
     """Spearman's rank correlation between the free traits of all evaluated
     plants; azimuths as cosine and sine."""
-    names, x = predictors(case.traits, evaluated(case))
-    if len(names) < 2:
+    rows, seed = evaluated(case)
+    columns, x = predictors(case.genes, rows)
+    if len(columns) < 2:
         raise HistoryError("fewer than two traits vary")
-    order = _by_kind(names)
-    table = rank_correlation(x[:, order])
+    kinds = [_kind(case, column) for column in columns]
+    blocks = list(dict.fromkeys(kinds))
+    order = sorted(range(len(kinds)), key=lambda i: blocks.index(kinds[i]))
+    table = rank_correlation(centred(x, seed)[:, order])
     figure = style.new_figure(7.2, 6.6)
     axes = figure.add_subplot()
     image = axes.imshow(table, cmap="PuOr", vmin=-1, vmax=1)
     axes.grid(visible=False)
-    kinds = [_kind(names[i]) for i in order]
+    kinds = [kinds[i] for i in order]
     starts = [i for i, k in enumerate(kinds) if i == 0 or kinds[i - 1] != k]
     for start in starts[1:]:
         axes.axhline(start - 0.5, color=style.BASELINE, linewidth=0.8)
         axes.axvline(start - 0.5, color=style.BASELINE, linewidth=0.8)
     ends = [*starts[1:], len(kinds)]
     middles = [(a + b - 1) / 2 for a, b in zip(starts, ends)]
-    labels = [kinds[start].replace("_", " ") for start in starts]
-    ranks = [_rank(names[i]) for i in order]
+    labels = [kinds[start] for start in starts]
+    leaves = [case.genes.leaves[columns[i].gene] for i in order]
+    ranks = [str(leaf or "") for leaf in leaves]
     for axis in (axes.xaxis, axes.yaxis):
         # A block's name stays where it meets a leaf's number.
         axis.remove_overlapping_locs = False
@@ -54,19 +55,7 @@ def draw_correlation(case: Case) -> Figure:
     return figure
 
 
-def _rank(name: str) -> str:
-    """ "1" of "cos leaf01_azimuth"."""
-    match = re.search(r"leaf(\d+)_", name)
-    return str(int(match[1])) if match else ""
-
-
-def _kind(name: str) -> str:
-    """ "cos azimuth" of "cos leaf01_azimuth"."""
-    return re.sub(r"leaf\d+_", "", name)
-
-
-def _by_kind(names: Sequence[str]) -> list[int]:
-    kinds = list(dict.fromkeys(_kind(name) for name in names))
-    return sorted(
-        range(len(names)), key=lambda i: (kinds.index(_kind(names[i])), i)
-    )
+def _kind(case: Case, column: Predictor) -> str:
+    """ "cos azimuth" or "insertion angle"."""
+    trait = case.genes.traits[column.gene].replace("_", " ")
+    return f"{column.wave} {trait}".strip()

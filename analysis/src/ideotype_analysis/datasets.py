@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from .file import HistoryError, open_file, text
 
-
 class Datasets:
-    """The datasets and root attributes of a history by their names."""
+    """Datasets and root attributes of a history by their names, as format
+    2.0 has them."""
 
     def __init__(self, path: str | Path) -> None:
         self.path = Path(path)
@@ -20,10 +20,10 @@ class Datasets:
 
     def __reduce__(self) -> tuple[type[Datasets], tuple[Path]]:
         """Another process opens the file for itself."""
-        return Datasets, (self.path,)
+        return type(self), (self.path,)
 
     def close(self) -> None:
-        """Lets go of the file."""
+        """Closes the file."""
         self._file.close()
 
     def attributes(self) -> dict[str, str | int | float]:
@@ -36,21 +36,42 @@ class Datasets:
                 found[name] = value.item()
         return found
 
+    def names(self, group: str) -> list[str]:
+        """The datasets of a group, its scales included."""
+        return list(self._file[group])
+
+    def axes(self, name: str) -> tuple[str, ...]:
+        """Names of a dataset's dimensions, which are those of the scales
+        beside it."""
+        dataset = self._dataset(name)
+        if dataset.is_scale:
+            return (name.rsplit("/", 1)[-1],)
+        if not all(len(dimension) for dimension in dataset.dims):
+            raise HistoryError(f"{self.path}: {name} has no scales")
+        scales = (dimension[0].name for dimension in dataset.dims)
+        return tuple(scale.rsplit("/", 1)[-1] for scale in scales)
+
+    def units(self, name: str) -> str:
+        """The unit of a dataset."""
+        return text(self._dataset(name).attrs.get("units", ""))
+
     def read(
-        self, name: str, first: int = 0, last: int | None = None
+        self,
+        name: str,
+        first: int = 0,
+        last: int | None = None,
+        columns: slice = slice(None),
     ) -> NDArray:
-        """A dataset or some of its rows.
+        """A dataset, or some of its rows and columns.
 
         Raises HistoryError."""
+        dataset = self._dataset(name)
         try:
-            dataset = self._file[name]
-            if not isinstance(dataset, h5py.Dataset):
-                raise KeyError(name)
-            # A live file moves on, what was seen of it does not.
+            # A live file changes, what was seen of it does not.
             dataset.refresh()
-            return dataset[first:last] if dataset.shape else dataset[()]
-        except KeyError as error:
-            raise HistoryError(f"{self.path}: has no {name}") from error
+            if not dataset.shape:
+                return dataset[...]
+            return dataset[first:last, *[columns] * (dataset.ndim > 1)]
         except (OSError, RuntimeError) as error:
             raise HistoryError(
                 f"{self.path}: {name} can't be read ({error})"
@@ -58,4 +79,20 @@ class Datasets:
 
     def texts(self, name: str) -> tuple[str, ...]:
         """A dataset of strings."""
-        return tuple(text(entry) for entry in self.read(name))
+        return tuple(text(entry) for entry in self.read(name).ravel())
+
+    def attribute_bytes(self, name: str) -> bytes:
+        """The value of a root attribute as it stands in the file."""
+        attribute = h5py.h5a.open(self._file.id, name.encode())
+        value = np.empty(attribute.shape, attribute.dtype)
+        attribute.read(value)
+        return value.tobytes()
+
+    def _dataset(self, name: str) -> h5py.Dataset:
+        try:
+            found = self._file[name]
+        except KeyError as error:
+            raise HistoryError(f"{self.path}: has no {name}") from error
+        if not isinstance(found, h5py.Dataset):
+            raise HistoryError(f"{self.path}: has no {name}")
+        return found

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
 
 ACRE = 4046.8564224
 """An international acre [m2]."""
@@ -31,11 +34,19 @@ class Estimate:
     mean: float
     standard_error: float
     unit: str = "1"
+    draws: NDArray[np.float64] = field(
+        default_factory=lambda: np.empty(0), compare=False, repr=False
+    )
+    """In independent randomisations, which another figure may share; empty
+    if they are not known."""
 
     def scaled(self, factor: float, unit: str) -> Estimate:
         """The same in another unit, for an exact factor."""
         return Estimate(
-            factor * self.mean, abs(factor) * self.standard_error, unit
+            factor * self.mean,
+            abs(factor) * self.standard_error,
+            unit,
+            factor * self.draws,
         )
 
     def in_common_units(self) -> list[Estimate]:
@@ -59,15 +70,25 @@ class Estimate:
         return f"{self.number()} {self.unit}"
 
 
+def difference(a: Estimate, b: Estimate) -> Estimate:
+    """a - b. The standard error is that of their randomisations one by one
+    where both have them, else that of independent figures."""
+    return Estimate(a.mean - b.mean, _error(a, b, 1.0), a.unit)
+
+
 def relative_gain(best: Estimate, baseline: Estimate) -> Estimate:
-    """100 (best / baseline - 1) [%]. The standard error is that of a ratio of
-    independent figures, to first order; with shared random numbers the true
-    one is smaller."""
+    """100 (best / baseline - 1) [%], with a standard error to first order,
+    paired as in difference()."""
     if baseline.mean == 0:
         return Estimate(math.nan, math.nan, "%")
     ratio = best.mean / baseline.mean
-    error = math.hypot(
-        best.standard_error / baseline.mean,
-        ratio * baseline.standard_error / baseline.mean,
-    )
+    error = _error(best, baseline, ratio) / abs(baseline.mean)
     return Estimate(100 * (ratio - 1), 100 * error, "%")
+
+
+def _error(a: Estimate, b: Estimate, factor: float) -> float:
+    """Standard error of a - factor b."""
+    if (count := len(a.draws)) > 1 and count == len(b.draws):
+        scatter = np.std(a.draws - factor * b.draws, ddof=1)
+        return float(scatter) / math.sqrt(count)
+    return math.hypot(a.standard_error, factor * b.standard_error)

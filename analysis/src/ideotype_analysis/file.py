@@ -9,7 +9,7 @@ from pathlib import Path
 import h5py
 
 FORMAT = "ideotype-history"
-MAJOR_VERSION = 1
+MAJOR_VERSIONS = (1, 2)
 
 _SIGNATURE = b"\x89HDF\r\n\x1a\n"
 _SUPERBLOCK_SIZE = 48
@@ -129,11 +129,12 @@ def _check_format(file: h5py.File, path: Path) -> None:
             f'(no attribute format = "{FORMAT}")'
         )
     major = version.split(".")[0]
-    if major != str(MAJOR_VERSION):
+    if major not in map(str, MAJOR_VERSIONS):
+        known = " and ".join(f"{version}.x" for version in MAJOR_VERSIONS)
         raise UnsupportedVersion(
             f"{path}: history format {version or 'unknown'}, but this reads "
-            f"{MAJOR_VERSION}.x; install the ideotype_analysis that belongs "
-            "to the program that wrote it"
+            f"{known}; install the ideotype_analysis that belongs to the "
+            "program that wrote it"
         )
 
 

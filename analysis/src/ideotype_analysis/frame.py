@@ -9,8 +9,8 @@ import numpy as np
 import pandas
 
 from .history import History
+from .quantity import Floats, Quantity
 from .rows import Origin, Rows, Status
-from .table import Table
 
 PLACE = (
     "campaign",
@@ -36,10 +36,11 @@ _PLACE_UNITS = {
 
 
 def frame_of(histories: Sequence[History]) -> pandas.DataFrame:
-    """One row per complete evaluation. Columns: the place (PLACE), generation,
-    slot, status, origin, seconds, worker, fitness, then objectives,
-    diagnostics and traits by their names, and <name>_standard_error of the
-    first two. Histories without a column have NaN there."""
+    """One row per complete evaluation. Columns: the place (PLACE), row, generation,
+    slot, status, origin, seconds, worker, violation, then quantities by
+    their names, of those with an axis one column for each label, such as
+    "absorbed_by_leaf 3", with <name>_standard_error after it, and genes.
+    Histories without a column have NaN there."""
     units: dict[str, str] = {}
     parts = [_part(history, units) for history in histories]
     frame = pandas.concat(parts, ignore_index=True)
@@ -58,30 +59,39 @@ def _part(history: History, units: dict[str, str]) -> pandas.DataFrame:
             columns[name] = np.repeat(history.attributes[name], len(rows))
             units[name] = _PLACE_UNITS.get(name, "")
     columns |= _bookkeeping(rows)
-    units |= {"seconds": "s", "fitness": rows.fitness.unit}
-    for table in (rows.objectives, rows.diagnostics):
-        _add(table, columns, units)
-        _add(table, columns, units, "_standard_error")
-    _add(rows.traits, columns, units)
+    units |= {"seconds": "s", "violation": "1"}
+    for quantity in rows.quantities.values():
+        errors = quantity.standard_error
+        _add(quantity.name, quantity, quantity.values, columns, units)
+        _add(f"{quantity.name}_standard_error", quantity, errors, columns, units)
+    columns |= dict(zip(rows.genes.names, rows.genome.T))
+    units |= dict(zip(rows.genes.names, rows.genes.units))
     return pandas.DataFrame(columns)
 
 
 def _bookkeeping(rows: Rows) -> dict[str, Any]:
     return {
+        "row": rows.row,
         "generation": rows.generation,
         "slot": rows.slot,
         "status": [Status(s).name.lower() for s in rows.status],
         "origin": [Origin(o).name.lower() for o in rows.origin],
-        "seconds": rows.seconds.values,
+        "seconds": rows.seconds,
         "worker": rows.worker,
-        "fitness": rows.fitness.values,
+        "violation": rows.violation,
     }
 
 
 def _add(
-    table: Table, columns: dict[str, Any], units: dict[str, str], end: str = ""
+    name: str,
+    quantity: Quantity,
+    values: Floats,
+    columns: dict[str, Any],
+    units: dict[str, str],
 ) -> None:
-    values = table.standard_error if end else table.values
-    for i, (name, unit) in enumerate(zip(table.names, table.units)):
-        columns[name + end] = values[:, i]
-        units[name + end] = unit
+    found = {name: values}
+    if quantity.axis:
+        labels = quantity.axis.labels
+        found = {f"{name} {x}": column for x, column in zip(labels, values.T)}
+    columns |= found
+    units |= dict.fromkeys(found, quantity.unit)

@@ -13,17 +13,17 @@ from numpy.typing import NDArray
 
 from .datasets import Datasets
 from .file import HistoryError, missing_bytes, text, writer_of
+from .format_1 import Format1
+from .genes import Genes
+from .integrity import verify
 from .pair import Pair
+from .quantity import Objective, Quantity
+from .row_reader import RowReader
 from .rows import Evaluation, Origin, Rows, Status
 from .state import Generations, Session, State
-from .table import Quantity, Table
-from .traits import Traits
 
-Columns = tuple[tuple[str, ...], tuple[str, ...]]
-"""Names and units."""
-
-_FINAL = -1
-"""Stands for the generation of a finalist."""
+_SESSION = ("started", "host", "command", "ranks")
+_SESSION_2 = ("program", "compiler", "libraries")
 
 
 def open_history(path: str | Path) -> History:
@@ -31,9 +31,15 @@ def open_history(path: str | Path) -> History:
 
     Raises FileNotFoundError, or HistoryError if the file is no history, is
     damaged, or is of another major format version. HDF5 may take minutes over
-    a damaged file: where one is to be expected, open_study() tries each file
-    for a limited time first."""
-    return History(path)
+    a damaged file: where one is to be expected, Trial.open() reads it for a
+    limited time first."""
+    history = History(path)
+    try:
+        history.verify()
+    except BaseException:
+        history.close()
+        raise
+    return history
 
 
 class History:
@@ -42,29 +48,41 @@ class History:
 
     def __init__(self, path: str | Path) -> None:
         self.path = Path(path)
-        self._data = Datasets(path)
+        data = Datasets(path)
         try:
-            self.attributes = self._data.attributes()
+            version = str(data.attributes()["format_version"])
+            if version.startswith("1."):
+                data.close()
+                data = Format1(path)
+            self.datasets = data
+            self.attributes = data.attributes()
             self.population = int(self.attributes["population"])
-            self.traits = Traits(
-                tuple(
-                    name.replace("_inclination", "_insertion_angle")
-                    for name in self._data.texts("traits/name")
+            self.genes = Genes(
+                *(data.texts(f"genes/{name}") for name in ("gene", "trait")),
+                data.read("genes/leaf").astype(int),
+                data.texts("genes/unit"),
+                *(data.read(f"genes/{name}") for name in ("lower", "upper")),
+                *(
+                    data.read(f"genes/{name}").astype(bool)
+                    for name in ("is_circular", "is_free")
                 ),
-                self._data.texts("traits/unit"),
-                self._data.read("traits/lower"),
-                self._data.read("traits/upper"),
-                self._data.read("traits/is_circular").astype(bool),
-                self._data.read("traits/is_free").astype(bool),
             )
-            self._objectives = self._columns("objectives")
-            self._diagnostics = self._columns("diagnostics")
+            names = ("objective", "unit", "sense")
+            columns = [data.texts(f"objectives/{name}") for name in names]
+            self.objectives = tuple(map(Objective, *columns))
+            self._rows = RowReader(data, self.genes, self.objectives)
         except KeyError as error:
-            self.close()
+            data.close()
             raise HistoryError(f"{path}: has no {error}") from error
         except HistoryError:
-            self.close()
+            data.close()
             raise
+
+    def verify(self) -> None:
+        """Compares what is recorded with its checksums; a file of format 1.0
+        has none. Raises HistoryError if a part is damaged."""
+        if not isinstance(self.datasets, Format1):
+            verify(self.datasets)
 
     def __repr__(self) -> str:
         return f"<History {self.path}>"
@@ -81,48 +99,43 @@ class History:
         self.close()
 
     def close(self) -> None:
-        """Lets go of the file."""
-        self._data.close()
+        """Closes the file."""
+        self.datasets.close()
 
     def evaluations(self, generation: int | None = None) -> Rows:
         """Complete evaluations, done or failed: all, or of one generation,
         which need not be committed."""
         if generation is None:
-            return self._rows("evaluations", 0, None)
+            return self._rows.read("evaluations", 0, None)
         if generation < 0:
             raise ValueError(f"generation {generation} is negative")
-        first = generation * self.population
-        return self._rows("evaluations", first, first + self.population)
+        first = int(self.datasets.read("generations/first_row")[generation])
+        count = int(self.datasets.read("generations/count")[generation])
+        return self._rows.read("evaluations", first, first + count)
 
     def finalists(self) -> Rows:
         """Complete final evaluations; slot 0 is the baseline."""
-        return self._rows("final", 0, None)
+        return self._rows.read("final", 0, None)
 
     def generations(self) -> Generations:
         """Summaries of the committed generations."""
-        committed = self._data.read("generations/committed").astype(bool)
+        committed = self.datasets.read("generations/committed").astype(bool)
         count = len(committed) if committed.all() else int(committed.argmin())
-        unit = self._objectives[1][0]
-        unknown = np.full(count, np.nan)
 
-        def integers(name: str) -> NDArray[np.int64]:
-            return self._data.read(f"generations/{name}", 0, count).astype(int)
+        def read(name: str) -> NDArray:
+            return self.datasets.read(f"generations/{name}", 0, count)
 
-        def quantity(name: str, unit: str) -> Quantity:
-            values = self._data.read(f"generations/{name}", 0, count)
-            return Quantity(name, unit, values, unknown)
+        def quantity(name: str) -> Quantity:
+            units = self.datasets.units(f"generations/{name}")
+            unknown = np.full(count, np.nan)
+            error = read(f"{name}_standard_error") if name == "best" else unknown
+            return Quantity(name, units, read(name), error)
 
-        best = self._data.read("generations/best", 0, count)
-        error = self._data.read("generations/best_standard_error", 0, count)
+        integers = ("first_row", "count", "best_row", "failures", "evaluations")
+        quantities = ("best", "mean", "spread", "diversity", "wall_time")
         return Generations(
-            best_slot=integers("best_slot"),
-            best=Quantity("best", unit, best, error),
-            mean=quantity("mean", unit),
-            spread=quantity("spread", unit),
-            diversity=quantity("diversity", "1"),
-            failures=integers("failures"),
-            evaluations=integers("evaluations"),
-            wall_time=quantity("wall_time", "s"),
+            **{name: read(name).astype(int) for name in integers},
+            **{name: quantity(name) for name in quantities},
         )
 
     def baseline(self) -> Evaluation | None:
@@ -160,36 +173,43 @@ class History:
 
     def state(self) -> State:
         """Whether the case is running, stopped, interrupted or finished."""
-        finished = bool(self._data.read("state/finished"))
+        finished = bool(self.datasets.read("state/finished"))
         return State(
             writer_of(self.path),
             finished,
-            text(self._data.read("state/reason")) if finished else "",
-            float(self._data.read("state/wall_time")),
+            self.datasets.texts("state/reason")[0] if finished else "",
+            float(self.datasets.read("state/wall_time")),
             missing_bytes(self.path),
         )
 
     def sessions(self) -> list[Session]:
         """The starts of the program, oldest first."""
+        known = {*self.datasets.names("sessions")}
+        columns = {
+            name: self.datasets.read(f"sessions/{name}")
+            for name in (*_SESSION, *_SESSION_2)
+            if name in known
+        }
+        rows = (dict(zip(columns, row)) for row in zip(*columns.values()))
         return [
             Session(
-                text(entry["started"]),
-                text(entry["host"]),
-                text(entry["command"]),
-                int(entry["ranks"]),
+                **{
+                    name: int(value) if name == "ranks" else text(value)
+                    for name, value in row.items()
+                }
             )
-            for entry in self._data.read("sessions")
-            if text(entry["started"])
+            for row in rows
+            if text(row["started"])
         ]
 
     def messages(self) -> list[str]:
         """What the user should know, oldest first."""
-        return [line for line in self._data.texts("messages") if line]
+        return [line for line in self.datasets.texts("messages/text") if line]
 
     def campaign(self, form: str = "source") -> str:
         """The campaign file, "source" as the user wrote it or "resolved"
         with every default."""
-        return text(self._data.read(f"campaign/{form}"))
+        return self.datasets.texts(f"campaign/{form}")[0]
 
     @cached_property
     def is_isolated(self) -> bool:
@@ -215,7 +235,7 @@ class History:
 
     def _final_pair(self) -> Pair | None:
         """The finalists' verdict, once none of them is pending."""
-        status = self._data.read("final/status")
+        status = self.datasets.read("final/status")
         if not len(status) or status[0] != Status.DONE:
             return None
         if np.any(status == Status.PROPOSED):
@@ -225,55 +245,3 @@ class History:
         if not len(bred):
             return None
         return Pair(done.one(0, True), bred.one(0, True))
-
-    def _rows(self, group: str, first: int, last: int | None) -> Rows:
-        # FORMAT.md: the status decides, so it is read before all else.
-        status = self._data.read(f"{group}/status", first, last)
-        complete = np.flatnonzero(status >= Status.DONE)
-        last = first + int(complete[-1]) + 1 if len(complete) else first
-
-        def read(name: str) -> NDArray:
-            return self._data.read(f"{group}/{name}", first, last)[complete]
-
-        def table(columns: Columns, name: str) -> Table:
-            error = read(f"{name}_standard_error")
-            return Table(*columns, read(name), error)
-
-        genome = read("genome")
-        number = first + complete
-        if group == "final":
-            generation, slot = np.full(len(number), _FINAL), number
-        else:
-            generation, slot = np.divmod(number, self.population)
-        objectives = table(self._objectives, "objectives")
-        # The file keeps no standard error of the fitness: it is that of the
-        # first objective.
-        error = objectives.standard_error[:, 0]
-        seconds = read("seconds")
-        return Rows(
-            generation=generation,
-            slot=slot,
-            status=status[complete].astype(int),
-            origin=read("origin").astype(int),
-            parents=read("parents").astype(int),
-            traits=Table(
-                self.traits.names,
-                self.traits.units,
-                genome,
-                np.zeros_like(genome),
-            ),
-            objectives=objectives,
-            diagnostics=table(self._diagnostics, "diagnostics"),
-            fitness=Quantity(
-                "fitness", objectives.units[0], read("fitness"), error
-            ),
-            attempt=read("attempt").astype(int),
-            seconds=Quantity("seconds", "s", seconds, np.zeros_like(seconds)),
-            worker=read("worker").astype(int),
-            message=np.array([text(m) for m in read("message")], dtype=str),
-        )
-
-    def _columns(self, group: str) -> Columns:
-        return self._data.texts(f"{group}/name"), self._data.texts(
-            f"{group}/unit"
-        )

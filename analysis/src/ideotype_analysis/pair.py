@@ -2,50 +2,60 @@
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from .estimate import Estimate, relative_gain
+import numpy as np
+
+from .estimate import Estimate, difference, relative_gain
 from .rows import Evaluation
 
 
 @dataclass(frozen=True)
 class Pair:
-    """Baseline and best, judged in the same way."""
+    """Baseline and best of one history, evaluated in the same way."""
 
     baseline: Evaluation
     best: Evaluation
 
     @property
     def is_final(self) -> bool:
-        """Both evaluated anew at the end. If not, the best is the best of
+        """Both evaluated again at the end. If not, the best is the best of
         many noisy figures and too high on average."""
         return self.baseline.is_final and self.best.is_final
 
     @property
-    def difference(self) -> Estimate:
-        """By how much the first objective is higher, in its unit. The standard
-        error takes both as independent."""
-        best, baseline = self.best.objective, self.baseline.objective
-        return Estimate(
-            best.mean - baseline.mean,
-            math.hypot(best.standard_error, baseline.standard_error),
-            best.unit,
+    def is_paired(self) -> bool:
+        """Both in the same randomisations, which the history has kept: the
+        errors of differences are then those of the randomisations one by
+        one, and else take both as independent."""
+        baseline, best = self.baseline.row, self.best.row
+        return (
+            baseline.generation[0] == best.generation[0]
+            and baseline.randomisations.shape[2] > 1
+            and bool(np.isfinite(baseline.randomisations).all())
+            and bool(np.isfinite(best.randomisations).all())
         )
+
+    @property
+    def difference(self) -> Estimate:
+        """best - baseline in the first objective, in its unit."""
+        return difference(*self._both(self.best.objective, self.baseline.objective))
 
     @property
     def gain(self) -> Estimate:
-        """By how much the first objective is higher [%]. The standard error
-        takes both as independent: an upper bound where they share random
-        numbers."""
-        return relative_gain(self.best.objective, self.baseline.objective)
+        """By how much the first objective is higher [%]."""
+        best, baseline = self.best.objective, self.baseline.objective
+        return relative_gain(*self._both(best, baseline))
 
     @property
     def gain_per_leaf_area(self) -> Estimate:
-        """By how much more PAR a unit of leaf area absorbs [%], with an error
-        as that of the gain.
+        """By how much more PAR a unit of leaf area absorbs [%].
 
         Raises HistoryError if the history does not tell it."""
-        return relative_gain(
-            self.best.per_leaf_area, self.baseline.per_leaf_area
-        )
+        best, baseline = self.best.per_leaf_area, self.baseline.per_leaf_area
+        return relative_gain(*self._both(best, baseline))
+
+    def _both(self, best: Estimate, baseline: Estimate) -> tuple[Estimate, ...]:
+        if self.is_paired:
+            return best, baseline
+        return replace(best, draws=np.empty(0)), baseline

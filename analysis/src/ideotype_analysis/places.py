@@ -75,8 +75,8 @@ def _draw_against(
             _draw_line(left, x, means, look, f"{name}, {who}")
         gains = [case.relative_gain() for case in members]
         _draw_line(right, x, gains, look, name)
-    objective = known[0].best.row.objectives
-    label_light(left, "y", objective.names[0], objective.units[0])
+    objective = known[0].best.row.goals[0]
+    label_light(left, "y", objective.name, objective.unit)
     right.set_ylabel("gain over the baseline [%]")
     for axes in (left, right):
         axes.set_xlabel(label)

@@ -27,13 +27,13 @@ _BINS = 24
 def draw_roses(case: Case) -> Figure:
     """How many leaves point where: the baseline, and the fittest plants of
     all seeds. The area of a wedge is the share of leaves."""
-    columns = case.traits.columns("azimuth")
+    columns = case.genes.columns("azimuth")
     if not len(columns):
         raise HistoryError("the plants have no azimuths")
     top = case.top(COUNT)
-    plants = {f"the {len(top)} fittest": top.traits.values[:, columns]}
+    plants = {f"the {len(top)} fittest": top.genome[:, columns]}
     if case.pairs:
-        baseline = case.baseline.row.traits.values[:, columns]
+        baseline = case.baseline.row.genome[:, columns]
         plants = {"baseline": baseline} | plants
     count = len(plants)
     figure = style.new_figure(3.6 * count + 0.9, 4.2)

@@ -11,7 +11,7 @@ from . import style
 from .case import Case
 from .file import HistoryError
 from .photons import label_light
-from .rows import Evaluation, HourProfile
+from .quantity import Profile
 
 Looks = tuple[str, str, str, str]
 """Label, colour, marker, line."""
@@ -22,18 +22,11 @@ PLANTS: tuple[Looks, Looks] = (
 )
 
 
-def families(plant: Evaluation, ending: str) -> list[str]:
-    """First words of the diagnostics <words>_<ending>, in their order, such
-    as "absorbed" of absorbed_leaf01; the ending is a regular expression."""
-    found = plant.row.diagnostics.matching(rf"(.+)_{ending}")
-    return list(dict.fromkeys(match[1] for match, _ in found))
-
-
 def draw_hours(case: Case) -> Figure:
     """PAR absorbed by leaves at each hour, and best minus baseline. The error
-    of the difference takes both as independent. Parts of the light, such as
-    beam and sky, get a panel each if the history has them."""
-    names = _names(case, r"hour_\d\d_\d\d", "hour")
+    of the difference takes both as independent. Parts of the light have a
+    panel each if the history tells them apart by hour."""
+    names = _names(case, "hour", "hour")
     figure = style.new_figure(max(6.4, 3.6 * len(names)), 5.2)
     grid = figure.subplots(
         2, len(names), sharex=True, height_ratios=(2, 1), squeeze=False
@@ -49,10 +42,10 @@ def draw_hours(case: Case) -> Figure:
 
 
 def _draw_hours(upper: Axes, lower: Axes, case: Case, name: str) -> None:
-    baseline, best = case.baseline.by_hour(name), case.best.by_hour(name)
+    baseline, best = case.baseline.profile(name), case.best.profile(name)
     for profile, (label, color, marker, line) in zip((baseline, best), PLANTS):
         upper.errorbar(
-            profile.hours,
+            profile.labels,
             profile.values,
             profile.standard_error,
             color=color,
@@ -63,7 +56,7 @@ def _draw_hours(upper: Axes, lower: Axes, case: Case, name: str) -> None:
         )
     lower.axhline(0, color=style.QUIET, linewidth=1)
     lower.errorbar(
-        best.hours,
+        best.labels,
         best.values - baseline.values,
         np.hypot(best.standard_error, baseline.standard_error),
         color=style.BEST,
@@ -78,85 +71,82 @@ def _draw_hours(upper: Axes, lower: Axes, case: Case, name: str) -> None:
     upper.legend()
 
 
-def _set_hours(axes: Axes, profile: HourProfile) -> None:
-    first, last = np.floor(profile.hours.min()), np.ceil(profile.hours.max())
+def _set_hours(axes: Axes, profile: Profile) -> None:
+    first, last = np.floor(profile.labels.min()), np.ceil(profile.labels.max())
     step = max(1, round((last - first) / 14))
     axes.set_xticks(np.arange(first, last + 1, step))
 
 
 def draw_leaves(case: Case) -> Figure:
-    """Diagnostics by leaf rank, such as absorbed PAR: baseline and best with
-    standard errors, a panel each."""
-    names = _names(case, r"leaf\d+", "leaf rank")
-    figure, panels = _panels(case, len(names))
-    for axes, name in zip(panels, names):
-        for plant, looks in zip((case.baseline, case.best), PLANTS):
-            leaf = plant.by_leaf(name)
-            _draw(axes, leaf.values, leaf.standard_error, leaf.leaves, looks)
-            axes.set_yticks(leaf.leaves)
-        label_light(axes, "x", _title(name), leaf.unit)
-        axes.set_xlim(left=min(0, axes.get_xlim()[0]))
+    """What is known by leaf rank, such as absorbed PAR: baseline and best
+    with standard errors, a panel each."""
+    figure, panels = _draw_along(case, _names(case, "leaf", "leaf rank"))
+    for axes in panels:
+        axes.set_yticks(case.best.row.with_axis("leaf")[0].axis.labels)
     panels[0].set_ylabel("leaf rank (1 = lowest)")
-    panels[0].legend(fontsize=8)
     return figure
 
 
 def draw_layers(case: Case) -> Figure:
-    """Diagnostics by height above the soil, as by leaf rank; points are at
+    """What is known by height above the soil, as by leaf rank; points are at
     the middle of their layers."""
-    names = _names(case, r"layer_\d+_\d+cm", "height layer")
-    figure, panels = _panels(case, len(names))
-    for axes, name in zip(panels, names):
-        for plant, looks in zip((case.baseline, case.best), PLANTS):
-            layer = plant.by_layer(name)
-            middle = (layer.lower + layer.upper) / 2
-            _draw(axes, layer.values, layer.standard_error, middle, looks)
-        label_light(axes, "x", _title(name), layer.unit)
-        axes.set_xlim(left=min(0, axes.get_xlim()[0]))
+    figure, panels = _draw_along(case, _names(case, "layer", "height layer"))
+    for axes in panels:
         axes.set_ylim(bottom=0)
     panels[0].set_ylabel("height above the soil [m]")
-    panels[0].legend(fontsize=8)
     return figure
 
 
+def _draw_along(case: Case, names: list[str]) -> tuple[Figure, NDArray]:
+    """Labels upwards, values to the right."""
+    figure, panels = _panels(case, len(names))
+    for axes, name in zip(panels, names):
+        for plant, looks in zip((case.baseline, case.best), PLANTS):
+            found = plant.profile(name)
+            _draw(axes, found.values, found.standard_error, found.labels, looks)
+        label_light(axes, "x", _title(name), found.unit)
+        axes.set_xlim(left=min(0, axes.get_xlim()[0]))
+    panels[0].legend(fontsize=8)
+    return figure, panels
+
+
 def draw_parts(case: Case) -> Figure:
-    """Absorbed PAR by origin, face of the leaf, or whatever a diagnostic
-    absorbed_<word> in the objective's unit tells apart."""
+    """Absorbed PAR by origin, face of the leaf, or whatever else has words
+    for labels and the objective's unit."""
     case.need_pairs()
     unit = case.best.objective.unit
-    table = case.best.row.diagnostics
     names = [
-        match[0]
-        for match, i in table.matching(r"absorbed_[a-z]+")
-        if table.units[i] == unit
+        q.name
+        for q in case.best.row.quantities.values()
+        if q.axis and q.axis.labels.dtype.kind == "U" and q.unit == unit
     ]
     if not names:
         raise HistoryError("the history does not tell parts of the light")
-    figure, (axes,) = _panels(case, 1, 1.6 + 0.45 * len(names))
-    place = np.arange(len(names))
+    words = [w for name in names for w in case.best.profile(name).labels]
+    figure, (axes,) = _panels(case, 1, 1.6 + 0.45 * len(words))
+    place = np.arange(len(words))
     for plant, looks, shift in zip(
         (case.baseline, case.best), PLANTS, (-0.15, 0.15)
     ):
-        parts = [plant.estimate(name) for name in names]
+        parts = [plant.profile(name) for name in names]
         _draw(
             axes,
-            np.array([part.mean for part in parts]),
-            np.array([part.standard_error for part in parts]),
+            np.concatenate([part.values for part in parts]),
+            np.concatenate([part.standard_error for part in parts]),
             place + shift,
             (*looks[:3], "none"),
         )
-    words = [name.removeprefix("absorbed_") for name in names]
     axes.set_yticks(place, words)
-    axes.set_ylim(len(names) - 0.5, -0.5)
+    axes.set_ylim(len(words) - 0.5, -0.5)
     axes.set_xlim(left=0)
-    label_light(axes, "x", _title("absorbed"), unit)
+    label_light(axes, "x", _title(names[0]), unit)
     axes.legend(fontsize=8)
     return figure
 
 
-def _names(case: Case, ending: str, what: str) -> list[str]:
+def _names(case: Case, axis: str, what: str) -> list[str]:
     case.need_pairs()
-    names = families(case.best, ending)
+    names = [q.name for q in case.best.row.with_axis(axis)]
     if not names:
         raise HistoryError(f"the history has no figures by {what}")
     return names
@@ -188,4 +178,5 @@ def _draw(
 
 
 def _title(name: str) -> str:
-    return "absorbed PAR" if name == "absorbed" else name
+    what = style.words(name).split(" by ")[0]
+    return "absorbed PAR" if what == "absorbed" else what

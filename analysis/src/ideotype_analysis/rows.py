@@ -1,19 +1,18 @@
-"""Evaluations as numpy arrays whose columns know their units."""
+"""Evaluations as numpy arrays, and quantities that know their units."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
-from dataclasses import Field, dataclass, fields
+from dataclasses import dataclass, fields, replace
 from enum import IntEnum
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .estimate import Estimate
 from .file import HistoryError
-from .table import Floats, Integers, Quantity, Table
+from .genes import Genes
+from .quantity import Floats, Integers, Objective, Profile, Quantity
 
 
 class Status(IntEnum):
@@ -36,57 +35,37 @@ class Origin(IntEnum):
 
 
 @dataclass(frozen=True)
-class HourProfile:
-    """A diagnostic of one plant by local clock time [h]."""
-
-    hours: Floats
-    unit: str
-    values: Floats
-    standard_error: Floats
-
-
-@dataclass(frozen=True)
-class LeafProfile:
-    """Something of one plant by leaf rank; leaf 1 is the lowest."""
-
-    leaves: Integers
-    unit: str
-    values: Floats
-    standard_error: Floats
-
-
-@dataclass(frozen=True)
-class LayerProfile:
-    """Something of one plant by layer of height above the soil [m]."""
-
-    lower: Floats
-    upper: Floats
-    unit: str
-    values: Floats
-    standard_error: Floats
-
-
-@dataclass(frozen=True)
 class Rows:
-    """Complete evaluations, done or failed. Outcomes of failed ones are NaN
-    and their fitness is -infinity.
+    """Complete evaluations, done or failed; outcomes of failed ones are NaN.
 
-    rows["absorbed_par"] is an objective, diagnostic or trait by its name."""
+    rows["absorbed_par"] is a quantity, objective or gene by its name."""
 
+    genes: Genes
+    goals: tuple[Objective, ...]
+    quantities: dict[str, Quantity]
+    row: Integers
+    """In /evaluations, or of finalists in /final."""
     generation: Integers
     """-1 for finalists."""
     slot: Integers
+    """In the generation; of finalists as `row`."""
     status: Integers
     origin: Integers
     parents: Integers
-    """[rows, 2], slots of the generation before; -1: none."""
-    traits: Table
-    """The genomes; exact, their standard errors are 0."""
-    objectives: Table
-    diagnostics: Table
-    fitness: Quantity
+    """[rows, 2], rows of /evaluations; -1: none."""
+    genome: Floats
+    """[rows, genes]"""
+    objectives: Floats
+    """[rows, goals]"""
+    objectives_standard_error: Floats
+    randomisations: Floats
+    """Of objectives, [rows, goals, randomisations]; the last is 0 where the
+    file has none. Rows of one generation, and all finalists, share random
+    numbers in the same randomisation."""
+    violation: Floats
+    """0 where all constraints are kept."""
     attempt: Integers
-    seconds: Quantity
+    seconds: Floats
     worker: Integers
     message: NDArray[np.str_]
 
@@ -94,28 +73,29 @@ class Rows:
         return len(self.status)
 
     def __getitem__(self, name: str) -> Quantity:
-        for table in (self.objectives, self.diagnostics, self.traits):
-            if name in table:
-                return table[name]
-        raise KeyError(f"no objective, diagnostic or trait is called {name}")
+        if name in self.quantities:
+            return self.quantities[name]
+        for k, goal in enumerate(self.goals):
+            if name == goal.name:
+                error = self.objectives_standard_error[:, k]
+                return Quantity(name, goal.unit, self.objectives[:, k], error)
+        if name in self.genes.names:
+            i = self.genes.names.index(name)
+            values = self.genome[:, i]
+            unit = self.genes.units[i]
+            return Quantity(name, unit, values, np.zeros_like(values))
+        raise KeyError(f"no quantity, objective or gene is called {name}")
+
+    def with_axis(self, axis: str) -> list[Quantity]:
+        """The quantities that have it."""
+        found = self.quantities.values()
+        return [q for q in found if q.axis and q.axis.name == axis]
 
     def take(self, index: NDArray) -> Rows:
         """The rows of a mask or of row numbers."""
-        return Rows(
-            self.generation[index],
-            self.slot[index],
-            self.status[index],
-            self.origin[index],
-            self.parents[index],
-            self.traits.take(index),
-            self.objectives.take(index),
-            self.diagnostics.take(index),
-            self.fitness.take(index),
-            self.attempt[index],
-            self.seconds.take(index),
-            self.worker[index],
-            self.message[index],
-        )
+        quantities = {n: q.take(index) for n, q in self.quantities.items()}
+        arrays = {name: getattr(self, name)[index] for name in _ARRAYS}
+        return replace(self, quantities=quantities, **arrays)
 
     @property
     def done(self) -> Rows:
@@ -128,14 +108,15 @@ class Rows:
         return self.take(self.status == Status.FAILED)
 
     def ranking(self, count: int) -> Integers:
-        """Row numbers of the fittest with different genomes, best first; of
-        equal genomes the fittest. Fewer if there are not as many."""
+        """Row numbers of the best with different genomes, best first; of
+        equal genomes the best. Rows that violate constraints come last, the
+        less they do the earlier. Fewer if there are not as many."""
         done = np.flatnonzero(self.status == Status.DONE)
-        fittest = np.argsort(-self.fitness.values[done], kind="stable")
-        order = done[fittest]
-        _, first = np.unique(
-            self.traits.values[order], axis=0, return_index=True
-        )
+        worse = -self.goals[0].sign * self.objectives[done, 0]
+        violation = self.violation[done]
+        worse = np.where(violation > 0, 0.0, worse)
+        order = done[np.lexsort((worse, violation))]
+        _, first = np.unique(self.genome[order], axis=0, return_index=True)
         return order[np.sort(first)[:count]]
 
     def top(self, count: int) -> Rows:
@@ -147,41 +128,45 @@ class Rows:
         return Evaluation(self.take(np.array([index])), is_final)
 
 
+_ARRAYS = [f.name for f in fields(Rows)][3:]
+
+
 def join(parts: Sequence[Rows]) -> Rows:
-    """Rows of several histories of the same columns, one after the other.
+    """Rows of several histories, one after the other, with the quantities
+    and the number of randomisations that all of them have.
 
-    Raises HistoryError if their columns differ."""
-
-    def table(name: str) -> Table:
-        tables = [getattr(part, name) for part in parts]
-        first = tables[0]
-        if any(t.names != first.names for t in tables):
-            raise HistoryError(f"histories of one case differ in {name}")
-        return Table(
-            first.names,
-            first.units,
-            np.concatenate([t.values for t in tables]),
-            np.concatenate([t.standard_error for t in tables]),
-        )
+    Raises HistoryError if their genes or objectives differ."""
+    first = parts[0]
+    for part in parts:
+        if part.genes.names != first.genes.names or part.goals != first.goals:
+            raise HistoryError(
+                "histories of one case differ in genes or objectives"
+            )
 
     def quantity(name: str) -> Quantity:
-        columns = [getattr(part, name) for part in parts]
-        return Quantity(
-            columns[0].name,
-            columns[0].unit,
-            np.concatenate([c.values for c in columns]),
-            np.concatenate([c.standard_error for c in columns]),
+        each = [part.quantities[name] for part in parts]
+        values = np.concatenate([q.values for q in each])
+        error = np.concatenate([q.standard_error for q in each])
+        return replace(each[0], values=values, standard_error=error)
+
+    shared = [
+        name
+        for name, q in first.quantities.items()
+        if all(
+            name in part.quantities and part.quantities[name].axis == q.axis
+            for part in parts
         )
-
-    def joined(field: Field) -> Any:
-        values = [getattr(part, field.name) for part in parts]
-        if isinstance(values[0], Table):
-            return table(field.name)
-        if isinstance(values[0], Quantity):
-            return quantity(field.name)
-        return np.concatenate(values)
-
-    return Rows(**{field.name: joined(field) for field in fields(Rows)})
+    ]
+    draws = min(part.randomisations.shape[2] for part in parts)
+    parts = [
+        replace(part, randomisations=part.randomisations[..., :draws])
+        for part in parts
+    ]
+    arrays = {
+        name: np.concatenate([getattr(part, name) for part in parts])
+        for name in _ARRAYS
+    }
+    return replace(first, quantities={n: quantity(n) for n in shared}, **arrays)
 
 
 @dataclass(frozen=True)
@@ -190,76 +175,52 @@ class Evaluation:
 
     row: Rows
     is_final: bool
-    """Evaluated anew at the end, with fresh random numbers."""
+    """Evaluated again at the end, with fresh random numbers."""
 
     @property
     def objective(self) -> Estimate:
-        """The first objective: what the case maximises."""
-        return self.estimate(self.row.objectives.names[0])
+        """The first objective, with its randomisations."""
+        goal = self.row.goals[0]
+        return Estimate(
+            float(self.row.objectives[0, 0]),
+            float(self.row.objectives_standard_error[0, 0]),
+            goal.unit,
+            self.row.randomisations[0, 0],
+        )
 
     def estimate(self, name: str) -> Estimate:
-        """An objective, diagnostic or trait by name."""
-        found = self.row[name]
+        """A quantity without axes, objective or gene by name.
+
+        Raises HistoryError if there is none."""
+        try:
+            found = self.row[name]
+        except KeyError as error:
+            raise HistoryError(f"the history has no {name}") from error
         return Estimate(
             float(found.values[0]), float(found.standard_error[0]), found.unit
         )
 
     @property
     def per_leaf_area(self) -> Estimate:
-        """Absorbed PAR per one-sided leaf area. The leaf area is exact, so
-        that the relative error is that of the light.
+        """Absorbed PAR per one-sided leaf area, with randomisations if the
+        objective has them: the leaf area is exact.
 
         Raises HistoryError if the history does not tell it."""
-        if "absorbed_par_per_leaf_area" in self.row.objectives:
-            return self.estimate("absorbed_par_per_leaf_area")
-        try:
-            absorbed, lai = self.estimate("absorbed_par"), self.estimate("lai")
-        except KeyError as error:
-            raise HistoryError(str(error.args[0])) from error
-        if not lai.mean > 0:
-            raise HistoryError("the plant has no leaf area")
-        return absorbed.scaled(1 / lai.mean, absorbed.unit)
+        name, goal = "absorbed_par_per_leaf_area", self.row.goals[0].name
+        if goal == name:
+            return self.objective
+        found = self.estimate(name)
+        if goal != "absorbed_par":
+            return found
+        scale = found.mean / self.objective.mean
+        return replace(found, draws=scale * self.objective.draws)
 
-    def by_hour(self, what: str = "absorbed") -> HourProfile:
-        """Diagnostics named <what>_hour_HH_MM, by time; absorbed PAR comes
-        in [W m-2] of ground."""
-        table = self.row.diagnostics
-        found = table.matching(rf"{re.escape(what)}_hour_(\d\d)_(\d\d)")
-        hours = [int(m[1]) + int(m[2]) / 60 for m, _ in found]
-        order = np.argsort(hours)
-        columns = np.array([i for _, i in found], dtype=int)[order]
-        return HourProfile(
-            np.array(hours, dtype=float)[order], *_profile(table, columns)
-        )
+    def profile(self, name: str) -> Profile:
+        """A quantity along its axis.
 
-    def by_leaf(self, what: str = "absorbed") -> LeafProfile:
-        """Diagnostics named <what>_leafNN, or for length, width, insertion_angle
-        and azimuth the trait, lowest leaf first; absorbed PAR comes in
-        [MJ m-2 day-1] of ground."""
-        name = re.escape(what)
-        for table, pattern in (
-            (self.row.traits, rf"leaf(\d+)_{name}"),
-            (self.row.diagnostics, rf"{name}_leaf(\d+)"),
-        ):
-            if found := table.matching(pattern):
-                break
-        leaves = np.array([int(m[1]) for m, _ in found], dtype=int)
-        order = np.argsort(leaves)
-        columns = np.array([i for _, i in found], dtype=int)[order]
-        return LeafProfile(leaves[order], *_profile(table, columns))
-
-    def by_layer(self, what: str = "absorbed") -> LayerProfile:
-        """Diagnostics named <what>_layer_LLL_UUUcm, lowest layer first."""
-        table = self.row.diagnostics
-        found = table.matching(rf"{re.escape(what)}_layer_(\d+)_(\d+)cm")
-        edges = np.array([(int(m[1]), int(m[2])) for m, _ in found]) / 100
-        edges = edges.reshape(-1, 2)
-        order = np.argsort(edges[:, 0])
-        columns = np.array([i for _, i in found], dtype=int)[order]
-        lower, upper = edges[order].T
-        return LayerProfile(lower, upper, *_profile(table, columns))
-
-
-def _profile(table: Table, columns: NDArray) -> tuple[str, Floats, Floats]:
-    unit = table.units[columns[0]] if len(columns) else "1"
-    return unit, table.values[0, columns], table.standard_error[0, columns]
+        Raises HistoryError if there is none."""
+        found = self.row.quantities.get(name)
+        if found is None or found.axis is None:
+            raise HistoryError(f"the history has no {name}")
+        values, error = found.values[0], found.standard_error[0]
+        return Profile(found.axis.labels, found.unit, values, error)

@@ -15,7 +15,8 @@ from .case import Case
 from .file import HistoryError
 from .geometry import Mesh, export_plant
 from .history import History
-from .rows import Evaluation, LeafProfile, Origin
+from .quantity import Profile
+from .rows import Evaluation, Origin
 from .stand import places, row_direction
 from .style import unit_label
 
@@ -102,8 +103,10 @@ def _quantities(
 ) -> list[dict[str, Any]]:
     """Absorbed PAR of each group of each plant; None for a group, such as
     the stalk, that has none."""
-    by_leaf = [_by_group(plant.by_leaf(), mesh) for plant, mesh in pairs]
-    unit = pairs[0][0].by_leaf().unit
+    profiles = [_leaves(plant) for plant, _ in pairs]
+    meshes = [mesh for _, mesh in pairs]
+    by_leaf = [*map(_by_group, profiles, meshes)]
+    unit = profiles[0].unit
     quantities = [
         {
             "label": f"by each leaf [{unit_label(unit)} of ground]",
@@ -118,7 +121,7 @@ def _quantities(
                 None if value is None else value * ground / mesh.area(group)
                 for value, group in zip(values, dict.fromkeys(mesh.groups))
             ]
-            for values, (_, mesh) in zip(by_leaf, pairs)
+            for values, mesh in zip(by_leaf, meshes)
         ]
         quantities.append(
             {
@@ -129,9 +132,18 @@ def _quantities(
     return quantities
 
 
-def _by_group(profile: LeafProfile, mesh: Mesh) -> list[float | None]:
+def _leaves(plant: Evaluation) -> Profile:
+    """Empty where the history does not tell leaves apart."""
+    try:
+        return plant.profile("absorbed_by_leaf")
+    except HistoryError:
+        none = np.empty(0)
+        return Profile(none, "1", none, none)
+
+
+def _by_group(profile: Profile, mesh: Mesh) -> list[float | None]:
     known = {
         f"leaf{leaf:02}": float(value)
-        for leaf, value in zip(profile.leaves, profile.values)
+        for leaf, value in zip(profile.labels, profile.values)
     }
     return [known.get(group) for group in dict.fromkeys(mesh.groups)]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -14,8 +13,8 @@ from numpy.typing import NDArray
 from . import style
 from .case import Case
 from .file import HistoryError
+from .genes import Genes
 from .rows import Rows, join
-from .traits import Traits
 
 _ROWS_PER_PREDICTOR = 2
 _SHOWN = 12
@@ -28,13 +27,24 @@ _FITTEST = 10
 
 
 @dataclass(frozen=True)
+class Predictor:
+    """A column of a regression: a gene, or the cosine or sine of a circular
+    one."""
+
+    gene: int
+    wave: str = ""
+    """cos, sin, or empty"""
+
+
+@dataclass(frozen=True)
 class Sensitivity:
-    """Standardised regression of the objective on the free traits: by how
-    many of its standard deviations it moves when a trait moves by one of its
-    own and the others stay. A circular trait enters as cosine and sine, and
+    """Standardised regression of the objective on the free genes: by how
+    many of its standard deviations it moves when a gene moves by one of its
+    own and the others stay. A circular gene enters as cosine and sine, and
     its effect is the length of both coefficients, without a sign."""
 
-    traits: tuple[str, ...]
+    genes: NDArray[np.int64]
+    """Their places in a genome."""
     effect: NDArray[np.float64]
     standard_error: NDArray[np.float64]
     """Of ordinary least squares; takes plants as independent, though bred
@@ -43,75 +53,85 @@ class Sensitivity:
     """R2, the part of the objective's variance that the regression takes."""
     plants: int
     inflation: NDArray[np.float64]
-    """Variance inflation factor, for a circular trait the larger one: by how
-    much a trait that goes together with others blurs its coefficient."""
+    """Variance inflation factor, for a circular gene the larger one: by how
+    much a gene that goes together with others blurs its coefficient."""
     is_clear: NDArray[np.bool_]
-    """The effect can be told from those of other traits. If not, it is not
+    """The effect can be told from those of other genes. If not, it is not
     drawn as an effect."""
 
 
-def evaluated(case: Case) -> Rows:
-    """All evaluated plants of all seeds."""
-    rows = join([history.evaluations().done for history in case.histories])
+def evaluated(case: Case) -> tuple[Rows, NDArray[np.int64]]:
+    """All evaluated plants of all seeds, and the seed of each."""
+    parts = [history.evaluations().done for history in case.histories]
+    rows = join(parts)
     if not len(rows):
         raise HistoryError("no plant is evaluated yet")
-    return rows
+    return rows, np.repeat(np.arange(len(parts)), [len(p) for p in parts])
 
 
-def predictors(traits: Traits, rows: Rows) -> tuple[list[str], NDArray]:
-    """Names and values [rows, columns] of the free traits that vary: in
-    their unit, circular ones as cosine and sine, "cos leaf01_azimuth"."""
-    names: list[str] = []
+def centred(values: NDArray, seed: NDArray) -> NDArray:
+    """Less the mean of their seed, so that differences between seeds are no
+    effects of genes."""
+    means = [values[seed == s].mean(0) for s in range(seed.max() + 1)]
+    return values - np.array(means)[seed]
+
+
+def predictors(genes: Genes, rows: Rows) -> tuple[list[Predictor], NDArray]:
+    """The free genes that vary, with values [rows, columns]: in their unit,
+    circular ones as cosine and sine."""
+    found: list[Predictor] = []
     columns: list[NDArray] = []
-    for i in np.flatnonzero(traits.is_free):
-        name, values = traits.names[i], rows.traits.values[:, i]
-        if traits.is_circular[i]:
+    for i in np.flatnonzero(genes.is_free):
+        values = rows.genome[:, i]
+        if genes.is_circular[i]:
             # The bounds are one point of the circle: their distance is a turn.
-            turn = traits.upper[i] - traits.lower[i]
-            angle = 2 * np.pi * values / turn
-            names += [f"cos {name}", f"sin {name}"]
+            angle = 2 * np.pi * values / (genes.upper[i] - genes.lower[i])
+            found += [Predictor(int(i), "cos"), Predictor(int(i), "sin")]
             columns += [np.cos(angle), np.sin(angle)]
         else:
-            names.append(name)
+            found.append(Predictor(int(i)))
             columns.append(values)
     varies = [i for i, column in enumerate(columns) if np.ptp(column) > 1e-9]
-    return [names[i] for i in varies], np.array([columns[i] for i in varies]).T
+    return [found[i] for i in varies], np.array([columns[i] for i in varies]).T
 
 
 def sensitivity(case: Case) -> Sensitivity:
     """Of all evaluated plants. Raises HistoryError as regress does."""
-    rows = evaluated(case)
-    names, x = predictors(case.traits, rows)
-    found = regress(names, x, rows.objectives.values[:, 0])
-    against = contradicted(found, case.traits, case.top(_FITTEST))
+    rows, seed = evaluated(case)
+    columns, x = predictors(case.genes, rows)
+    y = rows.objectives[:, 0]
+    found = regress(columns, centred(x, seed), centred(y, seed))
+    against = contradicted(found, case.genes, case.top(_FITTEST))
     return replace(found, is_clear=found.is_clear & ~against)
 
 
 def contradicted(
-    found: Sensitivity, traits: Traits, fittest: Rows
+    found: Sensitivity, genes: Genes, fittest: Rows
 ) -> NDArray[np.bool_]:
     """Effects that point away from a bound which the fittest plants hold: at
-    the optimum a trait at its upper bound can't have a negative effect, nor
-    one at its lower bound a positive one."""
-    at = [traits.names.index(name) for name in found.traits]
-    lower, upper = traits.lower[at], traits.upper[at]
-    mean = fittest.traits.values[:, at].mean(0)
+    the optimum a gene at its upper bound can't make the objective worse, nor
+    can one at its lower bound make it better."""
+    at = found.genes
+    lower, upper = genes.lower[at], genes.upper[at]
+    mean = fittest.genome[:, at].mean(0)
     place = (mean - lower) / (upper - lower)
+    better = fittest.goals[0].sign * found.effect
     is_against = np.where(
-        found.effect < 0, place > 1 - _NEAR_BOUND, place < _NEAR_BOUND
+        better < 0, place > 1 - _NEAR_BOUND, place < _NEAR_BOUND
     )
-    return is_against & ~traits.is_circular[at]
+    return is_against & ~genes.is_circular[at]
 
 
-def regress(names: Sequence[str], x: NDArray, y: NDArray) -> Sensitivity:
-    """Of y [plants] on the columns of x [plants, names], named as predictors
-    names them.
+def regress(
+    columns: Sequence[Predictor], x: NDArray, y: NDArray
+) -> Sensitivity:
+    """Of y [plants] on the columns of x [plants, columns].
 
     Raises HistoryError if there are too few plants, or none differs."""
-    if not names or len(y) < _ROWS_PER_PREDICTOR * (len(names) + 1):
+    if not columns or len(y) < _ROWS_PER_PREDICTOR * (len(columns) + 1):
         raise HistoryError(
             f"{len(y)} evaluated plants are too few for a regression on "
-            f"{len(names)} columns of traits"
+            f"{len(columns)} columns of traits"
         )
     if np.ptp(y) == 0:
         raise HistoryError("all plants absorb the same")
@@ -119,12 +139,12 @@ def regress(names: Sequence[str], x: NDArray, y: NDArray) -> Sensitivity:
     y = (y - y.mean()) / y.std()
     beta, *_ = np.linalg.lstsq(x, y, rcond=None)
     rest = y - x @ beta
-    variance = rest @ rest / (len(y) - len(names) - 1)
+    variance = rest @ rest / (len(y) - len(columns) - 1)
     inverse = _inverse_diagonal(x)
     error = np.sqrt(variance * inverse)
-    parts: dict[str, list[int]] = {}
-    for i, name in enumerate(names):
-        parts.setdefault(name.split(" ")[-1], []).append(i)
+    parts: dict[int, list[int]] = {}
+    for i, column in enumerate(columns):
+        parts.setdefault(column.gene, []).append(i)
     # A single coefficient keeps its sign.
     effect = [
         beta[at[0]] if len(at) == 1 else np.linalg.norm(beta[at])
@@ -134,7 +154,7 @@ def regress(names: Sequence[str], x: NDArray, y: NDArray) -> Sensitivity:
         [len(y) * inverse[at].max() for at in parts.values()]
     )
     return Sensitivity(
-        tuple(parts),
+        np.array([*parts]),
         np.array(effect),
         np.array([np.linalg.norm(error[at]) for at in parts.values()]),
         float(1 - rest @ rest / (y @ y)),
@@ -179,10 +199,10 @@ def draw_sensitivity(case: Case) -> Figure:
     )
     left.axvline(0, color=style.BASELINE, linewidth=1, linestyle="--")
     left.set_yticks(
-        range(len(order)), [_words(found.traits[i]) for i in order]
+        range(len(order)), [case.genes.words(found.genes[i]) for i in order]
     )
     left.set_xlabel("effect in standard deviations, 95 % confidence")
-    _draw_by_rank(figure, right, found)
+    _draw_by_rank(figure, right, case.genes, found)
     figure.suptitle(
         f"{case.name}: {found.plants} plants, R² = {found.explained:.2f}",
         fontsize=10,
@@ -190,24 +210,17 @@ def draw_sensitivity(case: Case) -> Figure:
     return figure
 
 
-def _words(trait: str) -> str:
-    """ "azimuth of leaf 3" of "leaf03_azimuth"."""
-    match = re.fullmatch(r"leaf(\d+)_(.+)", trait)
-    return f"{match[2]} of leaf {int(match[1])}" if match else trait
-
-
-def _draw_by_rank(figure: Figure, axes: Axes, found: Sensitivity) -> None:
-    shown = np.where(found.is_clear, found.effect, np.nan)
-    effects = dict(zip(found.traits, shown))
-    places = [re.fullmatch(r"leaf(\d+)_(.+)", name) for name in found.traits]
-    kinds = list(dict.fromkeys(m[2] for m in places if m))
-    ranks = sorted({int(m[1]) for m in places if m})
-    table = np.array(
-        [
-            [effects.get(f"leaf{rank:02}_{kind}", np.nan) for kind in kinds]
-            for rank in ranks
-        ]
-    )
+def _draw_by_rank(
+    figure: Figure, axes: Axes, genes: Genes, found: Sensitivity
+) -> None:
+    at = [i for i in found.genes if genes.leaves[i]]
+    kinds = list(dict.fromkeys(genes.traits[i] for i in at))
+    ranks = sorted({int(genes.leaves[i]) for i in at})
+    table = np.full((len(ranks), len(kinds)), np.nan)
+    for i, effect, is_clear in zip(found.genes, found.effect, found.is_clear):
+        if is_clear and genes.leaves[i]:
+            place = ranks.index(genes.leaves[i]), kinds.index(genes.traits[i])
+            table[place] = effect
     limit = np.nanmax(np.abs(table))
     image = axes.imshow(
         table, cmap="PuOr", vmin=-limit, vmax=limit, origin="lower",

@@ -46,10 +46,10 @@ def draw_azimuths(case: Case) -> Figure:
     """Leaf azimuths from above, the lowest leaf innermost: the fittest
     plants, their circular mean and deviation, and the baseline."""
     top = case.top(COUNT)
-    columns = case.traits.columns("azimuth")
+    columns = case.genes.columns("azimuth")
     if not len(columns):
         raise HistoryError("the plants have no azimuths")
-    leaves = case.traits.leaves("azimuth")
+    leaves = case.genes.leaves[columns]
     figure = style.new_figure(7.0, 6.4)
     grid = figure.add_gridspec(1, 2, width_ratios=(1, 0.16))
     axes = cast(PolarAxes, figure.add_subplot(grid[0], projection="polar"))
@@ -58,9 +58,9 @@ def draw_azimuths(case: Case) -> Figure:
     axes.set_theta_direction(-1)
     for values, color in reversed(_colored(top, columns)):
         axes.plot(np.deg2rad(values), leaves, "o", color=color, alpha=0.8)
-    _draw_arcs(axes, top.traits.values[:, columns], leaves)
+    _draw_arcs(axes, top.genome[:, columns], leaves)
     if case.pairs:
-        values = case.baseline.row.traits.values[0, columns]
+        values = case.baseline.row.genome[0, columns]
         axes.plot(np.deg2rad(values), leaves, **_BASELINE_MARKER)
     for values in _bests(case, columns):
         axes.plot(np.deg2rad(values), leaves, **_BEST_MARKER)
@@ -134,7 +134,7 @@ def _title(case: Case, top: Rows) -> str:
 def _colored(top: Rows, columns: NDArray) -> list[tuple[NDArray, NDArray]]:
     """The traits and the colour of each plant, fittest first."""
     return list(
-        zip(top.traits.values[:, columns], style.ranked_colors(len(top)))
+        zip(top.genome[:, columns], style.ranked_colors(len(top)))
     )
 
 
@@ -143,7 +143,7 @@ def _bests(case: Case, columns: NDArray) -> list[NDArray]:
     nothing for a single seed."""
     if len(case.pairs) < 2:
         return []
-    return [pair.best.row.traits.values[0, columns] for pair in case.pairs]
+    return [pair.best.row.genome[0, columns] for pair in case.pairs]
 
 
 def _add_best_handle(
@@ -172,15 +172,16 @@ def _draw_trait(
     top: Rows,
     baseline: Evaluation | None,
 ) -> None:
-    traits = case.traits
-    columns, leaves = traits.columns(kind), traits.leaves(kind)
+    genes = case.genes
+    columns = genes.columns(kind)
+    leaves = genes.leaves[columns]
     if not len(columns):
         raise HistoryError(f"the plants have no {kind}")
-    is_circular = bool(traits.is_circular[columns].all())
+    is_circular = bool(genes.is_circular[columns].all())
     axes.barh(
         leaves,
-        (traits.upper - traits.lower)[columns],
-        left=traits.lower[columns],
+        (genes.upper - genes.lower)[columns],
+        left=genes.lower[columns],
         height=0.8,
         color="#F0F0F0",
         label="bounds",
@@ -192,10 +193,10 @@ def _draw_trait(
             [], [], "o", color=style.ranked_colors(1)[0], markersize=3,
             label="one plant (dark: fitter)",
         )  # fmt: skip
-    values = top.traits.values[:, columns]
+    values = top.genome[:, columns]
     _draw_mean(axes, values, leaves, is_circular)
     if baseline is not None:
-        plain = baseline.row.traits.values[0, columns]
+        plain = baseline.row.genome[0, columns]
         axes.plot(plain, leaves, **_BASELINE_MARKER)
     for values in _bests(case, columns):
         axes.plot(values, leaves, **_BEST_MARKER)
@@ -207,8 +208,8 @@ def _draw_trait(
         axes.set_xticks(np.linspace(lower, upper, 5))
     axes.set_yticks(leaves)
     axes.set_ylim(leaves.min() - 0.6, leaves.max() + 0.6)
-    axes.set_xlabel(style.axis_label(kind.replace("_", " "), traits.units[columns[0]]))
-    if not traits.is_free[columns].any():
+    axes.set_xlabel(style.axis_label(kind, genes.units[columns[0]]))
+    if not genes.is_free[columns].any():
         axes.set_title("not bred")
 
 

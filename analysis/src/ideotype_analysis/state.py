@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .file import Writer
-from .table import Quantity
+from .quantity import Quantity
 
 
 @dataclass(frozen=True)
@@ -39,35 +39,42 @@ class State:
 
 @dataclass(frozen=True)
 class Session:
-    """One start of the program on this history."""
+    """One start of the program on this history. Files of format 1.0 do not
+    have the last three."""
 
     started: str
     """UTC, ISO 8601."""
     host: str
     command: str
     ranks: int
+    program: str = ""
+    compiler: str = ""
+    libraries: str = ""
 
 
 @dataclass(frozen=True)
 class Generations:
-    """Committed generations, from the first. Fitness in the unit of the
-    first objective."""
+    """Committed generations, from the first. Values are those of the first
+    objective."""
 
-    best_slot: NDArray[np.int64]
+    first_row: NDArray[np.int64]
+    count: NDArray[np.int64]
+    """Rows of a generation, which stand one after the other."""
+    best_row: NDArray[np.int64]
+    """-1: none."""
     best: Quantity
-    """Highest fitness, with its standard error."""
     mean: Quantity
-    """Mean fitness of all that did not fail; its standard error is not
-    stored."""
+    """Over the rows that keep all constraints, once there is one; its
+    standard error is not stored."""
     spread: Quantity
-    """Standard deviation of the fitness of all that did not fail."""
+    """Standard deviation over the same rows."""
     diversity: Quantity
     """Mean over the free genes of standard deviation over range."""
     failures: NDArray[np.int64]
     evaluations: NDArray[np.int64]
-    """Rows evaluated, not copied from a twin."""
+    """Rows evaluated, not copied from one with the same genome."""
     wall_time: Quantity
     """Since the case began, all sessions [s]."""
 
     def __len__(self) -> int:
-        return len(self.best_slot)
+        return len(self.best_row)

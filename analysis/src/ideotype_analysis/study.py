@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Self
 
 from .case import Case
 from .file import HistoryError
-from .history import History, open_history
+from .history import History
 from .trial import Trial
 
 if TYPE_CHECKING:
@@ -75,8 +75,7 @@ class Study:
         with ExitStack() as stack, Trial() as trial:
             for path in paths:
                 try:
-                    trial.read(path)
-                    history = stack.enter_context(open_history(path))
+                    history = stack.enter_context(trial.open(path))
                 except (HistoryError, OSError) as error:
                     if not skip_damaged:
                         raise

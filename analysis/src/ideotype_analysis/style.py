@@ -66,7 +66,7 @@ def axis_label(name: str, unit: str) -> str:
     """ "absorbed PAR [MJ m⁻² day⁻¹ of ground]" of a column's name and unit."""
     if unit == "1":
         return words(name)
-    is_light = unit in _LIGHT_UNITS and "fitness" not in name
+    is_light = unit in _LIGHT_UNITS
     area = " of leaf" if "leaf_area" in name else " of ground"
     return f"{words(name)} [{unit_label(unit)}{area if is_light else ''}]"
 

@@ -100,7 +100,7 @@ def _program(history: History) -> str:
 
 def _pair(pair: Pair) -> list[str]:
     baseline, best = pair.baseline.objective, pair.best.objective
-    name = pair.best.row.objectives.names[0].replace("_", " ")
+    name = pair.best.row.goals[0].name.replace("_", " ")
     name = name.replace(" par", " PAR")
     table = [(name, "baseline", "best")]
     for was, now in zip(baseline.in_common_units(), best.in_common_units()):
@@ -110,12 +110,19 @@ def _pair(pair: Pair) -> list[str]:
     lines += _leaf_area(pair)
     lines.append("")
     lines.append(
-        "All errors are standard errors; both plants were evaluated again."
+        f"All errors are standard errors; {_error_of_gain(pair)}; both plants "
+        "were evaluated again."
         if pair.is_final
         else "Provisional: the best of a generation (not evaluated again) is too high "
         "on average; the final evaluation is not complete."
     )
     return lines
+
+
+def _error_of_gain(pair: Pair) -> str:
+    if pair.is_paired:
+        return "that of the gain is paired by randomisation"
+    return "that of the gain takes both plants as independent"
 
 
 def _gain(name: str, gain: Estimate) -> str:
@@ -125,7 +132,7 @@ def _gain(name: str, gain: Estimate) -> str:
 
 def _leaf_area(pair: Pair) -> list[str]:
     """Whether the gain is one of more leaves or of better ones."""
-    if "lai" not in pair.best.row.diagnostics:
+    if "lai" not in pair.best.row.quantities:
         return []
     lais = [each.estimate("lai").mean for each in (pair.baseline, pair.best)]
     lines = [f"{'LAI':<20}{lais[0]:>22.3f}{lais[1]:>22.3f}"]

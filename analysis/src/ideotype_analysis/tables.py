@@ -123,9 +123,9 @@ def _remarks(cases: Sequence[Case], cross: Cross | None) -> list[str]:
     remarks = [
         "The interval is Student's t over the scatter of the seeds, or that "
         "of their standard errors where it is wider; with a single seed it "
-        "knows nothing of how seeds differ. Baseline and best share random "
-        "numbers but are taken as independent, so that errors of gains are "
-        "upper bounds.",
+        "knows nothing of how seeds differ. Standard errors of gains over the "
+        "baseline are paired: baseline and best share random numbers, and are "
+        "compared randomisation by randomisation.",
         "LAI is the one-sided leaf area per ground area, which is known "
         "without error; the gain per leaf area is that in absorbed PAR per "
         "one-sided leaf area.",
@@ -136,6 +136,11 @@ def _remarks(cases: Sequence[Case], cross: Cross | None) -> list[str]:
         remarks.append(
             "The gain over the elite plant is not known: it needs a "
             f"cross-evaluation (--cross) with a plant called {ELITE}."
+        )
+    else:
+        remarks.append(
+            "The error of the gain over the elite plant takes both as "
+            "independent: a cross-evaluation has no randomisations."
         )
     named: dict[str, list[str]] = {}
     for case in cases:
@@ -150,6 +155,12 @@ def _case_remarks(case: Case, cross: Cross | None) -> Iterator[str]:
     if not case.pairs:
         yield "Nothing to compare yet"
         return
+    if not all(pair.is_paired for pair in case.pairs):
+        yield (
+            "Errors of gains take baseline and best as independent, which is "
+            "an upper bound, since the history has no randomisations that "
+            "both share"
+        )
     if not case.is_final:
         yield (
             "Provisional, since not all seeds have their final evaluation, "
@@ -182,7 +193,7 @@ def balance(cases: Sequence[Case]) -> Note:
         for case in cases
         for pair in case.pairs
         for pair_member in (pair.baseline, pair.best)
-        if "balance_error" in pair_member.row.diagnostics
+        if "balance_error" in pair_member.row.quantities
     ]
     if not errors:
         return Note("The histories do not say how well the balance closes.")

@@ -16,7 +16,7 @@ from types import TracebackType
 from typing import Self
 
 from .file import HistoryError
-from .history import open_history
+from .history import History, open_history
 
 SECONDS = 10.0
 """That a small history may take to read; a good one takes hundredths."""
@@ -46,6 +46,13 @@ class Trial:
         trace: TracebackType | None,
     ) -> None:
         self._stop()
+
+    def open(self, path: Path) -> History:
+        """A history of which everything can be read. Raises what read()
+        raises."""
+        self.read(path)
+        # Its checksums have been compared.
+        return History(path)
 
     def read(self, path: Path) -> None:
         """Raises what open_history() and the calls of its history raise, and

@@ -1,7 +1,6 @@
 #include "nodes.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace ideotype {
 
@@ -68,16 +67,6 @@ std::string make_name(const std::string& text) {
         std::find_if(name.begin(), name.end(), is_letter_or_digit);
     name.erase(name.begin(), first);
     return name.empty() ? "name" : name;
-}
-
-std::optional<double> parse_duration(const std::string& text) {
-    int hours = 0, minutes = 0, seconds = 0;
-    char rest = 0;
-    if (std::sscanf(text.c_str(), "%6d:%2d:%2d%c", &hours, &minutes, &seconds,
-                    &rest) != 3 ||
-        hours < 0 || minutes < 0 || minutes > 59 || seconds < 0 || seconds > 59)
-        return std::nullopt;
-    return 3600.0 * hours + 60.0 * minutes + seconds;
 }
 
 }  // namespace ideotype

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include <toml++/toml.h>
@@ -20,8 +19,5 @@ bool is_name(const std::string& text);
 
 //! A name that resembles any text.
 std::string make_name(const std::string& text);
-
-//! The seconds of "HH:MM:SS"; nothing if the text is not of this form.
-std::optional<double> parse_duration(const std::string& text);
 
 }  // namespace ideotype

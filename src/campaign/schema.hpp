@@ -44,7 +44,7 @@ const void* address(const Target& target);
 enum class Notation {
     plain,
     clock,     //!< TOML local time, kept as hours
-    duration,  //!< seconds or "HH:MM:SS", kept as seconds
+    duration,  //!< seconds, "1h30m" or "HH:MM:SS", kept as seconds
 };
 
 //! A unit that numbers are given in by mistake, and what it is in the key's.

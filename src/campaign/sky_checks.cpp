@@ -4,6 +4,7 @@
 
 #include "checks.hpp"
 #include "ideotype/climate/daylight.hpp"
+#include "ideotype/core/clock.hpp"
 #include "schema.hpp"
 
 namespace ideotype {
@@ -50,16 +51,6 @@ void check_day(const DaySpan& day, Report& report) {
                     day.step_minutes, span, span / (fewer + 1), span / fewer));
 }
 
-//! When the sun is up, as "06:12 to 20:30".
-std::string hours_of(const Daylight& sun) {
-    // A clock of another day reads the same.
-    const auto clock = [](double hour) {
-        return clock_text(std::fmod(std::round(hour * 60) / 60 + 24, 24))
-            .substr(0, 5);
-    };
-    return fmt::format("{} to {}", clock(*sun.sunrise), clock(*sun.sunset));
-}
-
 void check_light(const Site& site, const Named<DaySpan>& day, Report& report) {
     const DaySpan& span = day.value;
     if (!report.usable({&site.latitude, &site.longitude, &site.utc_offset,
@@ -71,10 +62,12 @@ void check_light(const Site& site, const Named<DaySpan>& day, Report& report) {
     const std::string what = fmt::format(
         "day \"{}\" has no light at site \"{}\" ", day.name, site.name);
     if (sun.sunrise && sun.sunset)
-        report.add(report.where(&span.start),
-                   what + fmt::format("(the sun is up from {}); give a start "
-                                      "and an end within, or a shorter step",
-                                      hours_of(sun)));
+        report.add(
+            report.where(&span.start),
+            what + fmt::format("(the sun is up from {} to {}); give a start "
+                               "and an end within, or a shorter step",
+                               clock_time(*sun.sunrise),
+                               clock_time(*sun.sunset)));
     else
         report.add(report.where(&span.date),
                    what +

@@ -55,7 +55,8 @@ struct TypeName {
     std::string operator()(const bool*) const { return "true or false"; }
     std::string operator()(const double*) const {
         if (key.notation == Notation::clock) return "local time";
-        if (key.notation == Notation::duration) return "number or \"HH:MM:SS\"";
+        if (key.notation == Notation::duration)
+            return "number or \"1h30m\" or \"HH:MM:SS\"";
         return "number";
     }
     std::string operator()(const Date*) const { return "local date"; }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "ideotype/core/clock.hpp"
 #include "nodes.hpp"
 #include "spelling.hpp"
 
@@ -208,7 +209,7 @@ struct Reader {
         const auto seconds = parse_duration(text);
         if (!seconds)
             return fail(
-                fmt::format("is \"{}\" (not a duration HH:MM:SS); "
+                fmt::format("is \"{}\" (not a duration); "
                             "write for example {} = {}",
                             text, key.name, key.example));
         if (accepts(*seconds)) *value = *seconds;

@@ -60,30 +60,23 @@ CanopyRequest request_of(const ChosenRow& row) {
 
 ExitCode evaluate_baseline(const EvaluateOptions& options) {
     const Campaign campaign = read_campaign(options.path);
-    const std::vector<Case> all = cases(campaign);
-    const auto index = static_cast<std::size_t>(options.case_index);
     if (options.tolerance)
         throw Error(
             "evaluate: --tolerance is for meshes and for rows of a "
             "history; that of a campaign is its light.tolerance",
             ExitCode::usage);
-    if (options.case_index < 0 || index >= all.size())
-        throw Error(
-            fmt::format("there is no case {}; {} has cases 0 to {}",
-                        options.case_index, options.path, all.size() - 1),
-            ExitCode::usage);
+    const Case chosen = case_at(campaign, options.case_index, options.path);
     Task task;
-    task.case_index = static_cast<std::uint32_t>(index);
+    task.case_index = static_cast<std::uint32_t>(chosen.index);
     task.is_final = true;
-    const auto [report, seconds] =
-        timed_study(request_of(task, campaign, all[index],
-                               scenario_of(campaign, all[index]),
-                               to_genome(campaign.baseline)),
-                    Device::supported_isas().back());
+    const auto [report, seconds] = timed_study(
+        request_of(task, campaign, chosen, scenario_of(campaign, chosen),
+                   to_genome(campaign.baseline)),
+        Device::supported_isas().back());
     if (options.is_json)
-        fmt::print("{}\n", to_text(to_json(report, all[index], seconds)));
+        fmt::print("{}\n", to_text(to_json(report, chosen, seconds)));
     else
-        print_report(report, all[index], seconds);
+        print_report(report, chosen, seconds);
     return ExitCode::ok;
 }
 

@@ -59,19 +59,12 @@ void write(const Json& json, const std::string& path) {
 ExitCode fidelity(const FidelityOptions& options) {
     const double began = now();
     const Campaign campaign = read_campaign(options.campaign_path);
-    const std::vector<Case> all = cases(campaign);
-    if (options.case_index < 0 ||
-        static_cast<std::size_t>(options.case_index) >= all.size())
-        throw Error(fmt::format("there is no case {}; {} has cases 0 to {}",
-                                options.case_index, options.campaign_path,
-                                all.size() - 1),
-                    ExitCode::usage);
-    const auto index = static_cast<std::size_t>(options.case_index);
-    const Case& chosen = all[index];
+    const Case chosen =
+        case_at(campaign, options.case_index, options.campaign_path);
     const Device device(Device::supported_isas().back());
     LiveLine live;
     const Trade trade = measure_trade(
-        campaign, index, device,
+        campaign, static_cast<std::size_t>(chosen.index), device,
         {.seconds = (1 - for_checks) * options.seconds},
         [&](const std::string& what, double part) {
             live.show(fmt::format("{:3.0f} %  {} left  {}", 100 * part,

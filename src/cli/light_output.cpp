@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/core/clock.hpp"
 #include "ideotype/run/progress.hpp"
 #include "ideotype/run/summary.hpp"
 
@@ -46,11 +47,6 @@ Json to_json(const BudgetEstimate& budget, const CanopyReport& report,
                               {"sky", part(budget.leaves_sky)},
                               {"scattered", part(budget.leaves_scattered)}};
     return json;
-}
-
-std::string clock(double hour) {
-    const int minutes = static_cast<int>(std::lround(hour * 60));
-    return fmt::format("{:02}:{:02}", minutes / 60, minutes % 60);
 }
 
 //! A table of day's totals: fractions, and of days also energy.
@@ -116,7 +112,7 @@ void print_hours(const CanopyReport& report) {
             return format(fraction(x, budget.incident));
         };
         fmt::print("{:<5} {:>8.2f} {:>20} {:>20} {:>20} {:>20} {:>20}\n",
-                   clock(step.hour), budget.incident, part(budget.leaves),
+                   clock_time(step.hour), budget.incident, part(budget.leaves),
                    part(budget.leaves_beam), part(budget.soil),
                    part(budget.reflected),
                    has_sun(step) ? format(*step.sunlit) : "-");

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "ideotype/cli/ranks.hpp"
-#include "ideotype/cli/wall_time.hpp"
+#include "ideotype/core/clock.hpp"
 #include "ideotype/run/way_on.hpp"
 #include "launch.hpp"
 #include "report_error.hpp"
@@ -14,7 +14,8 @@ namespace ideotype {
 namespace {
 
 double to_seconds(const std::string& text) {
-    if (const auto seconds = parse_wall_time(text)) return *seconds;
+    const auto seconds = parse_duration(text);
+    if (seconds && *seconds > 0) return *seconds;
     throw CLI::ValidationError(
         "--wall-time", fmt::format("'{}' is no time; write for example 90, "
                                    "90s, 30m, 2h, 1h30m or 01:30:00",

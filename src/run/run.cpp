@@ -17,15 +17,8 @@ namespace {
 
 std::vector<Case> chosen_cases(const RunOptions& options,
                                const Campaign& campaign) {
-    std::vector<Case> all = cases(campaign);
-    if (!options.case_index) return all;
-    const int index = *options.case_index;
-    if (index < 0 || index >= static_cast<int>(all.size()))
-        throw Error(fmt::format("there is no case {}; {} has cases 0 to {} "
-                                "(see ideotype plan)",
-                                index, options.campaign_path, all.size() - 1),
-                    ExitCode::usage);
-    return {all[static_cast<std::size_t>(index)]};
+    if (!options.case_index) return cases(campaign);
+    return {case_at(campaign, *options.case_index, options.campaign_path)};
 }
 
 //! What rank 0 tells the others before the work begins.

@@ -6,16 +6,14 @@
 #include <fmt/format.h>
 
 #include "ideotype/climate/daylight.hpp"
+#include "ideotype/core/clock.hpp"
 
 namespace ideotype {
 
 namespace {
 
-//! A local clock time [h], which may be of the day before or after.
 std::string clock(std::optional<double> hour) {
-    if (!hour) return "-";
-    const long minutes = std::lround(*hour * 60 + 24 * 60) % (24 * 60);
-    return fmt::format("{:02}:{:02}", minutes / 60, minutes % 60);
+    return hour ? clock_time(*hour) : "-";
 }
 
 std::string place(const Site& site) {

@@ -60,6 +60,24 @@ TEST(Cases, SeedOfTheCampaignChangesAllSeeds) {
               cases(sample("seed = 2\n"))[0].seed);
 }
 
+TEST(Cases, AreFoundByTheirIndexOrRefusedWithTheRange) {
+    const Campaign campaign = sample("replicates = 3\n");
+    EXPECT_EQ(case_at(campaign, 2, "x.toml").name, cases(campaign)[2].name);
+    for (const int index : {-1, 3}) try {
+            case_at(campaign, index, "x.toml");
+            FAIL();
+        } catch (const Error& error) {
+            EXPECT_EQ(error.exit_code(), ExitCode::usage);
+            EXPECT_NE(std::string(error.what()).find("x.toml has cases 0 to 2"),
+                      std::string::npos);
+        }
+}
+
+TEST(Campaign, TimesMayBeWrittenInUnits) {
+    EXPECT_EQ(sample("", "[stop]\nwall_time = \"1h30m\"\n").stop.wall_time,
+              5400);
+}
+
 TEST(GeneSpace, HasFourNamedGenesPerLeaf) {
     const Campaign campaign = sample();
     const GeneSpace genes = gene_space(campaign, cases(campaign)[0]);

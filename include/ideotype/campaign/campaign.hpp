@@ -158,6 +158,11 @@ std::string plant_text(const KnownPlant& plant);
 //! seed of any other case.
 std::vector<Case> cases(const Campaign& campaign);
 
+//! The case of this index.
+//! @param path of the campaign, for the message
+//! @throws Error of wrong usage if there is none.
+Case case_at(const Campaign& campaign, int index, const std::string& path);
+
 //! The genes of a case with their bounds; genes outside its trait set are
 //! not free.
 GeneSpace gene_space(const Campaign& campaign, const Case& chosen);

@@ -177,6 +177,8 @@ def test_a_cross_evaluation_serves_two_campaigns(tmp_path: Path) -> None:
     assert [row[column] for row in table.rows].count("–") == 1
     (note,) = [n.text for n in notes if "not known" in n.text]
     assert note.endswith(": one: c.")
+    independent = [n.text for n in notes if "as independent" in n.text]
+    assert len(independent) == 1 and "over the elite plant" in independent[0]
 
 
 def test_plots_alone_have_a_panel_of_their_own(tmp_path: Path) -> None:

@@ -199,6 +199,15 @@ def test_a_killed_file_that_was_cut_short_says_so(
         assert history.state().missing_bytes == 1000
 
 
+def test_dimensions_without_scales_are_refused(tmp_path: Path) -> None:
+    path = tmp_path / "loose.h5"
+    MadeHistory(path).close()
+    with h5py.File(path, "r+") as file:
+        file["evaluations/loose"] = [1.0, 2.0]
+    with pytest.raises(HistoryError, match="dimensions of /evaluations have no"):
+        open_history(path)
+
+
 def test_a_missing_dataset_is_named(tmp_path: Path) -> None:
     path = tmp_path / "lacks.h5"
     MadeHistory(path, without="generations/mean").close()

@@ -12,8 +12,9 @@ import ideotype_analysis
 import numpy as np
 import pytest
 from convert import convert
-from ideotype_analysis import History, open_history
+from ideotype_analysis import History, open_history, open_study
 from ideotype_analysis.summary import summarize
+from ideotype_analysis.tables import gains
 
 SAMPLE = Path(__file__).parents[1] / "data" / "history" / "format_1_0.h5"
 
@@ -57,6 +58,13 @@ def test_both_formats_have_the_same_figures(converted: Path) -> None:
             same = ideotype_analysis.open(SAMPLE, group).variables[name]
             assert array.dims == same.dims, name
             assert np.array_equal(array.values, same.values), name
+
+
+def test_a_table_says_that_errors_are_not_paired() -> None:
+    with open_study(SAMPLE) as study:
+        notes = [block.text for block in gains(study.cases(), None)[1:]]
+    (note,) = [note for note in notes if "as independent" in note]
+    assert note.startswith("Errors of gains take baseline and best as independent")
 
 
 def test_light_per_leaf_area_follows_from_the_exact_leaf_area() -> None:

@@ -17,6 +17,7 @@ class Datasets:
     def __init__(self, path: str | Path) -> None:
         self.path = Path(path)
         self._file = open_file(path)
+        self._axes: dict[str, dict[str, tuple[str, ...]]] = {}
 
     def __reduce__(self) -> tuple[type[Datasets], tuple[Path]]:
         """Another process opens the file for itself."""
@@ -42,14 +43,15 @@ class Datasets:
 
     def axes(self, name: str) -> tuple[str, ...]:
         """Names of a dataset's dimensions, which are those of the scales
-        beside it."""
-        dataset = self._dataset(name)
-        if dataset.is_scale:
-            return (name.rsplit("/", 1)[-1],)
-        if not all(len(dimension) for dimension in dataset.dims):
-            raise HistoryError(f"{self.path}: {name} has no scales")
-        scales = (dimension[0].name for dimension in dataset.dims)
-        return tuple(scale.rsplit("/", 1)[-1] for scale in scales)
+        beside it; of a scale its own."""
+        group, _, dataset = name.rpartition("/")
+        if group not in self._axes:
+            # They never change, and to look them up takes a while.
+            self._axes[group] = self._axes_of(group)
+        try:
+            return self._axes[group][dataset]
+        except KeyError as error:
+            raise HistoryError(f"{self.path}: has no {name}") from error
 
     def units(self, name: str) -> str:
         """The unit of a dataset."""
@@ -87,6 +89,24 @@ class Datasets:
         value = np.empty(attribute.shape, attribute.dtype)
         attribute.read(value)
         return value.tobytes()
+
+    def _axes_of(self, group: str) -> dict[str, tuple[str, ...]]:
+        def address(dataset: h5py.Dataset) -> int:
+            return h5py.h5o.get_info(dataset.id).addr
+
+        try:
+            datasets = dict(self._file[group])
+            scales = {address(d): n for n, d in datasets.items() if d.is_scale}
+            return {
+                name: (name,)
+                if dataset.is_scale
+                else tuple(scales[address(axis[0])] for axis in dataset.dims)
+                for name, dataset in datasets.items()
+            }
+        except (IndexError, KeyError, OSError, RuntimeError) as error:
+            raise HistoryError(
+                f"{self.path}: dimensions of /{group} have no scales ({error})"
+            ) from error
 
     def _dataset(self, name: str) -> h5py.Dataset:
         try:

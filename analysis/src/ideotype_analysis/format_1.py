@@ -13,20 +13,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .datasets import Datasets
+from .file import HistoryError
 
-_SAME = (
-    *("status", "genome", "origin", "objectives"),
-    *("objectives_standard_error", "attempt", "seconds", "worker", "message"),
-)
-_GENERATIONS = ("committed", "diversity", "failures", "evaluations", "wall_time")
-_IN_UNIT_OF_OBJECTIVE = ("best", "best_standard_error", "mean", "spread")
-_SESSION = ("started", "host", "command", "ranks")
+_ERROR = "_standard_error"
+_SAME = {
+    **dict.fromkeys(("status", "origin", "attempt", "worker"), "1"),
+    **{"genome": "", "message": "", "seconds": "s"},
+}
+"""Datasets of rows that are as in 2.0, with their units."""
+_LIGHT, _PER_AREA = "absorbed_par", "absorbed_par_per_leaf_area"
 _PARTS = {
     **dict.fromkeys(("beam", "sky", "scattered"), ("source", "light_source")),
     **dict.fromkeys(("adaxial", "abaxial"), ("side", "leaf_side")),
 }
 """Last word of the quantity, and axis, of columns absorbed_<part>."""
-_UNITS = {"hour": "h", "layer": "m"}
+_AXIS_UNITS = {"hour": "h", "layer": "m"}
 _FIRST_WITH_PARENTS = 3
 """Origin elite; 1.0 has 0 for the parents of baseline and random plants."""
 
@@ -44,10 +45,10 @@ class _View:
 
 @dataclass
 class _Columns:
-    """Columns of a table that make up one quantity."""
+    """Columns of /diagnostics that make up one quantity."""
 
     units: str
-    axis: str | None = None
+    axis: str | None
     labels: list[Any] = field(default_factory=list)
     numbers: list[int] = field(default_factory=list)
 
@@ -58,16 +59,22 @@ class Format1(Datasets):
 
     def __init__(self, path: str | Path) -> None:
         super().__init__(path)
-        self._population = int(self.attributes()["population"])
         self._views: dict[str, _View] = {}
-        self._quantities = self._grouped()
-        self._add_genes()
-        self._add_objectives()
+        self._size = int(self.attributes()["population"])
+        self._objectives = self.texts("objectives/name")
+        self._unit = self.texts("objectives/unit")[0]
+        self._add_tables()
+        columns = self._grouped()
         for group, row in (("evaluations", "row"), ("final", "finalist")):
             self._add_rows(group, row)
-            self._add_quantities(group, row)
+            self._add_quantities(group, row, columns)
         self._add_generations()
-        self._add_lists()
+        for name in ("started", "host", "command", "ranks"):
+            units = "1" if name == "ranks" else ""
+            read = self._stored("sessions", name)
+            self._add(f"sessions/{name}", ("session",), units, read)
+        read = self._stored("messages")
+        self._add("messages/text", ("message",), "", read)
 
     def names(self, group: str) -> list[str]:
         start = f"{group}/"
@@ -97,90 +104,86 @@ class Format1(Datasets):
         self._views[name] = _View(axes, units, read)
 
     def _add_labels(
-        self, name: str, values: Sequence[Any] | NDArray, units: str = "1"
-    ) -> None:
-        """A scale, or a column beside one."""
+        self, name: str, values: Sequence[Any] | NDArray, axis: str = "",
+        units: str = "1",
+    ) -> None:  # fmt: skip
+        """A scale, or with `axis` a column beside that one."""
         labels = np.asarray(values)
-        axis = {"genes": "gene", "objectives": "objective"}.get(
-            name.split("/")[0], name.rsplit("/", 1)[-1]
-        )
+        axis = axis or name.rsplit("/", 1)[-1]
         units = "" if labels.dtype.kind == "U" else units
         self._add(name, (axis,), units, lambda first, last: labels[first:last])
 
-    def _stored(self, name: str) -> _Read:
+    def _stored(self, name: str, part: str | None = None) -> _Read:
+        """A dataset of the file, or a part of a compound one."""
         read = super().read
-        return lambda first, last: read(name, first, last)
+        if part is None:
+            return lambda first, last: read(name, first, last)
+        return lambda first, last: read(name, first, last)[part]
 
-    def _add_genes(self) -> None:
+    def _add_tables(self) -> None:
         names = [
             name.replace("_inclination", "_insertion_angle")
             for name in self.texts("traits/name")
         ]
         found = [re.fullmatch(r"leaf(\d+)_(.+)", name) for name in names]
+        traits = [m[2] if m else name for m, name in zip(found, names)]
+        leaves = [int(m[1]) if m else 0 for m in found]
         self._genes = names
         self._add_labels("genes/gene", names)
-        self._add_labels(
-            "genes/trait",
-            [m[2] if m else name for m, name in zip(found, names)],
-        )
-        self._add_labels("genes/leaf", [int(m[1]) if m else 0 for m in found])
-        self._add_labels("genes/unit", self.texts("traits/unit"))
+        self._add_labels("genes/trait", traits, "gene")
+        self._add_labels("genes/leaf", leaves, "gene")
+        self._add_labels("genes/unit", self.texts("traits/unit"), "gene")
         for name in ("lower", "upper", "is_circular", "is_free"):
-            self._add_labels(f"genes/{name}", super().read(f"traits/{name}"))
-
-    def _add_objectives(self) -> None:
-        self._objectives = self.texts("objectives/name")
-        units = self.texts("objectives/unit")
-        self._unit = units[0]
+            self._add_labels(f"genes/{name}", self.read(f"traits/{name}"), "gene")
         self._add_labels("objectives/objective", self._objectives)
-        self._add_labels("objectives/unit", units)
+        units = self.texts("objectives/unit")
+        self._add_labels("objectives/unit", units, "objective")
         senses = ["maximise"] * len(units)
-        self._add_labels("objectives/sense", senses)
+        self._add_labels("objectives/sense", senses, "objective")
 
     def _add_rows(self, group: str, row: str) -> None:
-        count = len(super().read(f"{group}/status"))
-        self._add_labels(f"{group}/{row}", np.arange(count))
+        rows = np.arange(len(self.read(f"{group}/status")))
+        self._add_labels(f"{group}/{row}", rows)
         self._add_labels(f"{group}/gene", self._genes)
         self._add_labels(f"{group}/parent", np.arange(2))
         self._add_labels(f"{group}/objective", self._objectives)
-        more = {"genome": ("gene",), "parents": ("parent",)}
-        for name in _SAME:
-            is_objective = name.startswith("objectives")
-            axes = ("objective",) if is_objective else more.get(name, ())
-            units = "s" if name == "seconds" else "1"
-            units = self._unit if is_objective else units
-            units = "" if name in ("message", "genome") else units
+        for name, units in _SAME.items():
+            axes = (row, "gene") if name == "genome" else (row,)
             path = f"{group}/{name}"
-            self._add(path, (row, *axes), units, self._stored(path))
-        self._add(
-            f"{group}/parents",
-            (row, "parent"),
-            "1",
-            lambda first, last: self._parents(group, first, last),
-        )
-        self._add(
-            f"{group}/violation",
-            (row,),
-            "1",
-            lambda first, last: self._violation(group, first, last),
-        )
+            self._add(path, axes, units, self._stored(path))
+        for end in ("", _ERROR):
+            path = f"{group}/objectives{end}"
+            read = self._stored(path)
+            self._add(path, (row, "objective"), self._unit, read)
+        parents = self._parents(group)
+        self._add(f"{group}/parents", (row, "parent"), "1", parents)
+        self._add(f"{group}/violation", (row,), "1", self._violation(group))
 
-    def _parents(self, group: str, first: int, last: int | None) -> NDArray:
-        slots = self._stored(f"{group}/parents")(first, last).astype(int)
-        origin = self._stored(f"{group}/origin")(first, last)
-        size = self._population
-        if group == "final":
-            committed = int(self.read("generations/committed").sum())
-            start = np.full(len(slots), (committed - 1) * size)
-        else:
-            start = (np.arange(first, first + len(slots)) // size - 1) * size
-        has_none = (slots < 0) | (origin < _FIRST_WITH_PARENTS)[:, None]
-        return np.where(has_none, -1, slots + start[:, None])
+    def _parents(self, group: str) -> _Read:
+        slots_of = self._stored(f"{group}/parents")
+        origin_of = self._stored(f"{group}/origin")
 
-    def _violation(self, group: str, first: int, last: int | None) -> NDArray:
-        fitness = self._stored(f"{group}/fitness")(first, last)
-        known = np.where(np.isfinite(fitness), fitness, np.nan)
-        return np.where(known < 0, -known, 0 * known)
+        def read(first: int, last: int | None) -> NDArray:
+            slots = slots_of(first, last).astype(int)
+            generation = np.arange(first, first + len(slots)) // self._size
+            if group == "final":
+                generation[:] = self.read("generations/committed").sum()
+            has_none = origin_of(first, last) < _FIRST_WITH_PARENTS
+            start = self._size * (generation - 1)[:, None]
+            is_none = (slots < 0) | has_none[:, None]
+            return np.where(is_none, -1, slots + start)
+
+        return read
+
+    def _violation(self, group: str) -> _Read:
+        fitness_of = self._stored(f"{group}/fitness")
+
+        def read(first: int, last: int | None) -> NDArray:
+            fitness = fitness_of(first, last)
+            fitness[~np.isfinite(fitness)] = np.nan
+            return np.maximum(0.0, -fitness)
+
+        return read
 
     def _grouped(self) -> dict[str, _Columns]:
         """The diagnostics by the quantities that they are part of."""
@@ -195,53 +198,48 @@ class Format1(Datasets):
             columns.numbers.append(i)
         return found
 
-    def _add_quantities(self, group: str, row: str) -> None:
-        for name, columns in self._quantities.items():
+    def _add_quantities(
+        self, group: str, row: str, found: dict[str, _Columns]
+    ) -> None:
+        for name, columns in found.items():
+            numbers = np.array(columns.numbers)
+            at: NDArray | int = int(numbers[0])
             axes: tuple[str, ...] = (row,)
-            order = np.arange(len(columns.numbers))
-            if columns.axis:
-                axes = (row, columns.axis)
-                order = _order(columns.labels)
-                labels = np.array(columns.labels)[order]
-                path = f"{group}/{columns.axis}"
-                units = _UNITS.get(columns.axis, "1")
-                self._add_labels(path, labels, units)
-            numbers = np.array(columns.numbers)[order]
-            at = numbers if columns.axis else int(numbers[0])
-            for end in ("", "_standard_error"):
+            if axis := columns.axis:
+                axes = (row, axis)
+                labels = np.array(columns.labels)
+                order = np.arange(len(labels))
+                if labels.dtype.kind != "U":
+                    order = np.argsort(labels, kind="stable")
+                at = numbers[order]
+                units = _AXIS_UNITS.get(axis, "1")
+                self._add_labels(f"{group}/{axis}", labels[order], units=units)
+            for end in ("", _ERROR):
                 read = self._columns(f"{group}/diagnostics{end}", at)
                 self._add(f"{group}/{name}{end}", axes, columns.units, read)
         for k, name in enumerate(self._objectives):
-            for end in ("", "_standard_error"):
+            for end in ("", _ERROR):
                 read = self._columns(f"{group}/objectives{end}", k)
                 self._add(f"{group}/{name}{end}", (row,), self._unit, read)
-        self._add_light_and_its_leaf_area(group, row)
+        # Of both, 1.0 has the one that is the objective.
+        had = {_LIGHT, _PER_AREA}.intersection(self._objectives)
+        if len(had) == 1 and "lai" in found:
+            for end in ("", _ERROR):
+                self._add_other(group, row, had == {_LIGHT}, end)
 
-    def _add_light_and_its_leaf_area(self, group: str, row: str) -> None:
-        """Of absorbed PAR with and without "per leaf area", 1.0 has the one
-        that is the objective; the leaf area is exact."""
-        light, per_area = "absorbed_par", "absorbed_par_per_leaf_area"
-        known = {light, per_area}.intersection(self._objectives)
-        if len(known) != 1 or "lai" not in self._quantities:
-            return
-        (had,) = known
-        lacks = per_area if had == light else light
-        for end in ("", "_standard_error"):
-            value = self._views[f"{group}/{had}{end}"].read
-            area = self._views[f"{group}/lai"].read
+    def _add_other(self, group: str, row: str, has_light: bool, end: str) -> None:
+        """Light per leaf area of light, or the other way round. The leaf area
+        is exact."""
+        known, other = (_LIGHT, _PER_AREA) if has_light else (_PER_AREA, _LIGHT)
+        value_of = self._views[f"{group}/{known}{end}"].read
+        area_of = self._views[f"{group}/lai"].read
 
-            def read(
-                first: int,
-                last: int | None,
-                value: _Read = value,
-                area: _Read = area,
-            ) -> NDArray:
-                lai = area(first, last)
-                lai = np.where(lai > 0, lai, np.nan)
-                known = value(first, last)
-                return known / lai if had == light else known * lai
+        def read(first: int, last: int | None) -> NDArray:
+            value, lai = value_of(first, last), area_of(first, last)
+            lai[lai <= 0] = np.nan
+            return value / lai if has_light else value * lai
 
-            self._add(f"{group}/{lacks}{end}", (row,), self._unit, read)
+        self._add(f"{group}/{other}{end}", (row,), self._unit, read)
 
     def _columns(self, table: str, at: int | NDArray) -> _Read:
         # Columns of a quantity stand together: one block of the file.
@@ -253,55 +251,36 @@ class Format1(Datasets):
         ]
 
     def _add_generations(self) -> None:
-        axes = ("generation",)
-
         def add(name: str, units: str, read: _Read) -> None:
-            self._add(f"generations/{name}", axes, units, read)
+            self._add(f"generations/{name}", ("generation",), units, read)
 
-        for name in _GENERATIONS:
-            units = "s" if name == "wall_time" else "1"
-            add(name, units, self._stored(f"generations/{name}"))
-        for name in _IN_UNIT_OF_OBJECTIVE:
-            add(name, self._unit, self._of_kept(f"generations/{name}"))
-        committed = self._stored("generations/committed")
-        size = self._population
-
-        def first_row(first: int, last: int | None) -> NDArray:
-            return size * np.arange(first, first + len(committed(first, last)))
+        committed_of = self._stored("generations/committed")
+        best_of = self._stored("generations/best")
+        slot_of = self._stored("generations/best_slot")
+        first_rows = self._size * np.arange(len(committed_of(0, None)))
 
         def best_row(first: int, last: int | None) -> NDArray:
-            best = first_row(first, last)
-            best += self._stored("generations/best_slot")(first, last)
-            return np.where(committed(first, last), best, -1)
+            rows = first_rows[first:last] + slot_of(first, last)
+            return np.where(committed_of(first, last), rows, -1)
 
-        count = len(committed(0, None))
-        self._add_labels("generations/generation", np.arange(count))
-        add("first_row", "1", first_row)
-        add("count", "1", lambda a, b: np.full(len(committed(a, b)), size))
-        add("best_row", "1", best_row)
-
-    def _of_kept(self, name: str) -> _Read:
-        """Of generations that have no row which keeps all constraints, 1.0
-        has the violation there, which is no objective."""
-
-        def read(first: int, last: int | None) -> NDArray:
-            best = self._stored("generations/best")(first, last)
-            values = self._stored(name)(first, last)
-            return np.where(best < 0, np.nan, values)
-
-        return read
-
-    def _add_lists(self) -> None:
-        for name in _SESSION:
-            self._add(
-                f"sessions/{name}",
-                ("session",),
-                "1" if name == "ranks" else "",
-                lambda first, last, name=name: self._stored("sessions")(
-                    first, last
-                )[name],
+        def of_objective(name: str) -> _Read:
+            """Where no row keeps all constraints, 1.0 has the violation
+            there, which is no objective."""
+            stored = self._stored(f"generations/{name}")
+            return lambda first, last: np.where(
+                best_of(first, last) < 0, np.nan, stored(first, last)
             )
-        self._add("messages/text", ("message",), "", self._stored("messages"))
+
+        for name in ("committed", "diversity", "failures", "evaluations"):
+            add(name, "1", self._stored(f"generations/{name}"))
+        add("wall_time", "s", self._stored("generations/wall_time"))
+        for name in ("best", f"best{_ERROR}", "mean", "spread"):
+            add(name, self._unit, of_objective(name))
+        counts = np.full(len(first_rows), self._size)
+        self._add_labels("generations/generation", np.arange(len(counts)))
+        self._add_labels("generations/first_row", first_rows, "generation")
+        self._add_labels("generations/count", counts, "generation")
+        add("best_row", "1", best_row)
 
 
 def _place(column: str) -> tuple[str, str | None, Any]:
@@ -319,8 +298,15 @@ def _place(column: str) -> tuple[str, str | None, Any]:
     return column, None, None
 
 
-def _order(labels: list[Any]) -> NDArray:
-    """Of numbers; words stay as they are."""
-    if isinstance(labels[0], str):
-        return np.arange(len(labels))
-    return np.argsort(labels, kind="stable")
+def open_datasets(path: str | Path) -> Datasets:
+    """A file of any format that can be read, as one of 2.0.
+
+    Raises as file.open_file()."""
+    data = Datasets(path)
+    if not str(data.attributes()["format_version"]).startswith("1."):
+        return data
+    data.close()
+    try:
+        return Format1(path)
+    except KeyError as error:
+        raise HistoryError(f"{path}: has no {error}") from error

@@ -11,9 +11,8 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
-from .datasets import Datasets
 from .file import HistoryError, missing_bytes, text, writer_of
-from .format_1 import Format1
+from .format_1 import Format1, open_datasets
 from .genes import Genes
 from .integrity import verify
 from .pair import Pair
@@ -48,12 +47,8 @@ class History:
 
     def __init__(self, path: str | Path) -> None:
         self.path = Path(path)
-        data = Datasets(path)
+        data = open_datasets(path)
         try:
-            version = str(data.attributes()["format_version"])
-            if version.startswith("1."):
-                data.close()
-                data = Format1(path)
             self.datasets = data
             self.attributes = data.attributes()
             self.population = int(self.attributes["population"])

@@ -33,7 +33,9 @@ std::size_t offset(const std::string& text, const Location& where) {
 bool replace(std::string& text, const OldName& name) {
     const std::size_t at = text.find_first_not_of(
         "\"'", std::min(offset(text, name.where), text.size()));
-    if (at == std::string::npos || text.compare(at, name.was.size(), name.was))
+    const std::size_t end = text.find_first_not_of(
+        "abcdefghijklmnopqrstuvwxyz_", std::min(at, text.size()));
+    if (at == std::string::npos || text.substr(at, end - at) != name.was)
         return false;
     text.replace(at, name.was.size(), name.is);
     return true;

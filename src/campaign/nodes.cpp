@@ -27,29 +27,12 @@ Location location(const toml::source_region& source, const std::string& file) {
 }
 
 std::string kind(const toml::node& node) {
-    switch (node.type()) {
-        case toml::node_type::table:
-            return "a table";
-        case toml::node_type::array:
-            return "a list";
-        case toml::node_type::string:
-            return "a text";
-        case toml::node_type::integer:
-            return "an integer";
-        case toml::node_type::floating_point:
-            return "a decimal number";
-        case toml::node_type::boolean:
-            return "true or false";
-        case toml::node_type::date:
-            return "a date";
-        case toml::node_type::time:
-            return "a time";
-        case toml::node_type::date_time:
-            return "a date with a time";
-        case toml::node_type::none:
-            break;
-    }
-    return "nothing";
+    // In the order of toml::node_type.
+    constexpr const char* kinds[] = {
+        "nothing",    "a table",           "a list",        "a text",
+        "an integer", "a decimal number",  "true or false", "a date",
+        "a time",     "a date with a time"};
+    return kinds[static_cast<std::size_t>(node.type())];
 }
 
 bool is_name(const std::string& text) {

@@ -85,8 +85,8 @@ class Evaluation {
 
   private:
     Mesh split(Mesh mesh) const {
-        return request_.details.faces ? with_a_group_per_face(std::move(mesh))
-                                      : mesh;
+        if (!request_.details.faces) return mesh;
+        return with_a_group_per_face(std::move(mesh));
     }
 
     void trace(const Field& field, Accuracy accuracy,

@@ -89,7 +89,7 @@ void require_few_failures(const Evolution& evolution, History& history,
 Routine<bool> evaluate_finalists(const Evolution& evolution, History& history) {
     const Population last = history.last_committed();
     std::vector<Candidate> finalists{
-        {to_genome(evolution.campaign.baseline), Origin::baseline, {}}};
+        {to_genome(evolution.campaign.baseline), Origin::baseline}};
     for (const std::uint32_t slot :
          best_distinct(last, static_cast<std::size_t>(
                                  evolution.campaign.final_rule.candidates)))

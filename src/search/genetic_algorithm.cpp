@@ -39,10 +39,10 @@ void GeneticAlgorithm::tell(Population evaluated) {
 }
 
 std::vector<Candidate> GeneticAlgorithm::first_generation() const {
-    std::vector<Candidate> candidates{{space_.baseline, Origin::baseline, {}}};
+    std::vector<Candidate> candidates{{space_.baseline, Origin::baseline}};
     const auto size = static_cast<std::uint32_t>(settings_.population);
     for (std::uint32_t slot = 1; slot < size; ++slot)
-        candidates.push_back({random_genome(slot), Origin::random, {}});
+        candidates.push_back({random_genome(slot), Origin::random});
     return candidates;
 }
 

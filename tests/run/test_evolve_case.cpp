@@ -95,6 +95,8 @@ TEST_F(EvolveCase, EndsWithEvaluatedFinalistsAndAReason) {
     const auto finalists = history.finalists();
     ASSERT_GE(finalists.size(), 2u);
     EXPECT_EQ(finalists[0].candidate.origin, Origin::baseline);
+    EXPECT_EQ(finalists[0].candidate.parents,
+              (std::array{no_parent, no_parent}));
     EXPECT_GT(finalists[1].fitness, finalists[0].fitness);
 }
 

@@ -68,7 +68,10 @@ TEST(GeneticAlgorithm, FirstGenerationIsTheBaselineAndRandomGenomes) {
     EXPECT_EQ(first[0].candidate.genome, baseline);
     EXPECT_EQ(first[0].candidate.origin, Origin::baseline);
     std::set<double> lengths;
-    for (const Individual& i : first) lengths.insert(i.candidate.genome[0]);
+    for (const Individual& i : first) {
+        lengths.insert(i.candidate.genome[0]);
+        EXPECT_EQ(i.candidate.parents, (std::array{no_parent, no_parent}));
+    }
     EXPECT_EQ(lengths.size(), 41u);
     EXPECT_EQ(first[40].candidate.origin, Origin::random);
 }

@@ -122,14 +122,14 @@ Section stop_section(StopRules& stop) {
                  "at most; also the size of a history")
                  .within(1, 1e6),
              Key("stagnation", &stop.stagnation,
-                 "generations without a better mean fitness; 0: off")
+                 "generations without a better mean; 0: off")
                  .within(0, 1e6),
              Key("evaluations", &stop.evaluations, "at most; 0: no limit")
                  .within(0, 1e12),
              duration("wall_time", stop.wall_time, 0, "\"12:00:00\"",
                       "of all sessions together; 0: no limit"),
              Key("target", &stop.target,
-                 "fitness that is enough, in the objective's unit; 0: off")
+                 "value of the objective that is enough, in its unit; 0: off")
                  .within(0, 1e9),
              Key("failed_fraction", &stop.failed_fraction,
                  "share of a generation that ends the run with an error when "

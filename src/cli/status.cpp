@@ -150,7 +150,8 @@ std::string best_of(const History& history) {
     const GenerationSummary last = history.summaries().back();
     return fmt::format("{} {} {}",
                        format({last.best, last.best_standard_error}), unit,
-                       not_evaluated_again);
+                       not_evaluated_again(
+                           history.last_committed()[last.best_slot].violation));
 }
 
 Report report_on(const std::string& path, Overview& overview) {

@@ -163,8 +163,8 @@ Population History::generation(std::uint32_t generation) const {
     Population population;
     for (const Row& row : rows(generation)) {
         const Outcome& outcome = row.outcome;
-        population.push_back({row.candidate, outcome.status, row.fitness,
-                              outcome.objectives[0].standard_error});
+        population.push_back({row.candidate, outcome.status, outcome.objectives,
+                              std::max(0.0, -row.fitness)});
     }
     return population;
 }

@@ -17,20 +17,6 @@ namespace ideotype {
 
 namespace {
 
-void add(Progress& progress, const GenerationSummary& summary) {
-    progress.mean.push_back(summary.mean);
-    progress.best.push_back(summary.best);
-    progress.evaluations += summary.evaluations;
-}
-
-Progress progress_of(const History& history) {
-    Progress progress;
-    for (const GenerationSummary& summary : history.summaries())
-        add(progress, summary);
-    progress.wall_time = history.wall_time();
-    return progress;
-}
-
 //! Evaluates what is pending of a proposed generation. Under common random
 //! numbers equal genomes have equal outcomes: they are evaluated once and
 //! copied (attempt 0). False if a stop came first.
@@ -87,12 +73,13 @@ void require_few_failures(const Evolution& evolution, History& history,
 //! Evaluates the baseline and the best distinct genomes of the last
 //! generation again; false if a stop came first.
 Routine<bool> evaluate_finalists(const Evolution& evolution, History& history) {
+    const SearchSpace space =
+        search_space(evolution.campaign, evolution.chosen);
+    const auto count =
+        static_cast<std::size_t>(evolution.campaign.final_rule.candidates);
     const Population last = history.last_committed();
-    std::vector<Candidate> finalists{
-        {to_genome(evolution.campaign.baseline), Origin::baseline}};
-    for (const std::uint32_t slot :
-         best_distinct(last, static_cast<std::size_t>(
-                                 evolution.campaign.final_rule.candidates)))
+    std::vector<Candidate> finalists{{space.baseline, Origin::baseline}};
+    for (const std::uint32_t slot : best_distinct(last, count, space.sense))
         finalists.push_back({last[slot].candidate.genome,
                              Origin::elite,
                              {static_cast<std::int32_t>(slot), no_parent}});
@@ -115,25 +102,26 @@ Routine<bool> evaluate_finalists(const Evolution& evolution, History& history) {
 
 }  // namespace
 
-std::unique_ptr<Optimizer> optimizer_of(const Campaign& campaign,
-                                        const Case& chosen) {
-    return make_optimizer(
-        campaign.search,
-        {gene_space(campaign, chosen), to_genome(campaign.baseline)},
-        chosen.seed);
+SearchSpace search_space(const Campaign& campaign, const Case& chosen) {
+    return {gene_space(campaign, chosen), to_genome(campaign.baseline),
+            Sense::maximise};
 }
 
 Routine<Ending> evolve_case(Evolution evolution, History& history) {
     const auto& [campaign, chosen, optimizer, dispatcher, watcher, elapsed] =
         evolution;
-    const GeneSpace& genes = history.header().genes;
+    const SearchSpace space = search_space(campaign, chosen);
     const double spent_before = history.wall_time();
 
-    for (std::uint32_t g = 0; g < history.next_generation(); ++g)
-        optimizer.tell(history.generation(g));
-    Progress progress = progress_of(history);
+    Progress progress{{}, spent_before};
+    for (std::uint32_t g = 0; g < history.next_generation(); ++g) {
+        const Population rows = history.generation(g);
+        optimizer.tell(rows);
+        progress.generations.push_back(
+            summarize(rows, space.genes, space.sense));
+    }
     std::optional<std::string> reason;
-    while (!(reason = finished(campaign.stop, progress))) {
+    while (!(reason = finished(campaign.stop, progress, space.sense))) {
         const std::uint32_t g = history.next_generation();
         const std::vector<Candidate> candidates = optimizer.ask();
         history.propose(g, candidates);
@@ -145,11 +133,11 @@ Routine<Ending> evolve_case(Evolution evolution, History& history) {
         const Population rows = history.generation(g);
         require_few_failures(evolution, history, g, rows);
         optimizer.tell(rows);
-        GenerationSummary summary = summarize(rows, genes);
+        GenerationSummary summary = summarize(rows, space.genes, space.sense);
         summary.wall_time = history.wall_time();
         history.commit(g, summary);
         watcher.on_generation(g, summary);
-        add(progress, summary);
+        progress.generations.push_back(summary);
         progress.wall_time = summary.wall_time;
     }
     watcher.on_final(*reason);

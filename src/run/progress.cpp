@@ -112,7 +112,7 @@ class ProgressLog::CaseWatcher : public Watcher {
         entry_.best =
             fmt::format("{} MJ m-2 day-1 {}",
                         format({summary.best, summary.best_standard_error}),
-                        not_evaluated_again);
+                        not_evaluated_again(summary.violation));
         to_evaluate_ = log_.all_after(generation + 1);
         std::string line = log_.text(entry_);
         if (summary.failures > 0)
@@ -134,6 +134,14 @@ class ProgressLog::CaseWatcher : public Watcher {
     Entry& entry_;
     long long& to_evaluate_;
 };
+
+std::string not_evaluated_again(double violation) {
+    return violation > 0 ? fmt::format(
+                               "(not evaluated again; fails its constraints by "
+                               "{:.3g})",
+                               violation)
+                         : "(not evaluated again)";
+}
 
 ProgressLog::ProgressLog(const Campaign& campaign,
                          const std::vector<Case>& chosen)

@@ -95,7 +95,8 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
         history.begin_session(session_record(options_.command, ranks_));
         const double began = now();
         const auto watcher = progress_.watch(chosen, history.next_generation());
-        const auto optimizer = optimizer_of(campaign_, chosen);
+        const auto optimizer = make_optimizer(
+            campaign_.search, search_space(campaign_, chosen), chosen.seed);
         const Evolution evolution{
             campaign_,    chosen,   *optimizer,
             *dispatcher_, *watcher, [began] { return now() - began; }};

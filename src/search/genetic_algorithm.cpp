@@ -15,8 +15,9 @@ GeneticAlgorithm::GeneticAlgorithm(const SearchSettings& settings,
 std::vector<Candidate> GeneticAlgorithm::ask() const {
     if (generation_ == 0) return first_generation();
     std::vector<Candidate> candidates;
-    for (const std::uint32_t slot : best_distinct(
-             parents_, static_cast<std::size_t>(settings_.ga.elites))) {
+    for (const std::uint32_t slot :
+         best_distinct(parents_, static_cast<std::size_t>(settings_.ga.elites),
+                       space_.sense)) {
         const auto parent = static_cast<std::int32_t>(slot);
         candidates.push_back({parents_[slot].candidate.genome,
                               Origin::elite,
@@ -90,7 +91,8 @@ std::int32_t GeneticAlgorithm::tournament(RandomStream& stream) const {
     std::uint32_t winner = stream.below(size);
     for (int i = 1; i < settings_.ga.tournament; ++i) {
         const std::uint32_t rival = stream.below(size);
-        if (is_better(parents_[rival], parents_[winner])) winner = rival;
+        if (is_better(parents_[rival], parents_[winner], space_.sense))
+            winner = rival;
     }
     return static_cast<std::int32_t>(winner);
 }

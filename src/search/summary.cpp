@@ -45,42 +45,41 @@ double relative_spread(const Gene& gene, std::vector<double> values) {
 }  // namespace
 
 GenerationSummary summarize(const Population& population,
-                            const GeneSpace& genes) {
+                            const GeneSpace& genes, Sense sense) {
     GenerationSummary summary;
     std::set<Genome> genomes;
     for (const Individual& each : population)
         genomes.insert(each.candidate.genome);
     summary.evaluations = static_cast<std::uint32_t>(genomes.size());
-    std::vector<double> fitness;
-    std::vector<std::size_t> succeeded;
-    for (std::size_t slot = 0; slot < population.size(); ++slot)
-        if (population[slot].status == Status::failed) {
-            ++summary.failures;
-        } else {
-            fitness.push_back(population[slot].fitness);
-            succeeded.push_back(slot);
-        }
+    std::vector<const Individual*> succeeded;
+    for (const Individual& each : population)
+        if (each.status != Status::failed) succeeded.push_back(&each);
+    summary.failures =
+        static_cast<std::uint32_t>(population.size() - succeeded.size());
     if (succeeded.empty()) {
         const double none = std::numeric_limits<double>::quiet_NaN();
         summary.best = summary.best_standard_error = summary.mean =
             summary.spread = summary.diversity = none;
         return summary;
     }
-    summary.best_slot = best_distinct(population, 1).front();
-    summary.best = population[summary.best_slot].fitness;
-    summary.best_standard_error = population[summary.best_slot].standard_error;
-    // Negative: how far a constraint is failed, no amount of the objective.
-    if (summary.best >= 0)
-        std::erase_if(fitness, [](double f) { return f < 0; });
-    summary.mean = mean_of(fitness);
-    summary.spread = standard_deviation(fitness, summary.mean);
+    summary.best_slot = best_distinct(population, 1, sense).front();
+    const Individual& best = population[summary.best_slot];
+    summary.best = best.objectives.front().mean;
+    summary.best_standard_error = best.objectives.front().standard_error;
+    summary.violation = best.violation;
+    std::vector<double> values;
+    for (const Individual* each : succeeded)
+        if (best.violation > 0 || each->violation == 0)
+            values.push_back(each->objectives.front().mean);
+    summary.mean = mean_of(values);
+    summary.spread = standard_deviation(values, summary.mean);
     std::vector<double> spreads;
     for (std::size_t g = 0; g < genes.size(); ++g) {
         if (!genes[g].is_free) continue;
-        std::vector<double> values;
-        for (const std::size_t slot : succeeded)
-            values.push_back(population[slot].candidate.genome[g]);
-        spreads.push_back(relative_spread(genes[g], std::move(values)));
+        std::vector<double> of_gene;
+        for (const Individual* each : succeeded)
+            of_gene.push_back(each->candidate.genome[g]);
+        spreads.push_back(relative_spread(genes[g], std::move(of_gene)));
     }
     summary.diversity = spreads.empty() ? 0 : mean_of(spreads);
     return summary;

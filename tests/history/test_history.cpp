@@ -146,9 +146,11 @@ TEST_F(HistoryTest, CommitMovesToTheNextGeneration) {
     const Population population = history->last_committed();
     ASSERT_EQ(population.size(), 4U);
     EXPECT_EQ(population[3].candidate.genome, sample_candidate(1, 3).genome);
-    EXPECT_EQ(population[3].fitness, sample_outcome(1, 3).objectives[0].mean);
-    EXPECT_EQ(population[3].standard_error,
-              sample_outcome(1, 3).objectives[0].standard_error);
+    const Estimate expected = sample_outcome(1, 3).objectives[0];
+    EXPECT_EQ(population[3].objectives[0].mean, expected.mean);
+    EXPECT_EQ(population[3].objectives[0].standard_error,
+              expected.standard_error);
+    EXPECT_EQ(population[3].violation, 0);
     ASSERT_EQ(history->summaries().size(), 2U);
     EXPECT_EQ(history->summaries()[1].best, 1.5);
     EXPECT_EQ(history->summaries()[1].best_slot, 3U);

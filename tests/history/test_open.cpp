@@ -137,8 +137,8 @@ TEST(Open, GenerationsBeforeTheCutAreSalvaged) {
                 const Outcome outcome = sample_outcome(g, slot);
                 EXPECT_EQ(one.candidate.genome,
                           sample_candidate(g, slot).genome);
-                EXPECT_EQ(one.fitness, outcome.objectives[0].mean);
-                EXPECT_EQ(one.standard_error,
+                EXPECT_EQ(one.objectives[0].mean, outcome.objectives[0].mean);
+                EXPECT_EQ(one.objectives[0].standard_error,
                           outcome.objectives[0].standard_error);
             }
         EXPECT_EQ(contents(cut), whole.substr(0, size)) << "it was changed";

@@ -85,7 +85,8 @@ void measure(Campaign campaign, double seconds, const Session& session,
     const double cpu_began = cpu_seconds();
     {
         History history = History::create(path, header);
-        const auto optimizer = optimizer_of(campaign, chosen);
+        const auto optimizer = make_optimizer(
+            campaign.search, search_space(campaign, chosen), chosen.seed);
         Once once(evolve_case({campaign, chosen, *optimizer, *dispatcher,
                                counter, [began] { return now() - began; }},
                               history));

@@ -71,7 +71,8 @@ class EvolveCase : public ::testing::Test {
     HistoryHeader header() const { return header_of(campaign, chosen, "sse2"); }
     Ending evolve(History& history, SumEvaluator& evaluator) {
         const auto dispatcher = make_dispatcher(evaluator, stop);
-        const auto optimizer = optimizer_of(campaign, chosen);
+        const auto optimizer = make_optimizer(
+            campaign.search, search_space(campaign, chosen), chosen.seed);
         Once once(evolve_case({campaign, chosen, *optimizer, *dispatcher,
                                watcher, [] { return 1.0; }},
                               history));
@@ -132,7 +133,8 @@ TEST_F(EvolveCase, LateGenerationsReadNoMoreThanEarlyOnes) {
     SumEvaluator evaluator(h.schema, stop);
     const auto dispatcher = make_dispatcher(evaluator, stop);
     ReadingWatcher reading;
-    const auto optimizer = optimizer_of(campaign, chosen);
+    const auto optimizer = make_optimizer(
+        campaign.search, search_space(campaign, chosen), chosen.seed);
     Once once(evolve_case({campaign, chosen, *optimizer, *dispatcher, reading,
                            [] { return 1.0; }},
                           history));

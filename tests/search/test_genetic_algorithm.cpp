@@ -23,11 +23,11 @@ SearchSettings small() {
     return settings;
 }
 
-//! A generation whose fitness is the first gene.
+//! A generation whose objective is the first gene.
 Population evaluated(const std::vector<Candidate>& candidates) {
     Population population;
     for (const Candidate& c : candidates)
-        population.push_back({c, Status::done, c.genome[0], 0.01});
+        population.push_back({c, Status::done, {{c.genome[0], 0.01}}});
     return population;
 }
 
@@ -161,7 +161,7 @@ TEST(GeneticAlgorithm, ElitesAreTheBestDistinctParents) {
     Population parents = first_generation();
     parents[5].candidate.genome[0] = parents[9].candidate.genome[0] = 1.09;
     parents[5].candidate.genome[1] = parents[9].candidate.genome[1] = 11;
-    parents[5].fitness = parents[9].fitness = 1.09;
+    parents[5].objectives = parents[9].objectives = {{1.09, 0}};
     const auto children = proposed(small(), 7, 1, parents);
     EXPECT_EQ(children[0].genome, parents[5].candidate.genome);
     EXPECT_EQ(children[0].parents[0], 5);
@@ -173,7 +173,7 @@ TEST(GeneticAlgorithm, ElitesAreTheBestDistinctParents) {
 TEST(GeneticAlgorithm, SelectionImprovesThePopulation) {
     const Population last = searched(40).back();
     double mean = 0;
-    for (const Individual& i : last) mean += i.fitness / 41;
+    for (const Individual& i : last) mean += i.objectives[0].mean / 41;
     EXPECT_GT(mean, 1.05);
 }
 

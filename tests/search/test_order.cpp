@@ -1,30 +1,54 @@
 #include <gtest/gtest.h>
 
 #include "ideotype/search/order.hpp"
+#include "individual.hpp"
 
 namespace ideotype {
 namespace {
 
-Individual individual(Genome genome, double fitness,
-                      Status status = Status::done) {
-    return {{std::move(genome), Origin::child, {0, 0}}, status, fitness, 0.1};
+class Order : public ::testing::TestWithParam<Sense> {};
+
+//! Worst first: a failure, violations however good the objective is, and
+//! objectives of both signs.
+Population worst_first(Sense sense) {
+    const double sign = sense == Sense::maximise ? 1 : -1;
+    return {failed_individual({0}, sign * 99),
+            individual({1}, sign * 50, 3),
+            individual({2}, sign * -50, 0.5),
+            individual({3}, sign * -7),
+            individual({4}, 0),
+            individual({5}, sign * 2)};
 }
 
-TEST(Order, AFailureIsWorseThanAnything) {
-    const Individual failed = individual({0}, 99, Status::failed);
-    const Individual poor = individual({0}, -1e9);
-    EXPECT_TRUE(is_better(poor, failed));
-    EXPECT_FALSE(is_better(failed, poor));
-    EXPECT_FALSE(is_better(failed, failed));
+TEST_P(Order, FailuresThenViolationsThenTheObjective) {
+    const Population all = worst_first(GetParam());
+    for (std::size_t a = 0; a < all.size(); ++a)
+        for (std::size_t b = 0; b < all.size(); ++b)
+            EXPECT_EQ(is_better(all[a], all[b], GetParam()), a > b)
+                << a << " " << b;
 }
 
-TEST(Order, BestDistinctSkipsDuplicatesAndFailures) {
-    const Population population{
-        individual({1}, 5), individual({2}, 7), individual({2}, 7),
-        individual({3}, 9, Status::failed), individual({4}, 6)};
-    EXPECT_EQ(best_distinct(population, 3),
-              (std::vector<std::uint32_t>{1, 4, 0}));
-    EXPECT_EQ(best_distinct(population, 9).size(), 3u);
+TEST_P(Order, EqualViolationsAreEquallyGood) {
+    const Individual a = individual({1}, 5, 0.25), b = individual({2}, 9, 0.25);
+    EXPECT_FALSE(is_better(a, b, GetParam()));
+    EXPECT_FALSE(is_better(b, a, GetParam()));
+}
+
+TEST_P(Order, BestDistinctIsBestFirstWithoutFailures) {
+    EXPECT_EQ(best_distinct(worst_first(GetParam()), 4, GetParam()),
+              (std::vector<std::uint32_t>{5, 4, 3, 2}));
+    EXPECT_EQ(best_distinct(worst_first(GetParam()), 9, GetParam()).size(), 5u);
+}
+
+INSTANTIATE_TEST_SUITE_P(BothSenses, Order,
+                         ::testing::Values(Sense::maximise, Sense::minimise));
+
+TEST(BestDistinct, SkipsDuplicatesAndKeepsTheOrderOfEquals) {
+    const Population population{individual({1}, 5), individual({2}, 7),
+                                individual({2}, 7), individual({3}, 7),
+                                individual({4}, 6)};
+    EXPECT_EQ(best_distinct(population, 3, Sense::maximise),
+              (std::vector<std::uint32_t>{1, 3, 4}));
 }
 
 }  // namespace

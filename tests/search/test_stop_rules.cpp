@@ -5,44 +5,95 @@
 namespace ideotype {
 namespace {
 
-StopRules only_generations() {
+constexpr Sense maximise = Sense::maximise, minimise = Sense::minimise;
+
+//! After generations with these means, which are their best too.
+Progress after(const std::vector<double>& means) {
+    Progress progress;
+    for (const double mean : means)
+        progress.generations.push_back({.best = mean, .mean = mean});
+    return progress;
+}
+
+//! After generations of plants that do not meet their constraints.
+Progress violating(const std::vector<double>& violations) {
+    Progress progress;
+    for (const double violation : violations)
+        progress.generations.push_back(
+            {.best = 20, .mean = 20, .violation = violation});
+    return progress;
+}
+
+StopRules only_generations(int count = 5) {
     StopRules rules;
-    rules.generations = 5;
+    rules.generations = count;
     return rules;
 }
 
 TEST(StopRules, GenerationsEndTheEvolution) {
     const StopRules rules = only_generations();
-    EXPECT_EQ(finished(rules, {{1, 1, 1, 1}, {1, 1, 1, 1}}), std::nullopt);
-    EXPECT_EQ(finished(rules, {{1, 1, 1, 1, 1}, {1, 1, 1, 1, 1}}),
-              "generations");
+    EXPECT_EQ(finished(rules, after({1, 1, 1, 1}), maximise), std::nullopt);
+    EXPECT_EQ(finished(rules, after({1, 1, 1, 1, 1}), maximise), "generations");
 }
 
 TEST(StopRules, TargetLooksAtTheLatestBest) {
     StopRules rules = only_generations();
     rules.target = 9;
-    EXPECT_EQ(finished(rules, {{1}, {8.9}}), std::nullopt);
-    EXPECT_EQ(finished(rules, {{1}, {9}}), "target");
+    EXPECT_EQ(finished(rules, after({9.1, 8.9}), maximise), std::nullopt);
+    EXPECT_EQ(finished(rules, after({9}), maximise), "target");
+    EXPECT_EQ(finished(rules, after({9.1}), maximise), "target");
+}
+
+TEST(StopRules, TargetIsReachedFromAboveWhereLessIsBetter) {
+    StopRules rules = only_generations();
+    rules.target = -2;
+    EXPECT_EQ(finished(rules, after({-1.9}), minimise), std::nullopt);
+    EXPECT_EQ(finished(rules, after({-2}), minimise), "target");
+    EXPECT_EQ(finished(rules, after({-2.1}), minimise), "target");
+}
+
+TEST(StopRules, TargetIsNotReachedByViolations) {
+    StopRules rules = only_generations();
+    rules.target = 9;
+    EXPECT_EQ(finished(rules, violating({0.1}), maximise), std::nullopt);
 }
 
 TEST(StopRules, EvaluationsAndWallTimeAreTotals) {
     StopRules rules = only_generations();
     rules.evaluations = 100;
     rules.wall_time = 60;
-    EXPECT_EQ(finished(rules, {{1}, {1}, 99, 59}), std::nullopt);
-    EXPECT_EQ(finished(rules, {{1}, {1}, 100, 59}), "evaluations");
-    EXPECT_EQ(finished(rules, {{1}, {1}, 99, 60}), "wall_time");
+    Progress progress = after({1, 1});
+    progress.generations[0].evaluations = 60;
+    progress.generations[1].evaluations = 39;
+    progress.wall_time = 59;
+    EXPECT_EQ(finished(rules, progress, maximise), std::nullopt);
+    progress.wall_time = 60;
+    EXPECT_EQ(finished(rules, progress, maximise), "wall_time");
+    progress.generations[1].evaluations = 40;
+    EXPECT_EQ(finished(rules, progress, maximise), "evaluations");
 }
 
 TEST(StopRules, StagnationNeedsThatManyGenerationsWithoutABetterMean) {
-    StopRules rules;
-    rules.generations = 100;
+    StopRules rules = only_generations(100);
     rules.stagnation = 3;
-    EXPECT_EQ(finished(rules, {{1, 2, 2, 2}, {1, 2, 2, 2}}), std::nullopt);
-    EXPECT_EQ(finished(rules, {{1, 3, 2, 2, 2}, {1, 3, 2, 2, 2}}),
+    EXPECT_EQ(finished(rules, after({1, 2, 2, 2}), maximise), std::nullopt);
+    EXPECT_EQ(finished(rules, after({1, 3, 2, 2, 2}), maximise), "stagnation");
+    EXPECT_EQ(finished(rules, after({1, 3, 2, 2, 4}), maximise), std::nullopt);
+    EXPECT_EQ(finished(rules, after({1, -3, 2, 2, -2}), minimise),
               "stagnation");
-    EXPECT_EQ(finished(rules, {{1, 3, 2, 2, 4}, {1, 3, 2, 2, 4}}),
+    EXPECT_EQ(finished(rules, after({1, -3, 2, 2, -4}), minimise),
               std::nullopt);
+}
+
+TEST(StopRules, ViolationsStagnateUnlessTheyFall) {
+    StopRules rules = only_generations(100);
+    rules.stagnation = 2;
+    EXPECT_EQ(finished(rules, violating({3, 2, 2, 2}), maximise), "stagnation");
+    EXPECT_EQ(finished(rules, violating({3, 2, 2, 1}), maximise), std::nullopt);
+    // Meeting the constraints is an improvement, whatever the mean becomes.
+    Progress progress = violating({3, 2, 2});
+    progress.generations.push_back({.best = 5, .mean = 5});
+    EXPECT_EQ(finished(rules, progress, maximise), std::nullopt);
 }
 
 }  // namespace

@@ -3,14 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "ideotype/search/summary.hpp"
+#include "individual.hpp"
 
 namespace ideotype {
 namespace {
-
-Individual individual(Genome genome, double fitness,
-                      Status status = Status::done) {
-    return {{std::move(genome), Origin::child, {0, 0}}, status, fitness, 0.1};
-}
 
 TEST(Summary, DescribesWhatDidNotFail) {
     const GeneSpace genes{{"length", "m", 0, 10, false, true},
@@ -18,8 +14,8 @@ TEST(Summary, DescribesWhatDidNotFail) {
                           {"width", "m", 0, 1, false, false}};
     const Population population{individual({2, 359, 0}, 10),
                                 individual({4, 1, 0}, 20),
-                                individual({9, 90, 0}, 99, Status::failed)};
-    const GenerationSummary s = summarize(population, genes);
+                                failed_individual({9, 90, 0}, 99)};
+    const GenerationSummary s = summarize(population, genes, Sense::maximise);
     EXPECT_EQ(s.best_slot, 1u);
     EXPECT_DOUBLE_EQ(s.best, 20);
     EXPECT_DOUBLE_EQ(s.mean, 15);
@@ -30,23 +26,46 @@ TEST(Summary, DescribesWhatDidNotFail) {
     EXPECT_NEAR(s.diversity, (0.1 + 1 / 360.) / 2, 1e-12);
 }
 
-TEST(Summary, TheMeanIsOfPlantsThatKeepToTheirConstraints) {
-    const Population mixed{individual({1}, -3), individual({2}, 4),
-                           individual({3}, 6)};
-    EXPECT_DOUBLE_EQ(summarize(mixed, {}).mean, 5);
-    const Population none{individual({1}, -3), individual({2}, -1)};
-    EXPECT_DOUBLE_EQ(summarize(none, {}).mean, -2);
+TEST(Summary, IsOfPlantsThatMeetTheirConstraintsOnceAnyDoes) {
+    const Population mixed{individual({1}, 30, 3), individual({2}, -4),
+                           individual({3}, -6)};
+    const GenerationSummary s = summarize(mixed, {}, Sense::maximise);
+    EXPECT_EQ(s.best_slot, 1u);
+    EXPECT_DOUBLE_EQ(s.best, -4);
+    EXPECT_DOUBLE_EQ(s.mean, -5);
+    EXPECT_DOUBLE_EQ(s.spread, 1);
+    EXPECT_EQ(s.violation, 0);
+}
+
+TEST(Summary, IsOfTheObjectiveAlsoWhereNoneMeetsThem) {
+    const Population none{individual({1}, 30, 3), individual({2}, 10, 1),
+                          failed_individual({3}, 99)};
+    const GenerationSummary s = summarize(none, {}, Sense::maximise);
+    EXPECT_EQ(s.best_slot, 1u);
+    EXPECT_DOUBLE_EQ(s.best, 10);
+    EXPECT_DOUBLE_EQ(s.best_standard_error, 0.1);
+    EXPECT_DOUBLE_EQ(s.mean, 20);
+    EXPECT_DOUBLE_EQ(s.spread, 10);
+    EXPECT_EQ(s.violation, 1);
+}
+
+TEST(Summary, OfAnObjectiveThatIsMinimisedHasTheSmallestAsBest) {
+    const Population population{individual({1}, 5), individual({2}, -7)};
+    const auto s = summarize(population, {}, Sense::minimise);
+    EXPECT_EQ(s.best_slot, 1u);
+    EXPECT_DOUBLE_EQ(s.best, -7);
+    EXPECT_DOUBLE_EQ(s.mean, -1);
 }
 
 TEST(Summary, CountsDuplicatesOnce) {
     const Population population{individual({1}, 5), individual({2}, 7),
                                 individual({1}, 5)};
-    EXPECT_EQ(summarize(population, {}).evaluations, 2u);
+    EXPECT_EQ(summarize(population, {}, Sense::maximise).evaluations, 2u);
 }
 
 TEST(Summary, OfNothingButFailuresIsNotANumber) {
     const GenerationSummary s =
-        summarize({individual({1}, 1, Status::failed)}, {});
+        summarize({failed_individual({1}, 1)}, {}, Sense::maximise);
     EXPECT_TRUE(std::isnan(s.best));
     EXPECT_EQ(s.failures, 1u);
 }

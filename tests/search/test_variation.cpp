@@ -87,7 +87,8 @@ std::vector<Candidate> children(const Gene& gene, GaSettings ga,
                                {{gene}, {parents[0]}}, 7);
     Population population;
     for (const double parent : parents)
-        population.push_back({{{parent}, Origin::random, {}}, Status::done, 1});
+        population.push_back(
+            {{{parent}, Origin::random}, Status::done, {{1, 0}}});
     optimizer.tell(std::move(population));
     return optimizer.ask();
 }

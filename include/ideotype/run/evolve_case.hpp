@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <string>
 
 #include "ideotype/campaign/campaign.hpp"
@@ -37,9 +36,8 @@ class Watcher {
     virtual void on_final(const std::string& reason) = 0;
 };
 
-//! The optimizer of a case, before its first generation.
-std::unique_ptr<Optimizer> optimizer_of(const Campaign& campaign,
-                                        const Case& chosen);
+//! What is searched in a case.
+SearchSpace search_space(const Campaign& campaign, const Case& chosen);
 
 //! What an evolution works with; all must outlive it.
 struct Evolution {

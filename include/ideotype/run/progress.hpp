@@ -81,7 +81,8 @@ class LiveLine {
 
 //! What is said of the best of a generation: it was chosen by the same figure,
 //! which is too high on average for that.
-inline constexpr const char* not_evaluated_again = "(not evaluated again)";
+//! @param violation of its constraints
+std::string not_evaluated_again(double violation);
 
 //! "12.345 +- 0.006": as many digits as the standard error allows.
 std::string format(Estimate x);

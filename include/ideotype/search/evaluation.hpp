@@ -40,6 +40,9 @@ enum class Origin : std::uint8_t {
     child = 4,
 };
 
+//! Which values of an objective are better.
+enum class Sense { maximise, minimise };
+
 //! A column of an outcome.
 struct Quantity {
     std::string name;
@@ -48,7 +51,7 @@ struct Quantity {
 
 //! What an evaluation returns, in order; the same for all rows of a history.
 struct OutcomeSchema {
-    std::vector<Quantity> objectives;  //!< larger is better
+    std::vector<Quantity> objectives;
     std::vector<Quantity> diagnostics;
 };
 

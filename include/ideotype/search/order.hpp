@@ -7,12 +7,20 @@
 
 namespace ideotype {
 
-//! A higher fitness is better; a failed individual is worse than any other.
-bool is_better(const Individual& a, const Individual& b);
+//! Compares values of an objective.
+bool is_better(double a, double b, Sense sense);
+
+//! The feasibility rule of Deb 2000 (doi:10.1016/S0045-7825(99)00389-8),
+//! without weights to tune: a failed individual is worse than any other; of
+//! those that violate constraints the one with the smaller violation is better;
+//! one that violates none is better than they are; of those that violate none,
+//! objective 0 decides.
+//! @param sense of objective 0
+bool is_better(const Individual& a, const Individual& b, Sense sense);
 
 //! Slots of the best individuals that did not fail, best first, each genome
 //! once; fewer than `count` if there are not so many. Equals keep their order.
 std::vector<std::uint32_t> best_distinct(const Population& population,
-                                         std::size_t count);
+                                         std::size_t count, Sense sense);
 
 }  // namespace ideotype

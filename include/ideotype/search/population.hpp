@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "ideotype/search/evaluation.hpp"
@@ -27,9 +26,9 @@ struct Candidate {
 struct Individual {
     Candidate candidate;
     Status status = Status::failed;
-    //! What selection compares, larger is better; -infinity if failed.
-    double fitness = -std::numeric_limits<double>::infinity();
-    double standard_error = 0;  //!< of the fitness
+    std::vector<Estimate> objectives;  //!< may be negative
+    //! How far the constraints are failed; 0 if all are met.
+    double violation = 0;
 };
 
 //! One generation, by slot.

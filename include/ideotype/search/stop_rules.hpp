@@ -4,30 +4,33 @@
 #include <string>
 #include <vector>
 
+#include "ideotype/search/summary.hpp"
+
 namespace ideotype {
 
 //! When a case has evolved enough. Zero switches a rule off.
 struct StopRules {
     int generations = 200;
-    int stagnation = 0;         //!< generations without a better mean fitness
-    long long evaluations = 0;  //!< rows that were evaluated
-    double wall_time = 0;       //!< of all sessions together [s]
-    double target = 0;          //!< best fitness, in the objective's unit
+    int stagnation = 0;            //!< generations without a better mean
+    long long evaluations = 0;     //!< rows that were evaluated
+    double wall_time = 0;          //!< of all sessions together [s]
+    double target = 0;             //!< of the best, in the objective's unit
     double failed_fraction = 0.5;  //!< of one generation: ends with an error
 };
 
 //! What the stop rules look at, after some committed generations.
 struct Progress {
-    std::vector<double> mean;  //!< mean fitness per generation
-    std::vector<double> best;  //!< best fitness per generation
-    long long evaluations = 0;
+    std::vector<GenerationSummary> generations;
     double wall_time = 0;  //!< [s]
 };
 
 //! The name of the first rule that ends the evolution: "generations",
 //! "stagnation", "evaluations", "wall_time" or "target". Stagnation looks at
-//! the mean fitness, because the best of a generation is partly luck.
+//! the mean of objective 0, because the best of a generation is partly luck;
+//! where no plant meets all constraints, at the smallest violation. Only a
+//! plant that meets them reaches the target.
+//! @param sense of objective 0
 std::optional<std::string> finished(const StopRules& rules,
-                                    const Progress& progress);
+                                    const Progress& progress, Sense sense);
 
 }  // namespace ideotype

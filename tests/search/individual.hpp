@@ -1,0 +1,23 @@
+#pragma once
+
+#include <utility>
+
+#include "ideotype/search/population.hpp"
+
+namespace ideotype {
+
+//! An individual with one objective.
+inline Individual individual(Genome genome, double objective,
+                             double violation = 0,
+                             Status status = Status::done) {
+    return {{std::move(genome), Origin::child, {0, 0}},
+            status,
+            {{objective, 0.1}},
+            violation};
+}
+
+inline Individual failed_individual(Genome genome, double objective) {
+    return individual(std::move(genome), objective, 0, Status::failed);
+}
+
+}  // namespace ideotype

@@ -59,19 +59,18 @@ CASE_FIGURES: dict[str, tuple[Callable[[Case], Figure], str]] = {
         draw_sensitivity,
         "Which traits matter. Coefficients of a linear regression of the "
         "objective on all free traits over all evaluated plants, each in its "
-        "standard deviations and less the means of its seed; azimuths enter as cosine and sine and show the "
-        "length of both coefficients. Hatched are traits that have no effect "
-        "of their own: their variance inflation is above 10, since they go "
-        "together with others, or the fittest hold them at a bound that the "
-        "coefficient points away from. Bred plants are relatives, not a "
+        "standard deviations and less the mean of its seed; azimuths enter as "
+        "cosine and sine and show the length of both coefficients. Hatched "
+        "are traits that have no effect of their own: their variance inflation "
+        "is above 10, since they go together with others, or the fittest hold "
+        "them at a bound that the coefficient points away from. Bred plants are relatives, not a "
         "random sample: read it as a ranking within this evolution.",
     ),
     "correlation": (
         draw_correlation,
         "Which traits go together. Spearman's rank correlation over all "
         "evaluated plants, less the means of their seeds, azimuths as cosine "
-        "and sine; what evolution fixes "
-        "together correlates too.",
+        "and sine; what evolution fixes together correlates too.",
     ),
 }
 """What draws a figure of a case, and its caption."""

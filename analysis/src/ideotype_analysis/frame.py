@@ -36,11 +36,12 @@ _PLACE_UNITS = {
 
 
 def frame_of(histories: Sequence[History]) -> pandas.DataFrame:
-    """One row per complete evaluation. Columns: the place (PLACE), row, generation,
-    slot, status, origin, seconds, worker, violation, then quantities by
-    their names, of those with an axis one column for each label, such as
-    "absorbed_by_leaf 3", with <name>_standard_error after it, and genes.
-    Histories without a column have NaN there."""
+    """One row per complete evaluation. Columns: the place (PLACE), row,
+    generation, slot, status, origin, seconds, worker, violation, then
+    quantities by their names, of those with an axis one column for each
+    label, such as "absorbed_by_leaf 3", each with its standard error as
+    <name>_standard_error, and genes. Histories without a column have NaN
+    there."""
     units: dict[str, str] = {}
     parts = [_part(history, units) for history in histories]
     frame = pandas.concat(parts, ignore_index=True)

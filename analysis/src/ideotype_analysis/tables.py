@@ -157,8 +157,8 @@ def _case_remarks(case: Case, cross: Cross | None) -> Iterator[str]:
         return
     if not all(pair.is_paired for pair in case.pairs):
         yield (
-            "Errors of gains take baseline and best as independent, which is "
-            "an upper bound, since the history has no randomisations that "
+            "Errors of gains take baseline and best as independent and are "
+            "mostly too large, since the history has no randomisations that "
             "both share"
         )
     if not case.is_final:

@@ -69,15 +69,14 @@ GeneSpace gene_space(const Campaign& campaign, const Case& chosen) {
         const std::string leaf = fmt::format("leaf{:02}_", ++rank);
         const auto add = [&](const std::string& trait, const std::string& unit,
                              Range range, bool is_free) {
-            genes.push_back(
-                {leaf + trait, unit, range.lower, range.upper, false, is_free});
+            genes.push_back({leaf + trait, unit, range.lower, range.upper,
+                             trait == "azimuth", is_free, trait, rank});
         };
         add("length", "m", bounds.length, free.length);
         add("width", "m", bounds.width, free.width);
         add("insertion_angle", "deg", bounds.insertion_angle,
             free.insertion_angle);
         add("azimuth", "deg", {0, 360}, free.azimuth);
-        genes.back().is_circular = true;
     }
     return genes;
 }

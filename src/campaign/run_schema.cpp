@@ -66,7 +66,7 @@ Section light_section(Campaign& campaign) {
 
 Section objective_section(Campaign& campaign) {
     return {"objective",
-            {Key("maximise", choice(campaign.objective),
+            {Key("maximise", &campaign.objective,
                  "light that leaves absorb in a day, per area of ground or of "
                  "leaf")
                  .one_of({"absorbed_par", "absorbed_par_per_leaf_area"})}};

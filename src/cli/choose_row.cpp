@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/campaign/migration.hpp"
 #include "ideotype/run/summary.hpp"
 
 namespace ideotype {
@@ -21,7 +22,9 @@ Case case_of(const History& history, const Campaign& campaign) {
 
 Row best_row(const History& history, Task& task) {
     const std::vector<Row> finalists = history.finalists();
-    if (const std::size_t best = best_finalist(finalists); best > 0) {
+    if (const std::size_t best = best_finalist(
+            finalists, history.header().schema.objectives.front().sense);
+        best > 0) {
         task.is_final = true;
         task.slot = static_cast<std::uint32_t>(best);
         return finalists[best];
@@ -40,18 +43,23 @@ Row row_of(const History& history, const RowChoice& choice, Task& task) {
         throw Error("say which plant: --best, or --generation G --slot S",
                     ExitCode::usage);
     const HistoryHeader& header = history.header();
-    if (*choice.generation >= static_cast<std::uint32_t>(header.generations) ||
-        *choice.slot >= static_cast<std::uint32_t>(header.population))
-        throw Error(fmt::format("there is no generation {} slot {}: this "
-                                "history has generations 0 to {} of slots 0 "
-                                "to {}",
-                                *choice.generation, *choice.slot,
-                                header.generations - 1, header.population - 1),
+    const auto most = static_cast<std::uint32_t>(header.generations);
+    if (*choice.generation >= most)
+        throw Error(fmt::format("there is no generation {}: this history has "
+                                "generations 0 to {}",
+                                *choice.generation, most - 1),
                     ExitCode::usage);
+    const std::uint32_t slots = history.size(*choice.generation);
+    if (slots > 0 && *choice.slot >= slots)
+        throw Error(
+            fmt::format("there is no slot {}: generation {} has slots 0 to {}",
+                        *choice.slot, *choice.generation, slots - 1),
+            ExitCode::usage);
     task.generation = *choice.generation;
     task.slot = *choice.slot;
-    Row row = history.row(task.generation, task.slot);
-    if (row.candidate.genome.empty() || row.candidate.origin == Origin::none)
+    Row row;
+    if (slots > 0) row = history.row(task.generation, task.slot);
+    if (row.candidate.origin == Origin::none)
         throw Error(fmt::format("generation {} slot {} has not been bred yet",
                                 task.generation, task.slot),
                     ExitCode::usage);
@@ -64,10 +72,13 @@ ChosenRow choose_row(const std::string& path, const RowChoice& choice) {
     const History history = History::read(path);
     const HistoryHeader& header = history.header();
     ChosenRow result;
-    result.campaign = parse_campaign(header.campaign_resolved, path);
+    result.campaign =
+        parse_campaign(migrated(header.campaign_resolved, path).text, path);
     result.chosen = case_of(history, result.campaign);
     result.task.case_index = static_cast<std::uint32_t>(result.chosen.index);
     result.row = row_of(history, choice, result.task);
+    result.schema =
+        result.task.is_final ? header.final_schema() : header.schema;
     result.isa = header.text.at("isa");
     return result;
 }

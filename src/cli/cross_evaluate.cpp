@@ -60,7 +60,7 @@ struct Cross {
     Campaign under;
     std::vector<NamedPlant> plants;
     std::vector<Column> columns;
-    Quantity quantity;
+    OutcomeSchema schema;  //!< objectives alone
 
     std::size_t size() const { return plants.size() * columns.size(); }
 };
@@ -70,9 +70,9 @@ Cross read(const CrossOptions& options) {
     for (const std::string& path : options.plants)
         cross.plants.push_back(named_plant(path));
     cross.columns = columns(cross.under);
-    cross.quantity =
-        outcome_schema(cross.under, cross.columns[0].scenario.light.day)
-            .objectives.front();
+    cross.schema = outcome_schema(cross.under, cross.columns[0].chosen,
+                                  cross.under.final_rule.sampling);
+    cross.schema.measured = {};
     return cross;
 }
 
@@ -80,9 +80,11 @@ Cross read(const CrossOptions& options) {
 class CrossEvaluator : public Evaluator {
   public:
     CrossEvaluator(const Cross& cross, const std::string& isa)
-        : cross_(cross), device_(isa), schema_{{cross.quantity}, {}} {}
+        : cross_(cross), device_(isa) {}
 
-    const OutcomeSchema& schema(const Task&) const override { return schema_; }
+    const OutcomeSchema& schema(const Task&) const override {
+        return cross_.schema;
+    }
 
     Outcome evaluate(const Task& task, const Genome& genome) override {
         const Column& column = cross_.columns.at(task.generation);
@@ -94,14 +96,13 @@ class CrossEvaluator : public Evaluator {
         std::get<Plant>(request.stand).form = cross_.plants.at(task.slot).form;
         Outcome outcome = to_outcome(cross_.under, genome,
                                      ideotype::evaluate(request, device_));
-        outcome.diagnostics.clear();
+        outcome.quantities.clear();
         return outcome;
     }
 
   private:
     const Cross& cross_;
     Device device_;
-    OutcomeSchema schema_;
 };
 
 //! A column per case, a row per plant.
@@ -110,7 +111,7 @@ class Matrix : public Director {
     explicit Matrix(const Cross& cross)
         : cross_(cross),
           rows_(cross.plants.size(),
-                std::vector<Estimate>(cross.columns.size())) {}
+                std::vector<Outcome>(cross.columns.size())) {}
 
     //! @throws Error if one cannot be evaluated, or a stop is requested.
     void fill(Dispatcher& dispatcher) {
@@ -134,33 +135,38 @@ class Matrix : public Director {
     void on_stop(int) override {}
 
     Json json() const {
-        const Quantity& quantity = cross_.quantity;
-        Json json{{"objective", quantity.name}, {"unit", quantity.unit}};
+        const Objective& objective = cross_.schema.objectives.front();
+        Json json{{"objective", objective.name}, {"unit", objective.unit}};
         for (const NamedPlant& plant : cross_.plants)
             json["plants"].push_back(plant.name);
         for (const Column& column : cross_.columns)
             json["cases"].push_back(light_name(column.chosen));
         for (const auto& row : rows_) {
-            Json means = Json::array(), errors = Json::array();
-            for (const Estimate& x : row) {
-                means.push_back(x.mean);
-                errors.push_back(x.standard_error);
+            Json means = Json::array(), errors = Json::array(),
+                 randomisations = Json::array();
+            for (const Outcome& outcome : row) {
+                means.push_back(outcome.objectives.front().mean);
+                errors.push_back(outcome.objectives.front().standard_error);
+                randomisations.push_back(outcome.randomisations);
             }
             json["mean"].push_back(means);
             json["standard_error"].push_back(errors);
+            // Common to all plants of a case: differences are paired.
+            json["by_randomisation"].push_back(randomisations);
         }
         return json;
     }
 
     void print() const {
-        const auto& [under, plants, columns, quantity] = cross_;
-        fmt::print("{} [{}] of each plant in each case\n", quantity.name,
-                   quantity.unit);
+        const auto& [under, plants, columns, schema] = cross_;
+        fmt::print("{} [{}] of each plant in each case\n",
+                   schema.objectives.front().name,
+                   schema.objectives.front().unit);
         for (std::size_t c = 0; c < columns.size(); ++c) {
             fmt::print("\n{}\n", light_name(columns[c].chosen));
             for (std::size_t p = 0; p < plants.size(); ++p)
                 fmt::print("  {:<50} {:>24}\n", plants[p].name,
-                           format(rows_[p][c]));
+                           format(rows_[p][c].objectives.front()));
         }
     }
 
@@ -189,12 +195,12 @@ class Matrix : public Director {
                 fmt::format("{} in {}: {}", cross_.plants[task.slot].name,
                             light_name(cross_.columns[task.generation].chosen),
                             outcome.message));
-        rows_[task.slot][task.generation] = outcome.objectives.front();
+        rows_[task.slot][task.generation] = outcome;
         live_.show(fmt::format("{} of {} evaluated", ++done_, cross_.size()));
     }
 
     const Cross& cross_;
-    std::vector<std::vector<Estimate>> rows_;  //!< by plant, then by case
+    std::vector<std::vector<Outcome>> rows_;  //!< by plant, then by case
     std::size_t done_ = 0;
     LiveLine live_;
     Dispatcher* dispatcher_ = nullptr;  //!< while filling

@@ -147,7 +147,7 @@ void declare_migrate(CLI::App& verb, std::string& path) {
         ->required();
 }
 
-void declare_pack(CLI::App& verb, std::vector<std::string>& paths) {
+void declare_files(CLI::App& verb, std::vector<std::string>& paths) {
     verb.add_option("files", paths, "histories")->required();
 }
 
@@ -196,9 +196,13 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
         "give a campaign of an earlier version, and the plant file that it "
         "names, the names of this version; the rest of the text stays",
         declare_migrate, migrate);
+    add("verify",
+        "compare all of histories with their checksums, also while they are "
+        "written",
+        declare_files, verify);
     add("pack",
-        "compress finished histories; each is checked before it is replaced",
-        declare_pack, pack);
+        "compress finished histories; each is verified before and after",
+        declare_files, pack);
 }
 
 }  // namespace ideotype

@@ -39,6 +39,31 @@ bool same_bits(const std::vector<Estimate>& a, const std::vector<Estimate>& b) {
     return true;
 }
 
+//! Whether all that is stored of a row is found again. An older format may
+//! lack quantities, or have some that are computed no more.
+bool agrees_with(const ChosenRow& which, const Outcome& again) {
+    const OutcomeSchema now = outcome_schema(which.campaign, which.chosen, {});
+    const Outcome& was = which.row.outcome;
+    if (was.status != Status::done ||
+        !same_bits(again.objectives, was.objectives))
+        return false;
+    const auto values = [](const OutcomeSchema& schema, const Outcome& outcome,
+                           const Quantity& quantity) {
+        const auto from =
+            outcome.quantities.begin() +
+            static_cast<std::ptrdiff_t>(schema.measured.offset(quantity.name));
+        return std::vector<Estimate>(
+            from,
+            from + static_cast<std::ptrdiff_t>(schema.measured.size(quantity)));
+    };
+    for (const Quantity& each : now.measured.quantities)
+        if (which.schema.measured.has(each.name) &&
+            !same_bits(values(now, again, each),
+                       values(which.schema, was, each)))
+            return false;
+    return true;
+}
+
 struct Study {
     CanopyReport report;
     double seconds;
@@ -95,13 +120,11 @@ Json to_json(const Task& task, const Row& row) {
 
 //! Recomputes a row, and compares every bit.
 ExitCode repeat_row(const ChosenRow& which, bool is_json) {
-    const auto& [campaign, chosen, task, row, isa] = which;
+    const auto& [campaign, chosen, task, row, schema, isa] = which;
     const auto [report, seconds] = timed_study(request_of(which), isa);
     const Outcome again = to_outcome(campaign, row.candidate.genome, report);
     const bool is_done = row.outcome.status == Status::done;
-    const bool agrees = is_done &&
-                        same_bits(again.objectives, row.outcome.objectives) &&
-                        same_bits(again.diagnostics, row.outcome.diagnostics);
+    const bool agrees = agrees_with(which, again);
     if (is_json) {
         Json json = to_json(report, chosen, seconds);
         json["row"] = to_json(task, row);
@@ -121,7 +144,7 @@ ExitCode repeat_row(const ChosenRow& which, bool is_json) {
 //! to tell what its error was.
 ExitCode evaluate_row_again(const ChosenRow& which, double tolerance,
                             bool is_json) {
-    const auto& [campaign, chosen, task, row, isa] = which;
+    const auto& [campaign, chosen, task, row, schema, isa] = which;
     if (task.is_final || row.outcome.status != Status::done)
         throw Error(
             fmt::format("evaluate: {} {}; --tolerance is for rows "

@@ -91,7 +91,7 @@ void write_shape(const ExportOptions& options, const ChosenRow& row,
 
 ExitCode export_plant(const ExportOptions& options) {
     const ChosenRow row = choose_row(options.path, options.row);
-    const auto& [campaign, chosen, task, found, isa] = row;
+    const auto& [campaign, chosen, task, found, schema, isa] = row;
     const Genome& genome = found.candidate.genome;
     const std::string title = fmt::format(
         "ideotype {} {} slot {}", chosen.name,

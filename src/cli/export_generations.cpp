@@ -1,7 +1,4 @@
-#include <algorithm>
 #include <array>
-#include <cctype>
-#include <cstring>
 #include <filesystem>
 #include <sstream>
 
@@ -29,57 +26,69 @@ std::string suffix(const std::string& unit) {
     return text;
 }
 
-//! Whether a diagnostic is one number of a plant: profiles by leaf, layer and
-//! hour are in the history.
-bool is_scalar(const std::string& name) {
-    for (const char* profile : {"_leaf", "_layer_", "_hour_"}) {
-        const std::size_t at = name.find(profile);
-        if (at != std::string::npos &&
-            std::isdigit(static_cast<unsigned char>(
-                name[std::min(at + std::strlen(profile), name.size())])))
-            return false;
-    }
-    return true;
-}
-
 const char* origin_name(Origin origin) {
     constexpr std::array names{"none", "baseline", "random", "elite", "child"};
     return names.at(static_cast<std::size_t>(origin));
 }
 
+//! A column of single numbers.
+struct Column {
+    std::string name, unit;
+    Certainty certainty;
+    std::size_t place;  //!< among the numbers of all quantities
+};
+
+//! Single numbers, and those along axes of names; profiles by leaf, layer and
+//! hour are in the history.
+std::vector<Column> columns_of(const QuantitySet& measured) {
+    std::vector<Column> columns;
+    for (const Quantity& each : measured.quantities) {
+        const std::size_t first = measured.offset(each.name);
+        const auto add = [&](const std::string& end, std::size_t i) {
+            columns.push_back({each.name + end, suffix(each.unit),
+                               each.certainty, first + i});
+        };
+        if (each.axes.empty()) {
+            add("", 0);
+        } else if (const auto* names = std::get_if<std::vector<std::string>>(
+                       &measured.axis(each.axes[0]).coordinates);
+                   names && each.axes.size() == 1) {
+            for (std::size_t i = 0; i < names->size(); ++i)
+                add('_' + (*names)[i], i);
+        }
+    }
+    return columns;
+}
+
 void write_head(fmt::ostream& out, const HistoryHeader& header) {
-    out.print("generation,slot,status,origin,parent_1,parent_2,fitness{}",
-              suffix(header.schema.objectives.front().unit));
-    const auto print = [&](const std::vector<Quantity>& quantities) {
-        for (const auto& [name, unit] : quantities)
-            if (is_scalar(name))
-                out.print(",{0}{1},{0}_standard_error{1}", name, suffix(unit));
-    };
-    print(header.schema.objectives);
-    print(header.schema.diagnostics);
+    out.print("generation,slot,status,origin,parent_1,parent_2,violation");
+    for (const auto& [name, unit, certainty, place] :
+         columns_of(header.schema.measured)) {
+        out.print(",{}{}", name, unit);
+        if (certainty == Certainty::estimated)
+            out.print(",{}_standard_error{}", name, unit);
+    }
     for (const Gene& gene : header.genes)
         out.print(",{}{}", gene.name, suffix(gene.unit));
     out.print("\n");
 }
 
-void write_estimates(fmt::ostream& out, const std::vector<Quantity>& quantities,
-                     const std::vector<Estimate>& estimates) {
-    for (std::size_t i = 0; i < quantities.size(); ++i)
-        if (is_scalar(quantities[i].name))
-            out.print(",{},{}", estimates[i].mean, estimates[i].standard_error);
-}
-
 void write_rows(fmt::ostream& out, std::uint32_t generation,
-                const OutcomeSchema& schema, const std::vector<Row>& rows) {
+                const std::vector<Column>& columns,
+                const std::vector<Row>& rows) {
     for (std::size_t slot = 0; slot < rows.size(); ++slot) {
-        const auto& [candidate, outcome, fitness, attempt] = rows[slot];
+        const auto& [candidate, outcome, attempt] = rows[slot];
         // The shortest digits that give the same number again.
         out.print("{},{},{},{},{},{},{}", generation, slot,
                   outcome.status == Status::done ? "done" : "failed",
                   origin_name(candidate.origin), candidate.parents[0],
-                  candidate.parents[1], fitness);
-        write_estimates(out, schema.objectives, outcome.objectives);
-        write_estimates(out, schema.diagnostics, outcome.diagnostics);
+                  candidate.parents[1], outcome.violation);
+        for (const Column& each : columns) {
+            const Estimate value = outcome.quantities.at(each.place);
+            out.print(",{}", value.mean);
+            if (each.certainty == Certainty::estimated)
+                out.print(",{}", value.standard_error);
+        }
         for (const double gene : candidate.genome) out.print(",{}", gene);
         out.print("\n");
     }
@@ -100,8 +109,9 @@ ExitCode export_generations(const ExportOptions& options) {
         throw Error(options.path + ": no complete generation can be read");
     auto out = fmt::output_file(options.to);
     write_head(out, history.header());
+    const auto columns = columns_of(history.header().schema.measured);
     for (std::uint32_t g = 0; g < count; ++g)
-        write_rows(out, g, history.header().schema, history.rows(g));
+        write_rows(out, g, columns, history.rows(g));
     out.close();
     if (history.missing_bytes() > 0)
         fmt::print(stderr,

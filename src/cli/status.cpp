@@ -142,7 +142,8 @@ Report report_remains(const std::string& path, const History& history) {
 std::string best_of(const History& history) {
     const std::string unit = history.header().schema.objectives.front().unit;
     const std::vector<Row> finalists = history.finalists();
-    const std::size_t slot = best_finalist(finalists);
+    const std::size_t slot = best_finalist(
+        finalists, history.header().schema.objectives.front().sense);
     if (slot > 0 && history.finished())
         return fmt::format("{} {} (evaluated again)",
                            format(finalists[slot].outcome.objectives.front()),

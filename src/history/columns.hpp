@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,66 +15,77 @@ inline bool is_recorded(Status status) {
     return status == Status::done || status == Status::failed;
 }
 
-//! The shape of a group of rows.
-struct ColumnsForm {
+Axis gene_axis(const GeneSpace& genes);
+Axis objective_axis(const std::vector<Objective>& objectives);
+
+//! The shape of a table of rows.
+struct TableForm {
     std::string group;  //!< "evaluations" or "final"
-    hsize_t rows = 0;
+    Axis rows;
     Room room = Room::at_once;  //!< of all columns but the status
-    std::string row_label;
+    bool has_checksums = false;
 };
 
-//! Candidates and their outcomes, one dataset per column. What a row holds is
+//! Candidates and their outcomes, one dataset per quantity. What a row holds is
 //! decided by its status alone, which is written last and read first.
 class Columns {
   public:
-    //! Creates the group; /traits, /objectives and /diagnostics exist.
-    static void create(hid_t file, const HistoryHeader& header,
-                       const ColumnsForm& form);
+    //! Creates the group with its axes.
+    static void create(hid_t file, const GeneSpace& genes,
+                       const OutcomeSchema& schema, const TableForm& form);
 
-    Columns(hid_t file, const std::string& group);
+    //! What is measured, and in how many randomisations; no objectives.
+    static OutcomeSchema read_schema(hid_t file, const std::string& group);
+
+    Columns(hid_t file, const std::string& group, const OutcomeSchema& schema);
 
     hsize_t rows() const { return status_.rows(); }
 
-    //! Leading rows of which candidate, fitness and objectives lie before this
-    //! position in the file.
-    hsize_t rows_before(haddr_t end) const;
+    //! From now on only what lies before this position in the file is there;
+    //! other numbers are NaN.
+    void cut(haddr_t end);
 
-    //! Leading rows of which the diagnostics do too.
-    hsize_t diagnostics_before(haddr_t end) const;
+    //! Leading rows of which candidate, objectives and violation are there.
+    hsize_t intact_rows() const { return intact_rows_; }
 
     std::vector<Status> statuses(hsize_t first, hsize_t count) const;
 
     //! Rows with NaN in everything that their status does not vouch for.
-    std::vector<Row> read(hsize_t first, hsize_t count) const;
+    //! @param parents row of /evaluations that parents are counted from
+    std::vector<Row> read(hsize_t first, hsize_t count, hsize_t parents) const;
 
     //! Everything of candidates but their status; no outcome is known then.
-    void write(hsize_t first, const std::vector<Candidate>& candidates);
+    void write(hsize_t first, const std::vector<Candidate>& candidates,
+               hsize_t parents);
 
-    //! Everything of an outcome but its status. Numbers of a failed one are
-    //! stored as NaN, whatever they are.
-    void write(hsize_t row, const Outcome& outcome, double fitness,
-               std::uint32_t attempt);
+    //! Everything of the outcomes of some rows but their status. Numbers of
+    //! failed ones are stored as NaN, whatever they are.
+    void write_outcomes(hsize_t first, const std::vector<Row>& rows);
 
     void set_statuses(hsize_t first, const std::vector<Status>& statuses);
 
-  private:
-    std::vector<Candidate> candidates(hsize_t first, hsize_t count) const;
-    Row unknown_row() const;
-    void clear_outcomes(hsize_t first, std::size_t count);
+    //! Of one row each; "" if the table has none.
+    std::string checksum(hsize_t row) const;
+    void set_checksum(hsize_t row, const std::string& checksum);
 
+  private:
+    std::vector<Candidate> candidates(hsize_t first, hsize_t count,
+                                      hsize_t parents) const;
+    std::vector<Outcome> outcomes(hsize_t first, hsize_t count) const;
+
+    OutcomeSchema schema_;
     Dataset status_;
     Dataset genome_;
     Dataset origin_;
     Dataset parents_;
-    Dataset objectives_;
-    Dataset objectives_error_;
-    Dataset diagnostics_;
-    Dataset diagnostics_error_;
-    Dataset fitness_;
+    std::vector<Dataset> numbers_;  //!< of outcomes, see number_forms()
+    std::vector<hsize_t> intact_;   //!< leading rows that are there, of each
+    hsize_t intact_rows_;
     Dataset attempt_;
     Dataset seconds_;
     Dataset worker_;
     Dataset message_;
+    std::optional<Dataset> checksum_;
 };
 
 }  // namespace ideotype

@@ -4,7 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "types.hpp"
+#include "attributes.hpp"
+#include "ideotype/core/text.hpp"
 
 namespace ideotype {
 
@@ -38,6 +39,10 @@ hsize_t Dataset::rows() const {
     return sizes.empty() ? 1 : sizes[0];
 }
 
+std::string Dataset::text(const std::string& attribute) const {
+    return text_attribute(id_, attribute);
+}
+
 hsize_t Dataset::rows_before(haddr_t end) const {
     const haddr_t begin = H5Dget_offset(id_);
     const hsize_t count = rows();
@@ -47,7 +52,7 @@ hsize_t Dataset::rows_before(haddr_t end) const {
 }
 
 void Dataset::write_text(hsize_t row, const std::string& text) {
-    std::string padded = fitted(text, value_size_);
+    std::string padded = first_bytes(text, value_size_);
     padded.resize(value_size_, '\0');
     put(row, padded.data(), 1, value_size_);
 }

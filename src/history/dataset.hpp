@@ -21,6 +21,12 @@ class Dataset {
     //! Size of the first dimension.
     hsize_t rows() const;
 
+    //! An attribute that is a text, "" if there is none.
+    std::string text(const std::string& attribute) const;
+
+    //! Class of the type.
+    H5T_class_t kind() const { return H5Tget_class(memory_type_); }
+
     //! Values in one row.
     std::size_t width() const { return width_; }
 

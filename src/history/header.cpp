@@ -1,7 +1,11 @@
 #include "header.hpp"
 
-#include <algorithm>
+#include <cstdint>
+#include <utility>
 
+#include "attributes.hpp"
+#include "columns.hpp"
+#include "contents.hpp"
 #include "dataset.hpp"
 #include "layout.hpp"
 #include "types.hpp"
@@ -10,121 +14,117 @@ namespace ideotype {
 
 namespace {
 
-Handle open_attribute(hid_t file, const std::string& name) {
-    return {H5Aopen(file, name.c_str(), H5P_DEFAULT), H5Aclose,
-            "open attribute " + name};
-}
-
-template <class Value>
-Value attribute(hid_t file, const std::string& name, hid_t memory_type) {
-    Value value{};
-    checked(H5Aread(open_attribute(file, name), memory_type, &value),
-            "read attribute " + name);
-    return value;
-}
-
-std::string read_text(hid_t attribute) {
-    const std::string action = "read an attribute";
-    const Handle type(H5Aget_type(attribute), H5Tclose, action);
-    std::string text(H5Tget_size(type), '\0');
-    checked(H5Aread(attribute, type, text.data()), action);
-    text.resize(std::min(text.find('\0'), text.size()));
-    return text;
-}
-
-// Sorts an attribute into the header by its type.
-herr_t keep_attribute(hid_t file, const char* name, const H5A_info_t*,
-                      void* target) {
-    auto& header = *static_cast<HistoryHeader*>(target);
-    try {
-        const Handle type(H5Aget_type(open_attribute(file, name)), H5Tclose,
-                          "read an attribute");
-        const H5T_class_t kind = H5Tget_class(type);
-        if (kind == H5T_STRING)
-            header.text[name] = read_text(open_attribute(file, name));
-        if (kind == H5T_FLOAT)
-            header.numbers[name] =
-                attribute<double>(file, name, H5T_NATIVE_DOUBLE);
-        return 0;
-    } catch (const Hdf5Error&) {
-        return -1;  // an exception must not pass through C
-    }
-}
-
-template <class Item, class Get>
-void create_column(hid_t group, const std::string& name,
-                   const std::vector<Item>& items, const std::string& label,
-                   Get get) {
+template <class Item>
+std::vector<std::string> texts_of(const std::vector<Item>& items,
+                                  std::string Item::*member) {
     std::vector<std::string> texts;
-    for (const Item& item : items) texts.push_back(get(item));
-    label_dimension(create_texts(group, name, texts), 0, label);
+    for (const Item& item : items) texts.push_back(item.*member);
+    return texts;
+}
+
+// A number of each gene; Stored is its type in the file and in memory.
+template <class Stored, class Member>
+void create_numbers(hid_t group, const DatasetForm& form,
+                    const GeneSpace& genes, Member Gene::*member) {
+    create_dataset(group, form);
+    std::vector<Stored> values;
+    for (const Gene& gene : genes)
+        values.push_back(static_cast<Stored>(gene.*member));
+    Dataset(group, form.name).write(0, values);
 }
 
 void write_genes(hid_t file, const GeneSpace& genes) {
-    const Handle group = create_group(file, "traits");
-    create_column(group, "name", genes, "gene",
-                  [](const Gene& gene) { return gene.name; });
-    create_column(group, "unit", genes, "gene",
-                  [](const Gene& gene) { return gene.unit; });
-    std::vector<double> lower, upper;
-    std::vector<std::int8_t> is_circular, is_free;
-    for (const Gene& gene : genes) {
-        lower.push_back(gene.lower);
-        upper.push_back(gene.upper);
-        is_circular.push_back(gene.is_circular);
-        is_free.push_back(gene.is_free);
-    }
-    const auto add = [&](const std::string& name, hid_t type,
-                         const std::string& unit, const auto& values) {
-        label_dimension(create_dataset(group, {.name = name,
-                                               .type = type,
-                                               .sizes = {values.size()},
-                                               .unit = unit}),
-                        0, "gene");
-        Dataset(group, name).write(0, values);
+    const Handle group = create_group(file, "genes");
+    create_axis(group, gene_axis(genes));
+    const auto form = [](const std::string& name, const std::string& meaning,
+                         const std::string& unit = "1") {
+        return DatasetForm{
+            .name = name, .axes = {"gene"}, .unit = unit, .meaning = meaning};
     };
-    add("lower", H5T_IEEE_F64LE, "/traits/unit", lower);
-    add("upper", H5T_IEEE_F64LE, "/traits/unit", upper);
-    add("is_circular", bool_type(), "1", is_circular);
-    add("is_free", bool_type(), "1", is_free);
+    create_texts(group, form("trait", "what is bred"),
+                 texts_of(genes, &Gene::trait));
+    create_texts(group, form("unit", "of the gene's values"),
+                 texts_of(genes, &Gene::unit));
+    const auto add = [&]<class Stored>(DatasetForm its, hid_t type, Stored,
+                                       auto member) {
+        its.type = type;
+        create_numbers<Stored>(group, its, genes, member);
+    };
+    add(form("leaf", "leaf rank, 1 is the lowest, 0 the whole plant"),
+        H5T_STD_I32LE, std::int32_t{}, &Gene::leaf);
+    add(form("lower", "lower bound", "/genes/unit"), H5T_IEEE_F64LE, double{},
+        &Gene::lower);
+    add(form("upper", "upper bound", "/genes/unit"), H5T_IEEE_F64LE, double{},
+        &Gene::upper);
+    add(form("is_circular", "lower and upper are the same point"), bool_type(),
+        std::int8_t{}, &Gene::is_circular);
+    add(form("is_free", "bred; others keep the baseline's value"), bool_type(),
+        std::int8_t{}, &Gene::is_free);
+}
+
+std::vector<std::string> read_texts(hid_t file, const std::string& name) {
+    const Dataset dataset(file, name);
+    return dataset.read_text(0, dataset.rows());
 }
 
 GeneSpace read_genes(hid_t file) {
-    const Dataset name(file, "traits/name");
-    const hsize_t count = name.rows();
-    const auto names = name.read_text(0, count);
-    const auto units = Dataset(file, "traits/unit").read_text(0, count);
-    const auto lower = Dataset(file, "traits/lower").read<double>(0, count);
-    const auto upper = Dataset(file, "traits/upper").read<double>(0, count);
-    const auto is_circular =
-        Dataset(file, "traits/is_circular").read<std::int8_t>(0, count);
-    const auto is_free =
-        Dataset(file, "traits/is_free").read<std::int8_t>(0, count);
+    const auto names = read_texts(file, "genes/gene");
+    const auto traits = read_texts(file, "genes/trait");
+    const auto units = read_texts(file, "/genes/unit");
+    const auto numbers = [&]<class Number>(const std::string& name, Number) {
+        return Dataset(file, "genes/" + name).read<Number>(0, names.size());
+    };
+    const auto leaves = numbers("leaf", std::int32_t{});
+    const auto lower = numbers("lower", double{});
+    const auto upper = numbers("upper", double{});
+    const auto is_circular = numbers("is_circular", std::int8_t{});
+    const auto is_free = numbers("is_free", std::int8_t{});
     GeneSpace genes;
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < names.size(); ++i)
         genes.push_back({names[i], units[i], lower[i], upper[i],
-                         is_circular[i] != 0, is_free[i] != 0});
+                         is_circular[i] != 0, is_free[i] != 0, traits[i],
+                         leaves[i]});
     return genes;
 }
 
-void write_quantities(hid_t file, const std::string& group_name,
-                      const std::vector<Quantity>& quantities,
-                      const std::string& label) {
-    const Handle group = create_group(file, group_name);
-    create_column(group, "name", quantities, label,
-                  [](const Quantity& quantity) { return quantity.name; });
-    create_column(group, "unit", quantities, label,
-                  [](const Quantity& quantity) { return quantity.unit; });
+std::string name_of(Sense sense) {
+    return sense == Sense::maximise ? "maximise" : "minimise";
 }
 
-std::vector<Quantity> read_quantities(hid_t file, const std::string& group) {
-    const Dataset name(file, group + "/name");
-    const auto names = name.read_text(0, name.rows());
-    const auto units = Dataset(file, group + "/unit").read_text(0, name.rows());
-    std::vector<Quantity> quantities;
+void write_objectives(hid_t file, const std::vector<Objective>& objectives) {
+    const Handle group = create_group(file, "objectives");
+    create_axis(group, objective_axis(objectives));
+    std::vector<std::string> senses;
+    for (const Objective& each : objectives)
+        senses.push_back(name_of(each.sense));
+    create_texts(
+        group, {.name = "unit", .axes = {"objective"}, .meaning = "of values"},
+        texts_of(objectives, &Objective::unit));
+    create_texts(group,
+                 {.name = "sense",
+                  .axes = {"objective"},
+                  .meaning = "whether larger or smaller is better"},
+                 senses);
+}
+
+std::vector<Objective> read_objectives(hid_t file) {
+    const auto names = read_texts(file, "objectives/objective");
+    const auto units = read_texts(file, "objectives/unit");
+    const auto senses = read_texts(file, "objectives/sense");
+    std::vector<Objective> objectives;
     for (std::size_t i = 0; i < names.size(); ++i)
-        quantities.push_back({names[i], units[i]});
-    return quantities;
+        objectives.push_back({names[i], units[i],
+                              senses[i] == name_of(Sense::minimise)
+                                  ? Sense::minimise
+                                  : Sense::maximise});
+    return objectives;
+}
+
+void create_campaign_text(hid_t group, const std::string& name,
+                          const std::string& text) {
+    const Handle type = string_type(text.size());
+    create_dataset(group, {.name = name, .type = type, .unit = ""});
+    Dataset(group, name).write_text(0, text);
 }
 
 }  // namespace
@@ -133,47 +133,48 @@ void write_header(hid_t file, const HistoryHeader& header) {
     create_attribute(file, "format", format_name);
     create_attribute(file, "format_version", format_version);
     create_attribute(file, "seed", H5T_NATIVE_UINT64, &header.seed);
-    create_attribute(file, "population", H5T_NATIVE_INT, &header.population);
-    create_attribute(file, "generations", H5T_NATIVE_INT, &header.generations);
-    create_attribute(file, "finalists", H5T_NATIVE_INT, &header.finalists);
+    const int rows = header.rows();
+    for (const auto& [name, number] :
+         {std::pair{"population", &header.population},
+          {"generations", &header.generations},
+          {"finalists", &header.finalists},
+          {"rows", &rows}})
+        create_attribute(file, name, H5T_NATIVE_INT, number);
     for (const auto& [name, text] : header.text)
         create_attribute(file, name, text);
     for (const auto& [name, number] : header.numbers)
         create_attribute(file, name, H5T_NATIVE_DOUBLE, &number);
     const Handle campaign = create_group(file, "campaign");
-    create_text(campaign, "source", header.campaign_source);
-    create_text(campaign, "resolved", header.campaign_resolved);
+    create_campaign_text(campaign, "source", header.campaign_source);
+    create_campaign_text(campaign, "resolved", header.campaign_resolved);
     write_genes(file, header.genes);
-    write_quantities(file, "objectives", header.schema.objectives, "objective");
-    write_quantities(file, "diagnostics", header.schema.diagnostics,
-                     "diagnostic");
+    write_objectives(file, header.schema.objectives);
 }
 
 HistoryHeader read_header(hid_t file) {
     HistoryHeader header;
-    checked(H5Aiterate2(file, H5_INDEX_NAME, H5_ITER_INC, nullptr,
-                        keep_attribute, &header),
-            "read the attributes");
-    header.seed = attribute<std::uint64_t>(file, "seed", H5T_NATIVE_UINT64);
-    header.population = attribute<int>(file, "population", H5T_NATIVE_INT);
-    header.generations = attribute<int>(file, "generations", H5T_NATIVE_INT);
-    header.finalists = attribute<int>(file, "finalists", H5T_NATIVE_INT);
-    header.campaign_source =
-        Dataset(file, "campaign/source").read_text(0, 1)[0];
-    header.campaign_resolved =
-        Dataset(file, "campaign/resolved").read_text(0, 1)[0];
+    for (const std::string& name : attributes_of(file)) {
+        const H5T_class_t kind = H5Tget_class(read_attribute(file, name).type);
+        if (kind == H5T_STRING) header.text[name] = text_attribute(file, name);
+        if (kind == H5T_FLOAT)
+            header.numbers[name] =
+                number_attribute<double>(file, name, H5T_NATIVE_DOUBLE);
+    }
+    header.seed =
+        number_attribute<std::uint64_t>(file, "seed", H5T_NATIVE_UINT64);
+    for (const auto& [name, number] :
+         {std::pair{"population", &header.population},
+          {"generations", &header.generations},
+          {"finalists", &header.finalists}})
+        *number = number_attribute<int>(file, name, H5T_NATIVE_INT);
+    header.campaign_source = read_texts(file, "campaign/source")[0];
+    header.campaign_resolved = read_texts(file, "campaign/resolved")[0];
     header.genes = read_genes(file);
-    header.schema.objectives = read_quantities(file, "objectives");
-    header.schema.diagnostics = read_quantities(file, "diagnostics");
+    header.schema = Columns::read_schema(file, "evaluations");
+    header.schema.objectives = read_objectives(file);
+    header.final_randomisations =
+        Columns::read_schema(file, "final").randomisations;
     return header;
-}
-
-std::string text_attribute(hid_t file, const std::string& name) {
-    if (checked(H5Aexists(file, name.c_str()), "find attribute " + name) == 0)
-        return "";
-    const Handle attribute = open_attribute(file, name);
-    const Handle type(H5Aget_type(attribute), H5Tclose, "read " + name);
-    return H5Tget_class(type) == H5T_STRING ? read_text(attribute) : "";
 }
 
 }  // namespace ideotype

@@ -6,15 +6,13 @@
 namespace ideotype {
 
 inline constexpr const char* format_name = "ideotype-history";
-inline constexpr const char* format_version = "1.0";
+inline constexpr const char* format_version = "2.0";
 
-//! Writes root attributes, /campaign, /traits, /objectives and /diagnostics.
+//! Writes root attributes, /campaign, /genes and /objectives.
 void write_header(hid_t file, const HistoryHeader& header);
 
-//! Reads what write_header() wrote.
+//! Reads what write_header() wrote, and from the tables of rows what is
+//! measured.
 HistoryHeader read_header(hid_t file);
-
-//! A string attribute of the root group, empty if there is none.
-std::string text_attribute(hid_t file, const std::string& name);
 
 }  // namespace ideotype

@@ -1,10 +1,12 @@
 #include "ideotype/history/history.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "checksum.hpp"
 #include "history_file.hpp"
 #include "open.hpp"
 
@@ -34,8 +36,10 @@ History History::resume(const std::string& path) {
     if (!history_exists(path)) throw Error(path + ": there is no such file");
     FileLock lock(path);
     return with_name_of(path, [&] {
+        Handle file = open_to_write(path);
+        require_intact(file, path);
         return History(
-            std::make_unique<File>(path, std::move(lock), open_to_write(path)));
+            std::make_unique<File>(path, std::move(lock), std::move(file)));
     });
 }
 
@@ -54,11 +58,7 @@ History History::salvage(const std::string& path) {
         auto file =
             std::make_unique<File>(path, std::nullopt, std::move(remains.file));
         file->missing_bytes = remains.missing;
-        file->intact_generations =
-            file->evaluations.rows_before(remains.bytes) / file->population();
-        if (remains.missing > 0)
-            file->intact_diagnostics =
-                file->evaluations.diagnostics_before(remains.bytes);
+        if (remains.missing > 0) file->evaluations.cut(remains.bytes);
         return History(std::move(file));
     });
 }
@@ -66,6 +66,12 @@ History History::salvage(const std::string& path) {
 std::string History::library_version() {
     return fmt::format("HDF5 {}.{}.{}", H5_VERS_MAJOR, H5_VERS_MINOR,
                        H5_VERS_RELEASE);
+}
+
+OutcomeSchema HistoryHeader::final_schema() const {
+    OutcomeSchema final = schema;
+    final.randomisations = final_randomisations;
+    return final;
 }
 
 const HistoryHeader& History::header() const {
@@ -104,59 +110,79 @@ std::uint64_t History::evaluated() const {
 std::uint32_t History::next_generation() const {
     // A writer knows; under a reader the file goes on.
     if (file_->lock) return file_->next_generation;
-    const std::uint32_t committed =
-        file_->read([&] { return file_->summaries.committed(); });
-    if (file_->missing_bytes == 0) return committed;
-    return static_cast<std::uint32_t>(
-        std::min<hsize_t>(committed, file_->intact_generations));
+    std::uint32_t count =
+        file_->read([&] { return file_->generations.committed(); });
+    if (file_->missing_bytes > 0)
+        while (count > 0 &&
+               file_->span(count - 1).end() > file_->evaluations.intact_rows())
+            --count;
+    return count;
 }
 
 void History::propose(std::uint32_t generation,
                       const std::vector<Candidate>& candidates) {
-    const hsize_t first = file_->row(generation);
     if (generation > file_->next_generation)
         file_->fail(fmt::format("generation {} is not complete",
                                 file_->next_generation));
-    if (candidates.size() != file_->population())
-        file_->fail(fmt::format("{} candidates instead of {}",
-                                candidates.size(), file_->population()));
+    file_->require_genes(candidates);
+    const hsize_t first =
+        generation == 0 ? 0 : file_->span(generation - 1).end();
+    const Span rows{first, candidates.size()};
+    const Span known = file_->span(generation);
+    if (rows.end() > file_->evaluations.rows())
+        file_->fail(
+            fmt::format("there is no room for the {} rows of "
+                        "generation {}",
+                        rows.count, generation));
+    if (known.count != 0 && known.count != rows.count)
+        file_->fail(fmt::format("generation {} had {} candidates before, not "
+                                "{}; resume with the program and campaign that "
+                                "began the case",
+                                generation, known.count, rows.count),
+                    ExitCode::refused);
+    if (known.count == 0) {
+        file_->write([&] { file_->generations.set_span(generation, rows); });
+        file_->spans.push_back(rows);
+    }
     file_->propose(file_->evaluations,
                    fmt::format("generation {} slot", generation), first,
-                   candidates);
+                   candidates, file_->parents_of(generation));
 }
 
 std::vector<std::uint32_t> History::pending(std::uint32_t generation) const {
-    return file_->pending(file_->evaluations, file_->row(generation),
-                          file_->population());
+    const Span rows = file_->span(generation);
+    return file_->pending(file_->evaluations, rows.first, rows.count);
 }
 
 void History::record(std::uint32_t generation, std::uint32_t slot,
-                     const Outcome& outcome, double fitness,
-                     std::uint32_t attempt) {
+                     const Outcome& outcome, std::uint32_t attempt) {
     file_->record(file_->evaluations,
                   fmt::format("generation {} slot {}", generation, slot),
-                  file_->row(generation, slot), outcome, fitness, attempt);
+                  file_->row(generation, slot), outcome, attempt);
 }
 
 Row History::row(std::uint32_t generation, std::uint32_t slot) const {
     const hsize_t at = file_->row(generation, slot);
-    return file_->read([&] { return file_->evaluations.read(at, 1)[0]; });
+    const hsize_t parents = file_->parents_of(generation);
+    return file_->read(
+        [&] { return file_->evaluations.read(at, 1, parents)[0]; });
 }
 
 std::vector<Row> History::rows(std::uint32_t generation) const {
-    const hsize_t first = file_->row(generation);
-    auto rows = file_->read(
-        [&] { return file_->evaluations.read(first, file_->population()); });
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        Outcome& outcome = rows[i].outcome;
-        if (!is_recorded(outcome.status))
+    const Span span = file_->span(generation);
+    const hsize_t parents = file_->parents_of(generation);
+    auto rows = file_->read([&] {
+        return file_->evaluations.read(span.first, span.count, parents);
+    });
+    for (const Row& row : rows)
+        if (!is_recorded(row.outcome.status))
             file_->fail(
                 fmt::format("generation {} is not complete", generation));
-        if (first + i >= file_->intact_diagnostics)
-            outcome.diagnostics =
-                failed_outcome(file_->header.schema, "").diagnostics;
-    }
     return rows;
+}
+
+std::uint32_t History::size(std::uint32_t generation) const {
+    return static_cast<std::uint32_t>(file_->span(generation).count);
 }
 
 Population History::generation(std::uint32_t generation) const {
@@ -164,7 +190,7 @@ Population History::generation(std::uint32_t generation) const {
     for (const Row& row : rows(generation)) {
         const Outcome& outcome = row.outcome;
         population.push_back({row.candidate, outcome.status, outcome.objectives,
-                              std::max(0.0, -row.fitness)});
+                              outcome.violation});
     }
     return population;
 }
@@ -176,20 +202,23 @@ Population History::last_committed() const {
 
 void History::commit(std::uint32_t generation,
                      const GenerationSummary& summary) {
-    const hsize_t first = file_->row(generation);
     if (generation != file_->next_generation)
         file_->fail(fmt::format("generation {} is the next to commit, not {}",
                                 file_->next_generation, generation),
                     ExitCode::refused);
-    const auto statuses = file_->read([&] {
-        return file_->evaluations.statuses(first, file_->population());
-    });
-    if (!std::all_of(statuses.begin(), statuses.end(), is_recorded))
+    const Span rows = file_->span(generation);
+    const auto statuses = file_->read(
+        [&] { return file_->evaluations.statuses(rows.first, rows.count); });
+    if (statuses.empty() ||
+        !std::all_of(statuses.begin(), statuses.end(), is_recorded))
         file_->fail(fmt::format("generation {} is not complete", generation));
     file_->write([&] {
-        file_->summaries.write(generation, summary);
+        Generations& generations = file_->generations;
+        generations.write(generation, summary);
+        generations.set_checksum(
+            generation, generation_checksum(file_->id, generation, rows));
         flush(file_->id);
-        file_->summaries.set_committed(generation);
+        generations.set_committed(generation);
         flush(file_->id);
         synchronize(file_->id);
     });
@@ -197,34 +226,39 @@ void History::commit(std::uint32_t generation,
 }
 
 std::vector<GenerationSummary> History::summaries() const {
-    return file_->read([&] { return file_->summaries.read(); });
+    return file_->read([&] {
+        const Generations& generations = file_->generations;
+        return generations.read(generations.committed());
+    });
 }
 
 void History::propose_final(const std::vector<Candidate>& candidates) {
     if (candidates.size() > file_->finals.rows())
         file_->fail(fmt::format("{} finalists, but room for {}",
                                 candidates.size(), file_->finals.rows()));
+    file_->require_genes(candidates);
     const std::size_t known = finalists().size();
     if (candidates.size() < known)
         file_->fail(fmt::format("{} finalists, but there were {} before",
                                 candidates.size(), known),
                     ExitCode::refused);
-    file_->propose(file_->finals, "finalist", 0, candidates);
+    file_->propose(file_->finals, "finalist", 0, candidates,
+                   file_->parents_of_finalists());
 }
 
 std::vector<std::uint32_t> History::pending_final() const {
     return file_->pending(file_->finals, 0, file_->finals.rows());
 }
 
-void History::record_final(std::uint32_t slot, const Outcome& outcome,
-                           double fitness) {
+void History::record_final(std::uint32_t slot, const Outcome& outcome) {
     file_->record(file_->finals, fmt::format("finalist {}", slot), slot,
-                  outcome, fitness, 1);
+                  outcome, 1);
 }
 
 std::vector<Row> History::finalists() const {
+    const hsize_t parents = file_->parents_of_finalists();
     auto rows = file_->read(
-        [&] { return file_->finals.read(0, file_->finals.rows()); });
+        [&] { return file_->finals.read(0, file_->finals.rows(), parents); });
     std::erase_if(rows, [](const Row& row) {
         return row.outcome.status == Status::empty;
     });

@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "checksum.hpp"
+#include "difference.hpp"
 #include "open.hpp"
 #include "place.hpp"
 #include "space.hpp"
-#include "verify.hpp"
 
 namespace ideotype {
 
@@ -15,29 +16,53 @@ History::File::File(std::string name, std::optional<FileLock> held,
       lock(std::move(held)),
       id(std::move(opened)),
       header(read_header(id)),
-      evaluations(id, "evaluations"),
-      finals(id, "final"),
-      summaries(id),
+      evaluations(id, "evaluations", header.schema),
+      finals(id, "final", header.final_schema()),
+      generations(id),
       journal(id),
-      next_generation(summaries.committed()) {}
-
-hsize_t History::File::row(std::uint32_t generation, std::uint32_t slot) const {
-    const hsize_t first = generation * population();
-    if (first >= evaluations.rows() || slot >= population())
-        fail(
-            fmt::format("there is no generation {} slot {}", generation, slot));
-    return first + slot;
+      next_generation(generations.committed()) {
+    for (std::uint32_t g = 0; lock && g < generations.most(); ++g) {
+        const Span next = generations.span(g);
+        if (next.count == 0) break;
+        spans.push_back(next);
+    }
 }
 
-void History::File::propose(Columns& columns, const std::string& label,
-                            hsize_t first,
-                            const std::vector<Candidate>& candidates) {
+Span History::File::span(std::uint32_t generation) const {
+    if (generation >= generations.most())
+        fail(fmt::format("there is no generation {}", generation));
+    if (!lock) return read([&] { return generations.span(generation); });
+    return generation < spans.size() ? spans[generation] : Span{};
+}
+
+hsize_t History::File::row(std::uint32_t generation, std::uint32_t slot) const {
+    const Span rows = span(generation);
+    if (slot >= rows.count)
+        fail(
+            fmt::format("there is no generation {} slot {}", generation, slot));
+    return rows.first + slot;
+}
+
+hsize_t History::File::parents_of_finalists() const {
+    const std::uint32_t complete =
+        lock ? next_generation : read([&] { return generations.committed(); });
+    return parents_of(complete);
+}
+
+void History::File::require_genes(
+    const std::vector<Candidate>& candidates) const {
     for (const Candidate& candidate : candidates)
         if (candidate.genome.size() != header.genes.size())
             fail(fmt::format("a genome has {} genes instead of {}",
                              candidate.genome.size(), header.genes.size()));
+}
+
+void History::File::propose(Columns& columns, const std::string& label,
+                            hsize_t first,
+                            const std::vector<Candidate>& candidates,
+                            hsize_t parents) {
     const auto stored =
-        read([&] { return columns.read(first, candidates.size()); });
+        read([&] { return columns.read(first, candidates.size(), parents); });
     std::size_t known = 0;
     for (; known < stored.size(); ++known) {
         if (stored[known].outcome.status == Status::empty) break;
@@ -55,7 +80,7 @@ void History::File::propose(Columns& columns, const std::string& label,
         candidates.end());
     const std::vector<Status> proposed(rest.size(), Status::proposed);
     write([&] {
-        columns.write(first + known, rest);
+        columns.write(first + known, rest, parents);
         flush(id);
         columns.set_statuses(first + known, proposed);
         flush(id);
@@ -73,16 +98,20 @@ std::vector<std::uint32_t> History::File::pending(const Columns& columns,
 }
 
 void History::File::record(Columns& columns, const std::string& label,
-                           hsize_t row, const Outcome& outcome, double fitness,
+                           hsize_t row, const Outcome& outcome,
                            std::uint32_t attempt) {
-    check(label, outcome);
+    check(label, &columns == &finals ? header.final_schema() : header.schema,
+          outcome);
     const Status status = read([&] { return columns.statuses(row, 1)[0]; });
     if (status != Status::proposed)
         fail(label + (status == Status::empty ? " was never proposed"
                                               : " is recorded already"),
              ExitCode::refused);
     write([&] {
-        columns.write(row, outcome, fitness, attempt);
+        columns.write_outcomes(row, {{{}, outcome, attempt}});
+        if (&columns == &finals)
+            columns.set_checksum(row,
+                                 finalist_checksum(id, row, outcome.status));
         flush(id);
         columns.set_statuses(row, {outcome.status});
         flush(id);
@@ -106,14 +135,12 @@ void History::File::fail_to_write(const Hdf5Error& error) const {
                     error.what(), lacking.empty() ? "" : "; " + lacking));
 }
 
-void History::File::check(const std::string& label,
+void History::File::check(const std::string& label, const OutcomeSchema& schema,
                           const Outcome& outcome) const {
     if (!is_recorded(outcome.status))
         fail(label + ": an outcome has to be done or failed");
     // The numbers of a failed outcome are not stored.
-    if (outcome.status == Status::done &&
-        (outcome.objectives.size() != header.schema.objectives.size() ||
-         outcome.diagnostics.size() != header.schema.diagnostics.size()))
+    if (outcome.status == Status::done && !has_form(schema, outcome))
         fail(label + ": an outcome does not have the history's columns");
 }
 

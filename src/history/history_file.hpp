@@ -8,11 +8,11 @@
 
 #include "columns.hpp"
 #include "file_lock.hpp"
+#include "generations.hpp"
 #include "header.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/history/history.hpp"
 #include "journal.hpp"
-#include "summaries.hpp"
 
 namespace ideotype {
 
@@ -31,12 +31,20 @@ struct History::File {
     //! Takes over the file; only a writer holds a lock.
     File(std::string name, std::optional<FileLock> held, Handle opened);
 
-    hsize_t population() const {
-        return static_cast<hsize_t>(header.population);
-    }
+    //! Rows of a generation; none before it is proposed. @throws Error if there
+    //! can be no such generation.
+    Span span(std::uint32_t generation) const;
 
     //! Row of /evaluations. @throws Error if there is none.
-    hsize_t row(std::uint32_t generation, std::uint32_t slot = 0) const;
+    hsize_t row(std::uint32_t generation, std::uint32_t slot) const;
+
+    //! The row from which the parents of a generation are counted.
+    hsize_t parents_of(std::uint32_t generation) const {
+        return generation == 0 ? 0 : span(generation - 1).first;
+    }
+
+    //! As above, of finalists.
+    hsize_t parents_of_finalists() const;
 
     [[noreturn]] void fail(const std::string& what,
                            ExitCode exit_code = ExitCode::runtime) const {
@@ -63,10 +71,13 @@ struct History::File {
         is_broken = false;
     }
 
+    //! @throws Error if a genome is not of this history.
+    void require_genes(const std::vector<Candidate>& candidates) const;
+
     //! Stores candidates, or verifies what an interrupted session stored.
     //! label names a row together with its number from first.
     void propose(Columns& columns, const std::string& label, hsize_t first,
-                 const std::vector<Candidate>& candidates);
+                 const std::vector<Candidate>& candidates, hsize_t parents);
 
     //! Slots from first that are proposed and not recorded.
     std::vector<std::uint32_t> pending(const Columns& columns, hsize_t first,
@@ -74,7 +85,7 @@ struct History::File {
 
     //! Stores an outcome of a proposed row; label names the row.
     void record(Columns& columns, const std::string& label, hsize_t row,
-                const Outcome& outcome, double fitness, std::uint32_t attempt);
+                const Outcome& outcome, std::uint32_t attempt);
 
     std::string path;
     std::optional<FileLock> lock;
@@ -82,21 +93,20 @@ struct History::File {
     HistoryHeader header;
     Columns evaluations;
     Columns finals;
-    Summaries summaries;
+    Generations generations;
     Journal journal;
     std::uint32_t next_generation = 0;
+    std::vector<Span> spans;  //!< of a writer's generations
     bool is_broken = false;
     std::uint64_t missing_bytes = 0;
-    hsize_t intact_generations = 0;  //!< if bytes are missing
-    //! Leading rows of which the diagnostics are there.
-    hsize_t intact_diagnostics = std::numeric_limits<hsize_t>::max();
 
     //! See History.
     void require_in_place() const;
 
   private:
     [[noreturn]] void fail_to_write(const Hdf5Error& error) const;
-    void check(const std::string& label, const Outcome& outcome) const;
+    void check(const std::string& label, const OutcomeSchema& schema,
+               const Outcome& outcome) const;
 };
 
 }  // namespace ideotype

@@ -1,9 +1,8 @@
 #include "journal.hpp"
 
 #include <algorithm>
-#include <cstddef>
+#include <array>
 #include <cstdint>
-#include <cstring>
 
 #include "layout.hpp"
 #include "types.hpp"
@@ -17,103 +16,88 @@ constexpr std::size_t message_size = 240;
 constexpr hsize_t most_sessions = 1000;
 constexpr hsize_t most_messages = 1000;
 
-// A row of /sessions in memory and, without gaps, in the file.
-struct StoredSession {
-    char started[32] = {};
-    char host[64] = {};
-    char command[longest_command] = {};
-    std::int32_t ranks = 0;
+struct SessionColumn {
+    const char* name;
+    std::size_t size;
+    const char* meaning;
+    std::string SessionRecord::*member;
 };
 
-template <std::size_t size>
-void store(char (&field)[size], const std::string& text) {
-    const std::string start = fitted(text, size);
-    std::copy(start.begin(), start.end(), field);
-}
-
-template <std::size_t size>
-std::string stored_text(const char (&field)[size]) {
-    return {field, strnlen(field, size)};
-}
-
-Handle session_type() {
-    Handle type(H5Tcreate(H5T_COMPOUND, sizeof(StoredSession)), H5Tclose,
-                "create a compound type");
-    const auto add = [&](const char* name, std::size_t offset, hid_t member) {
-        checked(H5Tinsert(type, name, offset, member), "fill a compound type");
-    };
-    add("started", offsetof(StoredSession, started),
-        string_type(sizeof(StoredSession::started)));
-    add("host", offsetof(StoredSession, host),
-        string_type(sizeof(StoredSession::host)));
-    add("command", offsetof(StoredSession, command),
-        string_type(sizeof(StoredSession::command)));
-    add("ranks", offsetof(StoredSession, ranks), H5T_STD_I32LE);
-    return type;
-}
+constexpr std::array session_columns{
+    SessionColumn{"started", 32, "UTC", &SessionRecord::started},
+    SessionColumn{"host", 64, "of rank 0", &SessionRecord::host},
+    SessionColumn{"command", longest_command, "as it was started",
+                  &SessionRecord::command},
+    SessionColumn{"program", 64, "name and version", &SessionRecord::program},
+    SessionColumn{"compiler", 64, "of the program", &SessionRecord::compiler},
+    SessionColumn{"libraries", 256, "name and version of each",
+                  &SessionRecord::libraries}};
 
 // Rows that are not used yet are empty, which is how their number is found.
-void create_list(hid_t file, const std::string& name, hid_t type,
-                 hsize_t rows) {
-    create_dataset(file, {.name = name,
-                          .type = type,
-                          .sizes = {rows},
-                          .unit = "",
-                          .room = Room::as_needed});
-}
-
-hsize_t used_rows(const std::vector<StoredSession>& sessions) {
-    hsize_t count = 0;
-    while (count < sessions.size() && sessions[count].started[0] != '\0')
-        ++count;
-    return count;
-}
-
-hsize_t used_rows(const std::vector<std::string>& messages) {
-    hsize_t count = 0;
-    while (count < messages.size() && !messages[count].empty()) ++count;
-    return count;
+hsize_t used_rows(const Dataset& texts) {
+    const auto all = texts.read_text(0, texts.rows());
+    return static_cast<hsize_t>(std::find(all.begin(), all.end(), "") -
+                                all.begin());
 }
 
 }  // namespace
 
 void Journal::create(hid_t file) {
     const Handle state = create_group(file, "state");
-    const double none = 0;
-    create_dataset(
-        state,
-        {.name = "finished", .type = bool_type(), .sizes = {}, .unit = "1"});
+    create_dataset(state, {.name = "finished",
+                           .type = bool_type(),
+                           .meaning = "the case is over"});
     create_dataset(state, {.name = "reason",
                            .type = string_type(reason_size),
-                           .sizes = {},
-                           .unit = ""});
+                           .unit = "",
+                           .meaning = "why it is over"});
     create_dataset(state, {.name = "wall_time",
                            .type = H5T_IEEE_F64LE,
-                           .sizes = {},
                            .unit = "s",
-                           .empty = &none});
-    create_list(file, "sessions", session_type(), most_sessions);
-    create_list(file, "messages", string_type(message_size), most_messages);
+                           .meaning = "of all sessions"});
+    const auto add = [&](hid_t group, const std::string& axis,
+                         const std::string& name, hid_t type,
+                         const std::string& unit, const std::string& meaning) {
+        create_dataset(group, {.name = name,
+                               .type = type,
+                               .axes = {axis},
+                               .unit = unit,
+                               .meaning = meaning,
+                               .room = Room::as_needed});
+    };
+    const Handle sessions = create_group(file, "sessions");
+    create_axis(sessions,
+                counted("session", "starts of the program", most_sessions));
+    for (const SessionColumn& each : session_columns)
+        add(sessions, "session", each.name, string_type(each.size), "",
+            each.meaning);
+    add(sessions, "session", "ranks", H5T_STD_I32LE, "1", "of MPI");
+    const Handle messages = create_group(file, "messages");
+    create_axis(messages, counted("message", "oldest first", most_messages));
+    add(messages, "message", "text", string_type(message_size), "",
+        "what the user should know");
 }
 
 Journal::Journal(hid_t file)
     : finished_(file, "state/finished"),
       reason_(file, "state/reason"),
       wall_time_(file, "state/wall_time"),
-      sessions_(file, "sessions"),
-      messages_(file, "messages"),
-      sessions_used_(
-          used_rows(sessions_.read<StoredSession>(0, most_sessions))),
-      messages_used_(used_rows(messages_.read_text(0, most_messages))) {}
+      ranks_(file, "sessions/ranks"),
+      messages_(file, "messages/text") {
+    for (const SessionColumn& each : session_columns)
+        sessions_.emplace_back(file, std::string("sessions/") + each.name);
+    sessions_used_ = used_rows(sessions_[0]);
+    messages_used_ = used_rows(messages_);
+}
 
 void Journal::add(const SessionRecord& session) {
-    StoredSession row;
-    store(row.started, session.started);
-    store(row.host, session.host);
-    store(row.command, session.command);
-    row.ranks = session.ranks;
-    if (sessions_used_ == sessions_.rows()) return;
-    sessions_.write_one(sessions_used_++, row);
+    if (sessions_used_ == ranks_.rows()) return;
+    ranks_.write_one(sessions_used_, std::int32_t{session.ranks});
+    // The start comes last: it says that the row is used.
+    for (std::size_t i = session_columns.size(); i-- > 0;)
+        sessions_[i].write_text(sessions_used_,
+                                session.*session_columns[i].member);
+    ++sessions_used_;
 }
 
 void Journal::add(const std::string& message) {
@@ -123,9 +107,12 @@ void Journal::add(const std::string& message) {
 
 std::optional<SessionRecord> Journal::last_session() const {
     if (sessions_used_ == 0) return std::nullopt;
-    const auto row = sessions_.read<StoredSession>(sessions_used_ - 1, 1)[0];
-    return SessionRecord{stored_text(row.started), stored_text(row.host),
-                         stored_text(row.command), row.ranks};
+    SessionRecord last;
+    for (std::size_t i = 0; i < session_columns.size(); ++i)
+        last.*session_columns[i].member =
+            sessions_[i].read_text(sessions_used_ - 1, 1)[0];
+    last.ranks = ranks_.read<std::int32_t>(sessions_used_ - 1, 1)[0];
+    return last;
 }
 
 double Journal::wall_time() const {

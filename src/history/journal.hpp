@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "dataset.hpp"
 #include "ideotype/history/history.hpp"
@@ -35,7 +36,8 @@ class Journal {
     Dataset finished_;
     Dataset reason_;
     Dataset wall_time_;
-    Dataset sessions_;
+    std::vector<Dataset> sessions_;  //!< in the order of session_columns
+    Dataset ranks_;
     Dataset messages_;
     hsize_t sessions_used_ = 0;
     hsize_t messages_used_ = 0;

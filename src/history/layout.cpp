@@ -1,21 +1,26 @@
 #include "layout.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 #include <hdf5_hl.h>
 
+#include "attributes.hpp"
+#include "dataset.hpp"
 #include "types.hpp"
 
 namespace ideotype {
 
 namespace {
 
-Handle create_space(const DatasetForm& form) {
-    const std::string action = "create " + form.name;
-    if (form.sizes.empty()) return {H5Screate(H5S_SCALAR), H5Sclose, action};
-    return {H5Screate_simple(static_cast<int>(form.sizes.size()),
-                             form.sizes.data(), nullptr),
-            H5Sclose, action};
+using Sizes = std::vector<hsize_t>;
+
+Handle create_space(const Sizes& sizes) {
+    const std::string action = "create a shape";
+    if (sizes.empty()) return {H5Screate(H5S_SCALAR), H5Sclose, action};
+    return {
+        H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr),
+        H5Sclose, action};
 }
 
 Handle create_properties(const DatasetForm& form) {
@@ -35,78 +40,118 @@ Handle create_properties(const DatasetForm& form) {
     return properties;
 }
 
-}  // namespace
-
-Handle create_dataset(hid_t parent, const DatasetForm& form) {
-    const Handle space = create_space(form);
-    const Handle properties = create_properties(form);
-    Handle dataset(H5Dcreate2(parent, form.name.c_str(), form.type, space,
-                              H5P_DEFAULT, properties, H5P_DEFAULT),
-                   H5Dclose, "create " + form.name);
-    create_attribute(dataset, "unit", form.unit);
+// A dataset with its attributes, without scales.
+Handle create_block(hid_t group, const DatasetForm& form, const Sizes& sizes) {
+    Handle dataset(
+        H5Dcreate2(group, form.name.c_str(), form.type, create_space(sizes),
+                   H5P_DEFAULT, create_properties(form), H5P_DEFAULT),
+        H5Dclose, "create " + form.name);
+    // The names of the CF conventions, which xarray writes on its axes.
+    create_attribute(dataset, "units", form.unit);
+    create_attribute(dataset, "long_name", form.meaning);
     return dataset;
 }
 
-Handle create_texts(hid_t parent, const std::string& name,
-                    const std::vector<std::string>& texts) {
+Handle open_scale(hid_t group, const std::string& name) {
+    return {H5Dopen2(group, name.c_str(), H5P_DEFAULT), H5Dclose,
+            "open the axis " + name};
+}
+
+std::size_t longest(const std::vector<std::string>& texts) {
     std::size_t size = 1;
     for (const std::string& text : texts) size = std::max(size, text.size());
-    const Handle type = string_type(size);
-    Handle dataset = create_dataset(
-        parent,
-        {.name = name, .type = type, .sizes = {texts.size()}, .unit = ""});
-    std::string bytes;
-    for (const std::string& text : texts) {
-        bytes += text;
-        bytes.append(size - text.size(), '\0');
+    return size;
+}
+
+void fill(hid_t group, const std::string& name,
+          const std::vector<std::string>& texts) {
+    Dataset dataset(group, name);
+    for (std::size_t i = 0; i < texts.size(); ++i)
+        dataset.write_text(i, texts[i]);
+}
+
+template <class Number>
+void fill(hid_t group, const std::string& name,
+          const std::vector<Number>& numbers) {
+    Dataset(group, name).write(0, numbers);
+}
+
+Handle type_of(const std::vector<std::string>& texts) {
+    return string_type(longest(texts));
+}
+
+Handle type_of(const std::vector<double>&) {
+    return {H5Tcopy(H5T_IEEE_F64LE), H5Tclose, "create a type"};
+}
+
+Handle type_of(const std::vector<std::int64_t>&) {
+    return {H5Tcopy(H5T_STD_I64LE), H5Tclose, "create a type"};
+}
+
+}  // namespace
+
+Handle create_dataset(hid_t group, const DatasetForm& form) {
+    std::vector<Handle> scales;
+    Sizes sizes;
+    for (const std::string& axis : form.axes) {
+        scales.push_back(open_scale(group, axis));
+        sizes.push_back(Dataset(group, axis).rows());
     }
-    if (!texts.empty())
-        checked(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                         bytes.data()),
-                "write " + name);
+    Handle dataset = create_block(group, form, sizes);
+    for (unsigned i = 0; i < scales.size(); ++i)
+        checked(H5DSattach_scale(dataset, scales[i], i), "attach a scale");
     return dataset;
 }
 
-void create_text(hid_t parent, const std::string& name,
-                 const std::string& text) {
-    const Handle type = string_type(text.size());
-    const Handle dataset = create_dataset(
-        parent, {.name = name, .type = type, .sizes = {}, .unit = ""});
-    checked(
-        H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()),
-        "write " + name);
+void create_axis(hid_t group, const Axis& axis) {
+    std::visit(
+        [&](const auto& values) {
+            const Handle type = type_of(values);
+            const Handle scale = create_block(group,
+                                              {.name = axis.name,
+                                               .type = type,
+                                               .unit = axis.unit,
+                                               .meaning = axis.meaning},
+                                              {values.size()});
+            checked(H5DSset_scale(scale, axis.name.c_str()), "create a scale");
+            fill(group, axis.name, values);
+        },
+        axis.coordinates);
+}
+
+void create_texts(hid_t group, DatasetForm form,
+                  const std::vector<std::string>& texts) {
+    const Handle type = string_type(longest(texts));
+    form.type = type;
+    form.unit = "";
+    create_dataset(group, form);
+    fill(group, form.name, texts);
+}
+
+bool is_scale(hid_t dataset) {
+    return checked(H5DSis_scale(dataset), "find a scale") != 0;
+}
+
+Axis read_axis(hid_t group, const std::string& name) {
+    const Dataset scale(group, name);
+    Axis axis{name, scale.text("units"), scale.text("long_name"), {}};
+    switch (scale.kind()) {
+        case H5T_STRING:
+            axis.coordinates = scale.read_text(0, scale.rows());
+            break;
+        case H5T_INTEGER:
+            axis.coordinates = scale.read<std::int64_t>(0, scale.rows());
+            break;
+        default:
+            axis.coordinates = scale.read<double>(0, scale.rows());
+    }
+    return axis;
 }
 
 Handle create_group(hid_t parent, const std::string& name) {
     return {
         H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
         H5Gclose, "create " + name};
-}
-
-void create_attribute(hid_t object, const std::string& name,
-                      const std::string& text) {
-    create_attribute(object, name, string_type(text.size()), text.c_str());
-}
-
-void create_attribute(hid_t object, const std::string& name, hid_t type,
-                      const void* value) {
-    const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "create " + name);
-    const Handle attribute(
-        H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
-        H5Aclose, "create " + name);
-    checked(H5Awrite(attribute, type, value), "write " + name);
-}
-
-void label_dimension(hid_t dataset, unsigned dimension,
-                     const std::string& label) {
-    checked(H5DSset_label(dataset, dimension, label.c_str()),
-            "label a dimension " + label);
-}
-
-void attach_scale(hid_t dataset, unsigned dimension, hid_t scale) {
-    if (checked(H5DSis_scale(scale), "find a scale") == 0)
-        checked(H5DSset_scale(scale, nullptr), "create a scale");
-    checked(H5DSattach_scale(dataset, scale, dimension), "attach a scale");
 }
 
 }  // namespace ideotype

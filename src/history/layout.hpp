@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "handle.hpp"
+#include "ideotype/core/quantity.hpp"
 
 namespace ideotype {
 
@@ -17,38 +18,35 @@ enum class Room {
 struct DatasetForm {
     std::string name;
     hid_t type = -1;
-    std::vector<hsize_t> sizes;  //!< empty: a scalar
-    std::string unit;            //!< see analysis/FORMAT.md
+    std::vector<std::string> axes{};  //!< of its group; none: a scalar
+    std::string unit = "1";           //!< "" of texts
+    std::string meaning{};
     //! Value of what is not written, in the type's native form; null: zeros.
     const void* empty = nullptr;
     Room room = Room::at_once;
 };
 
-//! Creates a dataset with its unit as one block at a fixed place. A kill can
-//! cut a single write in two, at the end of a memory page, and HDF5 cannot read
-//! an index of chunks of which that happened; one block needs no index.
-Handle create_dataset(hid_t parent, const DatasetForm& form);
+//! Creates a dataset as one block at a fixed place, with a dimension scale on
+//! each axis. A kill can cut a single write in two, at the end of a memory
+//! page, and HDF5 cannot read an index of chunks of which that happened; one
+//! block needs no index.
+//! @param group with a scale of the name of each axis
+Handle create_dataset(hid_t group, const DatasetForm& form);
 
-//! Creates and fills a dataset of one string per row, as long as the longest.
-Handle create_texts(hid_t parent, const std::string& name,
-                    const std::vector<std::string>& texts);
+//! Creates the dimension scale of an axis.
+void create_axis(hid_t group, const Axis& axis);
 
-//! Creates and fills a scalar string dataset.
-void create_text(hid_t parent, const std::string& name,
-                 const std::string& text);
+//! Creates and fills a dataset of strings, one for each entry of its axis, as
+//! long as the longest. The type of the form is not looked at.
+void create_texts(hid_t group, DatasetForm form,
+                  const std::vector<std::string>& texts);
 
 Handle create_group(hid_t parent, const std::string& name);
 
-void create_attribute(hid_t object, const std::string& name,
-                      const std::string& text);
-void create_attribute(hid_t object, const std::string& name, hid_t type,
-                      const void* value);
+//! Whether a dataset is the scale of a dimension.
+bool is_scale(hid_t dataset);
 
-//! Names a dimension.
-void label_dimension(hid_t dataset, unsigned dimension,
-                     const std::string& label);
-
-//! Makes scale, a dataset of names, the scale of a dimension.
-void attach_scale(hid_t dataset, unsigned dimension, hid_t scale);
+//! The axis that a dimension scale describes.
+Axis read_axis(hid_t group, const std::string& name);
 
 }  // namespace ideotype

@@ -13,12 +13,15 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include "attributes.hpp"
+#include "checksum.hpp"
 #include "columns.hpp"
+#include "format_1.hpp"
+#include "generations.hpp"
 #include "header.hpp"
 #include "ideotype/core/error.hpp"
 #include "journal.hpp"
 #include "space.hpp"
-#include "summaries.hpp"
 
 namespace ideotype {
 
@@ -96,35 +99,45 @@ Handle open_without_lock(const std::string& path, hid_t access) {
             H5Fclose, "open the file"};
 }
 
-void check_format(const std::string& path, hid_t file, bool is_exact) {
+std::string version_of(const std::string& path, hid_t file) {
     if (text_attribute(file, "format") != format_name)
         refuse(path, "not a history of ideotype");
-    const std::string version = text_attribute(file, "format_version");
-    const std::string own = format_version;
-    const std::string major = own.substr(0, own.find('.') + 1);
-    if (is_exact ? version != own : !version.starts_with(major))
-        refuse(path, fmt::format("format version {}, but this program {} {}",
-                                 version.empty() ? "unknown" : version,
-                                 is_exact ? "resumes only" : "reads only",
-                                 is_exact ? own : major + "x"));
+    return text_attribute(file, "format_version");
+}
+
+[[noreturn]] void refuse_version(const std::string& path,
+                                 const std::string& version,
+                                 const std::string& known) {
+    refuse(path, fmt::format("format version {}, but this program {}",
+                             version.empty() ? "unknown" : version, known));
+}
+
+//! A file of format 1 becomes one of this format, in memory.
+Handle in_this_format(const std::string& path, Handle file) {
+    const std::string version = version_of(path, file);
+    if (version.starts_with("1.")) return upgraded(file);
+    if (!version.starts_with("2."))
+        refuse_version(path, version, "reads only 1.x and 2.x");
+    return file;
 }
 
 void write_everything(hid_t file, const HistoryHeader& header) {
-    const auto population = static_cast<hsize_t>(header.population);
-    const auto generations = static_cast<hsize_t>(header.generations);
     write_header(file, header);
     // The large comes last: it is what a file that is cut short loses.
-    Summaries::create(file, header);
+    Generations::create(file, header);
     Journal::create(file);
-    Columns::create(file, header,
-                    {.group = "final",
-                     .rows = static_cast<hsize_t>(header.finalists),
-                     .row_label = "finalist"});
-    Columns::create(file, header,
+    Columns::create(
+        file, header.genes, header.final_schema(),
+        {.group = "final",
+         .rows = counted("finalist", "0 is the baseline",
+                         static_cast<std::size_t>(header.finalists)),
+         .has_checksums = true});
+    Columns::create(file, header.genes, header.schema,
                     {.group = "evaluations",
-                     .rows = population * generations,
-                     .room = Room::as_needed,
-                     .row_label = "row"});
+                     .rows = counted("row", "generation after generation",
+                                     static_cast<std::size_t>(header.rows())),
+                     .room = Room::as_needed});
+    create_attribute(file, "checksum", header_checksum(file));
 }
 
 void place_objects(hid_t access) {
@@ -133,7 +146,10 @@ void place_objects(hid_t access) {
     checked(H5Pset_alignment(access, 8, 8), "align the datasets");
     // All that describes the data stands at the beginning, so that a file of
     // which the end is lost can be opened.
-    checked(H5Pset_meta_block_size(access, 1 << 16), "place the descriptions");
+    checked(H5Pset_meta_block_size(access, 1 << 18), "place the descriptions");
+    // References to scales are kept with small data.
+    checked(H5Pset_small_data_block_size(access, 1 << 17),
+            "place the descriptions");
 }
 
 void write_file(const std::string& unfinished, const HistoryHeader& header,
@@ -156,20 +172,26 @@ void write_file(const std::string& unfinished, const HistoryHeader& header,
 std::uint64_t bytes_with(HistoryHeader header, int generations) {
     header.generations = generations;
     const std::string action = "measure a file";
-    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, action);
-    checked(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110),
-            action);
-    checked(H5Pset_fapl_core(access, 1 << 20, false), action);
-    place_objects(access);
-    const Handle file(H5Fcreate("measured", H5F_ACC_TRUNC, H5P_DEFAULT, access),
-                      H5Fclose, action);
-    write_everything(file, header);
+    const Handle file = create_in_memory(header);
     flush(file);
     return static_cast<std::uint64_t>(
         checked(H5Fget_file_image(file, nullptr, 0), action));
 }
 
 }  // namespace
+
+Handle create_in_memory(const HistoryHeader& header) {
+    const std::string action = "create a file in memory";
+    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, action);
+    checked(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110),
+            action);
+    checked(H5Pset_fapl_core(access, 1 << 20, false), action);
+    place_objects(access);
+    Handle file(H5Fcreate("in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access),
+                H5Fclose, action);
+    write_everything(file, header);
+    return file;
+}
 
 std::uint64_t history_bytes(const HistoryHeader& header) {
     initialize_hdf5();
@@ -225,17 +247,24 @@ Handle open_to_write(const std::string& path) {
     Handle file(
         H5Fopen(path.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, access),
         H5Fclose, "open the file to write");
-    check_format(path, file, true);
+    if (const std::string version = version_of(path, file);
+        version != format_version)
+        refuse_version(path, version,
+                       std::string("resumes only ") + format_version);
     // A copy may have lost what was reserved for the original.
     reserve_space(file, path, "make room and resume again");
     return file;
 }
 
-Handle open_to_read(const std::string& path) {
+Handle open_as_it_is(const std::string& path) {
     refuse_truncated(path);
     Handle file = open_without_lock(path, access_properties());
-    check_format(path, file, false);
+    version_of(path, file);
     return file;
+}
+
+Handle open_to_read(const std::string& path) {
+    return in_this_format(path, open_as_it_is(path));
 }
 
 Remains open_remains(const std::string& path) {
@@ -247,7 +276,9 @@ Remains open_remains(const std::string& path) {
         const hbool_t yes = true;
         checked(H5Pset(access, "skip_eof_check", &yes), "skip the check");
         Handle file = open_without_lock(path, access);
-        check_format(path, file, false);
+        if (const std::string version = version_of(path, file);
+            !version.starts_with("2."))
+            refuse_version(path, version, "saves only 2.x of a truncated file");
         return {std::move(file), length.present,
                 length.expected - length.present};
     } catch (const Hdf5Error&) {

@@ -13,6 +13,9 @@ namespace ideotype {
 //! name it is complete or does not exist. @throws Error, Hdf5Error
 void create_file(const std::string& path, const HistoryHeader& header);
 
+//! A history without rows, in memory.
+Handle create_in_memory(const HistoryHeader& header);
+
 //! A new file without anything in it.
 Handle create_empty(const std::string& path);
 
@@ -27,8 +30,11 @@ void put_in_place(const std::string& from, const std::string& to);
 //! holds the FileLock. @throws Error (refused) if it is not a history.
 Handle open_to_write(const std::string& path);
 
-//! Opens a live, closed or killed history. @throws Error (refused) if it is
-//! not a history.
+//! Opens a live, closed or killed history of any format version. @throws Error
+//! (refused) if it is not a history.
+Handle open_as_it_is(const std::string& path);
+
+//! As above; a file of format 1 becomes one of this format, in memory.
 Handle open_to_read(const std::string& path);
 
 //! A file that may be shorter than it was.

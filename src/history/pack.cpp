@@ -1,14 +1,18 @@
 #include "ideotype/history/pack.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 
+#include <hdf5_hl.h>
 #include <sys/stat.h>
 
+#include "attributes.hpp"
+#include "checksum.hpp"
 #include "contents.hpp"
+#include "dataset.hpp"
 #include "file_lock.hpp"
 #include "history_file.hpp"
-#include "journal.hpp"
 #include "layout.hpp"
 #include "open.hpp"
 
@@ -44,6 +48,7 @@ Handle packed_form(hid_t dataset, const Blocks& blocks) {
     checked(H5Pset_fill_time(form, H5D_FILL_TIME_ALLOC), action);
     checked(H5Pset_shuffle(form), action);
     checked(H5Pset_deflate(form, effort), action);
+    checked(H5Pset_fletcher32(form), action);
     return form;
 }
 
@@ -94,9 +99,16 @@ void copy_dimensions(hid_t source, hid_t target) {
         const Handle to = open_object(target, object);
         for (unsigned i = 0; i < dimensions.size(); ++i) {
             if (!dimensions[i].label.empty())
-                label_dimension(to, i, dimensions[i].label);
-            for (const std::string& scale : dimensions[i].scales)
-                attach_scale(to, i, open_object(target, {scale, true}));
+                checked(H5DSset_label(to, i, dimensions[i].label.c_str()),
+                        "label a dimension");
+            for (const std::string& path : dimensions[i].scales) {
+                const Handle scale = open_object(target, {path, true});
+                const std::string name = path.substr(path.rfind('/') + 1);
+                if (!is_scale(scale))
+                    checked(H5DSset_scale(scale, name.c_str()),
+                            "create a scale");
+                checked(H5DSattach_scale(to, scale, i), "attach a scale");
+            }
         }
     }
 }
@@ -159,15 +171,16 @@ PackedSize pack_file(const std::string& path) {
     const std::string packed = path + ".packed";
     const std::uintmax_t before = room_of(path);
     try {
-        const Handle source = open_to_read(path);
-        if (!Journal(source).finished())
+        const Handle source = open_as_it_is(path);
+        if (Dataset(source, "state/finished").read<std::int8_t>(0, 1)[0] == 0)
             throw Error(path +
                             ": is not finished; only a finished history is "
                             "packed (go on with ideotype run --resume)",
                         ExitCode::refused);
         if (is_packed(source)) return {before, before};
+        if (has_checksums(source)) require_intact(source, path);
         write_packed(source, packed);
-        compare(source, open_to_read(packed));
+        compare(source, open_as_it_is(packed));
         fs::permissions(packed, fs::status(path).permissions());
     } catch (const Hdf5Error& error) {
         fs::remove(packed);

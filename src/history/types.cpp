@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <utility>
 
-#include "ideotype/search/evaluation.hpp"
+#include "ideotype/search/population.hpp"
 
 namespace ideotype {
 
@@ -49,16 +49,6 @@ Handle origin_type() {
 Handle bool_type() {
     return enumeration<std::int8_t>(
         H5T_STD_I8LE, {{"FALSE", std::int8_t{0}}, {"TRUE", std::int8_t{1}}});
-}
-
-std::string fitted(const std::string& text, std::size_t size) {
-    if (text.size() <= size) return text;
-    const auto continues = [&](std::size_t at) {
-        return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
-    };
-    std::size_t end = size;
-    while (end > 0 && continues(end)) --end;
-    return text.substr(0, end);
 }
 
 }  // namespace ideotype

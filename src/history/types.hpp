@@ -16,8 +16,4 @@ Handle status_type();
 Handle origin_type();
 Handle bool_type();
 
-//! The start of a text that fits into this many bytes, cut between two
-//! characters.
-std::string fitted(const std::string& text, std::size_t size);
-
 }  // namespace ideotype

@@ -1,51 +1,44 @@
-#include "verify.hpp"
+#include "ideotype/history/verify.hpp"
 
-#include <bit>
-#include <cstdint>
-
-#include <fmt/format.h>
+#include "attributes.hpp"
+#include "checksum.hpp"
+#include "columns.hpp"
+#include "contents.hpp"
+#include "history_file.hpp"
+#include "open.hpp"
 
 namespace ideotype {
 
 namespace {
 
-// Bits, because two zeros compare equal and two NaN do not.
-bool is_same(double a, double b) {
-    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
-
-const char* name(Origin origin) {
-    switch (origin) {
-        case Origin::none:
-            return "none";
-        case Origin::baseline:
-            return "baseline";
-        case Origin::random:
-            return "random";
-        case Origin::elite:
-            return "elite";
-        case Origin::child:
-            return "child";
+// Compressed blocks have checksums of their own, which reading looks at.
+void read_everything(hid_t file) {
+    for (const Object& each : objects_of(file)) {
+        if (!each.is_dataset) continue;
+        const Handle dataset = open_object(file, each);
+        const Blocks blocks(dataset);
+        blocks.for_each([&](hsize_t first, hsize_t count) {
+            read_block(dataset, blocks, first, count);
+        });
     }
-    return "unknown";
 }
 
 }  // namespace
 
-std::string first_difference(const GeneSpace& genes, const Candidate& was,
-                             const Candidate& is) {
-    for (std::size_t i = 0; i < genes.size(); ++i)
-        if (!is_same(was.genome[i], is.genome[i]))
-            return fmt::format("gene {} was {}, is {} [{}]", genes[i].name,
-                               was.genome[i], is.genome[i], genes[i].unit);
-    if (was.origin != is.origin)
-        return fmt::format("its origin was {}, is {}", name(was.origin),
-                           name(is.origin));
-    if (was.parents != is.parents)
-        return fmt::format("its parents were {} and {}, are {} and {}",
-                           was.parents[0], was.parents[1], is.parents[0],
-                           is.parents[1]);
-    return "";
+Verified verify_file(const std::string& path) {
+    initialize_hdf5();
+    return with_name_of(path, [&] {
+        const Handle file = open_as_it_is(path);
+        Verified verified;
+        verified.has_checksums = has_checksums(file);
+        read_everything(file);
+        if (verified.has_checksums) require_intact(file, path);
+        const History history = History::read(path);
+        verified.generations = history.next_generation();
+        for (const Row& row : history.finalists())
+            verified.finalists += is_recorded(row.outcome.status) ? 1 : 0;
+        return verified;
+    });
 }
 
 }  // namespace ideotype

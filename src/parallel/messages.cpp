@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "ideotype/core/error.hpp"
+#include "ideotype/core/text.hpp"
 
 namespace ideotype {
 
@@ -88,36 +89,6 @@ void check_size(std::span<const std::byte> bytes, std::size_t expected,
                         bytes.size(), expected, kind));
 }
 
-//! How much of a text fits without cutting a UTF-8 character in two.
-std::size_t fitting_size(const std::string& text) {
-    if (text.size() <= reply_message_capacity) return text.size();
-    std::size_t size = reply_message_capacity;
-    const auto continues = [&](std::size_t i) {
-        return (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80;
-    };
-    while (size > 0 && continues(size)) --size;
-    return size;
-}
-
-std::byte* write_estimates(std::byte* to, const std::vector<Estimate>& from) {
-    for (const Estimate& x : from) {
-        std::memcpy(to, &x.mean, sizeof(double));
-        std::memcpy(to + sizeof(double), &x.standard_error, sizeof(double));
-        to += 2 * sizeof(double);
-    }
-    return to;
-}
-
-const std::byte* read_estimates(const std::byte* from,
-                                std::vector<Estimate>& to) {
-    for (Estimate& x : to) {
-        std::memcpy(&x.mean, from, sizeof(double));
-        std::memcpy(&x.standard_error, from + sizeof(double), sizeof(double));
-        from += 2 * sizeof(double);
-    }
-    return from;
-}
-
 }  // namespace
 
 Bytes encode_work(const Work& work) {
@@ -141,44 +112,44 @@ Work decode_work(std::span<const std::byte> bytes) {
 }
 
 Bytes encode_reply(const Reply& reply) {
-    const Outcome& outcome = reply.outcome;
+    Outcome outcome = reply.outcome;
     ReplyHeader header{};
     header.mark = Mark::reply;
     header.task = to_wire(reply.task);
     header.status = static_cast<std::uint32_t>(outcome.status);
     header.seconds = outcome.seconds;
     header.worker = outcome.worker;
-    const std::size_t message_size = fitting_size(outcome.message);
-    header.message_size = static_cast<std::uint32_t>(message_size);
-    std::copy_n(outcome.message.begin(), message_size, header.message.begin());
+    const std::string message =
+        first_bytes(outcome.message, reply_message_capacity);
+    header.message_size = static_cast<std::uint32_t>(message.size());
+    std::copy(message.begin(), message.end(), header.message.begin());
 
-    Bytes bytes = with_room(
-        header, 2 * (outcome.objectives.size() + outcome.diagnostics.size()));
-    write_estimates(
-        write_estimates(bytes.data() + sizeof(ReplyHeader), outcome.objectives),
-        outcome.diagnostics);
+    std::vector<double> numbers;
+    outcome.for_each_number([&](double& x) { numbers.push_back(x); });
+    Bytes bytes = with_room(header, numbers.size());
+    std::memcpy(bytes.data() + sizeof(ReplyHeader), numbers.data(),
+                numbers.size() * sizeof(double));
     return bytes;
 }
 
 Reply decode_reply(std::span<const std::byte> bytes,
                    const OutcomeSchema& schema) {
     const auto header = read_header<ReplyHeader>(bytes, Mark::reply, "a reply");
-    const std::size_t columns =
-        schema.objectives.size() + schema.diagnostics.size();
-    check_size(bytes, sizeof(ReplyHeader) + 2 * columns * sizeof(double),
-               "a reply");
-    Outcome outcome;
+    Outcome outcome = unknown_outcome(schema);
+    std::size_t expected = sizeof(ReplyHeader);
+    outcome.for_each_number([&](double&) { expected += sizeof(double); });
+    check_size(bytes, expected, "a reply");
     outcome.status = static_cast<Status>(header.status);
     outcome.seconds = header.seconds;
     outcome.worker = header.worker;
     outcome.message.assign(
         header.message.data(),
         std::min<std::size_t>(header.message_size, header.message.size()));
-    outcome.objectives.resize(schema.objectives.size());
-    outcome.diagnostics.resize(schema.diagnostics.size());
-    read_estimates(
-        read_estimates(bytes.data() + sizeof(ReplyHeader), outcome.objectives),
-        outcome.diagnostics);
+    const std::byte* from = bytes.data() + sizeof(ReplyHeader);
+    outcome.for_each_number([&](double& x) {
+        std::memcpy(&x, from, sizeof(double));
+        from += sizeof(double);
+    });
     return {from_wire(header.task), std::move(outcome)};
 }
 

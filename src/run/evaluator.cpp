@@ -2,27 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include <fmt/format.h>
-
-#include "ideotype/core/error.hpp"
+#include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/hash.hpp"
 #include "ideotype/light/tolerance.hpp"
 
 namespace ideotype {
-
-namespace {
-
-constexpr double joule_per_megajoule = 1e6;
-constexpr auto violation_column = "violation";
-
-std::string clock_name(double hour) {
-    const int minutes = static_cast<int>(std::lround(hour * 60));
-    return fmt::format("{:02}_{:02}", minutes / 60, minutes % 60);
-}
-
-}  // namespace
 
 Accuracy accuracy_of(const Task& task, const Campaign& campaign) {
     if (task.is_final) return campaign.final_rule.sampling;
@@ -84,118 +69,57 @@ CanopyRequest request_of(const Task& task, const Campaign& campaign,
             {}};
 }
 
-OutcomeSchema outcome_schema(const Campaign& campaign, const Day& day) {
+OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
+                             const Accuracy& accuracy) {
     OutcomeSchema schema;
-    schema.objectives = {
-        campaign.objective == Objective::absorbed_par
-            ? Quantity{"absorbed_par", "MJ m-2 day-1"}
-            : Quantity{"absorbed_par_per_leaf_area", "MJ m-2 day-1"}};
-    schema.diagnostics = {{"incident", "MJ m-2 day-1"},
-                          {"absorbed_fraction", "1"},
-                          {"stalk_fraction", "1"},
-                          {"soil_fraction", "1"},
-                          {"reflected_fraction", "1"},
-                          {"balance_error", "1"},
-                          {"paths", "1"},
-                          {"capped", "1"},
-                          {"lai", "m2 m-2"},
-                          {violation_column, "1"}};
-    for (std::size_t leaf = 1; leaf <= campaign.baseline.size(); ++leaf)
-        schema.diagnostics.push_back(
-            {fmt::format("absorbed_leaf{:02}", leaf), "MJ m-2 day-1"});
-    const Layers layers = canopy_layers(campaign);
-    for (std::size_t l = 0; l < layers.count; ++l)
-        schema.diagnostics.push_back(
-            {fmt::format("absorbed_layer_{:03.0f}_{:03.0f}cm",
-                         100 * layers.thickness * static_cast<double>(l),
-                         100 * layers.thickness * static_cast<double>(l + 1)),
-             "MJ m-2 day-1"});
-    for (const char* part : {"beam", "sky", "scattered", "adaxial", "abaxial"})
-        schema.diagnostics.push_back(
-            {fmt::format("absorbed_{}", part), "MJ m-2 day-1"});
-    for (const TimeStep& step : day.steps)
-        schema.diagnostics.push_back(
-            {"absorbed_hour_" + clock_name(step.hour), "W m-2"});
+    schema.measured = canopy_quantities(
+        campaign.baseline.size(), canopy_layers(campaign),
+        clear_day(chosen.site, chosen.day, campaign.par_fraction));
+    schema.randomisations = static_cast<std::size_t>(accuracy.randomisations);
+    for (const Quantity& each : schema.measured.quantities)
+        if (each.name == campaign.objective)
+            schema.objectives.push_back({each.name, each.unit});
     return schema;
 }
 
 Outcome to_outcome(const Campaign& campaign, const Genome& genome,
                    const CanopyReport& report) {
-    const BudgetEstimate& day = report.light.day;
-    const double to_mj = 1 / joule_per_megajoule;
-    // On a day without light nothing is absorbed, of nothing.
-    const double to_fraction = day.incident > 0 ? 1 / day.incident : 0;
+    auto [objective, randomisations] =
+        measure_objective(campaign.objective, report);
     Outcome outcome;
     outcome.status = Status::done;
-    outcome.objectives = {
-        scaled(day.leaves, campaign.objective == Objective::absorbed_par
-                               ? to_mj
-                               : to_mj / report.lai)};
-    outcome.diagnostics = {
-        {day.incident * to_mj, 0},
-        scaled(day.leaves, to_fraction),
-        scaled(day.stalks, to_fraction),
-        scaled(day.soil, to_fraction),
-        scaled(day.reflected, to_fraction),
-        {report.light.balance_error, 0},
-        {static_cast<double>(report.paths), 0},
-        {report.is_capped ? 1.0 : 0.0, 0},
-        {report.lai, 0},
-        {violation(campaign.constraints, to_traits(genome), report.lai), 0}};
-    for (std::size_t g = 0; g < report.groups.size(); ++g)
-        if (report.groups[g].tissue == Tissue::leaf)
-            outcome.diagnostics.push_back(
-                scaled(report.light.groups[g], to_mj));
-    for (const Estimate& layer : report.light.layers)
-        outcome.diagnostics.push_back(scaled(layer, to_mj));
-    for (const Estimate& part :
-         {day.leaves_beam, day.leaves_sky, day.leaves_scattered,
-          report.light.adaxial, report.light.abaxial})
-        outcome.diagnostics.push_back(scaled(part, to_mj));
-    for (const StepReport& step : report.light.steps)
-        outcome.diagnostics.push_back(step.budget.leaves);
+    outcome.objectives = {objective};
+    outcome.randomisations = std::move(randomisations);
+    outcome.violation =
+        violation(campaign.constraints, to_traits(genome), report.lai);
+    outcome.quantities = measure(report);
     return outcome;
-}
-
-double fitness_of(const Outcome& outcome, const OutcomeSchema& schema) {
-    if (outcome.status != Status::done)
-        return -std::numeric_limits<double>::infinity();
-    const auto column = std::find_if(
-        schema.diagnostics.begin(), schema.diagnostics.end(),
-        [](const Quantity& q) { return q.name == violation_column; });
-    if (column != schema.diagnostics.end()) {
-        const double violation = outcome
-                                     .diagnostics[static_cast<std::size_t>(
-                                         column - schema.diagnostics.begin())]
-                                     .mean;
-        if (violation > 0) return -violation;
-    }
-    return outcome.objectives.front().mean;
 }
 
 CanopyEvaluator::CanopyEvaluator(const Campaign& campaign,
                                  const std::string& isa)
-    : campaign_(campaign),
-      cases_(cases(campaign)),
-      scenarios_(cases_.size()),
-      device_(isa) {
-    for (const Case& c : cases_)
-        schemas_.push_back(outcome_schema(
-            campaign, clear_day(c.site, c.day, campaign.par_fraction)));
+    : campaign_(campaign), device_(isa) {
+    for (const Case& each : cases(campaign))
+        cases_.push_back(
+            {each, outcome_schema(campaign, each, campaign.sampling),
+             outcome_schema(campaign, each, campaign.final_rule.sampling),
+             std::nullopt});
 }
 
 const OutcomeSchema& CanopyEvaluator::schema(const Task& task) const {
-    return schemas_.at(task.case_index);
+    const Prepared& prepared = cases_.at(task.case_index);
+    return task.is_final ? prepared.final_schema : prepared.schema;
 }
 
 Outcome CanopyEvaluator::evaluate(const Task& task, const Genome& genome) {
-    const Case& chosen = cases_.at(task.case_index);
-    std::optional<Scenario>& scenario = scenarios_[task.case_index];
-    if (!scenario) scenario = scenario_of(campaign_, chosen);
+    Prepared& prepared = cases_.at(task.case_index);
+    if (!prepared.scenario)
+        prepared.scenario = scenario_of(campaign_, prepared.chosen);
     return to_outcome(
         campaign_, genome,
-        ideotype::evaluate(
-            request_of(task, campaign_, chosen, *scenario, genome), device_));
+        ideotype::evaluate(request_of(task, campaign_, prepared.chosen,
+                                      *prepared.scenario, genome),
+                           device_));
 }
 
 }  // namespace ideotype

@@ -35,9 +35,7 @@ Routine<bool> evaluate_pending(const Evolution& evolution, History& history,
             work.push_back({task, candidates[slot].genome});
         }
     const Record record = [&](const Work& done, const Outcome& outcome) {
-        history.record(generation, done.task.slot, outcome,
-                       fitness_of(outcome, history.header().schema),
-                       done.task.attempt);
+        history.record(generation, done.task.slot, outcome, done.task.attempt);
         evolution.watcher.on_evaluation(generation);
     };
     co_await evolution.dispatcher.evaluate(std::move(work), record);
@@ -46,7 +44,7 @@ Routine<bool> evaluate_pending(const Evolution& evolution, History& history,
     for (const auto& [slot, original] : original_of)
         if (unknown.contains(slot) && !unknown.contains(original)) {
             const Row row = history.row(generation, original);
-            history.record(generation, slot, row.outcome, row.fitness, 0);
+            history.record(generation, slot, row.outcome, 0);
         }
     co_return history.pending(generation).empty();
 }
@@ -93,8 +91,7 @@ Routine<bool> evaluate_finalists(const Evolution& evolution, History& history) {
         work.push_back({task, finalists[slot].genome});
     }
     const Record record = [&](const Work& done, const Outcome& outcome) {
-        history.record_final(done.task.slot, outcome,
-                             fitness_of(outcome, history.header().schema));
+        history.record_final(done.task.slot, outcome);
     };
     co_await evolution.dispatcher.evaluate(std::move(work), record);
     co_return history.pending_final().empty();

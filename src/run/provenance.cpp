@@ -59,8 +59,9 @@ HistoryHeader header_of(const Campaign& campaign, const Case& chosen,
     header.campaign_source = campaign.source;
     header.campaign_resolved = campaign.resolved;
     header.genes = gene_space(campaign, chosen);
-    header.schema = outcome_schema(
-        campaign, clear_day(chosen.site, chosen.day, campaign.par_fraction));
+    header.schema = outcome_schema(campaign, chosen, campaign.sampling);
+    header.final_randomisations =
+        static_cast<std::size_t>(campaign.final_rule.sampling.randomisations);
     header.seed = chosen.seed;
     header.population = campaign.search.population;
     header.generations = campaign.stop.generations;
@@ -120,7 +121,16 @@ void require_resumable(const HistoryHeader& header, const Campaign& campaign,
 }
 
 SessionRecord session_record(const std::string& command, int ranks) {
-    return {utc_now(), host_name(), command, ranks};
+    const BuildInfo& build = build_info();
+    return {
+        utc_now(),
+        host_name(),
+        command,
+        ranks,
+        fmt::format("ideotype {}", build.version),
+        build.compiler,
+        fmt::format("{}; {}; {}", Device::library_version(),
+                    History::library_version(), Session::library_version())};
 }
 
 std::string version_text() {

@@ -6,6 +6,7 @@
 
 #include "ideotype/core/units.hpp"
 #include "ideotype/run/progress.hpp"
+#include "ideotype/search/order.hpp"
 
 namespace ideotype {
 
@@ -16,97 +17,100 @@ std::string format_daily(Estimate mj_per_m2) {
         format(scaled(mj_per_m2, mwh_per_acre_per_mj_per_m2)));
 }
 
-std::size_t best_finalist(const std::vector<Row>& finalists) {
+std::size_t best_finalist(const std::vector<Row>& finalists, Sense sense) {
+    Population population;
+    for (const auto& [candidate, outcome, attempt] : finalists)
+        population.push_back(
+            {candidate, outcome.status, outcome.objectives, outcome.violation});
     std::size_t best = 0;
     for (std::size_t i = 1; i < finalists.size(); ++i)
-        if (finalists[i].outcome.status == Status::done &&
-            (best == 0 || finalists[i].fitness > finalists[best].fitness))
+        if (population[i].status == Status::done &&
+            (best == 0 || is_better(population[i], population[best], sense)))
             best = i;
     return best;
 }
 
 namespace {
 
-Estimate diagnostic(const History& history, const Row& row,
-                    const std::string& name) {
-    const auto& columns = history.header().schema.diagnostics;
-    for (std::size_t i = 0; i < columns.size(); ++i)
-        if (columns[i].name == name) return row.outcome.diagnostics[i];
-    return {std::nan(""), std::nan("")};
+Estimate quantity(const History& history, const Row& row,
+                  const std::string& name) {
+    const double nan = std::nan("");
+    return find(history.header().schema, row.outcome, name)
+        .value_or(Estimate{nan, nan});
 }
 
 double lai_of(const History& history, const Row& row) {
-    return diagnostic(history, row, "lai").mean;
+    return quantity(history, row, "lai").mean;
 }
 
 std::string described(const History& history, const Row& row) {
-    const Quantity& objective = history.header().schema.objectives.front();
+    const Objective& objective = history.header().schema.objectives.front();
     const Estimate value = row.outcome.objectives.front();
     std::string text =
         objective.name == "absorbed_par"
             ? format_daily(value)
             : fmt::format("{} {}", format(value), objective.unit);
     text += fmt::format("\n            {} of the incident light, LAI {:.2f}",
-                        format(diagnostic(history, row, "absorbed_fraction")),
+                        format(quantity(history, row, "absorbed_fraction")),
                         lai_of(history, row));
-    const double violation = diagnostic(history, row, "violation").mean;
+    const double violation = row.outcome.violation;
     if (violation > 0)
         text += fmt::format("; FAILS ITS CONSTRAINTS by {:.3g}", violation);
     return text;
 }
 
-//! " = 23.1 +- 0.2 %", or nothing relative to no light.
-std::string percent(Estimate before, Estimate after) {
-    if (!(before.mean > 0)) return "";
-    const double ratio = after.mean / before.mean;
+//! The mean of b - a over randomisations that both plants share, with units
+//! and relative to a. Each may be given per leaf area.
+std::string gain(const Outcome& a, double area_a, const Outcome& b,
+                 double area_b) {
+    const auto per = [](Outcome outcome, double area) {
+        for (Estimate& x : outcome.objectives) x = scaled(x, 1 / area);
+        for (double& x : outcome.randomisations) x /= area;
+        return outcome;
+    };
+    const Outcome before = per(a, area_a), after = per(b, area_b);
+    const double reference = before.objectives.front().mean;
+    const Estimate found = difference(before, after);
+    if (!(reference > 0)) return format(found) + " MJ m-2 day-1";
+    // To first order, x / a - 1 has the error of (x - x / a * a) / a.
+    const double ratio = after.objectives.front().mean / reference;
+    const Estimate relative = difference(per(before, 1 / ratio), after);
     return fmt::format(
-        " = {} %",
-        format({100 * (ratio - 1), 100 / before.mean *
-                                       std::hypot(ratio * before.standard_error,
-                                                  after.standard_error)}));
-}
-
-//! Both plants share their random numbers, so these errors are, if anything,
-//! too large.
-std::string gain(Estimate before, Estimate after) {
-    return format({after.mean - before.mean,
-                   std::hypot(before.standard_error, after.standard_error)}) +
-           " MJ m-2 day-1" + percent(before, after);
+        "{} MJ m-2 day-1 = {} %", format(found),
+        format({100 * (ratio - 1), 100 * relative.standard_error / reference}));
 }
 
 //! Much of a gain may be leaf area: it stands beside it, and the gain that is
 //! left of it per leaf area.
 std::string gains(const History& history, const Row& baseline,
                   const Row& best) {
-    const Estimate before = baseline.outcome.objectives.front();
-    const Estimate after = best.outcome.objectives.front();
     const double lai_before = lai_of(history, baseline);
     const double lai_after = lai_of(history, best);
-    std::string text =
-        fmt::format("  gain      {}, with LAI {:.2f} instead of {:.2f}\n",
-                    gain(before, after), lai_after, lai_before);
+    std::string text = fmt::format(
+        "  gain      {}, with LAI {:.2f} instead of {:.2f}\n",
+        gain(baseline.outcome, 1, best.outcome, 1), lai_after, lai_before);
     const bool is_per_ground =
         history.header().schema.objectives.front().name == "absorbed_par";
     if (is_per_ground && lai_before > 0 && lai_after > 0)
         text += fmt::format(
             "            {} per leaf area\n",
-            gain(scaled(before, 1 / lai_before), scaled(after, 1 / lai_after)));
+            gain(baseline.outcome, lai_before, best.outcome, lai_after));
     return text;
 }
 
 //! Plain absorption in an endless stand has a ceiling: a word of warning.
 std::string left_to_gain(const History& history, const Campaign& campaign,
                          const Row& best) {
-    if (campaign.objective != Objective::absorbed_par ||
+    if (campaign.objective != "absorbed_par" ||
         campaign.field.boundary != Boundary::periodic)
         return "";
-    const Estimate stalks = diagnostic(history, best, "stalk_fraction");
-    const Estimate soil = diagnostic(history, best, "soil_fraction");
+    const Estimate stalks = quantity(history, best, "stalk_fraction");
+    const Estimate soil = quantity(history, best, "soil_fraction");
     const Estimate left{stalks.mean + soil.mean,
                         std::hypot(stalks.standard_error, soil.standard_error)};
     const bool is_saturated =
         left.mean <=
-        diagnostic(history, best, "absorbed_fraction").standard_error;
+        quantity(history, best, "absorbed_fraction").standard_error;
     return fmt::format(
         "  left      at most {} of the incident light{}\n", format(left),
         is_saturated ? ", within the standard error: leaves cannot take more, "
@@ -119,7 +123,8 @@ std::string left_to_gain(const History& history, const Campaign& campaign,
 
 std::string final_summary(const History& history, const Campaign& campaign) {
     const std::vector<Row> finalists = history.finalists();
-    const std::size_t best = best_finalist(finalists);
+    const std::size_t best = best_finalist(
+        finalists, history.header().schema.objectives.front().sense);
     if (finalists.empty() || finalists[0].outcome.status != Status::done ||
         best == 0)
         return "no finalist could be evaluated; see the messages of failed "

@@ -204,7 +204,7 @@ TEST(Campaign, ResolvedTextKeepsUnusualValues) {
     EXPECT_EQ(again.field.border_rows, 1);
     EXPECT_EQ(again.constraints.lai.lower, 0.1);
     EXPECT_TRUE(again.constraints.erect_top);
-    EXPECT_EQ(again.objective, Objective::absorbed_par_per_leaf_area);
+    EXPECT_EQ(again.objective, "absorbed_par_per_leaf_area");
     EXPECT_FALSE(again.trait_sets[0].value.width);
     EXPECT_EQ(again.bounds[0].length.lower, 0.1);
 }

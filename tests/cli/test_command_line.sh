@@ -184,10 +184,10 @@ head -1 all.csv | tr , '\n' >heads
 head -1 plant.csv | tr , '\n' | tail -4 | sed 's/^/leaf07_/' >expected
 grep '^leaf07' heads | cmp - expected || fail "not the heads of --best"
 for name in origin absorbed_par_MJ_per_m2_per_day stalk_fraction paths lai_m2_per_m2 \
-    absorbed_beam_standard_error_MJ_per_m2_per_day balance_error; do
+    absorbed_by_source_beam_standard_error_MJ_per_m2_per_day balance_error; do
     grep -qx $name heads || fail "no $name in $(cat heads)"
 done
-grep -q 'absorbed_hour_\|absorbed_leaf0' heads && fail "profiles are no scalars"
+grep -q 'absorbed_by_hour\|absorbed_by_leaf' heads && fail "profiles are no scalars"
 awk -F, 'NF != '"$(wc -l <heads)"' { exit 1 }' all.csv || fail "uneven lines"
 expect 0 "$ideotype" export "$history" --best --to bred.toml
 expect 0 "$ideotype" evaluate "$history" bred.toml \

@@ -8,6 +8,7 @@
 
 #include <sys/wait.h>
 
+#include "ideotype/core/quantity.hpp"
 #include "ideotype/history/history.hpp"
 
 namespace ideotype {
@@ -33,18 +34,26 @@ class Folder {
     std::filesystem::path path_;
 };
 
-//! 3 genes, 1 objective, 2 diagnostics; 4 slots, 5 generations, 3 finalists.
+//! 3 genes, 1 objective, a quantity along leaves; 4 slots, 5 generations, 3
+//! finalists.
 inline HistoryHeader sample_header() {
     HistoryHeader header;
     header.text = {{"case", "ames-all-1"}, {"isa", "avx2"}, {"empty", ""}};
     header.numbers = {{"latitude", 42.0}, {"replicate", 1}};
     header.campaign_source = "# Übersicht\nname = \"ames\"\n";
     header.campaign_resolved = "name = \"ames\"\nseed = 1\n";
-    header.genes = {{"leaf01_length", "m", 0.4, 1.1, false, true},
-                    {"leaf01_insertion_angle", "deg", 10, 80, false, false},
-                    {"leaf01_azimuth", "deg", 0, 360, true, true}};
-    header.schema = {{{"absorbed_par", "MJ m-2 day-1"}},
-                     {{"lai", "m2 m-2"}, {"balance_error", "1"}}};
+    header.genes = {
+        {"leaf01_length", "m", 0.4, 1.1, false, true, "length", 1},
+        {"leaf01_insertion_angle", "deg", 10, 80, false, false,
+         "insertion_angle", 1},
+        {"leaf01_azimuth", "deg", 0, 360, true, true, "azimuth", 1}};
+    header.schema.objectives = {{"absorbed_par", "MJ m-2 day-1"}};
+    header.schema.randomisations = 2;
+    header.schema.measured = {
+        {counted("leaf", "leaf rank", 2, 1)},
+        {{"lai", "m2 m-2", "leaf area", {}, Certainty::exact},
+         {"absorbed_by_leaf", "MJ m-2 day-1", "light", {"leaf"}}}};
+    header.final_randomisations = 3;
     header.seed = 0xfedcba9876543210;
     header.population = 4;
     header.generations = 5;
@@ -70,12 +79,15 @@ inline std::vector<Candidate> sample_candidates(std::uint32_t generation,
     return candidates;
 }
 
-inline Outcome sample_outcome(std::uint32_t generation, std::uint32_t slot) {
+inline Outcome sample_outcome(std::uint32_t generation, std::uint32_t slot,
+                              std::size_t randomisations = 2) {
     const double x = generation + slot / 9.0;
     Outcome outcome;
     outcome.status = Status::done;
     outcome.objectives = {{x + 1 / 3.0, 0.01 + x}};
-    outcome.diagnostics = {{3 + x, 0.02}, {1e-300, 0.03}};
+    outcome.randomisations.assign(randomisations, x);
+    outcome.randomisations.back() += 2 / 3.0;
+    outcome.quantities = {{3 + x, 0}, {1e-300, 0.03}, {-x, 0.04}};
     outcome.seconds = 0.5;
     outcome.worker = slot;
     return outcome;
@@ -83,11 +95,8 @@ inline Outcome sample_outcome(std::uint32_t generation, std::uint32_t slot) {
 
 //! Records all that is pending of a generation.
 inline void record_pending(History& history, std::uint32_t generation) {
-    for (const std::uint32_t slot : history.pending(generation)) {
-        const Outcome outcome = sample_outcome(generation, slot);
-        history.record(generation, slot, outcome, outcome.objectives[0].mean,
-                       1);
-    }
+    for (const std::uint32_t slot : history.pending(generation))
+        history.record(generation, slot, sample_outcome(generation, slot), 1);
 }
 
 //! Proposes, records and commits a generation.

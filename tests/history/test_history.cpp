@@ -43,7 +43,7 @@ TEST_F(HistoryTest, HeaderComesBack) {
     const HistoryHeader& is = history->header();
     for (const auto& [name, text] : was.text) EXPECT_EQ(is.text.at(name), text);
     EXPECT_EQ(is.text.at("format"), "ideotype-history");
-    EXPECT_EQ(is.text.at("format_version"), "1.0");
+    EXPECT_EQ(is.text.at("format_version"), "2.0");
     EXPECT_EQ(is.numbers, was.numbers);
     EXPECT_EQ(is.campaign_source, was.campaign_source);
     EXPECT_EQ(is.campaign_resolved, was.campaign_resolved);
@@ -60,9 +60,22 @@ TEST_F(HistoryTest, HeaderComesBack) {
         EXPECT_EQ(is.genes[i].is_circular, was.genes[i].is_circular);
         EXPECT_EQ(is.genes[i].is_free, was.genes[i].is_free);
     }
-    ASSERT_EQ(is.schema.diagnostics.size(), 2U);
-    EXPECT_EQ(is.schema.diagnostics[1].name, "balance_error");
+    EXPECT_EQ(is.genes[1].trait, "insertion_angle");
+    EXPECT_EQ(is.genes[1].leaf, 1);
+    const auto& [axes, quantities] = is.schema.measured;
+    ASSERT_EQ(quantities.size(), 2U);
+    EXPECT_EQ(quantities[0].name, "lai");
+    EXPECT_EQ(quantities[0].certainty, Certainty::exact);
+    EXPECT_EQ(quantities[1].unit, "MJ m-2 day-1");
+    EXPECT_EQ(quantities[1].axes, std::vector<std::string>{"leaf"});
+    EXPECT_EQ(quantities[1].certainty, Certainty::estimated);
+    ASSERT_EQ(axes.size(), 1U);
+    EXPECT_EQ(std::get<1>(axes[0].coordinates),
+              (std::vector<std::int64_t>{1, 2}));
+    EXPECT_EQ(is.schema.randomisations, 2U);
+    EXPECT_EQ(is.final_randomisations, 3U);
     EXPECT_EQ(is.schema.objectives[0].unit, "MJ m-2 day-1");
+    EXPECT_EQ(is.schema.objectives[0].sense, Sense::maximise);
 }
 
 TEST_F(HistoryTest, RowsComeBackBitForBit) {
@@ -82,12 +95,13 @@ TEST_F(HistoryTest, RowsComeBackBitForBit) {
         EXPECT_EQ(row.outcome.objectives[0].mean, outcome.objectives[0].mean);
         EXPECT_EQ(row.outcome.objectives[0].standard_error,
                   outcome.objectives[0].standard_error);
-        EXPECT_EQ(row.outcome.diagnostics[1].mean, 1e-300);
-        EXPECT_EQ(row.outcome.diagnostics[0].standard_error, 0.02);
+        EXPECT_EQ(row.outcome.randomisations, outcome.randomisations);
+        EXPECT_EQ(row.outcome.violation, outcome.violation);
+        EXPECT_EQ(row.outcome.quantities[1].mean, 1e-300);
+        EXPECT_EQ(row.outcome.quantities[2].standard_error, 0.04);
         EXPECT_EQ(row.outcome.seconds, 0.5);
         EXPECT_EQ(row.outcome.worker, slot);
         EXPECT_EQ(row.outcome.message, "");
-        EXPECT_EQ(row.fitness, outcome.objectives[0].mean);
         EXPECT_EQ(row.attempt, 1U);
     }
 }
@@ -97,14 +111,13 @@ TEST_F(HistoryTest, WhatIsNotKnownIsNaN) {
     const Row proposed = history->row(0, 2);
     EXPECT_EQ(proposed.outcome.status, Status::proposed);
     EXPECT_EQ(proposed.candidate.genome, sample_candidate(0, 2).genome);
-    EXPECT_TRUE(std::isnan(proposed.fitness));
+    EXPECT_TRUE(std::isnan(proposed.outcome.violation));
     EXPECT_TRUE(std::isnan(proposed.outcome.objectives[0].mean));
-    EXPECT_TRUE(std::isnan(proposed.outcome.diagnostics[1].standard_error));
-    const Row empty = history->row(4, 0);
-    EXPECT_EQ(empty.outcome.status, Status::empty);
-    EXPECT_TRUE(std::isnan(empty.candidate.genome[0]));
-    EXPECT_EQ(empty.candidate.parents[0], no_parent);
-    EXPECT_TRUE(std::isnan(empty.outcome.seconds));
+    EXPECT_TRUE(std::isnan(proposed.outcome.quantities[1].standard_error));
+    EXPECT_EQ(proposed.candidate.parents[0], no_parent);
+    EXPECT_TRUE(std::isnan(proposed.outcome.seconds));
+    EXPECT_EQ(history->size(4), 0U);
+    EXPECT_THROW(history->row(4, 0), Error);
 }
 
 TEST_F(HistoryTest, FailedRowKeepsItsReasonAndNoNumbers) {
@@ -113,15 +126,14 @@ TEST_F(HistoryTest, FailedRowKeepsItsReasonAndNoNumbers) {
     outcome.status = Status::failed;
     // 159 bytes and a character of two: it would end in its middle.
     outcome.message = std::string(159, 'x') + "\u00e9";
-    const double worst = -std::numeric_limits<double>::infinity();
-    history->record(0, 1, outcome, worst, 3);
+    history->record(0, 1, outcome, 3);
     reopen();
     const Row row = history->row(0, 1);
     EXPECT_EQ(row.outcome.status, Status::failed);
     EXPECT_EQ(row.outcome.message, std::string(159, 'x'));
     EXPECT_TRUE(std::isnan(row.outcome.objectives[0].mean));
-    EXPECT_TRUE(std::isnan(row.outcome.diagnostics[0].standard_error));
-    EXPECT_EQ(row.fitness, worst);
+    EXPECT_TRUE(std::isnan(row.outcome.quantities[2].standard_error));
+    EXPECT_TRUE(std::isnan(row.outcome.randomisations[1]));
     EXPECT_EQ(row.attempt, 3U);
 }
 
@@ -129,7 +141,7 @@ TEST_F(HistoryTest, PendingIsWhatIsNotRecorded) {
     EXPECT_TRUE(history->pending(0).empty());
     history->propose(0, sample_candidates(0));
     const Outcome outcome = sample_outcome(0, 2);
-    history->record(0, 2, outcome, 1, 1);
+    history->record(0, 2, outcome, 1);
     EXPECT_EQ(history->pending(0), (std::vector<std::uint32_t>{0, 1, 3}));
     reopen();
     EXPECT_EQ(history->pending(0), (std::vector<std::uint32_t>{0, 1, 3}));
@@ -188,7 +200,7 @@ TEST_F(HistoryTest, IncompleteGenerationIsNotCommitted) {
 
 TEST_F(HistoryTest, SameProposalIsVerifiedAndKeepsWhatIsRecorded) {
     history->propose(0, sample_candidates(0));
-    history->record(0, 0, sample_outcome(0, 0), 1, 1);
+    history->record(0, 0, sample_outcome(0, 0), 1);
     reopen();
     history->propose(0, sample_candidates(0));
     EXPECT_EQ(history->pending(0), (std::vector<std::uint32_t>{1, 2, 3}));
@@ -224,19 +236,17 @@ TEST_F(HistoryTest, ChangedProposalIsRefusedByName) {
 
 TEST_F(HistoryTest, RecordedRowNeverChanges) {
     history->propose(0, sample_candidates(0));
-    history->record(0, 0, sample_outcome(0, 0), 1, 1);
-    const auto again = [&] {
-        history->record(0, 0, sample_outcome(0, 1), 2, 2);
-    };
+    history->record(0, 0, sample_outcome(0, 0), 1);
+    const auto again = [&] { history->record(0, 0, sample_outcome(0, 1), 2); };
     EXPECT_NE(refusal(again).find("generation 0 slot 0 is recorded already"),
               std::string::npos);
-    EXPECT_EQ(history->row(0, 0).fitness, 1);
-    EXPECT_THROW(history->record(1, 0, sample_outcome(1, 0), 1, 1), Error);
-    EXPECT_THROW(history->record(0, 4, sample_outcome(0, 0), 1, 1), Error);
+    EXPECT_EQ(history->row(0, 0).outcome.worker, 0U);
+    EXPECT_THROW(history->record(1, 0, sample_outcome(1, 0), 1), Error);
+    EXPECT_THROW(history->record(0, 4, sample_outcome(0, 0), 1), Error);
 }
 
 TEST_F(HistoryTest, WrongShapesAreRejectedAndDoNoHarm) {
-    EXPECT_THROW(history->propose(0, sample_candidates(0, 3)), Error);
+    EXPECT_THROW(history->propose(0, sample_candidates(0, 21)), Error);
     auto candidates = sample_candidates(0);
     candidates[0].genome.pop_back();
     EXPECT_THROW(history->propose(0, candidates), Error);
@@ -244,11 +254,11 @@ TEST_F(HistoryTest, WrongShapesAreRejectedAndDoNoHarm) {
     complete(*history, 0);
     history->propose(1, sample_candidates(1));
     Outcome outcome = sample_outcome(1, 0);
-    outcome.diagnostics.pop_back();
-    EXPECT_THROW(history->record(1, 0, outcome, 1, 1), Error);
+    outcome.quantities.pop_back();
+    EXPECT_THROW(history->record(1, 0, outcome, 1), Error);
     outcome = sample_outcome(1, 0);
     outcome.status = Status::proposed;
-    EXPECT_THROW(history->record(1, 0, outcome, 1, 1), Error);
+    EXPECT_THROW(history->record(1, 0, outcome, 1), Error);
     record_pending(*history, 1);
     history->commit(1, {});
     EXPECT_EQ(history->next_generation(), 2U);
@@ -256,16 +266,16 @@ TEST_F(HistoryTest, WrongShapesAreRejectedAndDoNoHarm) {
 
 TEST_F(HistoryTest, FinalistsAreKeptApart) {
     history->propose_final(sample_candidates(7, 2));
-    history->record_final(1, sample_outcome(7, 1), 8);
+    history->record_final(1, sample_outcome(7, 1, 3));
     reopen();
     history->propose_final(sample_candidates(7, 2));
     EXPECT_EQ(history->pending_final(), (std::vector<std::uint32_t>{0}));
-    history->record_final(0, sample_outcome(7, 0), 7);
+    history->record_final(0, sample_outcome(7, 0, 3));
     const auto rows = history->finalists();
     ASSERT_EQ(rows.size(), 2U);
-    EXPECT_EQ(rows[1].fitness, 8);
+    EXPECT_EQ(rows[1].outcome.randomisations.size(), 3U);
     EXPECT_EQ(rows[1].candidate.genome, sample_candidate(7, 1).genome);
-    EXPECT_EQ(history->row(0, 0).outcome.status, Status::empty);
+    EXPECT_EQ(history->size(0), 0U);
     EXPECT_THROW(history->propose_final(sample_candidates(6, 2)), Error);
     EXPECT_THROW(history->propose_final(sample_candidates(7, 1)), Error);
     EXPECT_THROW(history->propose_final(sample_candidates(7, 4)), Error);
@@ -291,7 +301,7 @@ TEST_F(HistoryTest, ReaderDoesNotWrite) {
     history->propose(0, sample_candidates(0));
     close();
     History reader = History::read(path);
-    EXPECT_THROW(reader.record(0, 0, sample_outcome(0, 0), 1, 1), Error);
+    EXPECT_THROW(reader.record(0, 0, sample_outcome(0, 0), 1), Error);
     EXPECT_THROW(reader.finish("generations"), Error);
     EXPECT_EQ(reader.pending(0).size(), 4U);
 }
@@ -327,19 +337,48 @@ TEST_F(HistoryTest, OnlyValuesChange) {
     EXPECT_EQ(std::filesystem::file_size(path), size);
 }
 
-TEST(History, WorksWithoutDiagnosticsAndFinalists) {
+TEST(History, WorksWithoutQuantitiesAndFinalists) {
     const Folder folder;
     HistoryHeader header = sample_header();
-    header.schema.diagnostics.clear();
+    header.schema.measured = {};
     header.finalists = 0;
     History history = History::create(folder / "bare.h5", header);
     history.propose(0, sample_candidates(0));
     Outcome outcome = sample_outcome(0, 0);
-    outcome.diagnostics.clear();
-    history.record(0, 0, outcome, 1, 1);
+    outcome.quantities.clear();
+    history.record(0, 0, outcome, 1);
     EXPECT_EQ(history.row(0, 0).outcome.status, Status::done);
     EXPECT_TRUE(history.finalists().empty());
     EXPECT_TRUE(history.pending_final().empty());
+}
+
+TEST_F(HistoryTest, GenerationsMayDifferInSize) {
+    const auto go_through = [&](std::uint32_t generation, std::uint32_t size) {
+        history->propose(generation, sample_candidates(generation, size));
+        record_pending(*history, generation);
+        history->commit(generation, {.best_slot = size - 1});
+    };
+    go_through(0, 3);
+    go_through(1, 6);
+    go_through(2, 1);
+    reopen();
+    EXPECT_EQ(history->size(1), 6U);
+    EXPECT_EQ(history->generation(2).size(), 1U);
+    EXPECT_EQ(history->generation(1)[5].candidate.parents,
+              sample_candidate(1, 5).parents);
+    EXPECT_EQ(history->summaries()[1].best_slot, 5U);
+    // 20 rows are the room of this history.
+    EXPECT_THROW(history->propose(3, sample_candidates(3, 11)), Error);
+    go_through(3, 10);
+}
+
+TEST_F(HistoryTest, AnotherNumberOfCandidatesIsNoticed) {
+    history->propose(0, sample_candidates(0));
+    reopen();
+    EXPECT_NE(refusal([&] {
+                  history->propose(0, sample_candidates(0, 3));
+              }).find("generation 0 had 4 candidates before, not 3"),
+              std::string::npos);
 }
 
 }  // namespace

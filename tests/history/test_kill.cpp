@@ -41,7 +41,7 @@ struct Report {
         for (auto g = history.next_generation(); g < generations; ++g) {
             history.propose(g, sample_candidates(g, population));
             for (const std::uint32_t slot : history.pending(g)) {
-                history.record(g, slot, sample_outcome(g, slot), slot, 1);
+                history.record(g, slot, sample_outcome(g, slot), 1);
                 report({g, static_cast<std::int32_t>(slot)});
             }
             history.commit(g, {.best_slot = g % population});
@@ -90,17 +90,17 @@ void expect_outcome(const Row& row, std::uint32_t g, std::uint32_t slot) {
     EXPECT_EQ(row.candidate.genome, sample_candidate(g, slot).genome);
     EXPECT_EQ(row.candidate.parents, sample_candidate(g, slot).parents);
     EXPECT_EQ(row.outcome.objectives[0].mean, outcome.objectives[0].mean);
-    EXPECT_EQ(row.outcome.diagnostics[1].standard_error,
-              outcome.diagnostics[1].standard_error);
+    EXPECT_EQ(row.outcome.quantities[1].standard_error,
+              outcome.quantities[1].standard_error);
     EXPECT_EQ(row.outcome.worker, outcome.worker);
-    EXPECT_EQ(row.fitness, slot);
+    EXPECT_EQ(row.outcome.randomisations, outcome.randomisations);
 }
 
 // Every row that claims to be there is right, finished or not.
 void expect_sound(const History& history) {
     for (std::uint32_t g = 0; g <= history.next_generation(); ++g) {
         if (g == generations) break;
-        for (std::uint32_t slot = 0; slot < population; ++slot) {
+        for (std::uint32_t slot = 0; slot < history.size(g); ++slot) {
             const Row row = history.row(g, slot);
             if (row.outcome.status == Status::done)
                 expect_outcome(row, g, slot);

@@ -177,19 +177,19 @@ TEST(Open, RefusesAnotherMajorVersion) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     History::create(path, sample_header());
-    set_attribute(path, "format_version", "2.0");
-    expect_refused(path, "format version 2.0");
+    set_attribute(path, "format_version", "3.0");
+    expect_refused(path, "format version 3.0");
 }
 
 TEST(Open, ReadsButDoesNotResumeAnotherMinorVersion) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     History::create(path, sample_header());
-    set_attribute(path, "format_version", "1.1");
-    EXPECT_EQ(History::read(path).header().text.at("format_version"), "1.1");
+    set_attribute(path, "format_version", "2.1");
+    EXPECT_EQ(History::read(path).header().text.at("format_version"), "2.1");
     const Failure failure = failure_of([&] { History::resume(path); });
     EXPECT_EQ(failure.exit_code, ExitCode::refused);
-    EXPECT_NE(failure.message.find("resumes only 1.0"), std::string::npos)
+    EXPECT_NE(failure.message.find("resumes only 2.0"), std::string::npos)
         << failure.message;
 }
 
@@ -250,7 +250,7 @@ TEST(Open, KilledFileIsReadAndResumed) {
                   History history = History::create(path, sample_header());
                   complete(history, 0);
                   history.propose(1, sample_candidates(1));
-                  history.record(1, 2, sample_outcome(1, 2), 1, 1);
+                  history.record(1, 2, sample_outcome(1, 2), 1);
                   return raise(SIGKILL);
               }),
               128 + SIGKILL);
@@ -265,7 +265,7 @@ TEST(Open, KilledFileIsReadAndResumed) {
     }
     const History history = History::read(path);
     EXPECT_EQ(history.next_generation(), 2U);
-    EXPECT_EQ(history.row(1, 2).fitness, 1);
+    EXPECT_EQ(history.row(1, 2).attempt, 1U);
 }
 
 }  // namespace

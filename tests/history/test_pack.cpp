@@ -27,7 +27,7 @@ class Pack : public testing::Test {
         }
         history.propose_final(sample_candidates(7, 3));
         for (const std::uint32_t slot : history.pending_final())
-            history.record_final(slot, sample_outcome(7, slot), 1);
+            history.record_final(slot, sample_outcome(7, slot, 3));
     }
 
     void finish() { History::resume(path).finish("stagnation"); }
@@ -79,10 +79,10 @@ TEST_F(Pack, MakesItSmallerAndReadsTheSame) {
             EXPECT_EQ(row.candidate.parents, sample_candidate(5, slot).parents);
             EXPECT_EQ(row.outcome.objectives[0].mean,
                       outcome.objectives[0].mean);
-            EXPECT_EQ(row.outcome.diagnostics[1].standard_error, 0.03);
+            EXPECT_EQ(row.outcome.quantities[1].standard_error, 0.03);
             EXPECT_EQ(row.outcome.worker, slot);
         }
-        EXPECT_EQ(history.row(6, 0).outcome.status, Status::empty);
+        EXPECT_EQ(history.size(6), 0U);
     }
 }
 
@@ -92,11 +92,11 @@ TEST_F(Pack, KeepsUnitsAndDimensionScales) {
     const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
     ASSERT_GE(file, 0) << "plain HDF5 cannot open it";
     const hid_t genome = H5Dopen2(file, "evaluations/genome", H5P_DEFAULT);
-    EXPECT_GT(H5Aexists(genome, "unit"), 0);
+    EXPECT_GT(H5Aexists(genome, "units"), 0);
     EXPECT_GT(H5Aexists(genome, "DIMENSION_LIST"), 0);
-    EXPECT_GT(H5Aexists(genome, "DIMENSION_LABELS"), 0);
+    EXPECT_GT(H5Aexists(genome, "DIMENSION_LIST"), 0);
     const hid_t form = H5Dget_create_plist(genome);
-    EXPECT_EQ(H5Pget_nfilters(form), 2);
+    EXPECT_EQ(H5Pget_nfilters(form), 3);
     H5Pclose(form);
     H5Dclose(genome);
     H5Fclose(file);

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -11,12 +12,14 @@
 namespace ideotype {
 namespace {
 
-const std::string sample = IDEOTYPE_TEST_DATA "/history/format_1_0.h5";
+const std::string sample = IDEOTYPE_TEST_DATA "/history/format_2_0.h5";
+const std::string old_sample = IDEOTYPE_TEST_DATA "/history/format_1_0.h5";
 
 TEST(Sample, HeaderIsRead) {
-    const History history = History::read(sample);
+    const History history = History::read(old_sample);
     const HistoryHeader& header = history.header();
-    EXPECT_EQ(header.text.at("format_version"), "1.0");
+    EXPECT_EQ(header.text.at("format_version"), "2.0");
+    EXPECT_EQ(header.text.at("upgraded_from"), "1.0");
     EXPECT_EQ(header.text.at("case"), "ames_0807_762x152_all_r1");
     EXPECT_EQ(header.numbers.at("latitude"), 42.0);
     EXPECT_EQ(header.numbers.at("plant_spacing"), 0.1524);
@@ -34,7 +37,12 @@ TEST(Sample, HeaderIsRead) {
     ASSERT_EQ(header.schema.objectives.size(), 1U);
     EXPECT_EQ(header.schema.objectives[0].name, "absorbed_par");
     EXPECT_EQ(header.schema.objectives[0].unit, "MJ m-2 day-1");
-    EXPECT_EQ(header.schema.diagnostics.size(), 48U);
+    EXPECT_EQ(header.schema.measured.size(), 47U);
+    EXPECT_TRUE(header.schema.measured.has("absorbed_by_layer"));
+    EXPECT_EQ(header.schema.measured.axis("leaf_side").size(), 2U);
+    EXPECT_EQ(std::get<0>(header.schema.measured.axis("layer").coordinates)[1],
+              0.375);
+    EXPECT_EQ(header.genes[6].trait, "insertion_angle");
     EXPECT_NE(header.campaign_source.find("# Makes the sample"),
               std::string::npos);
     EXPECT_NE(header.campaign_resolved.find("randomisations = 4"),
@@ -42,15 +50,15 @@ TEST(Sample, HeaderIsRead) {
 }
 
 TEST(Sample, RowsAreRead) {
-    const History history = History::read(sample);
+    const History history = History::read(old_sample);
     EXPECT_EQ(history.finished(), "generations");
     const Row row = history.row(3, 4);
     EXPECT_EQ(row.outcome.status, Status::done);
     EXPECT_EQ(row.candidate.origin, Origin::child);
     EXPECT_EQ(row.candidate.parents, (std::array{0, 2}));
     EXPECT_EQ(row.candidate.genome[5], 0.10519954041467451);
-    EXPECT_EQ(row.fitness, 10.744309494404982);
-    EXPECT_EQ(row.outcome.objectives[0].mean, row.fitness);
+    EXPECT_EQ(row.outcome.objectives[0].mean, 10.744309494404982);
+    EXPECT_EQ(row.outcome.violation, 0);
     EXPECT_EQ(row.outcome.objectives[0].standard_error, 0.20873547851515245);
     EXPECT_EQ(row.attempt, 1U);
     const auto summaries = history.summaries();
@@ -61,12 +69,12 @@ TEST(Sample, RowsAreRead) {
     const auto finalists = history.finalists();
     ASSERT_EQ(finalists.size(), 3U);
     EXPECT_EQ(finalists[0].candidate.origin, Origin::baseline);
-    EXPECT_EQ(finalists[2].fitness, 10.74266804362712);
+    EXPECT_EQ(finalists[2].outcome.objectives[0].mean, 10.74266804362712);
 }
 
 std::string unit_of(hid_t dataset) {
-    if (H5Aexists(dataset, "unit") <= 0) return "NO UNIT";
-    const hid_t attribute = H5Aopen(dataset, "unit", H5P_DEFAULT);
+    if (H5Aexists(dataset, "units") <= 0) return "NO UNIT";
+    const hid_t attribute = H5Aopen(dataset, "units", H5P_DEFAULT);
     const hid_t type = H5Aget_type(attribute);
     std::string unit(H5Tget_size(type), '\0');
     H5Aread(attribute, type, unit.data());
@@ -97,7 +105,7 @@ herr_t describe(hid_t file, const char* path, const H5O_info_t* info,
         const hid_t type = H5Dget_type(dataset);
         const hid_t space = H5Dget_space(dataset);
         text += " " + type_name(type) + " [" + unit_of(dataset) + "]";
-        hsize_t sizes[2] = {0, 0};
+        hsize_t sizes[3] = {0, 0, 0};
         const int rank = H5Sget_simple_extent_dims(space, sizes, nullptr);
         for (int i = 0; i < rank; ++i) text += " " + std::to_string(sizes[i]);
         H5Sclose(space);
@@ -124,8 +132,8 @@ TEST(Sample, NewFilesHaveTheSameObjects) {
     const std::string path = folder / "case.h5";
     {
         HistoryHeader header = History::read(sample).header();
-        header.text.erase("format");
-        header.text.erase("format_version");
+        for (const char* name : {"format", "format_version", "checksum"})
+            header.text.erase(name);
         History::create(path, header);
     }
     const auto expected = descriptions(sample);
@@ -134,6 +142,36 @@ TEST(Sample, NewFilesHaveTheSameObjects) {
     EXPECT_EQ(found, expected);
     for (const std::string& object : found)
         EXPECT_EQ(object.find("NO UNIT"), std::string::npos) << object;
+}
+
+TEST(Sample, BothFormatsSayTheSame) {
+    const History old = History::read(old_sample);
+    const History now = History::read(sample);
+    const OutcomeSchema& schema = old.header().schema;
+    EXPECT_GT(schema.measured.quantities.size(), 10U);
+    for (std::uint32_t slot = 0; slot < now.size(0); ++slot) {
+        const Row was = old.row(0, slot), is = now.row(0, slot);
+        EXPECT_EQ(was.candidate.genome, is.candidate.genome);
+        EXPECT_EQ(was.candidate.parents, is.candidate.parents);
+        // Light has changed since by less than its standard error.
+        for (const Quantity& each : schema.measured.quantities) {
+            if (each.certainty == Certainty::exact) continue;
+            const auto& now_measured = now.header().schema.measured;
+            ASSERT_TRUE(now_measured.has(each.name)) << each.name;
+            const std::size_t size = schema.measured.size(each);
+            ASSERT_EQ(size, now_measured.size(each)) << each.name;
+            for (std::size_t i = 0; i < size; ++i) {
+                const Estimate a =
+                    was.outcome
+                        .quantities[schema.measured.offset(each.name) + i];
+                const Estimate b =
+                    is.outcome.quantities[now_measured.offset(each.name) + i];
+                EXPECT_NEAR(a.mean, b.mean,
+                            1e-3 * std::abs(b.mean) + 4 * b.standard_error)
+                    << each.name << " " << i;
+            }
+        }
+    }
 }
 
 }  // namespace

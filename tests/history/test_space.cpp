@@ -101,7 +101,7 @@ TEST(Space, IsTakenAnewForACopyWithHoles) {
         history.propose(0, sample_candidates(0, 1000));
     }
     // Only what is written: the rest of the copy is a hole.
-    constexpr std::uintmax_t written = 1'000'000;
+    constexpr std::uintmax_t written = 2'000'000;
     {
         std::ifstream in(path, std::ios::binary);
         std::string start(written, '\0');

@@ -29,7 +29,7 @@ TEST(WriteFailure, NamesTheFileAndKeepsWhatWasRecorded) {
         History history = History::create(path, large_header());
         history.propose(0, sample_candidates(0, 1000));
         for (std::uint32_t slot = 0; slot < 1000; ++slot)
-            history.record(0, slot, sample_outcome(0, slot), slot, 1);
+            history.record(0, slot, sample_outcome(0, slot), 1);
         history.commit(0, {});
         limit_file_size(1000);
         try {
@@ -52,10 +52,10 @@ TEST(WriteFailure, NamesTheFileAndKeepsWhatWasRecorded) {
 
     History history = History::resume(path);
     EXPECT_EQ(history.next_generation(), 1U);
-    EXPECT_EQ(history.row(0, 999).fitness, 999);
+    EXPECT_EQ(history.row(0, 999).outcome.worker, 999U);
     history.propose(1, sample_candidates(1, 1000));
     for (const std::uint32_t slot : history.pending(1))
-        history.record(1, slot, sample_outcome(1, slot), slot, 1);
+        history.record(1, slot, sample_outcome(1, slot), 1);
     history.commit(1, {});
     EXPECT_EQ(history.next_generation(), 2U);
 }

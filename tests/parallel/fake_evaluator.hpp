@@ -11,8 +11,11 @@
 namespace ideotype {
 
 inline OutcomeSchema fake_schema() {
-    return {{{"light", "MJ m-2"}, {"yield", "g"}},
-            {{"area", "m2"}, {"height", "m"}, {"reflected", "1"}}};
+    OutcomeSchema schema;
+    schema.objectives = {{"light", "MJ m-2"}, {"yield", "g"}};
+    schema.measured.quantities = {
+        {"area", "m2", ""}, {"height", "m", ""}, {"reflected", "1", ""}};
+    return schema;
 }
 
 //! Quick, a pure function of task and genome, and faulty in some slots.
@@ -48,9 +51,11 @@ class FakeEvaluator : public Evaluator {
         Outcome outcome;
         outcome.status = Status::done;
         outcome.objectives = {{sum, 0.1 * sum}, {1 / sum, random.uniform()}};
-        outcome.diagnostics = {{random.uniform(), 0}, {-sum, 1}, {0, 1e-300}};
+        outcome.randomisations = {sum, sum, 1 / sum, random.uniform()};
+        outcome.violation = random.uniform();
+        outcome.quantities = {{random.uniform(), 0}, {-sum, 1}, {0, 1e-300}};
         if (task.slot == not_a_number_slot)
-            outcome.diagnostics[1].mean =
+            outcome.quantities[1].mean =
                 std::numeric_limits<double>::quiet_NaN();
         return outcome;
     }

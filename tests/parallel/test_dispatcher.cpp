@@ -48,7 +48,7 @@ void expect_right_numbers(const Work& work, const Outcome& outcome) {
     const Outcome expected = FakeEvaluator().evaluate(work.task, work.genome);
     EXPECT_EQ(outcome.status, Status::done) << outcome.message;
     ASSERT_EQ(outcome.objectives.size(), expected.objectives.size());
-    ASSERT_EQ(outcome.diagnostics.size(), expected.diagnostics.size());
+    ASSERT_EQ(outcome.quantities.size(), expected.quantities.size());
     const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
     const auto compare = [&](const auto& a, const auto& b) {
         for (std::size_t i = 0; i < a.size(); ++i) {
@@ -57,7 +57,7 @@ void expect_right_numbers(const Work& work, const Outcome& outcome) {
         }
     };
     compare(outcome.objectives, expected.objectives);
-    compare(outcome.diagnostics, expected.diagnostics);
+    compare(outcome.quantities, expected.quantities);
 }
 
 }  // namespace

@@ -55,7 +55,9 @@ TEST(Messages, AReplyComesBackAsItWas) {
     EXPECT_EQ(copy.outcome.worker, 17u);
     EXPECT_EQ(copy.outcome.message, "almost too dense");
     expect_same_bits(copy.outcome.objectives, reply.outcome.objectives);
-    expect_same_bits(copy.outcome.diagnostics, reply.outcome.diagnostics);
+    expect_same_bits(copy.outcome.quantities, reply.outcome.quantities);
+    EXPECT_EQ(copy.outcome.randomisations, reply.outcome.randomisations);
+    EXPECT_EQ(copy.outcome.violation, reply.outcome.violation);
 }
 
 TEST(Messages, AFailureComesBackWithItsReason) {
@@ -64,7 +66,7 @@ TEST(Messages, AFailureComesBackWithItsReason) {
     EXPECT_EQ(copy.outcome.status, Status::failed);
     EXPECT_EQ(copy.outcome.message, "no leaves");
     expect_same_bits(copy.outcome.objectives, reply.outcome.objectives);
-    expect_same_bits(copy.outcome.diagnostics, reply.outcome.diagnostics);
+    expect_same_bits(copy.outcome.quantities, reply.outcome.quantities);
 }
 
 TEST(Messages, AReplyHasTheSameSizeWhateverTheReason) {
@@ -106,7 +108,7 @@ TEST(Messages, OfTheWrongLengthAreAnError) {
     EXPECT_THROW(decode_work(work), Error);
 
     OutcomeSchema other = fake_schema();
-    other.diagnostics.push_back({"mass", "kg"});
+    other.measured.quantities.push_back({"mass", "kg", ""});
     EXPECT_THROW(decode_reply(encode_reply(sample_reply()), other), Error);
 }
 

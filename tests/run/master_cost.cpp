@@ -40,10 +40,10 @@ class SleepingEvaluator : public Evaluator {
 
     Outcome evaluate(const Task&, const Genome& genome) override {
         std::this_thread::sleep_for(std::chrono::duration<double>(seconds_));
-        Outcome outcome;
+        Outcome outcome = unknown_outcome(schema_);
+        outcome.for_each_number([](double& x) { x = 1; });
         outcome.status = Status::done;
         outcome.objectives.assign(schema_.objectives.size(), {genome[0], 0.1});
-        outcome.diagnostics.assign(schema_.diagnostics.size(), {1, 0});
         return outcome;
     }
 

@@ -12,17 +12,14 @@ class Ames : public ::testing::Test {
     const Campaign campaign =
         read_campaign(std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml");
     const std::vector<Case> all = cases(campaign);
-    const Day day = clear_day(all[0].site, all[0].day, campaign.par_fraction);
     const Genome baseline = to_genome(campaign.baseline);
     CanopyEvaluator evaluator{campaign, Device::supported_isas().back()};
 
-    double diagnostic(const Outcome& outcome, const std::string& name) const {
-        const OutcomeSchema schema = outcome_schema(campaign, day);
-        for (std::size_t i = 0; i < schema.diagnostics.size(); ++i)
-            if (schema.diagnostics[i].name == name)
-                return outcome.diagnostics[i].mean;
-        ADD_FAILURE() << "no diagnostic " << name;
-        return 0;
+    const OutcomeSchema schema =
+        outcome_schema(campaign, all[0], campaign.sampling);
+
+    double quantity(const Outcome& outcome, const std::string& name) const {
+        return find(schema, outcome, name).value().mean;
     }
 };
 
@@ -31,29 +28,28 @@ TEST_F(Ames, BaselineAbsorbsWhatASparseReferenceSays) {
     task.is_final = true;
     const Outcome outcome = evaluator.evaluate(task, baseline);
     // Leaves and stalks of a B73-like stand take about .93 of the light.
-    const double leaves = diagnostic(outcome, "absorbed_fraction");
-    const double stalks = diagnostic(outcome, "stalk_fraction");
+    const double leaves = quantity(outcome, "absorbed_fraction");
+    const double stalks = quantity(outcome, "stalk_fraction");
     EXPECT_NEAR(leaves + stalks, .93, .015);
-    EXPECT_NEAR(diagnostic(outcome, "lai"), 3.44, .03);
+    EXPECT_NEAR(quantity(outcome, "lai"), 3.44, .03);
     // From pvlib: tests/climate/test_day.cpp.
-    EXPECT_NEAR(diagnostic(outcome, "incident"), 12.07745, 1e-4 * 12.07745);
+    EXPECT_NEAR(quantity(outcome, "incident"), 12.07745, 1e-4 * 12.07745);
     EXPECT_LT(outcome.objectives[0].standard_error,
               .002 * outcome.objectives[0].mean);
 }
 
 TEST_F(Ames, FractionsSumToOneAndLeavesToTheTotal) {
     const Outcome outcome = evaluator.evaluate({}, baseline);
-    EXPECT_NEAR(diagnostic(outcome, "absorbed_fraction") +
-                    diagnostic(outcome, "stalk_fraction") +
-                    diagnostic(outcome, "soil_fraction") +
-                    diagnostic(outcome, "reflected_fraction"),
+    EXPECT_NEAR(quantity(outcome, "absorbed_fraction") +
+                    quantity(outcome, "stalk_fraction") +
+                    quantity(outcome, "soil_fraction") +
+                    quantity(outcome, "reflected_fraction"),
                 1, 1e-12);
-    EXPECT_LT(diagnostic(outcome, "balance_error"), 1e-12);
+    EXPECT_LT(quantity(outcome, "balance_error"), 1e-12);
     double sum = 0;
-    for (int leaf = 1; leaf <= 10; ++leaf)
-        sum += diagnostic(outcome,
-                          (leaf < 10 ? "absorbed_leaf0" : "absorbed_leaf") +
-                              std::to_string(leaf));
+    const std::size_t first = schema.measured.offset("absorbed_by_leaf");
+    for (std::size_t leaf = 0; leaf < 10; ++leaf)
+        sum += outcome.quantities[first + leaf].mean;
     EXPECT_NEAR(sum / outcome.objectives[0].mean, 1, 1e-12);
 }
 
@@ -88,16 +84,16 @@ TEST_F(Ames, AToleranceIsMetAndTheRowSaysHow) {
     // 16 randomisations know their error to a fifth, and so do the trials.
     EXPECT_LE(met.objectives[0].standard_error,
               3.5e-3 * met.objectives[0].mean);
-    EXPECT_GT(diagnostic(met, "paths"), 16 * 64);
-    EXPECT_LT(diagnostic(met, "paths"), 16 * (1 << 14));
-    EXPECT_EQ(diagnostic(met, "capped"), 0);
+    EXPECT_GT(quantity(met, "paths"), 16 * 64);
+    EXPECT_LT(quantity(met, "paths"), 16 * (1 << 14));
+    EXPECT_EQ(quantity(met, "capped"), 0);
 
     exact.sampling.paths = 64;
     CanopyEvaluator hurried(exact, Device::supported_isas().back());
     const Outcome capped = hurried.evaluate({}, baseline);
     EXPECT_EQ(capped.status, Status::done);
-    EXPECT_EQ(diagnostic(capped, "paths"), 16 * 64);
-    EXPECT_EQ(diagnostic(capped, "capped"), 1);
+    EXPECT_EQ(quantity(capped, "paths"), 16 * 64);
+    EXPECT_EQ(quantity(capped, "capped"), 1);
 }
 
 TEST_F(Ames, TheToleranceTightensFromTheFirstGenerationToTheLast) {
@@ -118,29 +114,54 @@ TEST_F(Ames, TheToleranceTightensFromTheFirstGenerationToTheLast) {
     EXPECT_EQ(tolerance(4, true), 0);
 }
 
-TEST_F(Ames, ConstraintsComeBeforeTheObjective) {
-    const OutcomeSchema schema = outcome_schema(campaign, day);
+TEST_F(Ames, ObjectivesAreTheMeansOfTheirRandomisations) {
+    Task final;
+    final.is_final = true;
+    for (const Task& task : {Task{}, final}) {
+        const Outcome outcome = evaluator.evaluate(task, baseline);
+        ASSERT_EQ(outcome.randomisations.size(),
+                  evaluator.schema(task).randomisations);
+        const Estimate mean = estimate(outcome.randomisations);
+        EXPECT_NEAR(mean.mean / outcome.objectives[0].mean, 1, 1e-12);
+        EXPECT_NEAR(mean.standard_error / outcome.objectives[0].standard_error,
+                    1, 1e-9);
+    }
+}
+
+TEST_F(Ames, EqualRandomNumbersMakeDifferencesCertain) {
+    Genome other = baseline;
+    other[0] *= 1.02;
+    const Outcome a = evaluator.evaluate({}, baseline);
+    const Outcome b = evaluator.evaluate({}, other);
+    const double independent = std::hypot(a.objectives[0].standard_error,
+                                          b.objectives[0].standard_error);
+    EXPECT_GT(difference(a, b).standard_error, 0);
+    EXPECT_LT(difference(a, b).standard_error, .5 * independent);
+    EXPECT_EQ(difference(a, b).mean,
+              b.objectives[0].mean - a.objectives[0].mean);
+}
+
+TEST_F(Ames, ViolationsAreKeptApartFromTheObjective) {
     const Outcome feasible = evaluator.evaluate({}, baseline);
-    EXPECT_EQ(fitness_of(feasible, schema), feasible.objectives[0].mean);
+    EXPECT_EQ(feasible.violation, 0);
 
     Campaign strict = campaign;
     strict.constraints.lai = {1, 2};
     CanopyEvaluator strict_evaluator(strict, Device::supported_isas().back());
     const Outcome outcome = strict_evaluator.evaluate({}, baseline);
     EXPECT_EQ(outcome.objectives[0].mean, feasible.objectives[0].mean);
-    EXPECT_NEAR(fitness_of(outcome, schema), -(3.435 - 2) / 2, .01);
-    EXPECT_LT(fitness_of(failed_outcome(schema, "why"), schema), -1e300);
+    EXPECT_NEAR(outcome.violation, (3.435 - 2) / 2, .01);
 }
 
 TEST_F(Ames, LightPerLeafAreaIsThatOfTheGroundOverLai) {
     Campaign thrifty = campaign;
-    thrifty.objective = Objective::absorbed_par_per_leaf_area;
+    thrifty.objective = "absorbed_par_per_leaf_area";
     CanopyEvaluator other(thrifty, Device::supported_isas().back());
     const Outcome a = evaluator.evaluate({}, baseline);
     const Outcome b = other.evaluate({}, baseline);
-    EXPECT_NEAR(b.objectives[0].mean * diagnostic(b, "lai"),
-                a.objectives[0].mean, 1e-9);
-    EXPECT_EQ(outcome_schema(thrifty, day).objectives[0].name,
+    EXPECT_NEAR(b.objectives[0].mean * quantity(b, "lai"), a.objectives[0].mean,
+                1e-9);
+    EXPECT_EQ(outcome_schema(thrifty, all[0], {}).objectives[0].name,
               "absorbed_par_per_leaf_area");
 }
 
@@ -151,8 +172,8 @@ TEST_F(Ames, APlotAloneTakesMoreThanItsGroundReceives) {
     CanopyEvaluator plot(alone, Device::supported_isas().back());
     const Outcome outcome = plot.evaluate({}, baseline);
     ASSERT_EQ(outcome.status, Status::done) << outcome.message;
-    EXPECT_GT(diagnostic(outcome, "absorbed_fraction"), 1);
-    EXPECT_LT(diagnostic(outcome, "balance_error"), 1e-12);
+    EXPECT_GT(quantity(outcome, "absorbed_fraction"), 1);
+    EXPECT_LT(quantity(outcome, "balance_error"), 1e-12);
 }
 
 TEST(Canopy, InThePolarNightAllFiguresAreZero) {
@@ -167,7 +188,7 @@ TEST(Canopy, InThePolarNightAllFiguresAreZero) {
         const Device device(Device::supported_isas().back());
         const Genome baseline = to_genome(campaign.baseline);
         const Outcome outcome = checked_outcome(
-            outcome_schema(campaign, scenario.light.day),
+            outcome_schema(campaign, night, campaign.sampling),
             to_outcome(
                 campaign, baseline,
                 evaluate(request_of({}, campaign, night, scenario, baseline),

@@ -26,12 +26,12 @@ class SumEvaluator : public Evaluator {
         if (++count == stop_at) stop_.request();
         if (task.slot < failing_slots && !task.is_final)
             return failed_outcome(schema_, "the sun went out");
-        Outcome outcome;
+        Outcome outcome = unknown_outcome(this->schema(task));
+        outcome.for_each_number([](double& x) { x = 0; });
         outcome.status = Status::done;
         double sum = 0;
         for (const double gene : genome) sum += gene;
         outcome.objectives.assign(schema_.objectives.size(), {sum, 0.1});
-        outcome.diagnostics.assign(schema_.diagnostics.size(), {0, 0});
         return outcome;
     }
 
@@ -98,7 +98,8 @@ TEST_F(EvolveCase, EndsWithEvaluatedFinalistsAndAReason) {
     EXPECT_EQ(finalists[0].candidate.origin, Origin::baseline);
     EXPECT_EQ(finalists[0].candidate.parents,
               (std::array{no_parent, no_parent}));
-    EXPECT_GT(finalists[1].fitness, finalists[0].fitness);
+    EXPECT_GT(finalists[1].outcome.objectives[0].mean,
+              finalists[0].outcome.objectives[0].mean);
 }
 
 //! Bytes that this process has read so far.
@@ -169,7 +170,8 @@ TEST_F(EvolveCase, StopAndResumeGiveWhatAnUninterruptedRunGives) {
             for (std::uint32_t s = 0; s < 10; ++s) {
                 EXPECT_EQ(resumed.row(g, s).candidate.genome,
                           whole.row(g, s).candidate.genome);
-                EXPECT_EQ(resumed.row(g, s).fitness, whole.row(g, s).fitness);
+                EXPECT_EQ(resumed.row(g, s).outcome.objectives[0].mean,
+                          whole.row(g, s).outcome.objectives[0].mean);
             }
     }
 }

@@ -35,13 +35,13 @@ class Summary : public testing::Test {
     static void record(History& history, std::uint32_t slot, Estimate absorbed,
                        double lai) {
         const OutcomeSchema& schema = history.header().schema;
-        Outcome outcome;
+        Outcome outcome = unknown_outcome(history.header().final_schema());
         outcome.status = Status::done;
         outcome.objectives = {absorbed};
-        for (const Quantity& column : schema.diagnostics)
-            outcome.diagnostics.push_back(
-                {column.name == "lai" ? lai : 0.0, 0.0});
-        history.record_final(slot, outcome, absorbed.mean);
+        outcome.violation = 0;
+        outcome.quantities.assign(schema.measured.size(), {0, 0});
+        outcome.quantities[schema.measured.offset("lai")].mean = lai;
+        history.record_final(slot, outcome);
     }
 
     Campaign campaign_ = read_campaign(IDEOTYPE_CAMPAIGNS "/ames_quick.toml");

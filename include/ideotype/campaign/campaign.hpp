@@ -46,9 +46,6 @@ struct LeafBounds {
     Range insertion_angle;  //!< [deg]
 };
 
-//! What evolution makes as large as it can.
-enum class Objective { absorbed_par, absorbed_par_per_leaf_area };
-
 //! What a plant must keep to. A plant that does not is worse than any that
 //! does, and the worse the more it fails: see violation().
 struct Constraints {
@@ -106,7 +103,7 @@ struct Campaign {
     SkyModel sky_model = SkyModel::uniform;  //!< of diffuse light
     Accuracy sampling;           //!< of an evaluation during evolution
     double first_tolerance = 0;  //!< of the first generation; 0: as all others
-    Objective objective = Objective::absorbed_par;
+    std::string objective = "absorbed_par";  //!< a quantity, maximised
     Constraints constraints;
     SearchSettings search;
     StopRules stop;

@@ -3,6 +3,7 @@
 #include "ideotype/campaign/campaign.hpp"
 #include "ideotype/cli/verbs.hpp"
 #include "ideotype/history/history.hpp"
+#include "ideotype/parallel/evaluator.hpp"
 
 namespace ideotype {
 
@@ -12,7 +13,8 @@ struct ChosenRow {
     Case chosen;
     Task task;
     Row row;
-    std::string isa;  //!< instruction set
+    OutcomeSchema schema;  //!< of the row
+    std::string isa;       //!< instruction set
 };
 
 //! The best finalist, the best of the last generation if there are no

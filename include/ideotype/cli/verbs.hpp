@@ -97,6 +97,9 @@ struct ExportOptions {
 ExitCode export_plant(const ExportOptions& options);
 ExitCode export_generations(const ExportOptions& options);
 
+//! `verify FILE...`: compares histories with their checksums.
+ExitCode verify(const std::vector<std::string>& paths);
+
 //! `pack FILE...`: compresses finished histories.
 ExitCode pack(const std::vector<std::string>& paths);
 

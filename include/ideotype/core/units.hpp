@@ -6,6 +6,8 @@ namespace ideotype {
 
 inline constexpr double degree = std::numbers::pi / 180.0;  //!< [rad]
 
+inline constexpr double joule_per_megajoule = 1e6;
+
 //! An international acre [m2].
 inline constexpr double acre = 4046.8564224;
 

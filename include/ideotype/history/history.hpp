@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "ideotype/core/error.hpp"
-#include "ideotype/search/evaluation.hpp"
 #include "ideotype/search/genome.hpp"
+#include "ideotype/search/outcome.hpp"
 #include "ideotype/search/population.hpp"
 #include "ideotype/search/summary.hpp"
 
@@ -19,24 +19,29 @@ namespace ideotype {
 //! All that is known of a history before its first evaluation.
 struct HistoryHeader {
     //! Root attributes by name: program, provenance, case, site...; see
-    //! analysis/FORMAT.md. format and format_version are added here.
+    //! analysis/FORMAT.md. format, format_version and checksum are added here.
     std::map<std::string, std::string> text;
     std::map<std::string, double> numbers;
     std::string campaign_source;
     std::string campaign_resolved;
     GeneSpace genes;
-    OutcomeSchema schema;
+    OutcomeSchema schema;  //!< of /evaluations
+    //! That finalists' objectives are the means of; all else is as in schema.
+    std::size_t final_randomisations = 2;
     std::uint64_t seed = 0;  //!< of the case
-    int population = 0;
-    int generations = 0;  //!< at most
-    int finalists = 0;    //!< rows of /final
+    int population = 0;      //!< rows of a generation, on average at most
+    int generations = 0;     //!< at most
+    int finalists = 0;       //!< rows of /final
+
+    //! Room of /evaluations.
+    int rows() const { return population * generations; }
+    OutcomeSchema final_schema() const;
 };
 
 //! One evaluation as stored.
 struct Row {
     Candidate candidate;
     Outcome outcome;
-    double fitness = 0;
     std::uint32_t attempt = 0;
 };
 
@@ -49,6 +54,9 @@ struct SessionRecord {
     std::string host;
     std::string command;
     int ranks = 0;
+    std::string program{};    //!< name and version
+    std::string compiler{};   //!< that built it
+    std::string libraries{};  //!< name and version of each
 };
 
 //! What became of the program that writes a history.
@@ -87,16 +95,18 @@ class History {
 
     //! Opens the file of a killed, drained or finished run to go on.
     //! @throws InUseError if another process writes it, Error (refused) if it
-    //! is not a history, or of another format version.
+    //! is not a history, of another format version, or if something in it does
+    //! not have its checksum.
     static History resume(const std::string& path);
 
-    //! Opens to read only, also while another process writes.
+    //! Opens to read only, also while another process writes. A file of format
+    //! 1.0 reads as if it were of this one.
     static History read(const std::string& path);
 
     //! As read(), but opens also what is left of a file that was cut short.
     //! Then only header(), next_generation(), rows(), generation() and
-    //! summaries() mean something: a generation counts if candidates, fitness
-    //! and objectives of its rows are left.
+    //! summaries() mean something: a generation counts if candidates,
+    //! objectives and violations of its rows are left.
     static History salvage(const std::string& path);
 
     History(History&&) noexcept;
@@ -125,8 +135,9 @@ class History {
     std::uint32_t next_generation() const;
 
     //! Writes the genomes of a generation before any is sent out. If they are
-    //! there already, verifies instead. @throws Error (refused) if a genome,
-    //! origin or parent differs in any bit, naming the slot.
+    //! there already, verifies instead. Generations may differ in size.
+    //! @throws Error (refused) if a genome, origin or parent differs in any
+    //! bit, naming the slot, or if there is no room for them.
     void propose(std::uint32_t generation,
                  const std::vector<Candidate>& candidates);
 
@@ -135,14 +146,17 @@ class History {
 
     //! Stores an outcome, status last, and makes it durable.
     void record(std::uint32_t generation, std::uint32_t slot,
-                const Outcome& outcome, double fitness, std::uint32_t attempt);
+                const Outcome& outcome, std::uint32_t attempt);
 
     //! One row, complete or not.
     Row row(std::uint32_t generation, std::uint32_t slot) const;
 
     //! The rows of a complete generation. Of a file that was cut short, NaN in
-    //! the diagnostics that are lost.
+    //! what is lost.
     std::vector<Row> rows(std::uint32_t generation) const;
+
+    //! Slots of a proposed generation; 0 before.
+    std::uint32_t size(std::uint32_t generation) const;
 
     //! What selection needs of them.
     Population generation(std::uint32_t generation) const;
@@ -160,8 +174,7 @@ class History {
     //! is the baseline.
     void propose_final(const std::vector<Candidate>& candidates);
     std::vector<std::uint32_t> pending_final() const;
-    void record_final(std::uint32_t slot, const Outcome& outcome,
-                      double fitness);
+    void record_final(std::uint32_t slot, const Outcome& outcome);
     std::vector<Row> finalists() const;
 
     //! What is written to a file that was deleted or replaced nobody can ever

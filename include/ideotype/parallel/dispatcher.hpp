@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "ideotype/core/stop_flag.hpp"
+#include "ideotype/parallel/evaluator.hpp"
 #include "ideotype/parallel/session.hpp"
-#include "ideotype/search/evaluation.hpp"
 
 namespace ideotype {
 

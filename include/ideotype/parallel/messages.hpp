@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ideotype/parallel/dispatcher.hpp"
-#include "ideotype/search/evaluation.hpp"
+#include "ideotype/parallel/evaluator.hpp"
 
 namespace ideotype {
 
@@ -28,8 +28,7 @@ Bytes encode_work(const Work& work);
 //! @throws Error if this is not the encoding of work.
 Work decode_work(std::span<const std::byte> bytes);
 
-//! A header of fixed size, then mean and standard error of each objective and
-//! diagnostic.
+//! A header of fixed size, then all numbers of the outcome in their order.
 Bytes encode_reply(const Reply& reply);
 
 //! @throws Error if this is not a reply with the columns of the schema.

@@ -7,7 +7,7 @@
 #include "ideotype/campaign/campaign.hpp"
 #include "ideotype/canopy/canopy.hpp"
 #include "ideotype/light/device.hpp"
-#include "ideotype/search/evaluation.hpp"
+#include "ideotype/parallel/evaluator.hpp"
 
 namespace ideotype {
 
@@ -35,19 +35,13 @@ CanopyRequest request_of(const Task& task, const Campaign& campaign,
                          const Case& chosen, const Scenario& scenario,
                          const Genome& genome);
 
-//! The columns of a case's outcomes.
-OutcomeSchema outcome_schema(const Campaign& campaign, const Day& day);
+//! The form of a case's outcomes, with this accuracy.
+OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
+                             const Accuracy& accuracy);
 
-//! The columns' values, in their order.
+//! What a report says of a plant, in that form.
 Outcome to_outcome(const Campaign& campaign, const Genome& genome,
                    const CanopyReport& report);
-
-//! What evolution selects by: the objective, or, of a plant that fails its
-//! constraints, how far it does, as a negative number. Objectives are never
-//! negative, so this is the feasibility rule of Deb 2000
-//! (doi:10.1016/S0045-7825(99)00389-8), without weights to tune. Minus infinity
-//! if the evaluation failed.
-double fitness_of(const Outcome& outcome, const OutcomeSchema& schema);
 
 //! Evaluates candidates of all cases of a campaign.
 class CanopyEvaluator : public Evaluator {
@@ -60,11 +54,16 @@ class CanopyEvaluator : public Evaluator {
     Outcome evaluate(const Task& task, const Genome& genome) override;
 
   private:
+    struct Prepared {
+        Case chosen;
+        OutcomeSchema schema;
+        OutcomeSchema final_schema;
+        //! Set up when its first candidate comes.
+        std::optional<Scenario> scenario;
+    };
+
     const Campaign& campaign_;
-    std::vector<Case> cases_;
-    //! By case; set up when its first candidate comes.
-    std::vector<std::optional<Scenario>> scenarios_;
-    std::vector<OutcomeSchema> schemas_;  //!< by case
+    std::vector<Prepared> cases_;  //!< by case
     Device device_;
 };
 

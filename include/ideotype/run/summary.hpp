@@ -14,7 +14,7 @@ std::string format_daily(Estimate mj_per_m2);
 
 //! Slot in /final of the best finalist other than the baseline in slot 0, or
 //! 0 if nothing but the baseline has been evaluated.
-std::size_t best_finalist(const std::vector<Row>& finalists);
+std::size_t best_finalist(const std::vector<Row>& finalists, Sense sense);
 
 //! Best plant against the baseline after a finished evolution, both evaluated
 //! again under the same fresh random numbers.

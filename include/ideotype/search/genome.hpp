@@ -17,6 +17,8 @@ struct Gene {
     double upper = 0;
     bool is_circular = false;  //!< lower and upper are the same point
     bool is_free = true;       //!< if not, the gene keeps the baseline value
+    std::string trait{};       //!< for example "length"
+    int leaf = 0;              //!< rank from the lowest, 1; 0: whole plant
 };
 
 using GeneSpace = std::vector<Gene>;

@@ -4,13 +4,22 @@
 #include <cstdint>
 #include <vector>
 
-#include "ideotype/search/evaluation.hpp"
 #include "ideotype/search/genome.hpp"
+#include "ideotype/search/outcome.hpp"
 
 namespace ideotype {
 
 //! No parent: the individual is of the first generation.
 inline constexpr std::int32_t no_parent = -1;
+
+//! Where a genome came from. The numbers are part of the file format.
+enum class Origin : std::uint8_t {
+    none = 0,
+    baseline = 1,
+    random = 2,
+    elite = 3,  //!< a parent evaluated again under new random numbers
+    child = 4,
+};
 
 //! A genome and its descent.
 struct Candidate {

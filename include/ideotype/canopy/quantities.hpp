@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ideotype/canopy/canopy.hpp"
+#include "ideotype/core/quantity.hpp"
+
+namespace ideotype {
+
+//! All that is measured of a canopy of plants with so many leaves, along leaf,
+//! layer, hour, light_source and leaf_side.
+QuantitySet canopy_quantities(std::size_t leaves, const Layers& layers,
+                              const Day& day);
+
+//! Their numbers in a report on such a canopy, in the same order.
+std::vector<Estimate> measure(const CanopyReport& report);
+
+//! A quantity that can be an objective.
+struct Randomised {
+    Estimate estimate;
+    std::vector<double> by_randomisation;  //!< independent
+};
+
+//! @throws Error if there is no such quantity.
+Randomised measure_objective(const std::string& name,
+                             const CanopyReport& report);
+
+}  // namespace ideotype

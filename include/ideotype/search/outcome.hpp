@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ideotype/core/estimate.hpp"
+#include "ideotype/core/quantity.hpp"
+
+namespace ideotype {
+
+//! How far an evaluation has come. The numbers are part of the file format.
+enum class Status : std::uint8_t {
+    empty = 0,     //!< no genome yet
+    proposed = 1,  //!< genome written, not evaluated
+    done = 2,
+    failed = 3,
+};
+
+//! Which values of an objective are better.
+enum class Sense { maximise, minimise };
+
+//! What is searched for, in its natural sign; may be negative.
+struct Objective {
+    std::string name;
+    std::string unit;
+    Sense sense = Sense::maximise;
+};
+
+//! What an evaluation returns; the same for all rows of a table.
+struct OutcomeSchema {
+    std::vector<Objective> objectives;
+    //! Independent randomisations of which objectives are the means.
+    std::size_t randomisations = 2;
+    QuantitySet measured;
+};
+
+//! The result of one evaluation.
+struct Outcome {
+    Status status = Status::failed;
+    std::vector<Estimate> objectives;
+    //! Each objective by randomisation [objective, randomisation]. Those of
+    //! plants that share their random numbers tell the error of a difference.
+    std::vector<double> randomisations;
+    //! How far the constraints are failed, relative to their limits; 0 if all
+    //! are met.
+    double violation = 0;
+    std::vector<Estimate> quantities;  //!< in the order of the schema
+    double seconds = 0;                //!< wall time on the worker
+    std::string message;               //!< the reason of a failure
+    std::uint32_t worker = 0;          //!< rank that evaluated
+
+    //! Calls with every number of the result, always in the same order.
+    template <class Action>
+    void for_each_number(Action action) {
+        const auto visit = [&](std::vector<Estimate>& estimates) {
+            for (Estimate& x : estimates) {
+                action(x.mean);
+                action(x.standard_error);
+            }
+        };
+        visit(objectives);
+        for (double& x : randomisations) action(x);
+        action(violation);
+        visit(quantities);
+    }
+};
+
+//! Whether an outcome has as many numbers as its schema asks for.
+bool has_form(const OutcomeSchema& schema, const Outcome& outcome);
+
+//! An outcome of this form, with NaN for all numbers.
+Outcome unknown_outcome(const OutcomeSchema& schema);
+
+//! A failed outcome with NaN for all numbers.
+Outcome failed_outcome(const OutcomeSchema& schema, std::string reason);
+
+//! A copy that is failed, with a reason that names the quantity, if any number
+//! in it is not finite or missing.
+Outcome checked_outcome(const OutcomeSchema& schema, Outcome outcome);
+
+//! A quantity that is a single number; none if there is no such quantity.
+std::optional<Estimate> find(const OutcomeSchema& schema,
+                             const Outcome& outcome, const std::string& name);
+
+//! By how much an objective of b exceeds that of a: the mean and its standard
+//! error over randomisations that both share. Where they are not known, as if
+//! both were independent, which is if anything too large.
+Estimate difference(const Outcome& a, const Outcome& b,
+                    std::size_t objective = 0);
+
+}  // namespace ideotype

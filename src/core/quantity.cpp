@@ -1,0 +1,49 @@
+#include "ideotype/core/quantity.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+namespace ideotype {
+
+Axis counted(const std::string& name, const std::string& meaning,
+             std::size_t size, std::int64_t first) {
+    std::vector<std::int64_t> numbers(size);
+    std::iota(numbers.begin(), numbers.end(), first);
+    return {name, "1", meaning, std::move(numbers)};
+}
+
+const Axis& QuantitySet::axis(const std::string& name) const {
+    for (const Axis& each : axes)
+        if (each.name == name) return each;
+    throw std::out_of_range("there is no axis " + name);
+}
+
+bool QuantitySet::has(const std::string& quantity) const {
+    return std::any_of(
+        quantities.begin(), quantities.end(),
+        [&](const Quantity& each) { return each.name == quantity; });
+}
+
+std::size_t QuantitySet::size(const Quantity& quantity) const {
+    std::size_t numbers = 1;
+    for (const std::string& name : quantity.axes) numbers *= axis(name).size();
+    return numbers;
+}
+
+std::size_t QuantitySet::size() const {
+    std::size_t numbers = 0;
+    for (const Quantity& each : quantities) numbers += size(each);
+    return numbers;
+}
+
+std::size_t QuantitySet::offset(const std::string& name) const {
+    std::size_t numbers = 0;
+    for (const Quantity& each : quantities) {
+        if (each.name == name) return numbers;
+        numbers += size(each);
+    }
+    throw std::out_of_range("there is no quantity " + name);
+}
+
+}  // namespace ideotype

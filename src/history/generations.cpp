@@ -1,0 +1,159 @@
+#include "generations.hpp"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "layout.hpp"
+#include "types.hpp"
+
+namespace ideotype {
+
+namespace {
+
+const std::string group_name = "generations";
+constexpr std::size_t checksum_size = 64;
+
+template <class Value>
+struct SummaryColumn {
+    const char* name;
+    const char* unit;  //!< null: that of the first objective
+    const char* meaning;
+    Value GenerationSummary::*member;
+};
+
+constexpr std::array number_columns{
+    SummaryColumn<double>{"best", nullptr, "first objective of the best row",
+                          &GenerationSummary::best},
+    SummaryColumn<double>{"best_standard_error", nullptr, "of the best row",
+                          &GenerationSummary::best_standard_error},
+    SummaryColumn<double>{"mean", nullptr,
+                          "of rows that keep the constraints once any does",
+                          &GenerationSummary::mean},
+    SummaryColumn<double>{"spread", nullptr, "standard deviation of the same",
+                          &GenerationSummary::spread},
+    SummaryColumn<double>{"diversity", "1",
+                          "mean over free genes of standard deviation over "
+                          "range",
+                          &GenerationSummary::diversity},
+    SummaryColumn<double>{"wall_time", "s",
+                          "since the case began, all sessions",
+                          &GenerationSummary::wall_time}};
+
+constexpr std::array count_columns{
+    SummaryColumn<std::uint32_t>{"failures", "1", "failed rows",
+                                 &GenerationSummary::failures},
+    SummaryColumn<std::uint32_t>{"evaluations", "1",
+                                 "rows evaluated, not copied",
+                                 &GenerationSummary::evaluations}};
+
+std::string path(const std::string& name) {
+    return group_name + "/" + name;
+}
+
+}  // namespace
+
+void Generations::create(hid_t file, const HistoryHeader& header) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const Handle group = create_group(file, group_name);
+    create_axis(group, counted("generation", "counted from 0",
+                               static_cast<std::size_t>(header.generations)));
+    const auto add = [&](const std::string& name, hid_t type,
+                         const std::string& unit, const std::string& meaning,
+                         const void* empty = nullptr) {
+        create_dataset(group, {.name = name,
+                               .type = type,
+                               .axes = {"generation"},
+                               .unit = unit,
+                               .meaning = meaning,
+                               .empty = empty});
+    };
+    const std::int64_t none = -1;
+    add("committed", bool_type(), "1", "the generation is complete");
+    add("first_row", H5T_STD_I64LE, "1", "of /evaluations");
+    add("count", H5T_STD_U32LE, "1", "rows of the generation");
+    add("best_row", H5T_STD_I64LE, "1", "of /evaluations", &none);
+    for (const auto& each : number_columns)
+        add(each.name, H5T_IEEE_F64LE,
+            each.unit ? each.unit : header.schema.objectives[0].unit,
+            each.meaning, &nan);
+    for (const auto& each : count_columns)
+        add(each.name, H5T_STD_U32LE, each.unit, each.meaning);
+    add("checksum", string_type(checksum_size), "",
+        "SHA-256 of the rows and this summary");
+}
+
+Generations::Generations(hid_t file)
+    : committed_(file, path("committed")),
+      first_row_(file, path("first_row")),
+      count_(file, path("count")),
+      best_row_(file, path("best_row")),
+      checksum_(file, path("checksum")) {
+    for (const auto& each : number_columns)
+        numbers_.emplace_back(file, path(each.name));
+    for (const auto& each : count_columns)
+        counts_.emplace_back(file, path(each.name));
+}
+
+std::uint32_t Generations::committed() const {
+    const auto flags = committed_.read<std::int8_t>(0, committed_.rows());
+    std::uint32_t count = 0;
+    while (count < flags.size() && flags[count] != 0) ++count;
+    return count;
+}
+
+Span Generations::span(std::uint32_t generation) const {
+    return {
+        static_cast<hsize_t>(first_row_.read<std::int64_t>(generation, 1)[0]),
+        count_.read<std::uint32_t>(generation, 1)[0]};
+}
+
+void Generations::set_span(std::uint32_t generation, const Span& span) {
+    first_row_.write_one(generation, static_cast<std::int64_t>(span.first));
+    count_.write_one(generation, static_cast<std::uint32_t>(span.count));
+}
+
+std::vector<GenerationSummary> Generations::read(std::uint32_t count) const {
+    std::vector<GenerationSummary> summaries(count);
+    const auto first = first_row_.read<std::int64_t>(0, count);
+    const auto best = best_row_.read<std::int64_t>(0, count);
+    for (std::size_t g = 0; g < count; ++g)
+        summaries[g].best_slot = static_cast<std::uint32_t>(best[g] - first[g]);
+    const auto fill = [&]<class Value>(const Dataset& dataset,
+                                       Value GenerationSummary::*member) {
+        const auto values = dataset.read<Value>(0, count);
+        for (std::size_t g = 0; g < count; ++g)
+            summaries[g].*member = values[g];
+    };
+    for (std::size_t i = 0; i < numbers_.size(); ++i)
+        fill(numbers_[i], number_columns[i].member);
+    for (std::size_t i = 0; i < counts_.size(); ++i)
+        fill(counts_[i], count_columns[i].member);
+    return summaries;
+}
+
+void Generations::write(std::uint32_t generation,
+                        const GenerationSummary& summary) {
+    best_row_.write_one(
+        generation,
+        static_cast<std::int64_t>(span(generation).first) + summary.best_slot);
+    for (std::size_t i = 0; i < numbers_.size(); ++i)
+        numbers_[i].write_one(generation, summary.*number_columns[i].member);
+    for (std::size_t i = 0; i < counts_.size(); ++i)
+        counts_[i].write_one(generation, summary.*count_columns[i].member);
+}
+
+std::string Generations::checksum(std::uint32_t generation) const {
+    return checksum_.read_text(generation, 1)[0];
+}
+
+void Generations::set_checksum(std::uint32_t generation,
+                               const std::string& checksum) {
+    checksum_.write_text(generation, checksum);
+}
+
+void Generations::set_committed(std::uint32_t generation) {
+    committed_.write_one(generation, std::int8_t{1});
+}
+
+}  // namespace ideotype

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dataset.hpp"
+#include "ideotype/history/history.hpp"
+
+namespace ideotype {
+
+//! Rows of /evaluations that belong together.
+struct Span {
+    hsize_t first = 0;
+    hsize_t count = 0;
+
+    hsize_t end() const { return first + count; }
+};
+
+//! The table /generations: which rows each has, and its summary.
+class Generations {
+  public:
+    static void create(hid_t file, const HistoryHeader& header);
+
+    explicit Generations(hid_t file);
+
+    //! Room for so many.
+    std::uint32_t most() const {
+        return static_cast<std::uint32_t>(committed_.rows());
+    }
+
+    //! Complete generations; their flags are the leading ones.
+    std::uint32_t committed() const;
+
+    //! No rows of a generation that was never proposed.
+    Span span(std::uint32_t generation) const;
+    void set_span(std::uint32_t generation, const Span& span);
+
+    std::vector<GenerationSummary> read(std::uint32_t count) const;
+
+    //! Best slots become rows.
+    void write(std::uint32_t generation, const GenerationSummary& summary);
+
+    std::string checksum(std::uint32_t generation) const;
+    void set_checksum(std::uint32_t generation, const std::string& checksum);
+
+    void set_committed(std::uint32_t generation);
+
+  private:
+    Dataset committed_;
+    Dataset first_row_;
+    Dataset count_;
+    Dataset best_row_;
+    std::vector<Dataset> numbers_;  //!< in the order of number_columns
+    std::vector<Dataset> counts_;   //!< in the order of count_columns
+    Dataset checksum_;
+};
+
+}  // namespace ideotype

@@ -1,0 +1,113 @@
+#include "ideotype/search/outcome.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace ideotype {
+
+namespace {
+
+//! What is wrong with one of several estimates, or "".
+std::string defect(const std::string& name, std::span<const Estimate> values) {
+    for (const auto& [mean, standard_error] : values) {
+        if (!std::isfinite(mean))
+            return name + " is not finite (" + std::to_string(mean) + ")";
+        if (!std::isfinite(standard_error))
+            return "the standard error of " + name + " is not finite (" +
+                   std::to_string(standard_error) + ")";
+    }
+    return "";
+}
+
+std::string defect(const OutcomeSchema& schema, const Outcome& outcome) {
+    if (outcome.status == Status::failed)
+        return outcome.message.empty() ? "no reason given" : outcome.message;
+    if (outcome.status != Status::done)
+        return "the evaluation returned without a result";
+    if (!has_form(schema, outcome))
+        return "the evaluation returned other quantities than were asked for";
+    const std::span<const Estimate> quantities(outcome.quantities);
+    std::string found;
+    for (std::size_t i = 0; found.empty() && i < schema.objectives.size(); ++i)
+        found = defect("objective " + schema.objectives[i].name,
+                       std::span(outcome.objectives).subspan(i, 1));
+    std::size_t first = 0;
+    for (const Quantity& each : schema.measured.quantities) {
+        const std::size_t size = schema.measured.size(each);
+        if (found.empty())
+            found = defect(each.name, quantities.subspan(first, size));
+        first += size;
+    }
+    if (found.empty() &&
+        !std::all_of(outcome.randomisations.begin(),
+                     outcome.randomisations.end(),
+                     [](double x) { return std::isfinite(x); }))
+        found = "a randomisation of an objective is not finite";
+    if (found.empty() && !std::isfinite(outcome.violation))
+        found = "the violation of constraints is not finite";
+    return found;
+}
+
+}  // namespace
+
+bool has_form(const OutcomeSchema& schema, const Outcome& outcome) {
+    const std::size_t objectives = schema.objectives.size();
+    return outcome.objectives.size() == objectives &&
+           outcome.randomisations.size() ==
+               objectives * schema.randomisations &&
+           outcome.quantities.size() == schema.measured.size();
+}
+
+Outcome unknown_outcome(const OutcomeSchema& schema) {
+    Outcome outcome;
+    outcome.objectives.resize(schema.objectives.size());
+    outcome.randomisations.resize(schema.objectives.size() *
+                                  schema.randomisations);
+    outcome.quantities.resize(schema.measured.size());
+    outcome.for_each_number(
+        [](double& x) { x = std::numeric_limits<double>::quiet_NaN(); });
+    return outcome;
+}
+
+Outcome failed_outcome(const OutcomeSchema& schema, std::string reason) {
+    Outcome outcome = unknown_outcome(schema);
+    outcome.status = Status::failed;
+    outcome.message = std::move(reason);
+    return outcome;
+}
+
+Outcome checked_outcome(const OutcomeSchema& schema, Outcome outcome) {
+    std::string reason = defect(schema, outcome);
+    if (reason.empty()) return outcome;
+    Outcome failed = failed_outcome(schema, std::move(reason));
+    failed.seconds = outcome.seconds;
+    failed.worker = outcome.worker;
+    return failed;
+}
+
+std::optional<Estimate> find(const OutcomeSchema& schema,
+                             const Outcome& outcome, const std::string& name) {
+    if (!schema.measured.has(name)) return std::nullopt;
+    return outcome.quantities.at(schema.measured.offset(name));
+}
+
+Estimate difference(const Outcome& a, const Outcome& b, std::size_t objective) {
+    const Estimate& x = a.objectives.at(objective);
+    const Estimate& y = b.objectives.at(objective);
+    const std::size_t count = a.randomisations.size() / a.objectives.size();
+    const bool is_paired = count > 1 &&
+                           a.randomisations.size() == b.randomisations.size() &&
+                           !std::isnan(a.randomisations.front()) &&
+                           !std::isnan(b.randomisations.front());
+    if (!is_paired)
+        return {y.mean - x.mean,
+                std::hypot(x.standard_error, y.standard_error)};
+    std::vector<double> differences;
+    for (std::size_t i = objective * count; i < (objective + 1) * count; ++i)
+        differences.push_back(b.randomisations[i] - a.randomisations[i]);
+    return {y.mean - x.mean, estimate(differences).standard_error};
+}
+
+}  // namespace ideotype

@@ -1,0 +1,71 @@
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/search/outcome.hpp"
+
+namespace ideotype {
+namespace {
+
+const OutcomeSchema schema{{{"absorbed_par", "MJ m-2 day-1"}},
+                           3,
+                           {{}, {{"lai", "m2 m-2", "leaf area"}}}};
+
+Outcome good() {
+    Outcome outcome;
+    outcome.status = Status::done;
+    outcome.objectives = {{9, 0.1}};
+    outcome.randomisations = {8.8, 9, 9.2};
+    outcome.quantities = {{3, 0}};
+    return outcome;
+}
+
+TEST(Outcome, AFiniteOutcomePassesUnchanged) {
+    const Outcome checked = checked_outcome(schema, good());
+    EXPECT_EQ(checked.status, Status::done);
+    EXPECT_EQ(checked.objectives[0].mean, 9);
+}
+
+TEST(Outcome, NumbersThatAreNotFiniteBecomeAFailureWithItsReason) {
+    Outcome outcome = good();
+    outcome.quantities[0].mean = std::numeric_limits<double>::infinity();
+    const Outcome checked = checked_outcome(schema, outcome);
+    EXPECT_EQ(checked.status, Status::failed);
+    EXPECT_NE(checked.message.find("lai"), std::string::npos);
+    EXPECT_TRUE(std::isnan(checked.objectives[0].mean));
+
+    outcome = good();
+    outcome.objectives[0].standard_error = std::nan("");
+    EXPECT_EQ(checked_outcome(schema, outcome).status, Status::failed);
+}
+
+TEST(Outcome, MissingColumnsAreAFailure) {
+    Outcome outcome = good();
+    outcome.quantities.clear();
+    EXPECT_EQ(checked_outcome(schema, outcome).status, Status::failed);
+}
+
+TEST(Outcome, MissingRandomisationsAreAFailure) {
+    Outcome outcome = good();
+    outcome.randomisations.pop_back();
+    EXPECT_EQ(checked_outcome(schema, outcome).status, Status::failed);
+}
+
+TEST(Outcome, SharedRandomNumbersCancelInADifference) {
+    Outcome other = good();
+    other.objectives[0].mean += 1;
+    for (double& x : other.randomisations) x += 1;
+    EXPECT_NEAR(difference(good(), other).mean, 1, 1e-12);
+    EXPECT_NEAR(difference(good(), other).standard_error, 0, 1e-12);
+    other.randomisations = {10.2, 10, 9.8};
+    EXPECT_NEAR(difference(good(), other).standard_error, .4 / std::sqrt(3),
+                1e-12);
+    // What is not known is taken as independent.
+    other.randomisations.front() = std::nan("");
+    EXPECT_NEAR(difference(good(), other).standard_error, .1 * std::sqrt(2),
+                1e-12);
+}
+
+}  // namespace
+}  // namespace ideotype

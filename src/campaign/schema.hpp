@@ -121,7 +121,7 @@ struct Table {
     std::string name;
     std::function<Section(std::size_t)> section;  //!< of an entry
     std::function<std::size_t()> size;
-    //! Makes all entries anew: values are known by their addresses from then
+    //! Makes all entries again: values are known by their addresses from then
     //! on. None if there is one entry.
     std::function<void(std::size_t)> resize;
 };

@@ -36,7 +36,7 @@ double overcast_cos_zenith(double share) {
 //! In polar coordinates about the sun, where nothing is singular: one factor
 //! of the radiance depends on the angle to the sun only, the other changes
 //! smoothly along circles about it. The angle has a tabulated distribution;
-//! that of the position on a circle is integrated for each direction anew. The
+//! that of the position on a circle is integrated again for each direction. The
 //! sampled density is off by at most 3e-7 of itself on average.
 class SkySampler::ClearSky {
   public:

@@ -102,6 +102,49 @@ TEST_F(EvolveCase, EndsWithEvaluatedFinalistsAndAReason) {
               finalists[0].outcome.objectives[0].mean);
 }
 
+//! Proposes one plant more in each generation, further from the baseline.
+class GrowingOptimizer : public Optimizer {
+  public:
+    explicit GrowingOptimizer(Genome baseline)
+        : baseline_(std::move(baseline)) {}
+
+    std::vector<Candidate> ask() const override {
+        std::vector<Candidate> candidates(told_.size() + 1,
+                                          {baseline_, Origin::random});
+        for (std::size_t i = 0; i < candidates.size(); ++i)
+            candidates[i].genome[0] += 1e-3 * static_cast<double>(i);
+        return candidates;
+    }
+    void tell(Population rows) override { told_.push_back(rows.size()); }
+
+    const std::vector<std::size_t>& told() const { return told_; }
+
+  private:
+    Genome baseline_;
+    std::vector<std::size_t> told_;
+};
+
+TEST_F(EvolveCase, GenerationsMayDifferInSize) {
+    campaign.final_rule.candidates = 2;
+    const HistoryHeader h = header();
+    GrowingOptimizer optimizer(to_genome(campaign.baseline));
+    {
+        History written = History::create(path("a.h5"), h);
+        SumEvaluator evaluator(h.schema, stop);
+        const auto dispatcher = make_dispatcher(evaluator, stop);
+        Once once(evolve_case({campaign, chosen, optimizer, *dispatcher,
+                               watcher, [] { return 1.0; }},
+                              written));
+        dispatcher->run(once);
+        EXPECT_EQ(once.result(), Ending::finished);
+    }
+    EXPECT_EQ(optimizer.told(), (std::vector<std::size_t>{1, 2, 3, 4, 5, 6}));
+    const History history = History::read(path("a.h5"));
+    EXPECT_EQ(history.size(5), 6u);
+    EXPECT_EQ(history.summaries()[5].best_slot, 5u);
+    EXPECT_EQ(history.finished(), "generations");
+}
+
 //! Bytes that this process has read so far.
 long long bytes_read() {
     std::ifstream io("/proc/self/io");

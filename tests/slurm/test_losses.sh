@@ -4,7 +4,7 @@
 . "$(dirname "$0")/../cli/common.sh"
 . "$project/tests/slurm/cluster.sh"
 
-write_campaign losses 12 150
+write_campaign losses 12 400
 trap stop_cluster EXIT
 start_cluster "$folder/cluster" 3
 export IDEOTYPE=$ideotype IDEOTYPE_PATIENCE=3

@@ -3,8 +3,8 @@
 
     flip.py IDEOTYPE FILE.h5 [FLIPS] [SEED]
 
-Each copy is read by `ideotype status`, `ideotype export --generations` and
-`ideotype-summary` (run with this Python), each within a minute. A flip is
+Each copy is read by `ideotype verify`, `ideotype status`, `ideotype export
+--generations` and `ideotype-summary` (run with this Python), each within a minute. A flip is
 noticed if one of them fails or warns, harmless if all say what they say of the
 original, and silent if one says something else without a word. None may hang.
 """
@@ -27,6 +27,7 @@ def said_of(ideotype: str, path: Path, folder: Path) -> tuple[str, str] | str:
     table = folder / "all.csv"
     table.unlink(missing_ok=True)
     readers = (
+        [ideotype, "verify", str(path)],
         [ideotype, "status", str(path)],
         [ideotype, "export", str(path), "--generations", "--to", str(table)],
         [sys.executable, "-c", _SUMMARY, str(path)],

@@ -32,7 +32,7 @@ class Front:
 
 @dataclass(frozen=True)
 class Check:
-    """A setting evaluated anew, with the error found."""
+    """A setting evaluated again, with the error found."""
 
     goal: str
     fields: str
@@ -107,7 +107,7 @@ def _check(choice: dict[str, object]) -> Check:
 
 
 def draw_fidelity(fidelity: Fidelity) -> Figure:
-    """Error against cost: the fronts as lines, what was evaluated anew as
+    """Error against cost: the fronts as lines, what was evaluated again as
     points with standard errors."""
     figure = style.new_figure(style.WIDTH, 3.4)
     panels = figure.subplots(1, 2, sharex=True, sharey=True)

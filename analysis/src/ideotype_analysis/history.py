@@ -42,7 +42,7 @@ def open_history(path: str | Path) -> History:
 
 
 class History:
-    """A context manager. Every call looks at the file anew, so that calling
+    """A context manager. Every call looks at the file again, so that calling
     again follows a run; complete rows never change."""
 
     def __init__(self, path: str | Path) -> None:

@@ -228,7 +228,7 @@ def _trade(fidelity: Fidelity | None) -> list[Section]:
             "fidelity",
             f"Speed for accuracy in {fidelity.case}. Lines: the cheapest "
             "settings for each error, as predicted; points: some of them "
-            "evaluated anew, with standard errors. One field serves all "
+            "evaluated again, with standard errors. One field serves all "
             "randomisations of a generation; finalists have a field each.",
             partial(draw_fidelity, fidelity),
         )

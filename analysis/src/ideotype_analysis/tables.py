@@ -33,7 +33,7 @@ def gains(cases: Sequence[Case], cross: Cross | None) -> list[Block]:
             _GAINS,
             rows,
             "Means over seeds ± half of the 95 % confidence interval, in "
-            f"{_unit(cases)}, of plants evaluated anew after the evolution.",
+            f"{_unit(cases)}, of plants evaluated again after the evolution.",
         )
     ]
     blocks += [Note(text) for text in _remarks(cases, cross)]

@@ -62,7 +62,7 @@ struct Constraints {
 double violation(const Constraints& constraints,
                  const std::vector<LeafTraits>& leaves, double lai);
 
-//! How the best candidates are judged at the end.
+//! How the best candidates are evaluated again at the end.
 struct FinalRule {
     int candidates = 5;
     Accuracy sampling{16384, 16};

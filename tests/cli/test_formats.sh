@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# Histories of an earlier format, and damaged ones of today's.
+. "$(dirname "$0")/common.sh"
+
+old=$project/tests/data/history/format_1_0.h5
+expect 0 "$ideotype" status "$old"
+says "finished by generations, 4 of 4 generations, best 10.743"
+expect 0 "$ideotype" verify "$old"
+says "can be read, 4 generations and 3 finalists; its format 1.0 has no checksums"
+expect 0 "$ideotype" export "$old" --generations --to old.csv
+[ "$(wc -l <old.csv)" -eq 25 ] || fail "not a line for each row and a head"
+head -1 old.csv | grep -q ",absorbed_by_source_beam_MJ_per_m2_per_day," ||
+    fail "$(head -1 old.csv)"
+expect 0 "$ideotype" export "$old" --best --to bred.toml
+grep -q "^insertion_angle = " bred.toml || fail "$(cat bred.toml)"
+# Its campaign has the names of version 0.1. Light has changed a little since.
+"$ideotype" evaluate "$old" --best >out.log 2>&1 || [ $? -eq 1 ] ||
+    fail "$(cat out.log)"
+says "final slot [12]: \(agrees bit for bit with\|DIFFERS from\) the history"
+cp "$old" packed.h5
+expect 0 "$ideotype" pack packed.h5
+says "is packed already"
+write_campaign here 4 2
+mkdir -p results/here
+cp "$old" "$(history_of results here)"
+expect 4 "$ideotype" run campaigns/here.toml --resume
+says "its format is 1.0, and this program resumes only 2.0"
+
+# Flipped bits of rows are found by all who are to trust them.
+write_campaign flipped 6 3
+expect 0 "$ideotype" run campaigns/flipped.toml
+history=$(history_of results flipped)
+expect 0 "$ideotype" verify "$history"
+says "header, 3 generations and 4 finalists have their checksums"
+cp "$history" whole.h5
+# $1 a dataset, $2 the place of a byte in it, $3 who is damaged
+flip() {
+    local at
+    at=$(h5dump -p -H -d "$1" whole.h5 | awk '/OFFSET/ { print $2 }')
+    cp whole.h5 "$history"
+    printf '\x55' | dd of="$history" bs=1 seek=$((at + $2)) conv=notrunc status=none
+    cmp -s whole.h5 "$history" && fail "nothing changed in $1"
+    expect 4 "$ideotype" verify "$history"
+    says "damaged: $3 does not have its checksum"
+    expect 4 "$ideotype" run campaigns/flipped.toml --resume
+    says "damaged: $3 does not have its checksum"
+    expect 4 "$ideotype" pack "$history"
+    says "damaged: $3 does not have its checksum"
+}
+flip /evaluations/genome 4007 "generation 2"
+flip /evaluations/absorbed_by_leaf 3 "generation 0"
+flip /generations/mean 9 "generation 1"
+flip /final/objectives 17 "finalist 2"
+flip /genes/lower 5 "the header"
+flip /evaluations/hour 6 "the header"
+cp whole.h5 "$history"
+expect 0 "$ideotype" pack "$history"
+expect 0 "$ideotype" verify "$history"
+h5dump -p -H -d /evaluations/genome "$history" | grep -q FLETCHER32 ||
+    fail "packed without Fletcher's checksums"

@@ -3,13 +3,8 @@
 #include <algorithm>
 #include <limits>
 #include <span>
-#include <sstream>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include "attributes.hpp"
-#include "contents.hpp"
+#include "number_columns.hpp"
 #include "types.hpp"
 
 namespace ideotype {
@@ -20,137 +15,6 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int32_t no_worker = -1;
 constexpr std::size_t message_size = 160;
 constexpr std::size_t checksum_size = 64;
-constexpr auto error_suffix = "_standard_error";
-
-// Of these columns, the first ones, all that selection needs is made.
-constexpr std::size_t essential_numbers = 4;
-
-// The columns of an outcome's numbers, in the order of numbers_of().
-std::vector<DatasetForm> number_forms(const OutcomeSchema& schema,
-                                      const std::string& rows) {
-    std::vector<DatasetForm> forms;
-    const auto add = [&](const std::string& name,
-                         const std::vector<std::string>& axes,
-                         const std::string& unit, const std::string& meaning) {
-        forms.push_back({.name = name,
-                         .type = H5T_IEEE_F64LE,
-                         .axes = {rows},
-                         .unit = unit,
-                         .meaning = meaning,
-                         .empty = &nan});
-        forms.back().axes.insert(forms.back().axes.end(), axes.begin(),
-                                 axes.end());
-    };
-    const std::string unit = "/objectives/unit";
-    add("objectives", {"objective"}, unit, "what is searched for");
-    add("objectives_standard_error", {"objective"}, unit,
-        "of the mean over randomisations");
-    add("objectives_by_randomisation", {"objective", "randomisation"}, unit,
-        "independent randomisations, common to rows that are compared");
-    add("violation", {}, "1",
-        "how far constraints are failed, relative to their limits");
-    for (const Quantity& each : schema.measured.quantities) {
-        add(each.name, each.axes, each.unit, each.meaning);
-        if (each.certainty == Certainty::estimated)
-            add(each.name + error_suffix, each.axes, each.unit,
-                "standard error: " + each.meaning);
-    }
-    return forms;
-}
-
-// Row-major numbers of one row for each of number_forms().
-using Numbers = std::vector<std::vector<double>>;
-
-std::vector<double> part(std::span<const Estimate> estimates,
-                         double Estimate::*member) {
-    std::vector<double> values;
-    for (const Estimate& x : estimates) values.push_back(x.*member);
-    return values;
-}
-
-Numbers numbers_of(const OutcomeSchema& schema, const Outcome& outcome) {
-    Numbers numbers{part(outcome.objectives, &Estimate::mean),
-                    part(outcome.objectives, &Estimate::standard_error),
-                    outcome.randomisations,
-                    {outcome.violation}};
-    std::span<const Estimate> left(outcome.quantities);
-    for (const Quantity& each : schema.measured.quantities) {
-        const std::size_t size = schema.measured.size(each);
-        const auto own = left.first(size);
-        left = left.subspan(size);
-        numbers.push_back(part(own, &Estimate::mean));
-        if (each.certainty == Certainty::estimated)
-            numbers.push_back(part(own, &Estimate::standard_error));
-    }
-    return numbers;
-}
-
-// Takes the numbers of an outcome, one after the other, in the order of
-// numbers_of(); next gives those of the next column.
-template <class Next>
-Outcome outcome_of(const OutcomeSchema& schema, Next next) {
-    Outcome outcome = unknown_outcome(schema);
-    const auto fill = [&](std::span<Estimate> target, double Estimate::*member,
-                          std::span<const double> values) {
-        for (std::size_t i = 0; i < target.size(); ++i)
-            target[i].*member = values[i];
-    };
-    fill(outcome.objectives, &Estimate::mean, next());
-    fill(outcome.objectives, &Estimate::standard_error, next());
-    const std::span<const double> randomisations = next();
-    outcome.randomisations.assign(randomisations.begin(), randomisations.end());
-    outcome.violation = next()[0];
-    std::span<Estimate> left(outcome.quantities);
-    for (const Quantity& each : schema.measured.quantities) {
-        const std::size_t size = schema.measured.size(each);
-        const auto own = left.first(size);
-        left = left.subspan(size);
-        fill(own, &Estimate::mean, next());
-        if (each.certainty == Certainty::estimated)
-            fill(own, &Estimate::standard_error, next());
-        else
-            for (Estimate& x : own) x.standard_error = 0;
-    }
-    return outcome;
-}
-
-// "lai absorbed_by_leaf[leaf]": names and axes in the order of a schema. In
-// a file that is cut short this is there when the scales' references are not.
-std::string text_of(const std::vector<Quantity>& quantities) {
-    std::string text;
-    for (const Quantity& each : quantities)
-        text += fmt::format(
-            "{}{}{}", text.empty() ? "" : " ", each.name,
-            each.axes.empty() ? ""
-                              : fmt::format("[{}]", fmt::join(each.axes, ",")));
-    return text;
-}
-
-std::vector<std::string> parts(const std::string& text, char separator) {
-    std::istringstream from(text);
-    std::vector<std::string> found;
-    for (std::string part; std::getline(from, part, separator);)
-        found.push_back(part);
-    return found;
-}
-
-bool has(hid_t group, const std::string& name) {
-    return checked(H5Lexists(group, name.c_str(), H5P_DEFAULT),
-                   "look for " + name) != 0;
-}
-
-Quantity read_quantity(hid_t group, const std::string& text) {
-    const std::size_t bracket = std::min(text.find('['), text.size());
-    const std::string name = text.substr(0, bracket);
-    const Dataset dataset(group, name);
-    Quantity quantity{name, dataset.text("units"), dataset.text("long_name")};
-    if (bracket < text.size())
-        quantity.axes =
-            parts(text.substr(bracket + 1, text.size() - bracket - 2), ',');
-    if (!has(group, name + error_suffix)) quantity.certainty = Certainty::exact;
-    return quantity;
-}
-
 }  // namespace
 
 Axis gene_axis(const GeneSpace& genes) {
@@ -168,14 +32,13 @@ Axis objective_axis(const std::vector<Objective>& objectives) {
 void Columns::create(hid_t file, const GeneSpace& genes,
                      const OutcomeSchema& schema, const TableForm& form) {
     const Handle group = create_group(file, form.group);
-    create_attribute(group, "quantities", text_of(schema.measured.quantities));
     create_axis(group, form.rows);
     create_axis(group, gene_axis(genes));
     create_axis(group, counted("parent", "first or second", 2));
     create_axis(group, objective_axis(schema.objectives));
     create_axis(group, counted("randomisation", "independent repetition",
                                schema.randomisations));
-    for (const Axis& axis : schema.measured.axes) create_axis(group, axis);
+    write_measured(group, schema.measured);
     const std::string rows = form.rows.name;
     const auto add =
         [&](const std::string& name, hid_t type, const std::string& meaning,
@@ -226,16 +89,7 @@ OutcomeSchema Columns::read_schema(hid_t file, const std::string& name) {
                        "open " + name);
     OutcomeSchema schema;
     schema.randomisations = Dataset(group, "randomisation").rows();
-    auto& [axes, quantities] = schema.measured;
-    for (const std::string& each :
-         parts(text_attribute(group, "quantities"), ' '))
-        quantities.push_back(read_quantity(group, each));
-    for (const Quantity& quantity : quantities)
-        for (const std::string& axis : quantity.axes)
-            if (std::none_of(axes.begin(), axes.end(), [&](const Axis& known) {
-                    return known.name == axis;
-                }))
-                axes.push_back(read_axis(group, axis));
+    schema.measured = read_measured(group);
     return schema;
 }
 
@@ -254,7 +108,7 @@ Columns::Columns(hid_t file, const std::string& group,
     for (const DatasetForm& form : number_forms(schema, ""))
         numbers_.emplace_back(file, group + "/" + form.name);
     intact_.assign(numbers_.size(), status_.rows());
-    if (has(file, group + "/checksum"))
+    if (exists(file, group + "/checksum"))
         checksum_ = Dataset(file, group + "/checksum");
 }
 

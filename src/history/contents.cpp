@@ -100,7 +100,7 @@ std::vector<std::string> attributes_of(hid_t object) {
     return names;
 }
 
-Bytes read_attribute(hid_t object, const std::string& name) {
+StoredValue read_attribute(hid_t object, const std::string& name) {
     const std::string action = "read attribute " + name;
     const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose,
                            action);

@@ -26,12 +26,12 @@ Handle open_object(hid_t file, const Object& object);
 std::vector<std::string> attributes_of(hid_t object);
 
 //! An attribute or a block of a dataset: its type in the file and its bytes.
-struct Bytes {
+struct StoredValue {
     Handle type;
     std::vector<char> values;
 };
 
-Bytes read_attribute(hid_t object, const std::string& name);
+StoredValue read_attribute(hid_t object, const std::string& name);
 
 //! How a dataset divides into blocks of whole rows of its first dimension.
 struct Blocks {

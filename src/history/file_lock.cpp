@@ -128,8 +128,8 @@ FileLock::FileLock(FileLock&& other) noexcept
 FileLock::~FileLock() {
     if (descriptor_ < 0) return;
     // Removed before it is unlocked, so that nobody locks a file that is
-    // about to vanish. If the folder was removed and the file written again, the
-    // lock at this path is another's.
+    // about to vanish. If the folder was removed and the file written again,
+    // the lock at this path is another's.
     if (is_at(path_, descriptor_)) unlink(path_.c_str());
     close(descriptor_);
 }

@@ -1,17 +1,15 @@
 #include "format_1.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <regex>
 
 #include <fmt/format.h>
 
-#include "attributes.hpp"
 #include "columns.hpp"
-#include "contents.hpp"
 #include "dataset.hpp"
 #include "generations.hpp"
+#include "header.hpp"
 #include "journal.hpp"
 #include "open.hpp"
 
@@ -148,22 +146,10 @@ QuantitySet measured_of(const std::vector<Column>& columns) {
 
 HistoryHeader read_old_header(hid_t file) {
     HistoryHeader header;
-    for (const std::string& name : attributes_of(file)) {
-        const H5T_class_t kind = H5Tget_class(read_attribute(file, name).type);
-        if (name.starts_with("format")) continue;
-        if (kind == H5T_STRING) header.text[name] = text_attribute(file, name);
-        if (kind == H5T_FLOAT)
-            header.numbers[name] =
-                number_attribute<double>(file, name, H5T_NATIVE_DOUBLE);
-    }
-    header.text["upgraded_from"] = text_attribute(file, "format_version");
-    header.seed =
-        number_attribute<std::uint64_t>(file, "seed", H5T_NATIVE_UINT64);
-    header.population =
-        number_attribute<int>(file, "population", H5T_NATIVE_INT);
-    header.generations =
-        number_attribute<int>(file, "generations", H5T_NATIVE_INT);
-    header.finalists = number_attribute<int>(file, "finalists", H5T_NATIVE_INT);
+    read_attributes(file, header);
+    header.text["upgraded_from"] = header.text["format_version"];
+    for (const char* name : {"format", "format_version"})
+        header.text.erase(name);
     header.campaign_source = texts(file, "campaign/source")[0];
     header.campaign_resolved = texts(file, "campaign/resolved")[0];
     header.genes = read_genes(file);

@@ -151,8 +151,7 @@ void write_header(hid_t file, const HistoryHeader& header) {
     write_objectives(file, header.schema.objectives);
 }
 
-HistoryHeader read_header(hid_t file) {
-    HistoryHeader header;
+void read_attributes(hid_t file, HistoryHeader& header) {
     for (const std::string& name : attributes_of(file)) {
         const H5T_class_t kind = H5Tget_class(read_attribute(file, name).type);
         if (kind == H5T_STRING) header.text[name] = text_attribute(file, name);
@@ -167,6 +166,11 @@ HistoryHeader read_header(hid_t file) {
           {"generations", &header.generations},
           {"finalists", &header.finalists}})
         *number = number_attribute<int>(file, name, H5T_NATIVE_INT);
+}
+
+HistoryHeader read_header(hid_t file) {
+    HistoryHeader header;
+    read_attributes(file, header);
     header.campaign_source = read_texts(file, "campaign/source")[0];
     header.campaign_resolved = read_texts(file, "campaign/resolved")[0];
     header.genes = read_genes(file);

@@ -128,6 +128,11 @@ void create_texts(hid_t group, DatasetForm form,
     fill(group, form.name, texts);
 }
 
+bool exists(hid_t group, const std::string& name) {
+    return checked(H5Lexists(group, name.c_str(), H5P_DEFAULT),
+                   "look for " + name) != 0;
+}
+
 bool is_scale(hid_t dataset) {
     return checked(H5DSis_scale(dataset), "find a scale") != 0;
 }

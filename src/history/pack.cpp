@@ -85,7 +85,7 @@ void copy_objects(hid_t source, hid_t target) {
             : object.path == "." ? open_object(target, object)
                                  : create_group(target, object.path);
         for (const std::string& name : attributes_of(from)) {
-            const Bytes bytes = read_attribute(from, name);
+            const StoredValue bytes = read_attribute(from, name);
             create_attribute(to, name, bytes.type, bytes.values.data());
         }
     }
@@ -138,8 +138,8 @@ void compare(hid_t source, hid_t packed) {
         if (attributes_of(b) != names)
             throw Hdf5Error(object.path + " has changed its attributes");
         for (const std::string& name : names) {
-            const Bytes x = read_attribute(a, name);
-            const Bytes y = read_attribute(b, name);
+            const StoredValue x = read_attribute(a, name);
+            const StoredValue y = read_attribute(b, name);
             if (H5Tequal(x.type, y.type) <= 0 || x.values != y.values)
                 throw Hdf5Error(object.path + " has changed its " + name);
         }

@@ -140,7 +140,7 @@ def _remarks(cases: Sequence[Case], cross: Cross | None) -> list[str]:
     else:
         remarks.append(
             "The error of the gain over the elite plant takes both as "
-            "independent: a cross-evaluation has no randomisations."
+            "independent: a cross-evaluation has random numbers of its own."
         )
     named: dict[str, list[str]] = {}
     for case in cases:

@@ -1,0 +1,156 @@
+#include "number_columns.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "attributes.hpp"
+#include "dataset.hpp"
+
+namespace ideotype {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<double> part(std::span<const Estimate> estimates,
+                         double Estimate::*member) {
+    std::vector<double> values;
+    for (const Estimate& x : estimates) values.push_back(x.*member);
+    return values;
+}
+
+// "lai absorbed_by_leaf[leaf]": names and axes in the order of a schema. In
+// a file that is cut short this is there when the scales' references are not.
+std::string text_of(const std::vector<Quantity>& quantities) {
+    std::string text;
+    for (const Quantity& each : quantities)
+        text += fmt::format(
+            "{}{}{}", text.empty() ? "" : " ", each.name,
+            each.axes.empty() ? ""
+                              : fmt::format("[{}]", fmt::join(each.axes, ",")));
+    return text;
+}
+
+std::vector<std::string> parts(const std::string& text, char separator) {
+    std::istringstream from(text);
+    std::vector<std::string> found;
+    for (std::string part; std::getline(from, part, separator);)
+        found.push_back(part);
+    return found;
+}
+
+Quantity read_quantity(hid_t group, const std::string& text) {
+    const std::size_t bracket = std::min(text.find('['), text.size());
+    const std::string name = text.substr(0, bracket);
+    const Dataset dataset(group, name);
+    Quantity quantity{name, dataset.text("units"), dataset.text("long_name")};
+    if (bracket < text.size())
+        quantity.axes =
+            parts(text.substr(bracket + 1, text.size() - bracket - 2), ',');
+    if (!exists(group, name + error_suffix))
+        quantity.certainty = Certainty::exact;
+    return quantity;
+}
+
+}  // namespace
+
+std::vector<DatasetForm> number_forms(const OutcomeSchema& schema,
+                                      const std::string& rows) {
+    std::vector<DatasetForm> forms;
+    const auto add = [&](const std::string& name,
+                         const std::vector<std::string>& axes,
+                         const std::string& unit, const std::string& meaning) {
+        forms.push_back({.name = name,
+                         .type = H5T_IEEE_F64LE,
+                         .axes = {rows},
+                         .unit = unit,
+                         .meaning = meaning,
+                         .empty = &nan});
+        forms.back().axes.insert(forms.back().axes.end(), axes.begin(),
+                                 axes.end());
+    };
+    const std::string unit = "/objectives/unit";
+    add("objectives", {"objective"}, unit, "what is searched for");
+    add("objectives_standard_error", {"objective"}, unit,
+        "of the mean over randomisations");
+    add("objectives_by_randomisation", {"objective", "randomisation"}, unit,
+        "independent randomisations, common to rows that are compared");
+    add("violation", {}, "1",
+        "how far constraints are failed, relative to their limits");
+    for (const Quantity& each : schema.measured.quantities) {
+        add(each.name, each.axes, each.unit, each.meaning);
+        if (each.certainty == Certainty::estimated)
+            add(each.name + error_suffix, each.axes, each.unit,
+                "standard error: " + each.meaning);
+    }
+    return forms;
+}
+
+Numbers numbers_of(const OutcomeSchema& schema, const Outcome& outcome) {
+    Numbers numbers{part(outcome.objectives, &Estimate::mean),
+                    part(outcome.objectives, &Estimate::standard_error),
+                    outcome.randomisations,
+                    {outcome.violation}};
+    std::span<const Estimate> left(outcome.quantities);
+    for (const Quantity& each : schema.measured.quantities) {
+        const std::size_t size = schema.measured.size(each);
+        const auto own = left.first(size);
+        left = left.subspan(size);
+        numbers.push_back(part(own, &Estimate::mean));
+        if (each.certainty == Certainty::estimated)
+            numbers.push_back(part(own, &Estimate::standard_error));
+    }
+    return numbers;
+}
+
+Outcome outcome_of(const OutcomeSchema& schema, const NextColumn& next) {
+    Outcome outcome = unknown_outcome(schema);
+    const auto fill = [&](std::span<Estimate> target, double Estimate::*member,
+                          std::span<const double> values) {
+        for (std::size_t i = 0; i < target.size(); ++i)
+            target[i].*member = values[i];
+    };
+    fill(outcome.objectives, &Estimate::mean, next());
+    fill(outcome.objectives, &Estimate::standard_error, next());
+    const std::span<const double> randomisations = next();
+    outcome.randomisations.assign(randomisations.begin(), randomisations.end());
+    outcome.violation = next()[0];
+    std::span<Estimate> left(outcome.quantities);
+    for (const Quantity& each : schema.measured.quantities) {
+        const std::size_t size = schema.measured.size(each);
+        const auto own = left.first(size);
+        left = left.subspan(size);
+        fill(own, &Estimate::mean, next());
+        if (each.certainty == Certainty::estimated)
+            fill(own, &Estimate::standard_error, next());
+        else
+            for (Estimate& x : own) x.standard_error = 0;
+    }
+    return outcome;
+}
+
+void write_measured(hid_t group, const QuantitySet& measured) {
+    create_attribute(group, "quantities", text_of(measured.quantities));
+    for (const Axis& axis : measured.axes) create_axis(group, axis);
+}
+
+QuantitySet read_measured(hid_t group) {
+    QuantitySet measured;
+    auto& [axes, quantities] = measured;
+    for (const std::string& each :
+         parts(text_attribute(group, "quantities"), ' '))
+        quantities.push_back(read_quantity(group, each));
+    for (const Quantity& quantity : quantities)
+        for (const std::string& axis : quantity.axes)
+            if (std::none_of(axes.begin(), axes.end(), [&](const Axis& known) {
+                    return known.name == axis;
+                }))
+                axes.push_back(read_axis(group, axis));
+    return measured;
+}
+
+}  // namespace ideotype

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -27,24 +28,58 @@ void append(std::string& text, const std::string& name,
     text.append(bytes.begin(), bytes.end());
 }
 
-// The rows of all datasets of a table but its scales, by name.
-// @param status stands in for that in the file
-void append_rows(std::string& text, hid_t file, const std::string& name,
-                 const std::vector<std::string>& left_out, const Span& rows,
-                 std::optional<Status> status = {}) {
-    const Handle group(H5Gopen2(file, name.c_str(), H5P_DEFAULT), H5Gclose,
-                       "open " + name);
-    for (const Object& each : objects_of(group)) {
-        if (!each.is_dataset || contains(left_out, each.path)) continue;
-        const Handle data = open_object(group, each);
-        if (is_scale(data)) continue;
-        if (status && each.path == "status")
-            append(text, each.path, {static_cast<char>(*status)});
-        else
-            append(text, each.path,
-                   read_block(data, Blocks(data), rows.first, rows.count));
+// All datasets of a table but its scales, by name.
+class Table {
+  public:
+    Table(hid_t file, const std::string& name,
+          const std::vector<std::string>& left_out) {
+        const Handle group(H5Gopen2(file, name.c_str(), H5P_DEFAULT), H5Gclose,
+                           "open " + name);
+        for (const Object& each : objects_of(group)) {
+            if (!each.is_dataset || contains(left_out, each.path)) continue;
+            Handle data = open_object(group, each);
+            if (is_scale(data)) continue;
+            Blocks blocks(data);
+            columns_.push_back({each.path, std::move(data), std::move(blocks)});
+        }
     }
-}
+
+    //! @param status stands in for that in the file
+    void append_rows(std::string& text, const Span& rows,
+                     std::optional<Status> status = {}) const {
+        for (const auto& [name, data, blocks] : columns_)
+            append(text, name,
+                   status && name == "status"
+                       ? std::vector<char>{static_cast<char>(*status)}
+                       : read_block(data, blocks, rows.first, rows.count));
+    }
+
+  private:
+    struct Column {
+        std::string name;
+        Handle data;
+        Blocks blocks;
+    };
+    std::vector<Column> columns_;
+};
+
+// Opening all datasets takes longer than reading a generation.
+class GenerationChecksums {
+  public:
+    explicit GenerationChecksums(hid_t file)
+        : rows_(file, "evaluations", {}),
+          summaries_(file, "generations", {"checksum", "committed"}) {}
+
+    std::string of(std::uint32_t generation, const Span& rows) const {
+        std::string text;
+        rows_.append_rows(text, rows);
+        summaries_.append_rows(text, {generation, 1});
+        return sha256(text);
+    }
+
+  private:
+    Table rows_, summaries_;
+};
 
 [[noreturn]] void refuse(const std::string& path, const std::string& what) {
     throw Error(path + ": damaged: " + what +
@@ -80,16 +115,12 @@ std::string header_checksum(hid_t file) {
 
 std::string generation_checksum(hid_t file, std::uint32_t generation,
                                 const Span& rows) {
-    std::string text;
-    append_rows(text, file, "evaluations", {}, rows);
-    append_rows(text, file, "generations", {"checksum", "committed"},
-                {generation, 1});
-    return sha256(text);
+    return GenerationChecksums(file).of(generation, rows);
 }
 
 std::string finalist_checksum(hid_t file, hsize_t row, Status status) {
     std::string text;
-    append_rows(text, file, "final", {"checksum"}, {row, 1}, status);
+    Table(file, "final", {"checksum"}).append_rows(text, {row, 1}, status);
     return sha256(text);
 }
 
@@ -97,9 +128,10 @@ void require_intact(hid_t file, const std::string& path) {
     if (text_attribute(file, "checksum") != header_checksum(file))
         refuse(path, "the header");
     const Generations generations(file);
-    for (std::uint32_t g = 0; g < generations.committed(); ++g)
-        if (generations.checksum(g) !=
-            generation_checksum(file, g, generations.span(g)))
+    const GenerationChecksums found(file);
+    const std::uint32_t committed = generations.committed();
+    for (std::uint32_t g = 0; g < committed; ++g)
+        if (generations.checksum(g) != found.of(g, generations.span(g)))
             refuse(path, fmt::format("generation {}", g));
     const Dataset status(file, "final/status"),
         checksum(file, "final/checksum");

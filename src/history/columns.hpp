@@ -39,6 +39,8 @@ class Columns {
 
     Columns(hid_t file, const std::string& group, const OutcomeSchema& schema);
 
+    const OutcomeSchema& schema() const { return schema_; }
+
     hsize_t rows() const { return status_.rows(); }
 
     //! From now on only what lies before this position in the file is there;
@@ -50,8 +52,12 @@ class Columns {
 
     std::vector<Status> statuses(hsize_t first, hsize_t count) const;
 
-    //! Rows with NaN in everything that their status does not vouch for.
+    //! Of rows that are not empty.
     //! @param parents row of /evaluations that parents are counted from
+    std::vector<Candidate> candidates(hsize_t first, hsize_t count,
+                                      hsize_t parents) const;
+
+    //! Rows with NaN in everything that their status does not vouch for.
     std::vector<Row> read(hsize_t first, hsize_t count, hsize_t parents) const;
 
     //! Everything of candidates but their status; no outcome is known then.
@@ -69,8 +75,6 @@ class Columns {
     void set_checksum(hsize_t row, const std::string& checksum);
 
   private:
-    std::vector<Candidate> candidates(hsize_t first, hsize_t count,
-                                      hsize_t parents) const;
     std::vector<Outcome> outcomes(hsize_t first, hsize_t count) const;
 
     OutcomeSchema schema_;

@@ -1,5 +1,7 @@
 #include "history_file.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "checksum.hpp"
@@ -61,17 +63,20 @@ void History::File::propose(Columns& columns, const std::string& label,
                             hsize_t first,
                             const std::vector<Candidate>& candidates,
                             hsize_t parents) {
+    const auto statuses =
+        read([&] { return columns.statuses(first, candidates.size()); });
+    const auto known = static_cast<std::size_t>(
+        std::find(statuses.begin(), statuses.end(), Status::empty) -
+        statuses.begin());
     const auto stored =
-        read([&] { return columns.read(first, candidates.size(), parents); });
-    std::size_t known = 0;
-    for (; known < stored.size(); ++known) {
-        if (stored[known].outcome.status == Status::empty) break;
-        const std::string difference = first_difference(
-            header.genes, stored[known].candidate, candidates[known]);
+        read([&] { return columns.candidates(first, known, parents); });
+    for (std::size_t i = 0; i < known; ++i) {
+        const std::string difference =
+            first_difference(header.genes, stored[i], candidates[i]);
         if (difference.empty()) continue;
         fail(fmt::format("{} {} was bred otherwise before: {}; resume with "
                          "the program and campaign that began the case",
-                         label, known, difference),
+                         label, i, difference),
              ExitCode::refused);
     }
     if (known == candidates.size()) return;
@@ -100,8 +105,7 @@ std::vector<std::uint32_t> History::File::pending(const Columns& columns,
 void History::File::record(Columns& columns, const std::string& label,
                            hsize_t row, const Outcome& outcome,
                            std::uint32_t attempt) {
-    check(label, &columns == &finals ? header.final_schema() : header.schema,
-          outcome);
+    check(label, columns.schema(), outcome);
     const Status status = read([&] { return columns.statuses(row, 1)[0]; });
     if (status != Status::proposed)
         fail(label + (status == Status::empty ? " was never proposed"

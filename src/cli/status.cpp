@@ -148,11 +148,13 @@ std::string best_of(const History& history) {
         return fmt::format("{} {} (evaluated again)",
                            format(finalists[slot].outcome.objectives.front()),
                            unit);
-    const GenerationSummary last = history.summaries().back();
-    return fmt::format("{} {} {}",
-                       format({last.best, last.best_standard_error}), unit,
-                       not_evaluated_again(
-                           history.last_committed()[last.best_slot].violation));
+    const auto summaries = history.summaries();
+    const GenerationSummary& last = summaries.back();
+    const auto generation = static_cast<std::uint32_t>(summaries.size() - 1);
+    return fmt::format(
+        "{} {} {}", format({last.best, last.best_standard_error}), unit,
+        not_evaluated_again(
+            history.row(generation, last.best_slot).outcome.violation));
 }
 
 Report report_on(const std::string& path, Overview& overview) {

@@ -17,18 +17,18 @@ namespace ideotype {
 
 namespace {
 
-std::string host_name() {
-    std::array<char, 256> name{};
-    gethostname(name.data(), name.size() - 1);
-    return name.data();
-}
-
 bool has(const Machine& machine, const std::string& isa) {
     return std::find(machine.isas.begin(), machine.isas.end(), isa) !=
            machine.isas.end();
 }
 
 }  // namespace
+
+std::string host_name() {
+    std::array<char, 256> name{};
+    gethostname(name.data(), name.size() - 1);
+    return name.data();
+}
 
 ProgramFacts program_facts() {
     const BuildInfo& build = build_info();

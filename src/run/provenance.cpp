@@ -1,8 +1,5 @@
 #include "ideotype/run/provenance.hpp"
 
-#include <array>
-#include <unistd.h>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -16,16 +13,6 @@
 #include "ideotype/run/progress.hpp"
 
 namespace ideotype {
-
-namespace {
-
-std::string host_name() {
-    std::array<char, 256> name{};
-    gethostname(name.data(), name.size() - 1);
-    return name.data();
-}
-
-}  // namespace
 
 HistoryHeader header_of(const Campaign& campaign, const Case& chosen,
                         const std::string& isa) {

@@ -1,6 +1,7 @@
 #include "columns.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <span>
 
@@ -110,6 +111,14 @@ Columns::Columns(hid_t file, const std::string& group,
     intact_.assign(numbers_.size(), status_.rows());
     if (exists(file, group + "/checksum"))
         checksum_ = Dataset(file, group + "/checksum");
+}
+
+void Columns::use(const Mapping& mapping) {
+    for (Dataset* column : {&status_, &genome_, &origin_, &parents_, &attempt_,
+                            &seconds_, &worker_, &message_})
+        column->use(mapping);
+    for (Dataset& column : numbers_) column.use(mapping);
+    if (checksum_) checksum_->use(mapping);
 }
 
 void Columns::cut(haddr_t end) {
@@ -249,6 +258,8 @@ void Columns::write_outcomes(hsize_t first, const std::vector<Row>& rows) {
 }
 
 void Columns::set_statuses(hsize_t first, const std::vector<Status>& statuses) {
+    // All that they vouch for is there before, for other processors too.
+    std::atomic_thread_fence(std::memory_order_release);
     status_.write(first, statuses);
 }
 

@@ -39,6 +39,9 @@ class Columns {
 
     Columns(hid_t file, const std::string& group, const OutcomeSchema& schema);
 
+    //! See Dataset.
+    void use(const Mapping& mapping);
+
     const OutcomeSchema& schema() const { return schema_; }
 
     hsize_t rows() const { return status_.rows(); }

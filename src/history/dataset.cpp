@@ -1,6 +1,7 @@
 #include "dataset.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include <fmt/format.h>
 
@@ -51,6 +52,25 @@ hsize_t Dataset::rows_before(haddr_t end) const {
     return std::min<hsize_t>(count, (end - begin) / row_size);
 }
 
+void Dataset::use(const Mapping& mapping) {
+    const Handle type(H5Dget_type(id_), H5Tclose, "read " + name_);
+    const haddr_t begin = H5Dget_offset(id_);
+    const hsize_t size = H5Dget_storage_size(id_);
+    if (begin == HADDR_UNDEF || begin + size > mapping.size() ||
+        !checked(H5Tequal(type, memory_type_), "read " + name_))
+        return;
+    mapped_ = mapping.begin() + begin;
+    mapped_values_ = size / value_size_;
+}
+
+std::byte* Dataset::at(hsize_t first, std::size_t values) const {
+    const hsize_t from = first * width_;
+    if (from + values > mapped_values_)
+        throw Hdf5Error(fmt::format("{} has no row {}", name_,
+                                    (from + values) / width_ - 1));
+    return mapped_ + from * value_size_;
+}
+
 void Dataset::write_text(hsize_t row, const std::string& text) {
     std::string padded = first_bytes(text, value_size_);
     padded.resize(value_size_, '\0');
@@ -98,6 +118,10 @@ void Dataset::put(hsize_t first, const void* values, std::size_t count,
                   std::size_t value_size) {
     check_value_size(value_size);
     if (count == 0) return;
+    if (mapped_) {
+        std::memcpy(at(first, count), values, count * value_size);
+        return;
+    }
     const Selection selection = select(first, count);
     checked(H5Dwrite(id_, memory_type_, selection.memory, selection.file,
                      H5P_DEFAULT, values),
@@ -108,6 +132,10 @@ void Dataset::get(hsize_t first, void* values, std::size_t count,
                   std::size_t value_size) const {
     check_value_size(value_size);
     if (count == 0) return;
+    if (mapped_) {
+        std::memcpy(values, at(first, count), count * value_size);
+        return;
+    }
     const Selection selection = select(first, count);
     checked(H5Dread(id_, memory_type_, selection.memory, selection.file,
                     H5P_DEFAULT, values),

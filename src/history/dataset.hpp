@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "handle.hpp"
+#include "mapping.hpp"
 
 namespace ideotype {
 
@@ -33,6 +34,11 @@ class Dataset {
     //! Whole rows that lie before this position in the file. None of a
     //! compressed dataset has a position.
     hsize_t rows_before(haddr_t end) const;
+
+    //! From now on this reads and writes the memory that a file is. Of values
+    //! that are stored otherwise than in memory, or not in one block, nothing
+    //! changes. The mapping must outlive it.
+    void use(const Mapping& mapping);
 
     //! Writes as many rows as there are values for. Value has the dataset's
     //! type in memory.
@@ -77,11 +83,16 @@ class Dataset {
     void get(hsize_t first, void* values, std::size_t count,
              std::size_t value_size) const;
 
+    //! Where a row is in memory. @throws Hdf5Error if it has no such rows.
+    std::byte* at(hsize_t first, std::size_t values) const;
+
     std::string name_;
     Handle id_;
     Handle memory_type_;
     std::size_t value_size_ = 0;
     std::size_t width_ = 1;
+    std::byte* mapped_ = nullptr;  //!< all rows; null: HDF5 moves them
+    std::size_t mapped_values_ = 0;
 };
 
 }  // namespace ideotype

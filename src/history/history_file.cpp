@@ -17,12 +17,15 @@ History::File::File(std::string name, std::optional<FileLock> held,
     : path(std::move(name)),
       lock(std::move(held)),
       id(std::move(opened)),
+      mapping(lock ? Mapping::of(id) : nullptr),
       header(read_header(id)),
       evaluations(id, "evaluations", header.schema),
       finals(id, "final", header.final_schema()),
       generations(id),
       journal(id),
       next_generation(generations.committed()) {
+    if (mapping)
+        for (Columns* columns : {&evaluations, &finals}) columns->use(*mapping);
     for (std::uint32_t g = 0; lock && g < generations.most(); ++g) {
         const Span next = generations.span(g);
         if (next.count == 0) break;
@@ -86,9 +89,7 @@ void History::File::propose(Columns& columns, const std::string& label,
     const std::vector<Status> proposed(rest.size(), Status::proposed);
     write([&] {
         columns.write(first + known, rest, parents);
-        flush(id);
         columns.set_statuses(first + known, proposed);
-        flush(id);
     });
 }
 
@@ -116,13 +117,18 @@ void History::File::record(Columns& columns, const std::string& label,
         if (&columns == &finals)
             columns.set_checksum(row,
                                  finalist_checksum(id, row, outcome.status));
-        flush(id);
+        // Rows are never buffered, so each write is the system's when it
+        // returns; a flush would look at all datasets to find nothing.
         columns.set_statuses(row, {outcome.status});
-        flush(id);
     });
 }
 
 void History::File::require_in_place() const {
+    if (mapping && !mapping->is_whole())
+        fail(
+            "this file was cut short while it was written (nothing more can "
+            "be saved in it); begin again in another folder with --out",
+            ExitCode::refused);
     if (!is_at(path, descriptor_of(id)))
         fail(
             "this file was deleted, moved or replaced while it was written "

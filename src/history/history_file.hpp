@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -90,6 +91,7 @@ struct History::File {
     std::string path;
     std::optional<FileLock> lock;
     Handle id;
+    std::unique_ptr<Mapping> mapping;  //!< of a writer
     HistoryHeader header;
     Columns evaluations;
     Columns finals;

@@ -74,6 +74,15 @@ void reserve_space(hid_t file, const std::string& path,
         folder_of(path).string(), advice));
 }
 
+bool has_all_room(hid_t file) {
+    haddr_t size = 0;
+    checked(H5Fget_eoa(file, &size), "find the room of the file");
+    struct stat status {};
+    return fstat(descriptor_of(file), &status) == 0 &&
+           static_cast<haddr_t>(status.st_size) >= size &&
+           missing_bytes(status, size) == 0;
+}
+
 std::string lacking_space(const std::string& path) {
     struct stat status {};
     if (stat(path.c_str(), &status) != 0) return "";

@@ -13,6 +13,9 @@ namespace ideotype {
 void reserve_space(hid_t file, const std::string& path,
                    const std::string& advice);
 
+//! Whether the file has all the room that it will ever need, and lacks no byte.
+bool has_all_room(hid_t file);
+
 //! "12.3 MiB are needed and 0.5 MiB are free", or empty if the file has all
 //! the room that it will ever need.
 std::string lacking_space(const std::string& path);

@@ -83,6 +83,22 @@ TEST(WriteFailure, DeletedFileTakesNoMore) {
         << message;
 }
 
+TEST(WriteFailure, FileThatIsCutShortTakesNoMore) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    History history = History::create(path, sample_header());
+    history.propose(0, sample_candidates(0));
+    std::filesystem::resize_file(path, std::filesystem::file_size(path) - 1);
+    try {
+        history.record(0, 0, sample_outcome(0, 0), 1);
+        FAIL() << "it was recorded";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.exit_code(), ExitCode::refused);
+        const std::string what = error.what();
+        EXPECT_TRUE(what.starts_with(path + ": this file was cut")) << what;
+    }
+}
+
 TEST(WriteFailure, ReplacedFileTakesNoMoreAndTheNewOneIsLeftAlone) {
     const Folder folder;
     const std::string path = folder / "case.h5";

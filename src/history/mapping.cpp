@@ -1,0 +1,41 @@
+#include "mapping.hpp"
+
+#include <sys/mman.h>
+#include <sys/stat.h>
+
+#include "open.hpp"
+#include "space.hpp"
+
+namespace ideotype {
+
+namespace {
+
+std::size_t size_of(int descriptor) {
+    struct stat status {};
+    return fstat(descriptor, &status) == 0
+               ? static_cast<std::size_t>(status.st_size)
+               : 0;
+}
+
+}  // namespace
+
+std::unique_ptr<Mapping> Mapping::of(hid_t file) {
+    if (!has_all_room(file)) return nullptr;
+    const int descriptor = descriptor_of(file);
+    const std::size_t size = size_of(descriptor);
+    void* begin =
+        mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
+    if (begin == MAP_FAILED) return nullptr;
+    return std::unique_ptr<Mapping>(
+        new Mapping(descriptor, static_cast<std::byte*>(begin), size));
+}
+
+bool Mapping::is_whole() const {
+    return size_of(descriptor_) >= size_;
+}
+
+Mapping::~Mapping() {
+    munmap(begin_, size_);
+}
+
+}  // namespace ideotype

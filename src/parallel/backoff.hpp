@@ -1,8 +1,8 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
-#include <thread>
+
+#include "ideotype/parallel/rank_clock.hpp"
 
 namespace ideotype {
 
@@ -11,15 +11,17 @@ namespace ideotype {
 //! noticed within a few percent of the time that it took.
 class Backoff {
   public:
+    explicit Backoff(const RankClock& clock) : clock_(clock) {}
+
     void wait() {
-        std::this_thread::sleep_for(nap_);
+        clock_.nap(nap_);
         nap_ = std::min(nap_ + nap_ / 32, longest);
     }
 
   private:
-    using Nanoseconds = std::chrono::nanoseconds;
-    static constexpr Nanoseconds longest = std::chrono::microseconds(1000);
-    Nanoseconds nap_ = std::chrono::microseconds(50);
+    static constexpr double longest = 1e-3;
+    const RankClock& clock_;
+    double nap_ = 50e-6;  //!< the next [s]
 };
 
 }  // namespace ideotype

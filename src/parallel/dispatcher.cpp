@@ -1,7 +1,6 @@
 #include "ideotype/parallel/dispatcher.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -21,12 +20,6 @@ constexpr double longest_factor = 20;
 //! How soon a stop request or a passed deadline is noticed [s].
 constexpr double attention = 0.25;
 
-double steady_seconds() {
-    using Clock = std::chrono::steady_clock;
-    return std::chrono::duration<double>(Clock::now().time_since_epoch())
-        .count();
-}
-
 std::string name_of(const Task& task) {
     return task.is_final ? fmt::format("finalist {}", task.slot)
                          : fmt::format("generation {} slot {}", task.generation,
@@ -35,34 +28,29 @@ std::string name_of(const Task& task) {
 
 }  // namespace
 
-//! What a worker was given. Its batch may be gone since.
 struct Dispatcher::Assignment {
     Precedence batch;
     std::size_t item = 0;
     Task task;
-    double began = 0;     //!< on the steady clock [s]
-    double deadline = 0;  //!< on the steady clock [s]
-};
-
-struct Dispatcher::WorkerSlot {
-    int worker = 0;
-    std::optional<Assignment> given;
-    bool is_late = false;
+    double began = 0;     //!< on the clock [s]
+    double deadline = 0;  //!< on the clock [s]
 };
 
 Dispatcher::Dispatcher(std::unique_ptr<Workers> workers, const StopFlag& stop,
-                       const AnswerRules& rules)
-    : workers_(std::move(workers)), stop_(stop), rules_(rules) {
+                       const AnswerRules& rules, const RankClock& clock)
+    : workers_(std::move(workers)),
+      stop_(stop),
+      rules_(rules),
+      clock_(clock),
+      given_(static_cast<std::size_t>(workers_->width())) {
     for (int worker = 0; worker < workers_->width(); ++worker)
-        slots_.push_back({worker, std::nullopt, false});
+        idle_.insert(idle_.end(), worker);
 }
 
 Dispatcher::~Dispatcher() {
     // The reply of a busy worker could not leave it if nobody took it.
     if (dismiss()) return;
-    while (std::any_of(slots_.begin(), slots_.end(),
-                       [](const WorkerSlot& slot) { return slot.is_late; }))
-        drop_next();
+    while (has_late()) drop_next();
 }
 
 int Dispatcher::width() const {
@@ -83,7 +71,7 @@ void Dispatcher::run(Director& director) {
         // Before routines go on, since they take their time to breed.
         while (hand_out()) continue;
         resume_complete();
-        while (has_idle() && !stop_.requested())
+        while (!idle_.empty() && !stop_.requested())
             if (!hand_out() && !(has_next = has_next && director.start_next()))
                 break;
 
@@ -93,7 +81,7 @@ void Dispatcher::run(Director& director) {
             release_all();
         else if (open_.empty() && (stop_.requested() || !has_next))
             return;
-        else if (!has_idle())
+        else if (idle_.empty())
             throw Error(fmt::format(
                 "no worker answers any more; if evaluations take longer than "
                 "{:.4g} s, raise parallel.deadline",
@@ -104,8 +92,7 @@ void Dispatcher::run(Director& director) {
 bool Dispatcher::dismiss() {
     while (busy_in_time() > 0) drop_next();
     if (!std::exchange(is_dismissed_, true)) workers_->dismiss();
-    return std::none_of(slots_.begin(), slots_.end(),
-                        [](const WorkerSlot& slot) { return slot.is_late; });
+    return !has_late();
 }
 
 void Dispatcher::add(Batch& batch) {
@@ -122,25 +109,47 @@ void Dispatcher::remove(Batch& batch) {
     std::erase(complete_, &batch);
 }
 
-bool Dispatcher::has_idle() const {
-    return std::any_of(slots_.begin(), slots_.end(),
-                       [](const WorkerSlot& slot) { return !slot.given; });
+//! Workers that may still answer in time.
+int Dispatcher::busy_in_time() const {
+    return static_cast<int>(deadlines_.size());
 }
 
-int Dispatcher::busy_in_time() const {
-    return static_cast<int>(std::count_if(
-        slots_.begin(), slots_.end(),
-        [](const WorkerSlot& slot) { return slot.given && !slot.is_late; }));
+bool Dispatcher::has_late() const {
+    return idle_.size() + deadlines_.size() < given_.size();
+}
+
+void Dispatcher::give(int worker, const Assignment& given, const Work& work) {
+    idle_.erase(worker);
+    deadlines_.emplace(given.deadline, worker);
+    given_[static_cast<std::size_t>(worker)] = given;
+    workers_->give(worker, work);
+}
+
+//! A worker has answered and is idle again.
+Dispatcher::Assignment Dispatcher::take(int worker, const Outcome& outcome) {
+    const Assignment given =
+        *std::exchange(given_[static_cast<std::size_t>(worker)], std::nullopt);
+    const bool was_in_time = deadlines_.erase({given.deadline, worker}) > 0;
+    if (was_in_time)
+        longest_ =
+            std::max(longest_, outcome.seconds / rules_.effort(given.task));
+    idle_.insert(worker);
+    return given;
+}
+
+//! A worker who is late from now on, if there is one.
+std::optional<int> Dispatcher::next_late() {
+    const auto first = deadlines_.begin();
+    if (first == deadlines_.end() || clock_.now() <= first->first) return {};
+    const int worker = first->second;
+    deadlines_.erase(first);
+    return worker;
 }
 
 //! Sends the next work to an idle worker; false if there is none of either, or
 //! a stop is requested.
 bool Dispatcher::hand_out() {
-    if (stop_.requested()) return false;
-    const auto idle =
-        std::find_if(slots_.begin(), slots_.end(),
-                     [](const WorkerSlot& slot) { return !slot.given; });
-    if (idle == slots_.end()) return false;
+    if (stop_.requested() || idle_.empty()) return false;
     for (const auto& [precedence, batch] : open_)
         while (!batch->waiting_.empty()) {
             const std::size_t index = batch->waiting_.back();
@@ -148,12 +157,12 @@ bool Dispatcher::hand_out() {
             const Batch::Item& item = batch->items_[index];
             if (item.is_answered) continue;
             const Task& task = item.work.task;
-            const double now = steady_seconds();
-            idle->given = {
-                precedence, index, task, now,
-                now + std::max(rules_.deadline, longest_factor * longest_ *
-                                                    rules_.effort(task))};
-            workers_->give(idle->worker, item.work);
+            const double now = clock_.now();
+            const double patience =
+                std::max(rules_.deadline,
+                         longest_factor * longest_ * rules_.effort(task));
+            give(*idle_.begin(), {precedence, index, task, now, now + patience},
+                 item.work);
             return true;
         }
     return false;
@@ -175,20 +184,9 @@ void Dispatcher::release_all() {
 
 //! Waits until an answer arrives or a worker is late, but not for long.
 void Dispatcher::receive(Director& director) {
-    if (auto answer = workers_->wait(seconds_to_wait())) {
-        WorkerSlot& slot = slots_[static_cast<std::size_t>(answer->worker)];
-        const Assignment given = *std::exchange(slot.given, std::nullopt);
-        if (!std::exchange(slot.is_late, false))
-            longest_ = std::max(
-                longest_, answer->outcome.seconds / rules_.effort(given.task));
-        settle(given, answer->outcome);
-    }
-    const double now = steady_seconds();
-    for (WorkerSlot& slot : slots_)
-        if (slot.given && !slot.is_late && now > slot.given->deadline) {
-            slot.is_late = true;
-            give_up(slot, director);
-        }
+    if (const auto answer = workers_->wait(seconds_to_wait()))
+        settle(take(answer->worker, answer->outcome), answer->outcome);
+    while (const auto worker = next_late()) give_up(*worker, director);
 }
 
 //! Records an outcome, unless its batch is gone or another attempt was first.
@@ -211,11 +209,11 @@ void Dispatcher::settle(const Assignment& given, const Outcome& outcome) {
 }
 
 //! What happens to the task of a worker that has become late.
-void Dispatcher::give_up(const WorkerSlot& slot, Director& director) {
-    const Assignment given = *slot.given;
+void Dispatcher::give_up(int worker, Director& director) {
+    const Assignment given = *given_[static_cast<std::size_t>(worker)];
     std::string what =
         fmt::format("no answer from rank {} within {:.3g} s for {}, attempt {}",
-                    workers_->rank(slot.worker), given.deadline - given.began,
+                    workers_->rank(worker), given.deadline - given.began,
                     name_of(given.task), given.task.attempt);
     const auto found = open_.find(given.batch);
     if (found == open_.end()) {
@@ -227,8 +225,7 @@ void Dispatcher::give_up(const WorkerSlot& slot, Director& director) {
         return;
     }
     // With nobody left, the fault is hardly the candidate's: it stays pending.
-    if (std::all_of(slots_.begin(), slots_.end(),
-                    [](const WorkerSlot& each) { return each.is_late; })) {
+    if (idle_.empty() && busy_in_time() == 0) {
         director.on_silence(given.task, what);
         return;
     }
@@ -242,8 +239,7 @@ void Dispatcher::give_up(const WorkerSlot& slot, Director& director) {
                         given.deadline - given.began, given.task.attempt);
         Outcome outcome = failed_outcome(workers_->schema(given.task), reason);
         outcome.seconds = given.deadline - given.began;
-        outcome.worker =
-            static_cast<std::uint32_t>(workers_->rank(slot.worker));
+        outcome.worker = static_cast<std::uint32_t>(workers_->rank(worker));
         settle(given, outcome);
     } else {
         Batch& batch = *found->second;
@@ -253,24 +249,15 @@ void Dispatcher::give_up(const WorkerSlot& slot, Director& director) {
 }
 
 double Dispatcher::seconds_to_wait() const {
-    const double now = steady_seconds();
-    double seconds = attention;
-    for (const WorkerSlot& slot : slots_)
-        if (slot.given && !slot.is_late)
-            seconds = std::min(seconds, slot.given->deadline - now);
-    return std::max(seconds, 0.0);
+    if (deadlines_.empty()) return attention;
+    return std::clamp(deadlines_.begin()->first - clock_.now(), 0.0, attention);
 }
 
 //! Takes an answer that nobody needs any more, or notices who is late.
 void Dispatcher::drop_next() {
-    if (const auto answer = workers_->wait(seconds_to_wait())) {
-        WorkerSlot& slot = slots_[static_cast<std::size_t>(answer->worker)];
-        slot.given.reset();
-        slot.is_late = false;
-    }
-    const double now = steady_seconds();
-    for (WorkerSlot& slot : slots_)
-        if (slot.given && now > slot.given->deadline) slot.is_late = true;
+    if (const auto answer = workers_->wait(seconds_to_wait()))
+        take(answer->worker, answer->outcome);
+    while (next_late()) continue;
 }
 
 std::unique_ptr<Dispatcher> make_dispatcher(Evaluator& evaluator,
@@ -284,7 +271,7 @@ std::unique_ptr<Dispatcher> make_dispatcher(const Session& session,
                                             const AnswerRules& rules) {
     if (session.size() == 1) return make_dispatcher(evaluator, stop);
     return std::make_unique<Dispatcher>(make_rank_workers(session, evaluator),
-                                        stop, rules);
+                                        stop, rules, session.clock());
 }
 
 }  // namespace ideotype

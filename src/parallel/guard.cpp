@@ -1,6 +1,5 @@
 #include "guard.hpp"
 
-#include <chrono>
 #include <exception>
 
 namespace ideotype {
@@ -20,14 +19,13 @@ Outcome caught_outcome(Evaluator& evaluator, const Work& work,
 
 }  // namespace
 
-Outcome evaluate_guarded(Evaluator& evaluator, const Work& work, int rank) {
+Outcome evaluate_guarded(Evaluator& evaluator, const Work& work, int rank,
+                         const RankClock& clock) {
     const OutcomeSchema& schema = evaluator.schema(work.task);
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
+    const double start = clock.now();
     Outcome outcome =
         checked_outcome(schema, caught_outcome(evaluator, work, schema));
-    outcome.seconds =
-        std::chrono::duration<double>(Clock::now() - start).count();
+    outcome.seconds = clock.now() - start;
     outcome.worker = static_cast<std::uint32_t>(rank);
     return outcome;
 }

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "ideotype/parallel/dispatcher.hpp"
+#include "ideotype/parallel/rank_clock.hpp"
 
 namespace ideotype {
 
 //! Evaluates; whatever goes wrong becomes a failed outcome. Fills in the wall
 //! time and the worker.
-Outcome evaluate_guarded(Evaluator& evaluator, const Work& work, int rank);
+Outcome evaluate_guarded(Evaluator& evaluator, const Work& work, int rank,
+                         const RankClock& clock);
 
 }  // namespace ideotype

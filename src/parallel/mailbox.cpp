@@ -1,6 +1,5 @@
 #include "mailbox.hpp"
 
-#include <chrono>
 #include <list>
 
 #include <fmt/format.h>
@@ -28,10 +27,11 @@ struct Mailbox::Posted {
     }
 };
 
-Mailbox::Mailbox() : posted_(std::make_unique<Posted>()) {}
+Mailbox::Mailbox(const RankClock& clock)
+    : clock_(clock), posted_(std::make_unique<Posted>()) {}
 
 Mailbox::~Mailbox() {
-    Backoff backoff;
+    Backoff backoff(clock_);
     for (posted_->forget_finished(); !posted_->sendings.empty();
          posted_->forget_finished())
         backoff.wait();
@@ -52,9 +52,8 @@ Envelope Mailbox::wait() {
 }
 
 std::optional<Envelope> Mailbox::wait(double seconds) {
-    using Clock = std::chrono::steady_clock;
-    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
-    Backoff backoff;
+    const double end = clock_.now() + seconds;
+    Backoff backoff(clock_);
     MPI_Status status;
     for (;;) {
         posted_->forget_finished();
@@ -62,7 +61,7 @@ std::optional<Envelope> Mailbox::wait(double seconds) {
         MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &arrived,
                    &status);
         if (arrived) break;
-        if (Clock::now() >= end) return std::nullopt;
+        if (clock_.now() >= end) return std::nullopt;
         backoff.wait();
     }
     int size = 0;

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "ideotype/parallel/messages.hpp"
+#include "ideotype/parallel/rank_clock.hpp"
 
 namespace ideotype {
 
@@ -20,7 +21,7 @@ struct Envelope {
 //! Messages between ranks. Posting never blocks, waiting sleeps.
 class Mailbox {
   public:
-    Mailbox();
+    explicit Mailbox(const RankClock& clock);
     //! Waits until all that was posted has left.
     ~Mailbox();
 
@@ -36,6 +37,7 @@ class Mailbox {
   private:
     //! Messages under way; MPI reads their bytes until they have left.
     struct Posted;
+    const RankClock& clock_;
     std::unique_ptr<Posted> posted_;
 };
 

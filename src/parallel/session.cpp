@@ -15,8 +15,8 @@ namespace ideotype {
 
 namespace {
 
-void wait_for(MPI_Request request) {
-    Backoff backoff;
+void wait_for(MPI_Request request, const RankClock& clock) {
+    Backoff backoff(clock);
     for (;;) {
         int finished = 0;
         MPI_Test(&request, &finished, MPI_STATUS_IGNORE);
@@ -27,7 +27,7 @@ void wait_for(MPI_Request request) {
 
 }  // namespace
 
-Session::Session() {
+Session::Session(const RankClock& clock) : clock_(clock) {
     // Only this thread calls MPI; the ray tracer may have threads of its own.
     int provided = 0;
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
@@ -53,12 +53,12 @@ std::string Session::broadcast(const std::string& text) const {
     std::uint64_t length = text.size();
     MPI_Request request;
     MPI_Ibcast(&length, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD, &request);
-    wait_for(request);
+    wait_for(request, clock_);
     std::string copy = text;
     copy.resize(length);
     MPI_Ibcast(copy.data(), static_cast<int>(length), MPI_CHAR, 0,
                MPI_COMM_WORLD, &request);
-    wait_for(request);
+    wait_for(request, clock_);
     return copy;
 }
 
@@ -69,13 +69,13 @@ std::vector<std::string> Session::gather(const std::string& text) const {
     MPI_Request request;
     MPI_Igather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, 0,
                 MPI_COMM_WORLD, &request);
-    wait_for(request);
+    wait_for(request, clock_);
     std::exclusive_scan(lengths.begin(), lengths.end(), starts.begin(), 0);
     std::string all(static_cast<std::size_t>(starts.back() + lengths.back()),
                     '\0');
     MPI_Igatherv(text.data(), length, MPI_CHAR, all.data(), lengths.data(),
                  starts.data(), MPI_CHAR, 0, MPI_COMM_WORLD, &request);
-    wait_for(request);
+    wait_for(request, clock_);
     std::vector<std::string> texts;
     for (std::size_t i = 0; rank() == 0 && i < ranks; ++i)
         texts.push_back(all.substr(static_cast<std::size_t>(starts[i]),
@@ -88,7 +88,7 @@ int Session::largest(int value) const {
     MPI_Request request;
     MPI_Iallreduce(&value, &result, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD,
                    &request);
-    wait_for(request);
+    wait_for(request, clock_);
     return result;
 }
 

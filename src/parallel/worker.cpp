@@ -7,7 +7,7 @@
 namespace ideotype {
 
 void serve(const Session& session, Evaluator& evaluator) {
-    Mailbox mailbox;
+    Mailbox mailbox(session.clock());
     for (;;) {
         const Envelope letter = mailbox.wait();
         if (letter.tag == Tag::stop) return;
@@ -19,8 +19,9 @@ void serve(const Session& session, Evaluator& evaluator) {
         const Work work = decode_work(letter.bytes);
         mailbox.post(
             letter.source, Tag::reply,
-            encode_reply({work.task,
-                          evaluate_guarded(evaluator, work, session.rank())}));
+            encode_reply(
+                {work.task, evaluate_guarded(evaluator, work, session.rank(),
+                                             session.clock())}));
     }
 }
 

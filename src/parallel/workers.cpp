@@ -26,7 +26,8 @@ class LocalWorker : public Workers {
 
     std::optional<Answer> wait(double) override {
         const Work work = *std::exchange(work_, std::nullopt);
-        return Answer{0, evaluate_guarded(evaluator_, work, 0)};
+        return Answer{0,
+                      evaluate_guarded(evaluator_, work, 0, machine_clock())};
     }
 
     void dismiss() override {}
@@ -40,6 +41,7 @@ class RankWorkers : public Workers {
   public:
     RankWorkers(const Session& session, const Evaluator& evaluator)
         : evaluator_(evaluator),
+          mailbox_(session.clock()),
           given_(static_cast<std::size_t>(session.size()) - 1) {}
 
     int width() const override { return static_cast<int>(given_.size()); }
@@ -81,8 +83,8 @@ class RankWorkers : public Workers {
 
   private:
     const Evaluator& evaluator_;
-    std::vector<std::optional<Task>> given_;  //!< by worker
     Mailbox mailbox_;
+    std::vector<std::optional<Task>> given_;  //!< by worker
 };
 
 }  // namespace

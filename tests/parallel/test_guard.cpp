@@ -14,7 +14,7 @@ Outcome guarded(std::uint32_t slot, std::chrono::milliseconds duration = {}) {
     Work work;
     work.task.slot = slot;
     work.genome = {1, 2, 3};
-    return evaluate_guarded(evaluator, work, 7);
+    return evaluate_guarded(evaluator, work, 7, machine_clock());
 }
 
 void expect_failed_everywhere(const Outcome& outcome) {

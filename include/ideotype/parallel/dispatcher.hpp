@@ -6,6 +6,8 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -13,6 +15,7 @@
 
 #include "ideotype/core/stop_flag.hpp"
 #include "ideotype/parallel/evaluator.hpp"
+#include "ideotype/parallel/rank_clock.hpp"
 #include "ideotype/parallel/session.hpp"
 
 namespace ideotype {
@@ -70,7 +73,8 @@ class Workers;
 class Dispatcher {
   public:
     Dispatcher(std::unique_ptr<Workers> workers, const StopFlag& stop,
-               const AnswerRules& rules = {});
+               const AnswerRules& rules = {},
+               const RankClock& clock = machine_clock());
     //! dismiss(), and waits for ever for workers that are late.
     ~Dispatcher();
     Dispatcher(const Dispatcher&) = delete;
@@ -99,28 +103,36 @@ class Dispatcher {
 
   private:
     friend Batch;
+    //! What a worker was given. Its batch may be gone since.
     struct Assignment;
-    struct WorkerSlot;
     //! Lowest generation first, then lowest case, then oldest.
     using Precedence = std::tuple<std::uint32_t, std::uint32_t, std::uint64_t>;
 
     void add(Batch& batch);
     void remove(Batch& batch);
-    bool has_idle() const;
     int busy_in_time() const;
+    bool has_late() const;
+    void give(int worker, const Assignment& given, const Work& work);
+    Assignment take(int worker, const Outcome& outcome);
+    std::optional<int> next_late();
     bool hand_out();
     void resume_complete();
     void release_all();
     void receive(Director& director);
     void settle(const Assignment& given, const Outcome& outcome);
-    void give_up(const WorkerSlot& slot, Director& director);
+    void give_up(int worker, Director& director);
     double seconds_to_wait() const;
     void drop_next();
 
     std::unique_ptr<Workers> workers_;
     const StopFlag& stop_;
     AnswerRules rules_;
-    std::vector<WorkerSlot> slots_;  //!< by worker
+    const RankClock& clock_;
+    std::vector<std::optional<Assignment>> given_;  //!< by worker
+    // Nothing here looks at all workers: there may be thousands.
+    std::set<int> idle_;
+    //! Of workers that are not late yet, on the clock [s].
+    std::set<std::pair<double, int>> deadlines_;
     std::map<Precedence, Batch*> open_;
     std::vector<Batch*> complete_;  //!< to be resumed, in this order
     std::uint64_t batches_ = 0;     //!< so far

@@ -11,21 +11,51 @@ namespace ideotype {
 
 namespace {
 
-std::array<unsigned char, 32> digest(std::string_view text) {
-    std::array<unsigned char, 32> bytes{};
-    if (EVP_Digest(text.data(), text.size(), bytes.data(), nullptr,
-                   EVP_sha256(), nullptr) != 1)
+using Digest = std::array<unsigned char, 32>;
+
+void require(int result) {
+    if (result != 1)
         throw Error("SHA-256 is not available in the OpenSSL library");
+}
+
+Digest digest(std::string_view text) {
+    Digest bytes{};
+    require(EVP_Digest(text.data(), text.size(), bytes.data(), nullptr,
+                       EVP_sha256(), nullptr));
     return bytes;
+}
+
+std::string hexadecimal(const Digest& bytes) {
+    std::string hex;
+    for (const unsigned char byte : bytes) hex += fmt::format("{:02x}", byte);
+    return hex;
 }
 
 }  // namespace
 
 std::string sha256(std::string_view text) {
-    std::string hex;
-    for (const unsigned char byte : digest(text))
-        hex += fmt::format("{:02x}", byte);
-    return hex;
+    return hexadecimal(digest(text));
+}
+
+struct Sha256::Context {
+    std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> its{
+        EVP_MD_CTX_new(), EVP_MD_CTX_free};
+};
+
+Sha256::Sha256() : context_(std::make_unique<Context>()) {
+    require(EVP_DigestInit_ex(context_->its.get(), EVP_sha256(), nullptr));
+}
+
+Sha256::~Sha256() = default;
+
+void Sha256::add(std::string_view bytes) {
+    require(EVP_DigestUpdate(context_->its.get(), bytes.data(), bytes.size()));
+}
+
+std::string Sha256::finish() {
+    Digest bytes{};
+    require(EVP_DigestFinal_ex(context_->its.get(), bytes.data(), nullptr));
+    return hexadecimal(bytes);
 }
 
 std::uint64_t derive_seed(std::uint64_t seed, std::string_view name) {

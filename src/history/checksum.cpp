@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,18 +22,23 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-void append(std::string& text, const std::string& name,
-            const std::vector<char>& bytes) {
-    text += name;
-    text += '\0';
-    text.append(bytes.begin(), bytes.end());
+void add(Sha256& sum, const std::string& name, std::string_view bytes) {
+    sum.add(name);
+    sum.add(std::string_view("", 1));
+    sum.add(bytes);
+}
+
+void add(Sha256& sum, const std::string& name, const std::vector<char>& bytes) {
+    add(sum, name, std::string_view(bytes.data(), bytes.size()));
 }
 
 // All datasets of a table but its scales, by name.
 class Table {
   public:
+    //! @param mapping of the file, if there is one
     Table(hid_t file, const std::string& name,
-          const std::vector<std::string>& left_out) {
+          const std::vector<std::string>& left_out,
+          const Mapping* mapping = nullptr) {
         const Handle group(H5Gopen2(file, name.c_str(), H5P_DEFAULT), H5Gclose,
                            "open " + name);
         for (const Object& each : objects_of(group)) {
@@ -40,18 +46,25 @@ class Table {
             Handle data = open_object(group, each);
             if (is_scale(data)) continue;
             Blocks blocks(data);
-            columns_.push_back({each.path, std::move(data), std::move(blocks)});
+            const char* memory = mapping ? mapping->find(data) : nullptr;
+            columns_.push_back(
+                {each.path, std::move(data), std::move(blocks), memory});
         }
     }
 
     //! @param status stands in for that in the file
-    void append_rows(std::string& text, const Span& rows,
-                     std::optional<Status> status = {}) const {
-        for (const auto& [name, data, blocks] : columns_)
-            append(text, name,
-                   status && name == "status"
-                       ? std::vector<char>{static_cast<char>(*status)}
-                       : read_block(data, blocks, rows.first, rows.count));
+    void add_rows(Sha256& sum, const Span& rows,
+                  std::optional<Status> status = {}) const {
+        for (const auto& [name, data, blocks, memory] : columns_)
+            if (status && name == "status")
+                add(sum, name, std::vector<char>{static_cast<char>(*status)});
+            else if (memory)
+                add(sum, name,
+                    std::string_view(memory + rows.first * blocks.row_bytes,
+                                     rows.count * blocks.row_bytes));
+            else
+                add(sum, name,
+                    read_block(data, blocks, rows.first, rows.count));
     }
 
   private:
@@ -59,26 +72,9 @@ class Table {
         std::string name;
         Handle data;
         Blocks blocks;
+        const char* memory;  //!< all rows; null: HDF5 reads them
     };
     std::vector<Column> columns_;
-};
-
-// Opening all datasets takes longer than reading a generation.
-class GenerationChecksums {
-  public:
-    explicit GenerationChecksums(hid_t file)
-        : rows_(file, "evaluations", {}),
-          summaries_(file, "generations", {"checksum", "committed"}) {}
-
-    std::string of(std::uint32_t generation, const Span& rows) const {
-        std::string text;
-        rows_.append_rows(text, rows);
-        summaries_.append_rows(text, {generation, 1});
-        return sha256(text);
-    }
-
-  private:
-    Table rows_, summaries_;
 };
 
 [[noreturn]] void refuse(const std::string& path, const std::string& what) {
@@ -95,10 +91,10 @@ bool has_checksums(hid_t file) {
 }
 
 std::string header_checksum(hid_t file) {
-    std::string text;
+    Sha256 sum;
     for (const std::string& name : attributes_of(file))
         if (name != "checksum")
-            append(text, name, read_attribute(file, name).values);
+            add(sum, name, read_attribute(file, name).values);
     for (const Object& each : objects_of(file)) {
         if (!each.is_dataset) continue;
         const Handle data = open_object(file, each);
@@ -108,27 +104,42 @@ std::string header_checksum(hid_t file) {
         const bool is_table = contains({"evaluations", "final"}, group);
         if (!is_description && !(is_table && is_scale(data))) continue;
         const Blocks blocks(data);
-        append(text, "/" + each.path, read_block(data, blocks, 0, blocks.rows));
+        add(sum, "/" + each.path, read_block(data, blocks, 0, blocks.rows));
     }
-    return sha256(text);
+    return sum.finish();
 }
 
-std::string generation_checksum(hid_t file, std::uint32_t generation,
-                                const Span& rows) {
-    return GenerationChecksums(file).of(generation, rows);
+struct GenerationChecksums::Tables {
+    Table rows, summaries;
+};
+
+GenerationChecksums::GenerationChecksums(hid_t file, const Mapping* mapping)
+    : file_(file), mapping_(mapping) {}
+GenerationChecksums::~GenerationChecksums() = default;
+
+std::string GenerationChecksums::of(std::uint32_t generation,
+                                    const Span& rows) {
+    if (!tables_)
+        tables_ = std::make_unique<Tables>(
+            Table(file_, "evaluations", {}, mapping_),
+            Table(file_, "generations", {"checksum", "committed"}));
+    Sha256 sum;
+    tables_->rows.add_rows(sum, rows);
+    tables_->summaries.add_rows(sum, {generation, 1});
+    return sum.finish();
 }
 
 std::string finalist_checksum(hid_t file, hsize_t row, Status status) {
-    std::string text;
-    Table(file, "final", {"checksum"}).append_rows(text, {row, 1}, status);
-    return sha256(text);
+    Sha256 sum;
+    Table(file, "final", {"checksum"}).add_rows(sum, {row, 1}, status);
+    return sum.finish();
 }
 
 void require_intact(hid_t file, const std::string& path) {
     if (text_attribute(file, "checksum") != header_checksum(file))
         refuse(path, "the header");
     const Generations generations(file);
-    const GenerationChecksums found(file);
+    GenerationChecksums found(file, nullptr);
     const std::uint32_t committed = generations.committed();
     for (std::uint32_t g = 0; g < committed; ++g)
         if (generations.checksum(g) != found.of(g, generations.span(g)))

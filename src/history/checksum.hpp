@@ -1,10 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "generations.hpp"
 #include "handle.hpp"
 #include "ideotype/search/outcome.hpp"
+#include "mapping.hpp"
 
 namespace ideotype {
 
@@ -16,9 +18,23 @@ bool has_checksums(hid_t file);
 //! SHA-256 of all that is known before the first evaluation.
 std::string header_checksum(hid_t file);
 
-//! SHA-256 of the rows and the summary of a generation.
-std::string generation_checksum(hid_t file, std::uint32_t generation,
-                                const Span& rows);
+//! SHA-256 of the rows and the summary of generations. Opens all their datasets
+//! for the first, which takes longer than reading a generation.
+class GenerationChecksums {
+  public:
+    //! Both must outlive it.
+    //! @param mapping of the file, null: HDF5 reads it
+    GenerationChecksums(hid_t file, const Mapping* mapping);
+    ~GenerationChecksums();
+
+    std::string of(std::uint32_t generation, const Span& rows);
+
+  private:
+    struct Tables;
+    hid_t file_;
+    const Mapping* mapping_;
+    std::unique_ptr<Tables> tables_;
+};
 
 //! SHA-256 of a row of /final with this status, which is written later.
 std::string finalist_checksum(hid_t file, hsize_t row, Status status);

@@ -204,6 +204,27 @@ std::vector<Row> Columns::read(hsize_t first, hsize_t count,
     return rows;
 }
 
+Population Columns::population(hsize_t first, hsize_t count,
+                               hsize_t parents) const {
+    const auto status = statuses(first, count);
+    auto candidate = candidates(first, count, parents);
+    // The first of number_forms().
+    const std::size_t width = numbers_[0].width();
+    const auto means = numbers_[0].read<double>(first, count);
+    const auto errors = numbers_[1].read<double>(first, count);
+    const auto violations = numbers_[3].read<double>(first, count);
+    Population population(count);
+    for (std::size_t i = 0; i < population.size(); ++i) {
+        Individual& individual = population[i];
+        individual.candidate = std::move(candidate[i]);
+        individual.status = status[i];
+        for (std::size_t o = i * width; o < (i + 1) * width; ++o)
+            individual.objectives.push_back({means[o], errors[o]});
+        individual.violation = violations[i];
+    }
+    return population;
+}
+
 void Columns::write(hsize_t first, const std::vector<Candidate>& candidates,
                     hsize_t base) {
     std::vector<double> genes;

@@ -63,6 +63,9 @@ class Columns {
     //! Rows with NaN in everything that their status does not vouch for.
     std::vector<Row> read(hsize_t first, hsize_t count, hsize_t parents) const;
 
+    //! What selection needs of rows of which all have an outcome.
+    Population population(hsize_t first, hsize_t count, hsize_t parents) const;
+
     //! Everything of candidates but their status; no outcome is known then.
     void write(hsize_t first, const std::vector<Candidate>& candidates,
                hsize_t parents);

@@ -54,16 +54,12 @@ hsize_t Dataset::rows_before(haddr_t end) const {
 
 void Dataset::use(const Mapping& mapping) {
     const Handle type(H5Dget_type(id_), H5Tclose, "read " + name_);
-    const haddr_t begin = H5Dget_offset(id_);
-    const hsize_t size = H5Dget_storage_size(id_);
-    if (begin == HADDR_UNDEF || begin + size > mapping.size() ||
-        !checked(H5Tequal(type, memory_type_), "read " + name_))
-        return;
-    mapped_ = mapping.begin() + begin;
-    mapped_values_ = size / value_size_;
+    if (!checked(H5Tequal(type, memory_type_), "read " + name_)) return;
+    mapped_ = mapping.find(id_);
+    mapped_values_ = H5Dget_storage_size(id_) / value_size_;
 }
 
-std::byte* Dataset::at(hsize_t first, std::size_t values) const {
+char* Dataset::at(hsize_t first, std::size_t values) const {
     const hsize_t from = first * width_;
     if (from + values > mapped_values_)
         throw Hdf5Error(fmt::format("{} has no row {}", name_,

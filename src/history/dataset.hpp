@@ -84,14 +84,14 @@ class Dataset {
              std::size_t value_size) const;
 
     //! Where a row is in memory. @throws Hdf5Error if it has no such rows.
-    std::byte* at(hsize_t first, std::size_t values) const;
+    char* at(hsize_t first, std::size_t values) const;
 
     std::string name_;
     Handle id_;
     Handle memory_type_;
     std::size_t value_size_ = 0;
     std::size_t width_ = 1;
-    std::byte* mapped_ = nullptr;  //!< all rows; null: HDF5 moves them
+    char* mapped_ = nullptr;  //!< all rows; null: HDF5 moves them
     std::size_t mapped_values_ = 0;
 };
 

@@ -122,8 +122,7 @@ std::uint32_t History::next_generation() const {
 void History::propose(std::uint32_t generation,
                       const std::vector<Candidate>& candidates) {
     if (generation > file_->next_generation)
-        file_->fail(fmt::format("generation {} is not complete",
-                                file_->next_generation));
+        file_->fail_incomplete(file_->next_generation);
     file_->require_genes(candidates);
     const hsize_t first =
         generation == 0 ? 0 : file_->span(generation - 1).end();
@@ -176,8 +175,7 @@ std::vector<Row> History::rows(std::uint32_t generation) const {
     });
     for (const Row& row : rows)
         if (!is_recorded(row.outcome.status))
-            file_->fail(
-                fmt::format("generation {} is not complete", generation));
+            file_->fail_incomplete(generation);
     return rows;
 }
 
@@ -186,12 +184,13 @@ std::uint32_t History::size(std::uint32_t generation) const {
 }
 
 Population History::generation(std::uint32_t generation) const {
-    Population population;
-    for (const Row& row : rows(generation)) {
-        const Outcome& outcome = row.outcome;
-        population.push_back({row.candidate, outcome.status, outcome.objectives,
-                              outcome.violation});
-    }
+    const Span span = file_->span(generation);
+    const hsize_t parents = file_->parents_of(generation);
+    Population population = file_->read([&] {
+        return file_->evaluations.population(span.first, span.count, parents);
+    });
+    for (const Individual& each : population)
+        if (!is_recorded(each.status)) file_->fail_incomplete(generation);
     return population;
 }
 
@@ -211,12 +210,12 @@ void History::commit(std::uint32_t generation,
         [&] { return file_->evaluations.statuses(rows.first, rows.count); });
     if (statuses.empty() ||
         !std::all_of(statuses.begin(), statuses.end(), is_recorded))
-        file_->fail(fmt::format("generation {} is not complete", generation));
+        file_->fail_incomplete(generation);
     file_->write([&] {
         Generations& generations = file_->generations;
         generations.write(generation, summary);
-        generations.set_checksum(
-            generation, generation_checksum(file_->id, generation, rows));
+        generations.set_checksum(generation,
+                                 file_->checksums.of(generation, rows));
         flush(file_->id);
         generations.set_committed(generation);
         flush(file_->id);

@@ -23,6 +23,7 @@ History::File::File(std::string name, std::optional<FileLock> held,
       finals(id, "final", header.final_schema()),
       generations(id),
       journal(id),
+      checksums(id, mapping.get()),
       next_generation(generations.committed()) {
     if (mapping)
         for (Columns* columns : {&evaluations, &finals}) columns->use(*mapping);

@@ -7,6 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "checksum.hpp"
 #include "columns.hpp"
 #include "file_lock.hpp"
 #include "generations.hpp"
@@ -50,6 +53,10 @@ struct History::File {
     [[noreturn]] void fail(const std::string& what,
                            ExitCode exit_code = ExitCode::runtime) const {
         throw Error(path + ": " + what, exit_code);
+    }
+
+    [[noreturn]] void fail_incomplete(std::uint32_t generation) const {
+        fail(fmt::format("generation {} is not complete", generation));
     }
 
     template <class Action>
@@ -97,6 +104,7 @@ struct History::File {
     Columns finals;
     Generations generations;
     Journal journal;
+    GenerationChecksums checksums;
     std::uint32_t next_generation = 0;
     std::vector<Span> spans;  //!< of a writer's generations
     bool is_broken = false;

@@ -27,7 +27,14 @@ std::unique_ptr<Mapping> Mapping::of(hid_t file) {
         mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
     if (begin == MAP_FAILED) return nullptr;
     return std::unique_ptr<Mapping>(
-        new Mapping(descriptor, static_cast<std::byte*>(begin), size));
+        new Mapping(descriptor, static_cast<char*>(begin), size));
+}
+
+char* Mapping::find(hid_t dataset) const {
+    const haddr_t begin = H5Dget_offset(dataset);
+    const bool is_block =
+        begin != HADDR_UNDEF && begin + H5Dget_storage_size(dataset) <= size_;
+    return is_block ? begin_ + begin : nullptr;
 }
 
 bool Mapping::is_whole() const {

@@ -20,18 +20,19 @@ class Mapping {
     Mapping(const Mapping&) = delete;
     Mapping& operator=(const Mapping&) = delete;
 
-    std::byte* begin() const { return begin_; }
-    std::size_t size() const { return size_; }
+    //! Where the first value of a dataset is, as it is in the file; null unless
+    //! it is one block.
+    char* find(hid_t dataset) const;
 
     //! False once somebody cut the file short: what is lost may not be touched.
     bool is_whole() const;
 
   private:
-    Mapping(int descriptor, std::byte* begin, std::size_t size)
+    Mapping(int descriptor, char* begin, std::size_t size)
         : descriptor_(descriptor), begin_(begin), size_(size) {}
 
     int descriptor_;  //!< of HDF5
-    std::byte* begin_;
+    char* begin_;
     std::size_t size_;
 };
 

@@ -9,6 +9,16 @@
 namespace ideotype {
 
 // Published examples of FIPS 180-4.
+TEST(Sha256, OfPartsIsThatOfTheWhole) {
+    Sha256 sum;
+    for (const char* part : {"", "abcdbcdecdefdefgefghfghi", "ghijhijkijkljklm",
+                             "klmnlmnomnopnopq"})
+        sum.add(part);
+    EXPECT_EQ(
+        sum.finish(),
+        sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"));
+}
+
 TEST(Sha256, AgreesWithThePublishedExamples) {
     EXPECT_EQ(
         sha256(""),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -8,6 +9,22 @@ namespace ideotype {
 
 //! SHA-256 of the bytes of a text, as 64 hexadecimal digits.
 std::string sha256(std::string_view text);
+
+//! SHA-256 of bytes that come in parts.
+class Sha256 {
+  public:
+    Sha256();
+    ~Sha256();
+
+    void add(std::string_view bytes);
+
+    //! As 64 hexadecimal digits. Once.
+    std::string finish();
+
+  private:
+    struct Context;
+    std::unique_ptr<Context> context_;
+};
 
 //! A seed that is a function of another seed and a name: the first 64 bits of
 //! SHA-256 of both. Different names give independent seeds.

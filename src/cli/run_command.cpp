@@ -57,6 +57,11 @@ void declare_run(CLI::App& verb, RunCommand& command) {
     verb.add_option("--ranks", command.ranks,
                     "start this many ranks under MPI; auto: as many as keep "
                     "all cores busy");
+    verb.add_option("--masters", options.masters,
+                    "so many ranks evolve cases, each with workers of its "
+                    "own; if not given one for each 1,024 ranks, as far as "
+                    "there are cases")
+        ->check(CLI::PositiveNumber);
     verb.add_option("--case", options.case_index,
                     "only the case of this index (see plan)");
     verb.add_flag("--resume", options.is_resumed,

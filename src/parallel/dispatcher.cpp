@@ -262,16 +262,18 @@ void Dispatcher::drop_next() {
 
 std::unique_ptr<Dispatcher> make_dispatcher(Evaluator& evaluator,
                                             const StopFlag& stop) {
-    return std::make_unique<Dispatcher>(make_local_worker(evaluator), stop);
+    return std::make_unique<Dispatcher>(make_local_worker(evaluator, 0), stop);
 }
 
 std::unique_ptr<Dispatcher> make_dispatcher(const Session& session,
                                             Evaluator& evaluator,
                                             const StopFlag& stop,
                                             const AnswerRules& rules) {
-    if (session.size() == 1) return make_dispatcher(evaluator, stop);
-    return std::make_unique<Dispatcher>(make_rank_workers(session, evaluator),
-                                        stop, rules, session.clock());
+    auto workers = session.size() == 1
+                       ? make_local_worker(evaluator, session.rank_in_job(0))
+                       : make_rank_workers(session, evaluator);
+    return std::make_unique<Dispatcher>(std::move(workers), stop, rules,
+                                        session.clock());
 }
 
 }  // namespace ideotype

@@ -3,10 +3,10 @@
 #include <list>
 
 #include <fmt/format.h>
-#include <mpi.h>
 
 #include "backoff.hpp"
 #include "ideotype/core/error.hpp"
+#include "ranks.hpp"
 
 namespace ideotype {
 
@@ -27,11 +27,11 @@ struct Mailbox::Posted {
     }
 };
 
-Mailbox::Mailbox(const RankClock& clock)
-    : clock_(clock), posted_(std::make_unique<Posted>()) {}
+Mailbox::Mailbox(const Session& session)
+    : session_(session), posted_(std::make_unique<Posted>()) {}
 
 Mailbox::~Mailbox() {
-    Backoff backoff(clock_);
+    Backoff backoff(session_.clock());
     for (posted_->forget_finished(); !posted_->sendings.empty();
          posted_->forget_finished())
         backoff.wait();
@@ -41,8 +41,8 @@ void Mailbox::post(int rank, Tag tag, Bytes bytes) {
     auto& sending = posted_->sendings.emplace_back();
     sending.bytes = std::move(bytes);
     MPI_Isend(sending.bytes.data(), static_cast<int>(sending.bytes.size()),
-              MPI_BYTE, rank, static_cast<int>(tag), MPI_COMM_WORLD,
-              &sending.request);
+              MPI_BYTE, rank, static_cast<int>(tag),
+              session_.ranks_->communicator, &sending.request);
 }
 
 Envelope Mailbox::wait() {
@@ -52,23 +52,23 @@ Envelope Mailbox::wait() {
 }
 
 std::optional<Envelope> Mailbox::wait(double seconds) {
-    const double end = clock_.now() + seconds;
-    Backoff backoff(clock_);
+    const double end = session_.clock().now() + seconds;
+    Backoff backoff(session_.clock());
     MPI_Status status;
     for (;;) {
         posted_->forget_finished();
         int arrived = 0;
-        MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &arrived,
-                   &status);
+        MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, session_.ranks_->communicator,
+                   &arrived, &status);
         if (arrived) break;
-        if (clock_.now() >= end) return std::nullopt;
+        if (session_.clock().now() >= end) return std::nullopt;
         backoff.wait();
     }
     int size = 0;
     MPI_Get_count(&status, MPI_BYTE, &size);
     Bytes bytes(static_cast<std::size_t>(size));
     MPI_Recv(bytes.data(), size, MPI_BYTE, status.MPI_SOURCE, status.MPI_TAG,
-             MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+             session_.ranks_->communicator, MPI_STATUS_IGNORE);
     if (status.MPI_TAG < static_cast<int>(Tag::work) ||
         status.MPI_TAG > static_cast<int>(Tag::stop))
         throw Error(fmt::format(

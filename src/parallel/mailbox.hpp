@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "ideotype/parallel/messages.hpp"
-#include "ideotype/parallel/rank_clock.hpp"
+#include "ideotype/parallel/session.hpp"
 
 namespace ideotype {
 
@@ -21,7 +21,7 @@ struct Envelope {
 //! Messages between ranks. Posting never blocks, waiting sleeps.
 class Mailbox {
   public:
-    explicit Mailbox(const RankClock& clock);
+    explicit Mailbox(const Session& session);
     //! Waits until all that was posted has left.
     ~Mailbox();
 
@@ -37,7 +37,7 @@ class Mailbox {
   private:
     //! Messages under way; MPI reads their bytes until they have left.
     struct Posted;
-    const RankClock& clock_;
+    const Session& session_;
     std::unique_ptr<Posted> posted_;
 };
 

@@ -7,9 +7,8 @@
 #include <iostream>
 #include <numeric>
 
-#include <mpi.h>
-
 #include "backoff.hpp"
+#include "ranks.hpp"
 
 namespace ideotype {
 
@@ -27,37 +26,64 @@ void wait_for(MPI_Request request, const RankClock& clock) {
 
 }  // namespace
 
-Session::Session(const RankClock& clock) : clock_(clock) {
+Session::Session(const RankClock& clock)
+    : Session(clock, {MPI_COMM_WORLD, Ranks::End::finalize}) {
     // Only this thread calls MPI; the ray tracer may have threads of its own.
     int provided = 0;
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
 }
 
+Session::Session(const RankClock& clock, const Ranks& ranks)
+    : clock_(clock), ranks_(std::make_unique<Ranks>(ranks)) {}
+
 Session::~Session() {
-    MPI_Finalize();
+    if (ranks_->end == Ranks::End::finalize) {
+        MPI_Finalize();
+        return;
+    }
+    MPI_Comm communicator = ranks_->communicator;
+    MPI_Comm_free(&communicator);
+}
+
+Session Session::split(int part) const {
+    MPI_Comm communicator = MPI_COMM_NULL;
+    MPI_Comm_split(ranks_->communicator, part, rank(), &communicator);
+    return {clock_, {communicator, Ranks::End::free}};
 }
 
 int Session::rank() const {
     int rank = 0;
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    MPI_Comm_rank(ranks_->communicator, &rank);
     return rank;
+}
+
+int Session::rank_in_job(int rank) const {
+    MPI_Group own = MPI_GROUP_NULL;
+    MPI_Group all = MPI_GROUP_NULL;
+    MPI_Comm_group(ranks_->communicator, &own);
+    MPI_Comm_group(MPI_COMM_WORLD, &all);
+    int result = 0;
+    MPI_Group_translate_ranks(own, 1, &rank, all, &result);
+    MPI_Group_free(&own);
+    MPI_Group_free(&all);
+    return result;
 }
 
 int Session::size() const {
     int size = 0;
-    MPI_Comm_size(MPI_COMM_WORLD, &size);
+    MPI_Comm_size(ranks_->communicator, &size);
     return size;
 }
 
 std::string Session::broadcast(const std::string& text) const {
     std::uint64_t length = text.size();
     MPI_Request request;
-    MPI_Ibcast(&length, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD, &request);
+    MPI_Ibcast(&length, 1, MPI_UINT64_T, 0, ranks_->communicator, &request);
     wait_for(request, clock_);
     std::string copy = text;
     copy.resize(length);
     MPI_Ibcast(copy.data(), static_cast<int>(length), MPI_CHAR, 0,
-               MPI_COMM_WORLD, &request);
+               ranks_->communicator, &request);
     wait_for(request, clock_);
     return copy;
 }
@@ -68,13 +94,13 @@ std::vector<std::string> Session::gather(const std::string& text) const {
     std::vector<int> lengths(ranks), starts(ranks);
     MPI_Request request;
     MPI_Igather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, 0,
-                MPI_COMM_WORLD, &request);
+                ranks_->communicator, &request);
     wait_for(request, clock_);
     std::exclusive_scan(lengths.begin(), lengths.end(), starts.begin(), 0);
     std::string all(static_cast<std::size_t>(starts.back() + lengths.back()),
                     '\0');
     MPI_Igatherv(text.data(), length, MPI_CHAR, all.data(), lengths.data(),
-                 starts.data(), MPI_CHAR, 0, MPI_COMM_WORLD, &request);
+                 starts.data(), MPI_CHAR, 0, ranks_->communicator, &request);
     wait_for(request, clock_);
     std::vector<std::string> texts;
     for (std::size_t i = 0; rank() == 0 && i < ranks; ++i)
@@ -86,7 +112,7 @@ std::vector<std::string> Session::gather(const std::string& text) const {
 int Session::largest(int value) const {
     int result = value;
     MPI_Request request;
-    MPI_Iallreduce(&value, &result, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD,
+    MPI_Iallreduce(&value, &result, 1, MPI_INT, MPI_MAX, ranks_->communicator,
                    &request);
     wait_for(request, clock_);
     return result;

@@ -7,7 +7,8 @@
 namespace ideotype {
 
 void serve(const Session& session, Evaluator& evaluator) {
-    Mailbox mailbox(session.clock());
+    Mailbox mailbox(session);
+    const int rank = session.rank_in_job(session.rank());
     for (;;) {
         const Envelope letter = mailbox.wait();
         if (letter.tag == Tag::stop) return;
@@ -15,13 +16,12 @@ void serve(const Session& session, Evaluator& evaluator) {
             throw Error(fmt::format(
                 "rank {} expected work but rank {} sent a reply; all ranks "
                 "must run the same ideotype",
-                session.rank(), letter.source));
+                rank, session.rank_in_job(letter.source)));
         const Work work = decode_work(letter.bytes);
         mailbox.post(
             letter.source, Tag::reply,
-            encode_reply(
-                {work.task, evaluate_guarded(evaluator, work, session.rank(),
-                                             session.clock())}));
+            encode_reply({work.task, evaluate_guarded(evaluator, work, rank,
+                                                      session.clock())}));
     }
 }
 

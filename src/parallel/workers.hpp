@@ -37,7 +37,8 @@ class Workers {
 };
 
 //! This process is the only worker; it evaluates while it waits.
-std::unique_ptr<Workers> make_local_worker(Evaluator& evaluator);
+//! @param rank its own
+std::unique_ptr<Workers> make_local_worker(Evaluator& evaluator, int rank);
 
 //! All ranks but rank 0.
 std::unique_ptr<Workers> make_rank_workers(const Session& session,

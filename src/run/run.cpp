@@ -7,6 +7,7 @@
 #include "ideotype/run/disk.hpp"
 #include "ideotype/run/evaluator.hpp"
 #include "ideotype/run/machines.hpp"
+#include "ideotype/run/masters.hpp"
 #include "ideotype/run/provenance.hpp"
 #include "ideotype/run/sky_table.hpp"
 #include "sweep.hpp"
@@ -87,19 +88,26 @@ std::vector<Machine> machines_of(const Session& session, const Machine& own) {
     return machines;
 }
 
-//! Rank 0: evolves the cases, then lets the workers go.
+//! What a master works with.
+struct Crew {
+    const Session& job;
+    const Session& own;      //!< the master and its workers
+    const Session& masters;  //!< all of them
+    std::vector<Case> cases;
+};
+
+//! A master: evolves its cases, then lets its workers go.
 ExitCode direct(const RunOptions& options, const Campaign& campaign,
                 const std::string& isa, CanopyEvaluator& evaluator,
-                const Session& session, StopFlag& stop) {
-    const std::vector<Case> chosen = chosen_cases(options, campaign);
+                const Crew& crew, StopFlag& stop) {
     const auto dispatcher = make_dispatcher(
-        session, evaluator, stop,
+        crew.own, evaluator, stop,
         {campaign.answer_limits.deadline, campaign.answer_limits.attempts,
          final_effort(campaign)});
     std::optional<Error> failure;
     ExitCode code = ExitCode::ok;
     {
-        Sweep sweep(options, campaign, chosen, isa, session.size(), stop);
+        Sweep sweep(options, campaign, crew.cases, isa, crew.job.size(), stop);
         try {
             if (!sweep.evolve(*dispatcher)) code = ExitCode::stopped;
         } catch (const Error& error) {
@@ -107,10 +115,13 @@ ExitCode direct(const RunOptions& options, const Campaign& campaign,
             code = error.exit_code();
         }
     }
-    // All histories are closed. A worker that hangs would keep MPI from ending.
-    if (!dispatcher->dismiss()) {
+    // A worker that hangs would keep MPI from ending, but other masters may
+    // still be at work.
+    const bool all_answer = dispatcher->dismiss();
+    crew.masters.largest(0);
+    if (!all_answer) {
         if (failure) fmt::print(stderr, "ideotype: {}\n", failure->what());
-        session.abort(static_cast<int>(code));
+        crew.job.abort(static_cast<int>(code));
     }
     if (failure) throw Error(*failure);
     return code;
@@ -145,11 +156,18 @@ ExitCode run_on(const Machine& own, const RunOptions& options,
     if (!campaign) campaign = parse_campaign(resolved, options.campaign_path);
 
     CanopyEvaluator evaluator(*campaign, isa);
-    if (session.rank() != 0) {
-        serve(session, evaluator);
-        return ExitCode::ok;
-    }
-    return direct(options, *campaign, isa, evaluator, session, stop);
+    const std::vector<Case> chosen = chosen_cases(options, *campaign);
+    const auto count = static_cast<int>(chosen.size());
+    const int parts = masters(options.masters, session.size(), count);
+    const int part = part_of(session.rank(), session.size(), count, parts);
+    const Session crew = session.split(part);
+    const bool is_master = crew.rank() == 0;
+    const Session peers = session.split(is_master ? 0 : 1);
+    if (is_master)
+        return direct(options, *campaign, isa, evaluator,
+                      {session, crew, peers, dealt(chosen, part, parts)}, stop);
+    serve(crew, evaluator);
+    return ExitCode::ok;
 }
 
 }  // namespace ideotype

@@ -25,6 +25,19 @@ for ranks in 1 3 12; do
         fail "not three summaries: $(cat ranks$ranks.log)"
 done
 
+
+# So they do with masters that share the cases, and the rank in the job stands
+# with each evaluation.
+mpirun -n 6 "$ideotype" run campaigns/sweep.toml --out shared --masters 2 \
+    >shared.log
+same_as_alone shared
+[ "$(grep -c '^history: ' shared.log)" -eq 3 ] ||
+    fail "not three summaries: $(cat shared.log)"
+workers=$(h5dump -y -w 1 -d /evaluations/worker \
+        shared/sweep/ames_0807_762x152_all_r3.h5 |
+    sed -n 's/^ *\([0-9][0-9]*\),*$/\1/p' | sort -un | tr '\n' ' ')
+[ "$workers" = "5 " ] || fail "not evaluated by rank 5 alone: $workers"
+
 # Time limits interrupt it wherever they do; the way on is told once.
 write_campaign cut 12 40
 sed -i 's/^seed = 7/seed = 7\nreplicates = 3/' campaigns/cut.toml

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 #include <vector>
 
 #include "command_fixture.hpp"
@@ -97,6 +98,22 @@ TEST_F(CasesOnAllRanks, ThoseBegunTogetherEndTogether) {
             EXPECT_GE(of_second, 2 * 24);
         EXPECT_EQ(order_.front(), 0u);
     });
+}
+
+TEST_F(CasesOnAllRanks, AreEvolvedByMastersOfTheirOwn) {
+    const int part = session().rank() % 2;
+    const Session own = session().split(part);
+    if (own.rank() != 0) return serve(own, evaluator_);
+    const auto dispatcher = make_dispatcher(own, evaluator_, stop_);
+    const auto index = static_cast<std::uint32_t>(part);
+    std::set<std::uint32_t> ranks;
+    const Record record = [&](const Work& work, const Outcome& outcome) {
+        EXPECT_EQ(work.task.case_index, index);
+        ranks.insert(outcome.worker);
+    };
+    evaluate(*dispatcher, generation_of(index, 0, 40), record);
+    EXPECT_EQ(ranks.size(), static_cast<std::size_t>(dispatcher->width()));
+    for (const std::uint32_t rank : ranks) EXPECT_EQ(rank % 2, index);
 }
 
 TEST_F(CasesOnAllRanks, AFailingOneLeavesTheOthersAlone) {

@@ -44,6 +44,18 @@ TEST_F(SessionOnAllRanks, GathersTheTextsOfAllRanksOnRankZero) {
         EXPECT_EQ(texts[static_cast<std::size_t>(rank)], text_of(rank));
 }
 
+TEST_F(SessionOnAllRanks, PartsAreSessionsOfTheirOwn) {
+    const int part = session().rank() % 2;
+    const Session own = session().split(part);
+    EXPECT_EQ(own.size(), (session().size() + 1 - part) / 2);
+    EXPECT_EQ(own.rank(), session().rank() / 2);
+    for (int rank = 0; rank < own.size(); ++rank)
+        EXPECT_EQ(own.rank_in_job(rank), 2 * rank + part);
+    EXPECT_EQ(own.largest(session().rank()), 2 * (own.size() - 1) + part);
+    const std::string text = "part " + std::to_string(part);
+    EXPECT_EQ(own.broadcast(own.rank() == 0 ? text : ""), text);
+}
+
 TEST_F(SessionOnAllRanks, SleepsWhileItWaitsForABroadcast) {
     const double before = cpu_seconds();
     if (is_master()) std::this_thread::sleep_for(std::chrono::seconds(1));

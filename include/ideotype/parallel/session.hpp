@@ -1,11 +1,14 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "ideotype/parallel/rank_clock.hpp"
 
 namespace ideotype {
+
+class Mailbox;
 
 //! MPI for as long as this lives. Works with and without mpirun. Create it
 //! after the StopFlag, so that MPI does not replace its handlers.
@@ -17,7 +20,15 @@ class Session {
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
+    //! The ranks that name the same part, numbered from 0 in their order here.
+    //! Collective. This one must outlive it.
+    Session split(int part) const;
+
     int rank() const;
+
+    //! The number of a rank of this session in the whole job.
+    int rank_in_job(int rank) const;
+
     int size() const;
     const RankClock& clock() const { return clock_; }
 
@@ -38,7 +49,12 @@ class Session {
     static std::string library_version();
 
   private:
+    friend Mailbox;
+    struct Ranks;
+    Session(const RankClock& clock, const Ranks& ranks);
+
     const RankClock& clock_;
+    std::unique_ptr<const Ranks> ranks_;
 };
 
 }  // namespace ideotype

@@ -23,7 +23,8 @@ struct RunOptions {
     std::string out = "results";
     std::optional<double> wall_time;  //!< of this start [s]
     std::optional<std::string> isa;   //!< instruction set to begin with
-    std::string command;              //!< as typed, for the record
+    std::optional<int> masters;  //!< ranks that evolve cases, see masters.hpp
+    std::string command;         //!< as typed, for the record
 };
 
 //! Collective over all ranks of the session.

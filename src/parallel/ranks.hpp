@@ -1,0 +1,16 @@
+#pragma once
+
+#include <mpi.h>
+
+#include "ideotype/parallel/session.hpp"
+
+namespace ideotype {
+
+//! The ranks of a session, as MPI knows them.
+struct Session::Ranks {
+    MPI_Comm communicator;
+    //! What to do when the session ends.
+    enum class End { finalize, free } end;
+};
+
+}  // namespace ideotype

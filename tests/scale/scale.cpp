@@ -1,0 +1,216 @@
+//! Evolves cases with the real master's loop, dispatcher and messages on a
+//! simulated cluster: see README.md.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <list>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <mpi.h>
+#include <simgrid/s4u.hpp>
+#include <smpi/smpi.h>
+
+#include "fake_evaluator.hpp"
+#include "ideotype/core/stop_flag.hpp"
+#include "ideotype/run/evolve_case.hpp"
+#include "ideotype/run/masters.hpp"
+#include "ideotype/run/provenance.hpp"
+#include "options.hpp"
+
+namespace ideotype {
+
+namespace {
+
+namespace s4u = simgrid::s4u;
+
+//! Spends what rank 0 computes between its messages.
+class Master : public Director, public Watcher {
+  public:
+    Master(const Options& options, const Campaign& campaign,
+           Dispatcher& dispatcher, const RankClock& clock,
+           const HistoryHeader& header, std::vector<Case> cases)
+        : options_(options),
+          campaign_(campaign),
+          dispatcher_(dispatcher),
+          clock_(clock),
+          header_(header),
+          cases_(std::move(cases)) {}
+
+    bool start_next() override {
+        if (started_.size() == cases_.size()) return false;
+        started_.emplace_back(*this, cases_[started_.size()]);
+        started_.back().routine->start();
+        return true;
+    }
+    void on_silence(const Task&, const std::string& what) override {
+        throw Error(what);
+    }
+    void on_stop(int) override {}
+
+    void on_evaluation(std::uint32_t) override {
+        spend(options_.master_per_evaluation);
+        ++evaluations;
+    }
+    void on_generation(std::uint32_t, const GenerationSummary&) override {
+        spend(options_.master_per_candidate * options_.population +
+              options_.master_per_generation);
+    }
+    void on_final(const std::string&) override { ended = clock_.now(); }
+
+    long evaluations = 0;
+    double busy = 0;   //!< [s]
+    double ended = 0;  //!< when the last case came to its finalists [s]
+
+  private:
+    struct EvolvingCase {
+        EvolvingCase(Master& master, const Case& chosen)
+            : history(History::create(
+                  fmt::format("{}/{}.h5", master.options_.folder, chosen.index),
+                  master.header_)),
+              optimizer(make_optimizer(master.campaign_.search,
+                                       search_space(master.campaign_, chosen),
+                                       chosen.seed)) {
+            routine = std::make_unique<Routine<Ending>>(evolve_case(
+                {master.campaign_, chosen, *optimizer, master.dispatcher_,
+                 master, [&master] { return master.clock_.now(); }},
+                history));
+        }
+
+        History history;
+        std::unique_ptr<Optimizer> optimizer;
+        std::unique_ptr<Routine<Ending>> routine;
+    };
+
+    void spend(double seconds) {
+        SimulatedClock::spend(seconds);
+        busy += seconds;
+    }
+
+    const Options& options_;
+    const Campaign& campaign_;
+    Dispatcher& dispatcher_;
+    const RankClock& clock_;
+    const HistoryHeader& header_;
+    std::vector<Case> cases_;
+    std::list<EvolvingCase> started_;
+};
+
+//! What all ranks of a simulation share.
+struct Simulation {
+    explicit Simulation(const Options& its_options)
+        : options(its_options),
+          campaign(read_campaign(IDEOTYPE_CAMPAIGNS "/ames.toml")) {
+        campaign.search.population = options.population;
+        campaign.stop.generations = options.generations;
+        cases.assign(static_cast<std::size_t>(options.cases),
+                     ideotype::cases(campaign).front());
+        for (int i = 0; i < options.cases; ++i) {
+            Case& each = cases[static_cast<std::size_t>(i)];
+            each.index = i;
+            each.seed += static_cast<std::uint64_t>(i);
+        }
+        header = header_of(campaign, cases.front(), "none");
+        evaluator =
+            std::make_unique<FakeEvaluator>(header.schema, options.evaluation);
+    }
+
+    //! Of one master.
+    void direct(const Session& crew, int part, int parts) {
+        const auto dispatcher = make_dispatcher(crew, *evaluator, stop);
+        Master master(options, campaign, *dispatcher, clock, header,
+                      dealt(cases, part, parts));
+        began = clock.now();
+        dispatcher->run(master);
+        if (!dispatcher->dismiss()) throw Error("a worker does not answer");
+        ended = std::max(ended, master.ended);
+        busiest = std::max(busiest, master.busy);
+        evaluations += master.evaluations;
+    }
+
+    //! One line; false if there was less than is asked for.
+    bool report() const {
+        const double seconds = ended - began;
+        const double efficiency = evaluator->total() / options.ranks / seconds;
+        fmt::print(
+            "{:>6} {:>6} {:>7} {:>10} {:>8.0f} {:>9.2f} {:>11.0f} "
+            "{:>10.1f}\n",
+            options.ranks, options.cases,
+            masters(options.masters, options.ranks, options.cases),
+            options.population, 1e3 * options.evaluation, seconds,
+            100 * busiest / seconds, 100 * efficiency);
+        return efficiency >= options.least;
+    }
+
+    Options options;
+    SimulatedClock clock{options.nap_slack};
+    StopFlag stop;
+    Campaign campaign;
+    HistoryHeader header;
+    std::unique_ptr<FakeEvaluator> evaluator;
+    std::vector<Case> cases;
+    double began = 0;
+    double ended = 0;
+    double busiest = 0;  //!< what the busiest master spent [s]
+    long evaluations = 0;
+};
+
+void live(Simulation& simulation) try {
+    const Session session(simulation.clock);
+    const int parts = masters(simulation.options.masters, session.size(),
+                              simulation.options.cases);
+    const int part = part_of(session.rank(), session.size(),
+                             simulation.options.cases, parts);
+    const Session crew = session.split(part);
+    if (crew.rank() == 0)
+        simulation.direct(crew, part, parts);
+    else
+        serve(crew, *simulation.evaluator);
+} catch (const std::exception& error) {
+    fmt::print(stderr, "scale: {}\n", error.what());
+    std::exit(1);
+}
+
+void simulate(s4u::Engine& engine, Simulation& simulation) {
+    const char* name = "ideotype";
+    const int ranks = simulation.options.ranks;
+    engine.load_platform(IDEOTYPE_CLUSTER);
+    const std::vector<s4u::Host*> nodes = engine.get_all_hosts();
+    SMPI_app_instance_register(name, nullptr, ranks);
+    SMPI_init();
+    for (int rank = 0; rank < ranks; ++rank) {
+        const std::string number = std::to_string(rank);
+        s4u::Host* node = nodes.at(
+            static_cast<std::size_t>(rank / simulation.options.ranks_per_node));
+        const auto actor = s4u::Actor::init("rank" + number, node);
+        actor->set_property("instance_id", name);
+        actor->set_property("rank", number);
+        actor->start([&simulation] { live(simulation); });
+    }
+    engine.run();
+    SMPI_finalize();
+}
+
+}  // namespace
+
+}  // namespace ideotype
+
+int main(int argc, char** argv) {
+    using namespace ideotype;
+    s4u::Engine engine(&argc, argv);
+    // Nothing that ranks compute counts but what is spent; an eager message has
+    // left when it is posted.
+    for (const char* setting :
+         {"smpi/simulate-computation:no", "smpi/iprobe:0", "smpi/test:0",
+          "smpi/async-small-thresh:65536", "contexts/stack-size:512"})
+        s4u::Engine::set_config(setting);
+    const Options options = read_options(argc, argv);
+    std::filesystem::create_directories(options.folder);
+    Simulation simulation(options);
+    simulate(engine, simulation);
+    std::filesystem::remove_all(options.folder);
+    return simulation.report() ? 0 : 1;
+}

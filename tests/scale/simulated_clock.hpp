@@ -1,0 +1,23 @@
+#pragma once
+
+#include "ideotype/parallel/rank_clock.hpp"
+
+namespace ideotype {
+
+//! The clock of the simulated machine, the same for all ranks.
+class SimulatedClock : public RankClock {
+  public:
+    //! @param slack how much longer than asked for a nap takes [s]
+    explicit SimulatedClock(double slack) : slack_(slack) {}
+
+    double now() const override;
+    void nap(double seconds) const override;
+
+    //! Computes for exactly this time [s].
+    static void spend(double seconds);
+
+  private:
+    double slack_;
+};
+
+}  // namespace ideotype

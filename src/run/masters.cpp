@@ -1,6 +1,7 @@
 #include "ideotype/run/masters.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ideotype {
 
@@ -13,12 +14,16 @@ int part_of_case(int index, int cases, int parts) {
 }  // namespace
 
 int masters(std::optional<int> wanted, int ranks, int cases) {
-    constexpr long long ranks_of_one = 1024;
-    const int cases_of_one = std::max(
-        1, static_cast<int>(cases * ranks_of_one / std::max(ranks, 1)));
-    const int enough = (cases + cases_of_one - 1) / cases_of_one;
-    return std::clamp(wanted.value_or(enough), 1,
-                      std::max(1, std::min(ranks, cases)));
+    const int most = std::max(1, std::min(ranks, cases));
+    if (wanted) return std::clamp(*wanted, 1, most);
+    constexpr int enough_for_one = 512;
+    if (ranks < enough_for_one) return 1;
+    // An even number of cases for each: while one breeds, another is evaluated.
+    constexpr double ranks_of_one = 256;
+    const int pairs =
+        static_cast<int>(std::lround(cases * ranks_of_one / ranks / 2));
+    const int cases_of_one = std::max(1, 2 * pairs);
+    return std::clamp((cases + cases_of_one - 1) / cases_of_one, 1, most);
 }
 
 int part_of(int rank, int ranks, int cases, int parts) {

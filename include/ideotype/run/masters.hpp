@@ -8,8 +8,9 @@
 namespace ideotype {
 
 //! How many ranks evolve cases, each with workers of its own: as many as are
-//! wanted, else one for each 1,024 ranks, which is what one can feed if
-//! evaluations take 25 ms (tests/scale), but not more than there are cases.
+//! wanted, else one, and from 512 ranks on one for some 256, since all its
+//! workers wait while a master breeds (tests/scale). Not more than there are
+//! cases.
 int masters(std::optional<int> wanted, int ranks, int cases);
 
 //! The part of a rank, if ranks and cases are divided into as many parts as

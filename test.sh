@@ -5,7 +5,7 @@ cd "$(dirname "$0")"
 . .ci/install
 
 install_packages libgtest-dev libgmock-dev libbenchmark-dev hdf5-tools \
-    slurmctld slurmd slurm-client munge procps chromium libsimgrid-dev?
+    slurmctld slurmd slurm-client munge procps chromium "libsimgrid-dev?"
 cmake --preset dev >build-dev.log 2>&1 || { cat build-dev.log; exit 1; }
 cmake --build --preset dev
 rm -f build-dev.log

@@ -65,7 +65,7 @@ def leaves(path: Path) -> list[Leaf]:
 
 
 def with_values(text: str, trait: str, values: Values) -> str:
-    """A plant file in which the leaves have these values."""
+    """A crop file in which the leaves have these values."""
     left = iter(values)
     return re.sub(
         rf"^{trait} = .*$", lambda _: f"{trait} = {next(left)}", text, flags=re.M
@@ -140,7 +140,7 @@ def main() -> None:
     parser.add_argument("--under", type=Path, required=True, metavar="CAMPAIGN")
     parser.add_argument("histories", nargs="+", type=Path, metavar="HISTORY")
     options = parser.parse_args()
-    baseline = leaves(Path(__file__).parent / "plants" / "b73.toml")
+    baseline = leaves(Path(__file__).parent / "crops" / "maize.toml")
     plants, seeds = zip(
         *(study(path, baseline, options.under) for path in options.histories),
         strict=True,

@@ -13,24 +13,19 @@ namespace ideotype {
 
 namespace {
 
-//! The leaves of a draft.
-KnownPlant known_plant(const Draft& draft) {
-    KnownPlant plant{draft.campaign.plant, {}};
-    for (const LeafEntry& leaf : draft.leaves) {
-        plant.traits.push_back(leaf.traits);
-        plant.form.leaves.push_back(leaf.form);
-    }
-    return plant;
-}
-
 Campaign complete(Draft& draft, const std::string& source,
                   const Report& report) {
     Campaign campaign = draft.campaign;
-    KnownPlant plant = known_plant(draft);
-    campaign.plant = std::move(plant.form);
-    campaign.baseline = std::move(plant.traits);
-    for (const LeafTraits& traits : campaign.baseline)
-        campaign.bounds.push_back(leaf_bounds(draft.bounds, traits));
+    Crop& crop = campaign.crop;
+    for (const TraitEntry& entry : draft.traits)
+        crop.traits.push_back(complete(entry));
+    const std::vector<double> baseline = baseline_numbers(crop);
+    const std::vector<TraitNumber> numbers = trait_numbers(crop);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        campaign.bounds.push_back(
+            bounds_of(draft, numbers[i].trait, baseline[i]));
+    std::erase_if(campaign.constraints.traits,
+                  [](const TraitConstraint& x) { return !constrains(x); });
     campaign.source = source;
     campaign.warnings = report.warnings();
     campaign.resolved = resolved_text(draft);
@@ -56,26 +51,24 @@ Campaign read_campaign(const std::string& path) {
     return parse(*text, path, PlantSource::file_or_table);
 }
 
-KnownPlant read_plant(const std::string& path) {
+Plant read_plant(const std::string& path) {
     const std::optional<std::string> text = read_text(path);
     if (!text) throw Error("cannot read " + path);
     Draft draft;
     Report report;
-    if (!read_plant_draft(*text, path, draft, report)) {
-        const Campaign campaign =
-            parse(*text, path, PlantSource::file_or_table);
-        return {campaign.plant, campaign.baseline};
-    }
+    if (!read_plant_draft(*text, path, draft, report))
+        return parse(*text, path, PlantSource::file_or_table).crop.baseline;
     check_plant(draft, report);
     report.throw_if_any();
-    return known_plant(draft);
+    return draft.campaign.crop.baseline;
 }
 
-std::string plant_text(const KnownPlant& plant) {
+std::string crop_text(const Campaign& campaign, const Plant& baseline) {
     Draft draft;
-    draft.campaign.plant = plant.form;
-    for (std::size_t i = 0; i < plant.traits.size(); ++i)
-        draft.leaves.push_back({plant.traits[i], plant.form.leaves.at(i)});
+    Report report;
+    read_draft(campaign.resolved, campaign.name, PlantSource::table, draft,
+               report);
+    draft.campaign.crop.baseline = baseline;
     return resolved_plant_text(draft);
 }
 

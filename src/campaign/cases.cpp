@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cctype>
 
 #include <fmt/format.h>
@@ -9,8 +10,6 @@
 namespace ideotype {
 
 namespace {
-
-constexpr std::size_t genes_per_leaf = 4;
 
 //! The same for a case however many others there are: all axes are named,
 //! also those with one entry.
@@ -62,45 +61,25 @@ Case case_at(const Campaign& campaign, int index, const std::string& path) {
 }
 
 GeneSpace gene_space(const Campaign& campaign, const Case& chosen) {
-    const TraitSet& free = chosen.traits;
     GeneSpace genes;
-    int rank = 0;
-    for (const LeafBounds& bounds : campaign.bounds) {
-        const std::string leaf = fmt::format("leaf{:02}_", ++rank);
-        const auto add = [&](const std::string& trait, const std::string& unit,
-                             Range range, bool is_free) {
-            genes.push_back({leaf + trait, unit, range.lower, range.upper,
-                             trait == "azimuth", is_free, trait, rank});
-        };
-        add("length", "m", bounds.length, free.length);
-        add("width", "m", bounds.width, free.width);
-        add("insertion_angle", "deg", bounds.insertion_angle,
-            free.insertion_angle);
-        add("azimuth", "deg", {0, 360}, free.azimuth);
+    for (const TraitNumber& number : trait_numbers(campaign.crop)) {
+        const Trait& trait = campaign.crop.traits[number.trait];
+        const auto& [lower, upper] = campaign.bounds.at(genes.size());
+        std::string name = trait.name;
+        if (number.leaf > 0)
+            name = fmt::format("leaf{:02}_{}", number.leaf, trait.name);
+        if (number.point > 0)
+            name = fmt::format("{}_{}", trait.name, number.point);
+        const bool is_whole =
+            lower == trait.range.lower && upper == trait.range.upper;
+        const bool is_free =
+            std::find(chosen.traits.begin(), chosen.traits.end(), trait.name) !=
+            chosen.traits.end();
+        genes.push_back({name, trait.unit, lower, upper,
+                         trait.is_circular && is_whole, is_free, trait.name,
+                         number.leaf});
     }
     return genes;
-}
-
-Genome to_genome(const std::vector<LeafTraits>& traits) {
-    Genome genome;
-    genome.reserve(genes_per_leaf * traits.size());
-    for (const LeafTraits& leaf : traits)
-        genome.insert(genome.end(), {leaf.length, leaf.width,
-                                     leaf.insertion_angle, leaf.azimuth});
-    return genome;
-}
-
-std::vector<LeafTraits> to_traits(const Genome& genome) {
-    if (genome.size() % genes_per_leaf != 0)
-        throw Error(
-            fmt::format("a genome of {} genes is not a plant (each "
-                        "leaf has {})",
-                        genome.size(), genes_per_leaf));
-    std::vector<LeafTraits> traits;
-    for (std::size_t i = 0; i < genome.size(); i += genes_per_leaf)
-        traits.push_back(
-            {genome[i], genome[i + 1], genome[i + 2], genome[i + 3]});
-    return traits;
 }
 
 }  // namespace ideotype

@@ -120,34 +120,6 @@ void check_light(const Campaign& campaign, Report& report) {
                                campaign.first_tolerance, light.tolerance));
 }
 
-void check_leaves(const Draft& draft, Report& report) {
-    const StalkForm& stalk = draft.campaign.plant.stalk;
-    const LeafEntry* below = nullptr;
-    for (const LeafEntry& leaf : draft.leaves) {
-        const LeafTraits& traits = leaf.traits;
-        const double& height = leaf.form.insertion_height;
-        if (report.usable({&traits.length, &traits.width}) &&
-            traits.width > traits.length)
-            report.add(&traits.width,
-                       fmt::format("leaf.width is {} m (wider than its length "
-                                   "of {} m); check the units: both are in m",
-                                   traits.width, traits.length));
-        if (report.usable({&height, &stalk.height}) && height > stalk.height)
-            report.add(&height,
-                       fmt::format("leaf.insertion_height is {} m (above the "
-                                   "stalk's height of {} m); use {} m or less",
-                                   height, stalk.height, stalk.height));
-        if (below && report.usable({&height, &below->form.insertion_height}) &&
-            height < below->form.insertion_height)
-            report.add(&height,
-                       fmt::format("leaf.insertion_height is {} m (below the "
-                                   "leaf before it, at {} m); list the lowest "
-                                   "leaf first",
-                                   height, below->form.insertion_height));
-        below = &leaf;
-    }
-}
-
 void check_field(const FieldForm& field, Report& report) {
     if (!report.usable({&field.rows, &field.plants, &field.border_rows}))
         return;
@@ -166,67 +138,9 @@ void check_field(const FieldForm& field, Report& report) {
                         (std::min(field.rows, field.plants) - 1) / 2));
 }
 
-void check_constraints(const Constraints& constraints, Report& report) {
-    if (report.usable({&constraints.lai}) && constraints.lai.upper <= 0)
-        report.add(&constraints.lai,
-                   "constraints.lai allows no leaves (its upper bound is 0); "
-                   "write [lower, upper]");
-}
-
-void check_blade(const BladeForm& blade, Report& report) {
-    const std::vector<double>& controls = blade.width_controls;
-    if (report.usable({&controls}) &&
-        *std::max_element(controls.begin(), controls.end()) <= 0)
-        report.add(&controls,
-                   "blade.width_controls are all 0 (a blade has a width); "
-                   "leave the key out for the usual profile");
-}
-
-//! Any trait set that breeds a trait, or nullptr.
-const Named<TraitSet>* breeder(const Campaign& campaign,
-                               bool TraitSet::*trait) {
-    for (const Named<TraitSet>& set : campaign.trait_sets)
-        if (set.value.*trait) return &set;
-    return nullptr;
-}
-
-void check_baseline(const Draft& draft, Report& report) {
-    const BoundsEntry& bounds = draft.bounds;
-    const bool is_table = bounds.rule.empty();
-    if (!is_table && !report.usable({&bounds.rule})) return;
-    for (std::size_t i = 0; i < draft.leaves.size(); ++i) {
-        const LeafTraits& traits = draft.leaves[i].traits;
-        const LeafBounds allowed = leaf_bounds(bounds, traits);
-        const auto check = [&](const std::string& name, const double& value,
-                               const Range& range, const Range& written,
-                               const std::string& unit, bool TraitSet::*trait) {
-            const Named<TraitSet>* set = breeder(draft.campaign, trait);
-            if (!set || !report.usable({&value})) return;
-            if (is_table && !report.usable({&written})) return;
-            if (value >= range.lower && value <= range.upper) return;
-            report.add(
-                &value,
-                fmt::format("leaf.{} of leaf {} is {} {} (outside the {} "
-                            "bounds {:.6g} .. {:.6g} {}, and trait set "
-                            "\"{}\" breeds it); change the baseline, the "
-                            "bounds or the free traits",
-                            name, i + 1, value, unit,
-                            is_table ? "table's" : '"' + bounds.rule + '"',
-                            range.lower, range.upper, unit, set->name));
-        };
-        check("length", traits.length, allowed.length, bounds.table.length, "m",
-              &TraitSet::length);
-        check("width", traits.width, allowed.width, bounds.table.width, "m",
-              &TraitSet::width);
-        check("insertion_angle", traits.insertion_angle,
-              allowed.insertion_angle, bounds.table.insertion_angle, "deg",
-              &TraitSet::insertion_angle);
-    }
-}
-
 }  // namespace
 
-void check_draft(const Draft& draft, Report& report) {
+void check_draft(Draft& draft, Report& report) {
     const Campaign& campaign = draft.campaign;
     check_names("site", campaign.sites, report);
     check_names("day", campaign.days, report);
@@ -239,17 +153,12 @@ void check_draft(const Draft& draft, Report& report) {
         check_spacing(spacing.value, report);
     check_surface("leaf", campaign.optics.leaf, report);
     check_surface("stalk", campaign.optics.stalk, report);
+    check_surface("sheath", campaign.optics.sheath, report);
     check_field(campaign.field, report);
     check_light(campaign, report);
-    check_constraints(campaign.constraints, report);
     check_search(campaign, report);
     check_plant(draft, report);
-    check_baseline(draft, report);
-}
-
-void check_plant(const Draft& draft, Report& report) {
-    check_blade(draft.campaign.plant.blade, report);
-    check_leaves(draft, report);
+    check_breeding(draft, report);
 }
 
 }  // namespace ideotype

@@ -7,10 +7,19 @@ namespace ideotype {
 
 //! Checks values against each other: contradictions, duplicate names, a
 //! baseline outside its bounds.
-void check_draft(const Draft& draft, Report& report);
+void check_draft(Draft& draft, Report& report);
 
-//! That part of it which concerns the plant alone.
-void check_plant(const Draft& draft, Report& report);
+//! That part of it which concerns a crop file alone.
+void check_plant(Draft& draft, Report& report);
+
+//! The traits of a crop file, and the bounds of its rules.
+void check_traits(Draft& draft, Report& report);
+
+//! Whether nothing is wrong with a trait by itself.
+bool is_sound(const TraitEntry& entry, const Report& report);
+
+//! What is bred of the crop, and within which limits.
+void check_breeding(Draft& draft, Report& report);
 
 //! That part of it which concerns sites, days and the light of their cases.
 void check_sky(const Campaign& campaign, Report& report);

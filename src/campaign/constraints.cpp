@@ -1,41 +1,116 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "ideotype/campaign/campaign.hpp"
+#include "ideotype/crop/measures.hpp"
 
 namespace ideotype {
 
 namespace {
+
+constexpr double circle = 360;
 
 //! By what part of the limit a value exceeds it.
 double excess(double value, double limit) {
     return std::max(0.0, value - limit) / limit;
 }
 
-double step_excess(const std::vector<LeafTraits>& leaves,
-                   double LeafTraits::*trait, double limit) {
+double excess(double value, const Range& allowed) {
+    double sum = excess(value, allowed.upper);
+    if (value < allowed.lower) sum += (allowed.lower - value) / allowed.lower;
+    return sum;
+}
+
+//! How far apart two directions, or other values, are.
+double distance(double a, double b, bool is_direction) {
+    const double apart = std::abs(a - b);
+    if (!is_direction) return apart;
+    const double rest = std::fmod(apart, circle);
+    return std::min(rest, circle - rest);
+}
+
+double step_excess(const std::vector<double>& leaves, double limit,
+                   bool is_direction) {
     double sum = 0;
     for (std::size_t i = 1; limit > 0 && i < leaves.size(); ++i)
-        sum += excess(std::abs(leaves[i].*trait - leaves[i - 1].*trait), limit);
+        sum += excess(distance(leaves[i], leaves[i - 1], is_direction), limit);
     return sum;
+}
+
+//! What values rise from leaf to leaf upwards, relative to all they could.
+double rise(const std::vector<double>& leaves, const Range& limits) {
+    double sum = 0;
+    for (std::size_t i = 1; i < leaves.size(); ++i)
+        sum += std::max(0.0, leaves[i] - leaves[i - 1]) /
+               (limits.upper - limits.lower);
+    return sum;
+}
+
+//! The plane from which the largest deviation of leaves that alternate between
+//! its two sides is least: the middle of the smallest arc that holds them all
+//! once every other leaf is turned by half a circle.
+double plane(std::vector<double> leaves) {
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+        leaves[i] =
+            std::fmod(leaves[i] + (i % 2 == 0 ? 0 : circle / 2), circle);
+        if (leaves[i] < 0) leaves[i] += circle;
+    }
+    std::sort(leaves.begin(), leaves.end());
+    double first = leaves.front(), length = leaves.back() - leaves.front();
+    for (std::size_t i = 1; i < leaves.size(); ++i) {
+        const double other = circle - (leaves[i] - leaves[i - 1]);
+        if (other >= length) continue;
+        first = leaves[i];
+        length = other;
+    }
+    return first + length / 2;
+}
+
+double distichous_excess(const std::vector<double>& azimuths, double limit) {
+    if (!(limit > 0) || azimuths.empty()) return 0;
+    const double middle = plane(azimuths);
+    double sum = 0;
+    for (std::size_t i = 0; i < azimuths.size(); ++i)
+        sum += excess(
+            distance(azimuths[i], middle + (i % 2 == 0 ? 0 : circle / 2), true),
+            limit);
+    // The middle of an arc is rounded; its ends may be as far as is allowed.
+    constexpr double rounding = 1e-12;
+    return sum > rounding ? sum : 0;
+}
+
+double violation(const TraitConstraint& limit, const MeasureInfo& measure) {
+    std::vector<double> leaves;
+    for (const double* value : measure.values) leaves.push_back(*value);
+    double sum = step_excess(leaves, limit.step, measure.is_direction);
+    sum +=
+        excess(std::accumulate(leaves.begin(), leaves.end(), 0.0), limit.total);
+    if (limit.is_falling) sum += rise(leaves, measure.limits);
+    return sum + distichous_excess(leaves, limit.distichous);
 }
 
 }  // namespace
 
+bool constrains(const TraitConstraint& limit) {
+    const TraitConstraint none;
+    return limit.step > 0 || limit.total.lower > none.total.lower ||
+           limit.total.upper < none.total.upper || limit.is_falling ||
+           limit.distichous > 0;
+}
+
 double violation(const Constraints& constraints,
-                 const std::vector<LeafTraits>& leaves, double lai) {
-    const auto& [bounds, length, width, insertion_angle, erect_top] =
-        constraints;
-    double sum = excess(lai, bounds.upper);
-    if (lai < bounds.lower) sum += (bounds.lower - lai) / bounds.lower;
-    sum += step_excess(leaves, &LeafTraits::length, length);
-    sum += step_excess(leaves, &LeafTraits::width, width);
-    sum += step_excess(leaves, &LeafTraits::insertion_angle, insertion_angle);
-    for (std::size_t i = 1; erect_top && i < leaves.size(); ++i) {
-        constexpr double right_angle = 90;
-        sum += std::max(0.0, leaves[i].insertion_angle -
-                                 leaves[i - 1].insertion_angle) /
-               right_angle;
+                 const std::vector<Trait>& traits, const Plant& plant,
+                 double lai) {
+    double sum = excess(lai, constraints.lai);
+    if (constraints.traits.empty()) return sum;
+    Plant measured = plant;
+    for (const TraitConstraint& limit : constraints.traits) {
+        const auto trait = std::find_if(
+            traits.begin(), traits.end(),
+            [&](const Trait& each) { return each.name == limit.trait; });
+        sum +=
+            violation(limit, *find_measure(measured, trait->measures.front()));
     }
     return sum;
 }

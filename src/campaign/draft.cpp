@@ -6,19 +6,19 @@ namespace ideotype {
 
 namespace {
 
-// The same for every leaf, as in the study arXiv:2512.06064; the range of the
-// insertion angle is our estimate.
-constexpr LeafBounds paper{{0.40, 1.10}, {0.05, 0.14}, {10, 80}};
-
-// How far breeding may move a leaf from a living plant's; our estimate.
-constexpr double biological_change = 0.35;
-
-Range around(double value) {
-    return {(1 - biological_change) * value, (1 + biological_change) * value};
-}
-
 Range intersection(Range a, Range b) {
     return {std::max(a.lower, b.lower), std::min(a.upper, b.upper)};
+}
+
+TraitEntry leaf_trait(const std::string& name, const std::string& unit,
+                      Range range, bool is_circular = false) {
+    TraitEntry entry;
+    entry.trait.name = name;
+    entry.trait.unit = unit;
+    entry.trait.range = range;
+    entry.trait.is_circular = is_circular;
+    entry.sets = {"leaf." + name};
+    return entry;
 }
 
 }  // namespace
@@ -27,19 +27,57 @@ Draft::Draft() {
     // What `fidelity` recommends; the field and the time step are so anyway.
     campaign.sampling = {16384, 16, 0.008};
     campaign.trait_sets = {{"all", {}}};
-    campaign.optics = {{0.05, 0.05}, {0.31, 0.12}, 0.10};
-    // A least-squares fit of a maize width profile with a maximum of 1 and an
-    // area of 0.7455 length x width.
-    campaign.plant.blade.width_controls = {0.28,     0.885870, 0.895017,
-                                           1.149943, 0.379696, 0.0};
+    campaign.optics = {{0.05, 0.05}, {0.31, 0.12}, 0.10, {0.09, 0}};
+    // A least-squares fit of a width profile with a maximum of 1 and an area
+    // of 0.7455 length x width.
+    campaign.crop.baseline.blade.width_controls = {0.28,     0.885870, 0.895017,
+                                                   1.149943, 0.379696, 0.0};
+    // The traits and bounds of version 0.1, for crop files without any. They
+    // are those of the study arXiv:2512.06064; the range of the insertion
+    // angle and the rule "biological" are our estimates.
+    traits = {leaf_trait("length", "m", {0.40, 1.10}),
+              leaf_trait("width", "m", {0.05, 0.14}),
+              leaf_trait("insertion_angle", "deg", {10, 80}),
+              leaf_trait("azimuth", "deg", {0, 360}, true)};
+    bounds = {{"paper", "length", {0.40, 1.10}},
+              {"biological", "length", {0.40, 1.10}, 0.35},
+              {"biological", "width", {0.001, 0.5}, 0.35}};
 }
 
-LeafBounds leaf_bounds(const BoundsEntry& bounds, const LeafTraits& traits) {
-    if (bounds.rule.empty()) return bounds.table;
-    if (bounds.rule == "biological")
-        return {intersection(around(traits.length), paper.length),
-                around(traits.width), paper.insertion_angle};
-    return paper;
+std::vector<std::string> rule_names(const Draft& draft) {
+    std::vector<std::string> names{"traits"};
+    for (const BoundsEntry& each : draft.bounds)
+        if (std::find(names.begin(), names.end(), each.rule) == names.end())
+            names.push_back(each.rule);
+    return names;
+}
+
+Trait complete(const TraitEntry& entry) {
+    Trait trait = entry.trait;
+    if (!entry.sets.empty()) {
+        trait.effect = TraitEffect::sets;
+        trait.measures = entry.sets;
+    } else if (!entry.scales.empty()) {
+        trait.effect = TraitEffect::scales;
+        trait.measures = entry.scales;
+    } else {
+        trait.effect = TraitEffect::shifts;
+        trait.measures = entry.shifts;
+    }
+    return trait;
+}
+
+Range bounds_of(const Draft& draft, std::size_t trait, double baseline) {
+    if (draft.rule.empty()) return draft.own_bounds.at(trait);
+    const Trait& bred = draft.traits.at(trait).trait;
+    for (const BoundsEntry& each : draft.bounds) {
+        if (each.rule != draft.rule || each.trait != bred.name) continue;
+        if (!(each.change > 0)) return each.range;
+        return intersection(
+            {(1 - each.change) * baseline, (1 + each.change) * baseline},
+            each.range);
+    }
+    return bred.range;
 }
 
 }  // namespace ideotype

@@ -7,17 +7,19 @@
 
 namespace ideotype {
 
-//! One leaf as a plant file gives it.
-struct LeafEntry {
-    LeafTraits traits;
-    LeafForm form;
+//! One trait as a crop file gives it: it acts on the measures of one of these
+//! lists.
+struct TraitEntry {
+    Trait trait;
+    std::vector<std::string> sets, scales, shifts;
 };
 
-//! The bounds as written: a rule by name or, if that is empty, one table for
-//! all leaves.
+//! Bounds of one trait under a rule that campaigns choose by its name.
 struct BoundsEntry {
-    std::string rule = "paper";
-    LeafBounds table;
+    std::string rule;
+    std::string trait;
+    Range range;
+    double change = 0;  //!< from the baseline, relative to it; 0: any
 };
 
 //! A campaign while it is read: defaults first, then what the file says.
@@ -30,11 +32,24 @@ struct Draft {
     Draft& operator=(const Draft&) = delete;
 
     Campaign campaign;
-    std::vector<LeafEntry> leaves;  //!< lowest first
-    BoundsEntry bounds;
+    std::vector<TraitEntry> traits;
+    std::vector<BoundsEntry> bounds;  //!< of all rules
+    //! Which bounds are chosen: a rule, "traits" for their own ranges, or, if
+    //! it is empty, own_bounds.
+    std::string rule = "traits";
+    std::vector<Range> own_bounds;    //!< of each trait
+    std::vector<std::string> organs;  //!< that plants have besides leaves
+    bool is_crop_known = true;        //!< no file is missing
 };
 
-//! The bounds of a leaf with these baseline traits.
-LeafBounds leaf_bounds(const BoundsEntry& bounds, const LeafTraits& traits);
+//! The names that campaigns may choose bounds by.
+std::vector<std::string> rule_names(const Draft& draft);
+
+//! What the trait acts on, and how, from the list that has any measure.
+Trait complete(const TraitEntry& entry);
+
+//! The bounds of one number of a trait.
+//! @param baseline its value in the baseline
+Range bounds_of(const Draft& draft, std::size_t trait, double baseline);
 
 }  // namespace ideotype

@@ -28,6 +28,17 @@ std::size_t offset(const std::string& text, const Location& where) {
     return at;
 }
 
+//! The new name after the entry that goes with it, on a line of its own if the
+//! old name begins one.
+std::string with_company(const std::string& text, std::size_t at,
+                         const OldName& name) {
+    if (name.also.empty()) return name.is;
+    const std::size_t line = text.rfind('\n', at) + 1;
+    const std::string before = text.substr(line, at - line);
+    const bool is_first = before.find_first_not_of(" \t") == before.npos;
+    return name.also + (is_first ? "\n" + before : ", ") + name.is;
+}
+
 //! Whether the old name stands there as it is, perhaps quoted, and has been
 //! replaced.
 bool replace(std::string& text, const OldName& name) {
@@ -37,7 +48,11 @@ bool replace(std::string& text, const OldName& name) {
         "abcdefghijklmnopqrstuvwxyz_", std::min(at, text.size()));
     if (at == std::string::npos || text.substr(at, end - at) != name.was)
         return false;
-    text.replace(at, name.was.size(), name.is);
+    if (!name.value.empty()) {
+        const std::size_t value = text.find_first_of("tf", end);
+        text.replace(value, text[value] == 't' ? 4 : 5, name.value);
+    }
+    text.replace(at, name.was.size(), with_company(text, at, name));
     return true;
 }
 

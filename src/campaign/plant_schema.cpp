@@ -1,120 +1,246 @@
+#include "ideotype/crop/measures.hpp"
 #include "schema.hpp"
 
 namespace ideotype {
 
 namespace {
 
-// Wide enough for any crop plant; the campaign's bounds are narrower.
-
-template <class Value>
-Key length(Value& value, const std::string& example,
-           const std::string& meaning) {
-    return Key("length", &value, meaning).metres(0.01, 3).required(example);
+template <class Part>
+Key measure_key(const Measure<Part>& measure, Part& part) {
+    const auto& [least, most] = measure.limits;
+    Key key(measure.name, &(part.*measure.value), measure.meaning);
+    const std::string unit = measure.unit;
+    if (unit == "m") return key.metres(least, most);
+    return key.within(least, most, unit == "1" ? "" : unit);
 }
 
-template <class Value>
-Key width(Value& value, const std::string& example,
-          const std::string& meaning) {
-    return Key("width", &value, meaning).metres(0.001, 0.5).required(example);
+template <class Part, std::size_t count>
+std::vector<Key> measure_keys(const std::array<Measure<Part>, count>& measures,
+                              Part& part) {
+    std::vector<Key> keys;
+    for (const Measure<Part>& each : measures)
+        keys.push_back(measure_key(each, part));
+    return keys;
 }
 
-template <class Value>
-Key insertion_angle(Value& value, const std::string& example,
-                    const std::string& meaning) {
-    return Key("insertion_angle", &value, meaning)
-        .within(0, 90, "deg")
-        .required(example);
+Key presence(bool& value) {
+    return Key("present", &value, "whether plants have it");
 }
 
-Section stalk_section(StalkForm& stalk) {
-    return {"stalk",
-            {Key("height", &stalk.height, "above the soil").metres(0.05, 6),
-             Key("diameter", &stalk.diameter, "the same at all heights")
-                 .metres(0.001, 0.2)}};
+Section stalk_section(Stalk& stalk) {
+    Section section{"stalk", measure_keys(stalk_measures, stalk)};
+    section.keys.insert(section.keys.begin(), presence(stalk.is_present));
+    section.keys.push_back(Key("leaf_base", choice(stalk.leaf_base),
+                               "where the midribs of leaves begin")
+                               .one_of({"surface", "axis"}));
+    return section;
 }
 
-Section blade_section(BladeForm& blade) {
-    return {"blade",
-            {Key("folding_angle", &blade.folding_angle,
-                 "rise of each half from flat: the V of the blade")
-                 .within(0, 80, "deg"),
-             Key("curvature_exponent", &blade.curvature_exponent,
-                 "angle at arc length s is insertion_angle + curvature "
-                 "s^exponent")
-                 .within(0.1, 10),
-             Key("width_controls", &blade.width_controls,
-                 "width from base to tip: control values of a cubic B-spline "
-                 "with knots at 1/3 and 2/3, scaled to a maximum of 1")
-                 .within(0, 2)
-                 .set(&Key::count, 6)}};
+Section sheath_section(Sheath& sheath) {
+    Section section{"sheath", measure_keys(sheath_measures, sheath)};
+    section.keys.insert(section.keys.begin(), presence(sheath.is_present));
+    return section;
 }
 
-Section leaf_section(LeafEntry& leaf) {
-    return {"leaf",
-            {length(leaf.traits.length, "0.651", "arc length of the midrib"),
-             width(leaf.traits.width, "0.073", "largest width of the blade"),
-             insertion_angle(leaf.traits.insertion_angle, "34",
-                             "of the base from the stem; 90 is horizontal"),
-             Key("curvature", &leaf.form.curvature,
-                 "how much further the tip bends down")
-                 .within(0, 180, "deg")
-                 .required("90"),
-             Key("azimuth", &leaf.traits.azimuth,
-                 "about the stem; 0 is along the row")
-                 .within(0, 360, "deg")
-                 .required("90"),
-             Key("insertion_height", &leaf.form.insertion_height,
-                 "above the soil, at most the stalk's height")
-                 .metres(0, 6)
-                 .required("0.09")}};
+Section blade_section(Blade& blade) {
+    Section section{"blade", measure_keys(blade_measures, blade)};
+    section.keys.push_back(
+        Key("width_controls", &blade.width_controls,
+            "width from base to tip: control values of a cubic B-spline "
+            "with knots at 1/3 and 2/3, scaled to a maximum of 1")
+            .within(0, 2)
+            .set(&Key::count, 6));
+    return section;
 }
 
-}  // namespace
+//! Of an organ that is no leaf.
+Choice tissue_choice(Tissue& tissue) {
+    return {&tissue,
+            [](const void* from) {
+                return static_cast<std::size_t>(
+                    *static_cast<const Tissue*>(from) == Tissue::sheath);
+            },
+            [](void* to, std::size_t position) {
+                *static_cast<Tissue*>(to) =
+                    position == 0 ? Tissue::stalk : Tissue::sheath;
+            }};
+}
+
+Section organ_section(Organ& organ) {
+    Section section{
+        "organ",
+        {Key("name", &organ.name, "of the organ")
+             .set(&Key::range, name_range)
+             .required("\"ear\""),
+         presence(organ.is_present),
+         Key("tissue", tissue_choice(organ.tissue),
+             "whose optics its surface has")
+             .one_of({"stalk", "sheath"}),
+         Key("leaf", &organ.leaf,
+             "rank of the leaf at whose insertion it is; 0: the stalk's top")
+             .within(0, most_leaves),
+         Key("count", &organ.count, "of such cones, evenly around the stalk")
+             .within(1, 100),
+         Key("sides", &organ.sides, "faces around each").within(3, 24)}};
+    for (Key& key : measure_keys(organ_measures, organ)) {
+        if (key.name == "length") key.required("0.3");
+        if (key.name == "base_diameter") key.required("0.01");
+        section.keys.push_back(key);
+    }
+    return section;
+}
+
+Section leaf_section(Leaf& leaf) {
+    Section section{"leaf", measure_keys(leaf_measures, leaf)};
+    const auto examples = {"0.651", "0.073", "34", "90", "90", "0.09"};
+    auto example = examples.begin();
+    for (Key& key : section.keys) key.required(*example++);
+    return section;
+}
+
+Key acts(const std::string& name, std::vector<std::string>& measures,
+         const std::string& meaning) {
+    return Key(name, &measures, meaning)
+        .set(&Key::range, "measures of the plant")
+        .like("[\"leaf.length\"]");
+}
+
+Section trait_section(TraitEntry& entry) {
+    Trait& trait = entry.trait;
+    return {"trait",
+            {Key("name", &trait.name, "of the trait")
+                 .set(&Key::range, name_range)
+                 .required("\"length\""),
+             Key("per", choice(trait.numbers),
+                 "whether each leaf has a number, the whole plant has one, or "
+                 "the points of a smooth curve over leaf position have")
+                 .one_of({"leaf", "plant", "profile"}),
+             Key("points", &trait.points,
+                 "of a profile, at equal distances from the lowest leaf to the "
+                 "highest")
+                 .within(1, 10),
+             acts("sets", entry.sets, "the measure that is the number"),
+             acts("scales", entry.scales,
+                  "the measures of the baseline that the number multiplies"),
+             acts("shifts", entry.shifts,
+                  "the measures of the baseline that the number is added to"),
+             Key("unit", &trait.unit,
+                 "of the number: that of the measures, \"1\" of a factor")
+                 .one_of({"m", "deg", "1"})
+                 .required("\"m\""),
+             Key("range", &trait.range, "in which it may be bred")
+                 .within(-1000, 1000)
+                 .required("[0.4, 1.1]"),
+             Key("circular", &trait.is_circular,
+                 "whether both ends of the range are the same direction"),
+             Key("bred", &trait.is_bred,
+                 "whether campaigns that name no trait set breed it")}};
+}
+
+Section bounds_entry_section(BoundsEntry& bounds) {
+    return {"bounds",
+            {Key("name", &bounds.rule, "that campaigns choose the bounds by")
+                 .set(&Key::range, name_range)
+                 .required("\"paper\""),
+             Key("trait", &bounds.trait, "that the bounds are of")
+                 .set(&Key::range, name_range)
+                 .required("\"length\""),
+             Key("range", &bounds.range, "in which it may be bred")
+                 .within(-1000, 1000)
+                 .required("[0.4, 1.1]"),
+             Key("change", &bounds.change,
+                 "largest change of the baseline's value, relative to it; 0: "
+                 "any")
+                 .within(0, 100)}};
+}
+
+Key own_bounds_key(const Trait& trait, Range& range, Plant& plant) {
+    Key key(trait.name, &range, "of each of its numbers");
+    key.like("[0.4, 1.1]");
+    if (trait.effect != TraitEffect::sets || trait.measures.empty())
+        return key.within(-1000, 1000);
+    const auto measure = find_measure(plant, trait.measures[0]);
+    if (!measure) return key.within(-1000, 1000);
+    const auto& [least, most] = measure->limits;
+    return measure->unit == "m" ? key.metres(least, most)
+                                : key.within(least, most, measure->unit);
+}
+
+//! A key for each trait.
+Table own_bounds_table(Draft& draft) {
+    Section section{"plant.bounds", {}};
+    for (std::size_t t = 0; t < draft.traits.size(); ++t)
+        section.keys.push_back(own_bounds_key(complete(draft.traits[t]),
+                                              draft.own_bounds.at(t),
+                                              draft.campaign.crop.baseline));
+    Table table = one_table(section);
+    table.name = "bounds";
+    return table;
+}
 
 Section plant_section(Draft& draft) {
     Campaign& campaign = draft.campaign;
     return {"plant",
             {Key("baseline", {},
-                 "plant file, relative to the campaign file; or its content "
+                 "crop file, relative to the campaign file; or its content "
                  "as [plant.baseline]")
                  .set(&Key::type, "path or table")
                  .set(&Key::range, "-")
-                 .required("\"plants/b73.toml\""),
-             Key("bounds",
-                 draft.bounds.rule.empty() ? Target{} : &draft.bounds.rule,
-                 "a rule, or its own values as [plant.bounds]")
+                 .required("\"crops/mine.toml\""),
+             Key("bounds", draft.rule.empty() ? Target{} : &draft.rule,
+                 "a rule of the crop file, \"traits\" for the ranges of its "
+                 "traits, or own values as [plant.bounds]")
                  .set(&Key::type, "text or table")
-                 .one_of({"paper", "biological"}),
-             Key("stalk", &campaign.plant.stalk.is_present,
-                 "whether plants have stalks"),
+                 .set(&Key::initial, "\"traits\"")
+                 .one_of(rule_names(draft)),
+             Key("organs", &draft.organs, "that plants have besides leaves")
+                 .set(&Key::range,
+                      "of \"stalk\", \"sheath\" and the crop "
+                      "file's [[organ]] tables")
+                 .set(&Key::initial, "those that the crop file has present")
+                 .one_of(all_organs(draft.campaign.crop.baseline)),
              Key("cells_along", &campaign.tessellation.cells_along,
                  "faces along a leaf; there are two across")
                  .within(4, 200),
              Key("stalk_sides", &campaign.tessellation.stalk_sides,
-                 "faces around a stalk")
+                 "faces around stalks and sheaths")
                  .within(3, 100)}};
 }
 
-Section bounds_section(LeafBounds& bounds) {
-    return {
-        "plant.bounds",
-        {length(bounds.length, "[0.4, 1.1]", "of every leaf"),
-         width(bounds.width, "[0.05, 0.14]", "of every leaf"),
-         insertion_angle(bounds.insertion_angle, "[10, 80]", "of every leaf")}};
+}  // namespace
+
+Table plant_table(Draft& draft) {
+    Table table = one_table(plant_section(draft));
+    if (draft.rule.empty()) table.children = {own_bounds_table(draft)};
+    return table;
 }
 
-Section plant_file_section(PlantForm& plant) {
-    return {"plant file",
+std::vector<std::string> all_organs(const Plant& plant) {
+    std::vector<std::string> names{"stalk", "sheath"};
+    for (const Organ& organ : plant.organs) names.push_back(organ.name);
+    return names;
+}
+
+Section plant_file_section(Plant& plant) {
+    return {"crop file",
             {Key("name", &plant.name, "of the plant")
                  .set(&Key::range, name_range)
                  .required("\"b73\"")}};
 }
 
 std::vector<Table> plant_tables(Draft& draft) {
-    PlantForm& plant = draft.campaign.plant;
+    Plant& plant = draft.campaign.crop.baseline;
+    Table organs = list_of_tables<Organ>("organ", organ_section, plant.organs);
+    Table bounds = list_of_tables<BoundsEntry>("bounds", bounds_entry_section,
+                                               draft.bounds);
+    organs.is_optional = bounds.is_optional = true;
     return {one_table(stalk_section(plant.stalk)),
+            one_table(sheath_section(plant.sheath)),
             one_table(blade_section(plant.blade)),
-            list_of_tables("leaf", leaf_section, draft.leaves)};
+            list_of_tables<Leaf>("leaf", leaf_section, plant.leaves),
+            organs,
+            list_of_tables<TraitEntry>("trait", trait_section, draft.traits),
+            bounds};
 }
 
 }  // namespace ideotype

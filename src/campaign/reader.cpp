@@ -74,14 +74,17 @@ class DraftReader {
 
     void read(const toml::table& top) {
         Campaign& campaign = draft_.campaign;
-        const toml::table* bounds = top["plant"]["bounds"].as_table();
-        if (bounds) draft_.bounds.rule.clear();
+        // Other tables name traits and organs of the crop.
+        draft_.is_crop_known = false;
+        if (const auto baseline = top["plant"]["baseline"])
+            read_baseline(top, *baseline.node());
+        prepare();
+        if (top["plant"]["bounds"].is_table()) draft_.rule.clear();
         const std::vector<Table> tables = campaign_tables(draft_);
         tables_.read(top, top_section(campaign), tables);
         for (const Table& table : tables) tables_.read(top, table);
-        if (bounds) tables_.read(*bounds, bounds_section(draft_.bounds.table));
-        if (const auto baseline = top["plant"]["baseline"])
-            read_baseline(top, *baseline.node());
+        choose_organs();
+        for (auto& [name, free] : campaign.trait_sets) sort_traits(free);
         // A number of paths alone means all of them.
         if (top["light"]["paths"] && !top["light"]["tolerance"])
             campaign.sampling.tolerance = 0;
@@ -98,6 +101,42 @@ class DraftReader {
     void read_plant(const toml::table& table) { read_plant(table, tables_); }
 
   private:
+    //! What follows from the crop, before the rest of a campaign is read.
+    void prepare() {
+        Campaign& campaign = draft_.campaign;
+        for (const TraitEntry& entry : draft_.traits) {
+            const Trait& trait = entry.trait;
+            draft_.own_bounds.push_back(trait.range);
+            campaign.constraints.traits.push_back({trait.name});
+            if (trait.is_bred)
+                campaign.trait_sets[0].value.push_back(trait.name);
+        }
+        draft_.organs = organ_names(campaign.crop.baseline);
+    }
+
+    void choose_organs() {
+        Plant& plant = draft_.campaign.crop.baseline;
+        for (const std::string& name : all_organs(plant))
+            set_present(plant, name,
+                        std::find(draft_.organs.begin(), draft_.organs.end(),
+                                  name) != draft_.organs.end());
+        draft_.organs = organ_names(plant);
+    }
+
+    //! In the order of the crop file: that of a set is of no account.
+    void sort_traits(TraitSet& free) const {
+        const auto place = [this](const std::string& name) {
+            return std::find_if(draft_.traits.begin(), draft_.traits.end(),
+                                [&](const TraitEntry& entry) {
+                                    return entry.trait.name == name;
+                                });
+        };
+        std::sort(free.begin(), free.end(),
+                  [&](const std::string& a, const std::string& b) {
+                      return place(a) < place(b);
+                  });
+    }
+
     void read_baseline(const toml::table& top, const toml::node& baseline) {
         if (const toml::table* table = baseline.as_table())
             return read_plant(*table, tables_);
@@ -110,7 +149,7 @@ class DraftReader {
                             is_path ? "the plant itself" : "path or table",
                             is_path ? "it as [plant.baseline]"
                                     : "for example baseline = "
-                                      "\"plants/b73.toml\""));
+                                      "\"crops/mine.toml\""));
         read_plant_file(plant_path(top, file_), tables_.where(baseline));
     }
 
@@ -132,14 +171,18 @@ class DraftReader {
     }
 
     void read_plant(const toml::table& table, TableReader& tables) {
+        // The bounds of the usual traits are not those of others.
+        if (table.contains("trait")) draft_.bounds.clear();
+        Plant& plant = draft_.campaign.crop.baseline;
         const std::vector<Table> parts = plant_tables(draft_);
-        tables.read(table, plant_file_section(draft_.campaign.plant), parts);
+        tables.read(table, plant_file_section(plant), parts);
         for (const Table& part : parts) tables.read(table, part);
-        if (draft_.leaves.size() > most_leaves)
-            report_.add(&draft_.leaves[most_leaves],
+        if (plant.leaves.size() > most_leaves)
+            report_.add(&plant.leaves[most_leaves],
                         fmt::format("the plant has {} leaves (the limit is "
                                     "{}); remove some",
-                                    draft_.leaves.size(), most_leaves));
+                                    plant.leaves.size(), most_leaves));
+        draft_.is_crop_known = true;
     }
 
     const std::string& file_;
@@ -156,7 +199,7 @@ void read_draft(const std::string& text, const std::string& file,
     const auto table = parse(text, file, report);
     if (table && is_plant(*table))
         report.add(Location{file, 1, 1},
-                   "this is a plant file (it has leaves, but no site to "
+                   "this is a crop file (it has leaves, but no site to "
                    "light them); give a campaign, or evaluate the plant in "
                    "one: ideotype evaluate PLANT --under CAMPAIGN");
     else if (table)

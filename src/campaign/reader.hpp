@@ -16,17 +16,17 @@ enum class PlantSource {
     table,          //!< as in resolved campaigns, which stand alone
 };
 
-//! Reads the text of a campaign, and the plant file that it names, into a
+//! Reads the text of a campaign, and the crop file that it names, into a
 //! draft: everything but the checks of values against each other.
 void read_draft(const std::string& text, const std::string& file,
                 PlantSource source, Draft& draft, Report& report);
 
-//! Reads the text of a plant file into a draft, in which all else stays as it
+//! Reads the text of a crop file into a draft, in which all else stays as it
 //! is. Returns false if it is the text of something else.
 bool read_plant_draft(const std::string& text, const std::string& file,
                       Draft& draft, Report& report);
 
-//! The plant file that a campaign names, as seen from here; "" if none.
+//! The crop file that a campaign names, as seen from here; "" if none.
 std::string plant_path(const toml::table& campaign, const std::string& file);
 
 //! The whole content of a file; nothing if it cannot be read.

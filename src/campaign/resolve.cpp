@@ -8,26 +8,35 @@ namespace ideotype {
 
 namespace {
 
+//! Whether it is a list of nothing that need not be there.
+bool is_empty(const Key& key) {
+    const auto* texts = std::get_if<std::vector<std::string>*>(&key.value);
+    return texts && (*texts)->empty() && key.initial.empty();
+}
+
 //! Appends the keys of a section; values with a form of their own have
 //! their own tables.
 void append_keys(std::string& text, const Section& section) {
     for (const Key& key : section.keys)
-        if (address(key.value))
+        if (address(key.value) && !is_empty(key))
             text += fmt::format("{} = {}\n", key.name, toml_text(key));
 }
 
 //! A table under the name that its file's tables begin with.
 void append_table(std::string& text, const std::string& prefix,
                   const Table& table) {
+    if (table.is_default) return;
     for (std::size_t i = 0; i < table.size(); ++i) {
         const std::string name = prefix + table.name;
         text += table.resize ? "\n[[" + name + "]]\n" : "\n[" + name + "]\n";
         append_keys(text, table.section(i));
     }
+    for (const Table& child : table.children)
+        append_table(text, prefix + table.name + '.', child);
 }
 
 void append_plant(std::string& text, const std::string& prefix, Draft& draft) {
-    append_keys(text, plant_file_section(draft.campaign.plant));
+    append_keys(text, plant_file_section(draft.campaign.crop.baseline));
     for (const Table& table : plant_tables(draft))
         append_table(text, prefix, table);
 }
@@ -40,9 +49,6 @@ std::string resolved_text(Draft& draft) {
     for (const Table& table : campaign_tables(draft)) {
         append_table(text, "", table);
         if (table.name != "plant") continue;
-        if (draft.bounds.rule.empty())
-            append_table(text, "",
-                         one_table(bounds_section(draft.bounds.table)));
         text += "\n[plant.baseline]\n";
         append_plant(text, "plant.baseline.", draft);
     }

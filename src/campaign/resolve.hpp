@@ -10,7 +10,7 @@ namespace ideotype {
 //! arrays of tables, the plant inlined.
 std::string resolved_text(Draft& draft);
 
-//! A plant file: the plant of a draft alone.
+//! A crop file: the plant of a draft alone.
 std::string resolved_plant_text(Draft& draft);
 
 }  // namespace ideotype

@@ -24,15 +24,6 @@ Key randomisations(Accuracy& accuracy) {
         .within(2, 1024);
 }
 
-//! The largest difference between neighbouring leaves.
-Key step(const std::string& name, double& value, double most,
-         const std::string& unit, const std::string& trait) {
-    return Key(name, &value,
-               "largest difference of " + trait +
-                   " between neighbouring leaves; 0: any")
-        .within(0, most, unit);
-}
-
 Key duration(const std::string& name, double& value, double least,
              const std::string& example, const std::string& meaning) {
     return Key(name, &value, meaning)
@@ -72,18 +63,38 @@ Section objective_section(Campaign& campaign) {
                  .one_of({"absorbed_par", "absorbed_par_per_leaf_area"})}};
 }
 
-Section constraints_section(Constraints& constraints) {
-    return {"constraints",
-            {Key("lai", &constraints.lai,
-                 "leaf area over ground area; a narrow range fixes it")
-                 .within(0, 1000, "m2 m-2")
-                 .like("[3.4, 3.5]"),
-             step("length_step", constraints.length_step, 3, "m", "length"),
-             step("width_step", constraints.width_step, 0.5, "m", "width"),
-             step("insertion_angle_step", constraints.insertion_angle_step, 90,
-                  "deg", "insertion angle"),
-             Key("erect_top", &constraints.erect_top,
-                 "whether no leaf may be flatter than the one below it")}};
+namespace {
+
+Table constraint_table(TraitConstraint& limit) {
+    const Section section{
+        "constraints." + limit.trait,
+        {Key("step", &limit.step, "largest between neighbouring leaves; 0: any")
+             .within(0, 360),
+         Key("total", &limit.total, "of all leaves").within(0, 1e9),
+         Key("falling", &limit.is_falling,
+             "whether no leaf may have more than the one below it"),
+         Key("distichous", &limit.distichous,
+             "of azimuths: leaves alternate between the two sides of one "
+             "plane, none further from it than this; 0: any")
+             .within(0, 90, "deg")}};
+    Table table = one_table(section);
+    table.name = limit.trait;
+    table.is_default = !constrains(limit);
+    return table;
+}
+
+}  // namespace
+
+Table constraints_table(Constraints& constraints) {
+    Table table =
+        one_table({"constraints",
+                   {Key("lai", &constraints.lai,
+                        "leaf area over ground area; a narrow range fixes it")
+                        .within(0, 1000, "m2 m-2")
+                        .like("[3.4, 3.5]")}});
+    for (TraitConstraint& limit : constraints.traits)
+        table.children.push_back(constraint_table(limit));
+    return table;
 }
 
 Section search_section(SearchSettings& search) {

@@ -82,14 +82,18 @@ Section spacing_section(Named<Spacing>& spacing) {
                  .within(0, 360, "deg")}};
 }
 
-Section traits_section(Named<TraitSet>& traits) {
-    return {
-        "traits",
-        {entry_name(traits.name, "", R"("angles")"),
-         Key("free", &traits.value,
-             "what may be bred; the rest keeps the baseline's values")
-             .set(&Key::range, "any of length, width, insertion_angle, azimuth")
-             .required(R"(["insertion_angle", "azimuth"])")}};
+Section traits_section(const Draft& draft, Named<TraitSet>& traits) {
+    std::vector<std::string> known;
+    if (draft.is_crop_known)
+        for (const TraitEntry& each : draft.traits)
+            known.push_back(each.trait.name);
+    return {"traits",
+            {entry_name(traits.name, "", R"("angles")"),
+             Key("free", &traits.value,
+                 "what may be bred; the rest keeps the baseline's values")
+                 .set(&Key::range, "traits of the crop file")
+                 .one_of(known)
+                 .required(R"(["insertion_angle", "azimuth"])")}};
 }
 
 Section field_section(FieldForm& field) {
@@ -120,6 +124,10 @@ Section optics_section(Campaign& campaign) {
                       "of the stalk's surface"),
              fraction("stalk_transmittance", optics.stalk.transmittance,
                       "reflectance + transmittance <= 1"),
+             fraction("sheath_reflectance", optics.sheath.reflectance,
+                      "of the surface of sheaths"),
+             fraction("sheath_transmittance", optics.sheath.transmittance,
+                      "reflectance + transmittance <= 1"),
              fraction("soil_albedo", optics.soil_albedo,
                       "light that the soil sends back"),
              Key("par_fraction", &campaign.par_fraction,
@@ -144,16 +152,22 @@ Section top_section(Campaign& campaign) {
 
 std::vector<Table> campaign_tables(Draft& draft) {
     Campaign& campaign = draft.campaign;
-    return {list_of_tables("site", site_section, campaign.sites),
-            list_of_tables("day", day_section, campaign.days),
-            list_of_tables("spacing", spacing_section, campaign.spacings),
-            list_of_tables("traits", traits_section, campaign.trait_sets),
+    return {list_of_tables<Site>("site", site_section, campaign.sites),
+            list_of_tables<Named<DaySpan>>("day", day_section, campaign.days),
+            list_of_tables<Named<Spacing>>("spacing", spacing_section,
+                                           campaign.spacings),
+            list_of_tables<Named<TraitSet>>(
+                "traits",
+                [&draft](Named<TraitSet>& traits) {
+                    return traits_section(draft, traits);
+                },
+                campaign.trait_sets),
             one_table(field_section(campaign.field)),
-            one_table(plant_section(draft)),
+            plant_table(draft),
             one_table(optics_section(campaign)),
             one_table(light_section(campaign)),
             one_table(objective_section(campaign)),
-            one_table(constraints_section(campaign.constraints)),
+            constraints_table(campaign.constraints),
             one_table(search_section(campaign.search)),
             one_table(stop_section(campaign.stop)),
             one_table(final_section(campaign.final_rule)),

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -33,9 +32,10 @@ Choice choice(Enum& value) {
 
 //! Where the value of a key is kept, which also fixes its type. None: the
 //! value has a form of its own and is read and written by hand.
-using Target = std::variant<std::monostate, std::string*, std::uint64_t*, int*,
-                            long long*, double*, bool*, Date*, Range*,
-                            std::vector<double>*, TraitSet*, Choice>;
+using Target =
+    std::variant<std::monostate, std::string*, std::uint64_t*, int*, long long*,
+                 double*, bool*, Date*, Range*, std::vector<double>*,
+                 std::vector<std::string>*, Choice>;
 
 //! The address behind a target, which identifies the value in a Report.
 const void* address(const Target& target);
@@ -98,7 +98,7 @@ struct Key {
     double lower = 0;
     double upper = 0;       //!< of numbers; lower == upper: none
     std::size_t count = 0;  //!< of the numbers of a list
-    //! Of a text, none: any name.
+    //! Of texts, none: any name.
     std::vector<std::string> choices;
     std::string example;  //!< as TOML, shown in messages
     //! Words for the documentation that can't be had from the above.
@@ -124,6 +124,9 @@ struct Table {
     //! Makes all entries again: values are known by their addresses from then
     //! on. None if there is one entry.
     std::function<void(std::size_t)> resize;
+    std::vector<Table> children{};  //!< tables in it, if there is one entry
+    bool is_default = false;        //!< nothing of it needs to be written
+    bool is_optional = false;       //!< there may be no entry
 };
 
 inline Table one_table(const Section& section) {
@@ -132,7 +135,8 @@ inline Table one_table(const Section& section) {
 }
 
 template <class Record>
-Table list_of_tables(const std::string& name, Section (*section_of)(Record&),
+Table list_of_tables(const std::string& name,
+                     const std::function<Section(Record&)>& section_of,
                      std::vector<Record>& records) {
     return {name,
             [&records, section_of](std::size_t i) {
@@ -148,36 +152,27 @@ Section top_section(Campaign& campaign);
 //! All tables of a campaign in the order of its resolved text.
 std::vector<Table> campaign_tables(Draft& draft);
 
-Section bounds_section(LeafBounds& bounds);
+//! The keys of a crop file, or of [plant.baseline], before the first table.
+Section plant_file_section(Plant& plant);
 
-//! The keys of a plant file, or of [plant.baseline], before the first table.
-Section plant_file_section(PlantForm& plant);
+//! The names of all organs besides leaves that plants may have.
+std::vector<std::string> all_organs(const Plant& plant);
 
-//! All tables of a plant file.
+//! All tables of a crop file.
 std::vector<Table> plant_tables(Draft& draft);
 
 // Those of run_schema.cpp and plant_schema.cpp.
-Section plant_section(Draft& draft);
+Table plant_table(Draft& draft);
 Section light_section(Campaign& campaign);
 Section objective_section(Campaign& campaign);
-Section constraints_section(Constraints& constraints);
+//! With a table for each trait that there are constraints of.
+Table constraints_table(Constraints& constraints);
 Section search_section(SearchSettings& search);
 Section stop_section(StopRules& stop);
 Section final_section(FinalRule& rule);
 Section parallel_section(AnswerLimits& limits);
 
 inline constexpr std::size_t most_leaves = 40;
-
-//! Names of the traits as they are written in a campaign.
-struct TraitName {
-    const char* name;
-    bool TraitSet::*member;
-};
-inline constexpr std::array<TraitName, 4> trait_names{
-    {{"length", &TraitSet::length},
-     {"width", &TraitSet::width},
-     {"insertion_angle", &TraitSet::insertion_angle},
-     {"azimuth", &TraitSet::azimuth}}};
 
 //! The value of a key as canonical TOML: shortest text that reads back to
 //! the same value.

@@ -15,13 +15,15 @@ namespace {
 
 std::string place(const std::string& section) {
     if (section == "top") return "at the top of the file";
-    if (section == "plant file") return "at the top of the plant file";
+    if (section == "crop file") return "at the top of the crop file";
     return "in [" + section + ']';
 }
 
 bool is_of_plant_file(const std::string& section) {
-    return section == "plant file" || section == "stalk" ||
-           section == "blade" || section == "leaf";
+    for (const char* own : {"crop file", "stalk", "sheath", "blade", "leaf",
+                            "organ", "trait", "bounds"})
+        if (section == own) return true;
+    return false;
 }
 
 //! Sections of the same file that have a key of this name.
@@ -82,12 +84,18 @@ void TableReader::read(const toml::table& parent, const Table& table) {
     const auto found =
         node ? entries(*node, table) : std::vector<const toml::table*>{};
     if (node && table.resize) table.resize(found.size());
-    for (std::size_t i = 0; i < found.size(); ++i)
-        read(*found[i], table.section(i));
-    if (!found.empty()) return;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        read(*found[i], table.section(i), table.children);
+        for (const Table& child : table.children) read(*found[i], child);
+    }
+    if (found.empty()) locate(table, where(parent));
+}
+
+void TableReader::locate(const Table& table, const Location& place) {
     for (std::size_t i = 0; i < table.size(); ++i)
         for (const Key& key : table.section(i).keys)
-            report_.locate(address(key.value), where(parent));
+            report_.locate(address(key.value), place);
+    for (const Table& child : table.children) locate(child, place);
 }
 
 std::vector<const toml::table*> TableReader::entries(const toml::node& node,
@@ -118,7 +126,7 @@ std::vector<const toml::table*> TableReader::entries(const toml::node& node,
 void TableReader::report_missing(const toml::table& parent,
                                  const Table& table) {
     // Entries that are there already are the default.
-    if (table.resize && table.size() > 0) return;
+    if (table.is_optional || (table.resize && table.size() > 0)) return;
     if (table.resize) table.resize(1);
     std::vector<std::string> needed;
     for (const Key& key : table.section(0).keys)

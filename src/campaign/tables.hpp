@@ -31,6 +31,8 @@ class TableReader {
   private:
     std::vector<const toml::table*> entries(const toml::node& node,
                                             const Table& table);
+    //! The values of a table that is left out are those of its parent.
+    void locate(const Table& table, const Location& place);
     void report_missing(const toml::table& parent, const Table& table);
     //! Returns the keys that unknown ones seem to have been meant for.
     std::set<std::string> report_unknown(const toml::table& table,

@@ -32,11 +32,9 @@ struct Writer {
     std::string operator()(const std::vector<double>* numbers) const {
         return fmt::format("[{}]", fmt::join(*numbers, ", "));
     }
-    std::string operator()(const TraitSet* set) const {
-        std::vector<std::string> names;
-        for (const auto& [name, member] : trait_names)
-            if (set->*member) names.push_back(fmt::format("\"{}\"", name));
-        return fmt::format("[{}]", fmt::join(names, ", "));
+    std::string operator()(const std::vector<std::string>* texts) const {
+        if (texts->empty()) return "[]";
+        return fmt::format("[\"{}\"]", fmt::join(*texts, "\", \""));
     }
     std::string operator()(const Choice& choice) const {
         return fmt::format("\"{}\"", key.choices[choice.get(choice.value)]);
@@ -64,7 +62,9 @@ struct TypeName {
     std::string operator()(const std::vector<double>*) const {
         return fmt::format("list of {} numbers", key.count);
     }
-    std::string operator()(const TraitSet*) const { return "list of texts"; }
+    std::string operator()(const std::vector<std::string>*) const {
+        return "list of texts";
+    }
     std::string operator()(const Choice&) const { return "text"; }
     template <class Integer>
     std::string operator()(const Integer*) const {
@@ -145,11 +145,18 @@ std::vector<KeyInfo> campaign_keys() {
         add(table.section(0));
     };
     add(top_section(draft.campaign));
+    // One trait stands for all.
+    draft.traits.resize(1);
+    draft.traits[0].trait.name = "TRAIT";
+    draft.traits[0].sets = {};
+    draft.rule.clear();
+    draft.own_bounds = {draft.traits[0].trait.range};
+    draft.campaign.constraints.traits = {{"TRAIT"}};
     for (const Table& table : campaign_tables(draft)) {
         add_table(table);
-        if (table.name == "plant") add(bounds_section(draft.bounds.table));
+        for (const Table& child : table.children) add_table(child);
     }
-    add(plant_file_section(draft.campaign.plant));
+    add(plant_file_section(draft.campaign.crop.baseline));
     for (const Table& table : plant_tables(draft)) add_table(table);
     return keys;
 }

@@ -247,36 +247,35 @@ struct Reader {
         if (const auto found = numbers(key.count)) *value = *found;
     }
 
-    void operator()(TraitSet* value) const {
+    void operator()(std::vector<std::string>* value) const {
         const toml::array* array = node.as_array();
         if (!array) return fail_type(node);
-        TraitSet set{false, false, false, false};
-        for (const toml::node& element : *array) mark(element, set);
-        if (array->empty())
-            fail(fmt::format("is empty (nothing could be bred); name {}",
-                             range_text(key)));
-        *value = set;
+        std::vector<std::string> texts;
+        for (const toml::node& element : *array) add(element, texts);
+        if (array->empty() && key.is_required)
+            fail(
+                fmt::format("is empty (nothing could be bred); name any of "
+                            "{}",
+                            fmt::join(key.choices, ", ")));
+        *value = texts;
     }
 
-    void mark(const toml::node& element, TraitSet& set) const {
+    void add(const toml::node& element, std::vector<std::string>& texts) const {
         const auto text = element.value<std::string>();
         if (!text) return fail_type(element);
-        std::vector<std::string> known;
-        for (const auto& [trait, member] : trait_names) {
-            known.push_back(trait);
-            if (*text != trait) continue;
-            if (set.*member)
-                fail(
-                    fmt::format("has \"{}\" twice (once is enough); remove "
-                                "one",
-                                *text));
-            set.*member = true;
-            return;
-        }
-        const std::string nearest = nearest_name(*text, known);
-        fail(fmt::format("has \"{}\" (not a trait); {}", *text,
+        const auto is_in = [&](const std::vector<std::string>& list) {
+            return std::find(list.begin(), list.end(), *text) != list.end();
+        };
+        if (is_in(texts))
+            return fail(fmt::format(
+                "has \"{}\" twice (once is enough); remove one", *text));
+        texts.push_back(*text);
+        if (key.choices.empty() || is_in(key.choices)) return;
+        const std::string nearest = nearest_name(*text, key.choices);
+        fail(fmt::format("has \"{}\" (not one of {}); {}", *text,
+                         fmt::join(key.choices, ", "),
                          nearest.empty()
-                             ? "use " + range_text(key)
+                             ? "use any of those"
                              : "did you mean \"" + nearest + "\"?"));
     }
 };

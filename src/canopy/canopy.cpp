@@ -51,7 +51,7 @@ class Evaluation {
     //! Fields of plants that are drawn at random, each with its part of the
     //! randomisations.
     void trace(const Plant& plant) {
-        const Mesh mesh = split(build_plant(plant));
+        const Mesh mesh = split(build_plant(plant, request_.tessellation));
         Accuracy accuracy = request_.accuracy;
         Randomness randomness = request_.randomness;
         const bool is_one = randomness.fields == Randomness::Fields::one;

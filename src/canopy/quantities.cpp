@@ -49,6 +49,15 @@ Values by_leaf(const CanopyReport& report) {
     return leaves;
 }
 
+//! All leaves, then each of organ_names() of the plant.
+Values by_organ(const CanopyReport& report) {
+    Values organs{report.light.day.leaves};
+    for (std::size_t g = 0; g < report.groups.size(); ++g)
+        if (report.groups[g].tissue != Tissue::leaf)
+            organs.push_back(report.light.groups[g]);
+    return organs;
+}
+
 Values by_hour(const CanopyReport& report) {
     Values hours;
     for (const StepReport& step : report.light.steps)
@@ -75,7 +84,9 @@ const std::vector<Declaration>& declarations() {
          }},
         {{"absorbed_fraction", "1", "absorbed by leaves over incident PAR"},
          [](const Report& r) { return fraction(r, &BudgetEstimate::leaves); }},
-        {{"stalk_fraction", "1", "absorbed by stalks over incident PAR"},
+        {{"stalk_fraction", "1",
+          "absorbed by stalks, sheaths and all other organs but leaves over "
+          "incident PAR"},
          [](const Report& r) { return fraction(r, &BudgetEstimate::stalks); }},
         {{"soil_fraction", "1", "absorbed by the soil over incident PAR"},
          [](const Report& r) { return fraction(r, &BudgetEstimate::soil); }},
@@ -110,6 +121,11 @@ const std::vector<Declaration>& declarations() {
          }},
         {{"absorbed_by_leaf", daily, "PAR that each leaf absorbs", {"leaf"}},
          [](const Report& r) { return to_mj(by_leaf(r)); }},
+        {{"absorbed_by_organ",
+          daily,
+          "PAR that leaves and each other organ absorb",
+          {"organ"}},
+         [](const Report& r) { return to_mj(by_organ(r)); }},
         {{"absorbed_by_layer",
           daily,
           "PAR that leaves in each layer absorb",
@@ -156,17 +172,21 @@ Axis hour_axis(const Day& day) {
 
 }  // namespace
 
-QuantitySet canopy_quantities(std::size_t leaves, const Layers& layers,
+QuantitySet canopy_quantities(const Plant& plant, const Layers& layers,
                               const Day& day) {
     using Names = std::vector<std::string>;
     QuantitySet set;
-    set.axes = {counted("leaf", "leaf rank, 1 is the lowest", leaves, 1),
-                layer_axis(layers),
-                hour_axis(day),
-                {"light_source", "", "where light came from at last",
-                 Names{"beam", "sky", "scattered"}},
-                {"leaf_side", "", "upper or lower side of leaves",
-                 Names{"adaxial", "abaxial"}}};
+    Names organs = organ_names(plant);
+    organs.insert(organs.begin(), "leaves");
+    set.axes = {
+        counted("leaf", "leaf rank, 1 is the lowest", plant.leaves.size(), 1),
+        {"organ", "", "leaves together, or another organ", std::move(organs)},
+        layer_axis(layers),
+        hour_axis(day),
+        {"light_source", "", "where light came from at last",
+         Names{"beam", "sky", "scattered"}},
+        {"leaf_side", "", "upper or lower side of leaves",
+         Names{"adaxial", "abaxial"}}};
     for (const Declaration& each : declarations())
         set.quantities.push_back(each.quantity);
     return set;

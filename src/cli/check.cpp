@@ -32,7 +32,7 @@ EvaluationCost measure_cost(const Campaign& campaign, const Case& chosen) {
         double least = std::numeric_limits<double>::infinity();
         for (int i = 0; i < times; ++i) {
             const double began = now();
-            evaluator.evaluate(task, to_genome(campaign.baseline));
+            evaluator.evaluate(task, baseline_numbers(campaign.crop));
             least = std::min(least, now() - began);
         }
         return least;
@@ -112,10 +112,10 @@ ExitCode check(const CheckOptions& options) {
     const std::vector<Case> all = cases(campaign);
     require_names_fit(campaign, all, options.out);
     const Case& first = all.front();
-    const Genome baseline = to_genome(campaign.baseline);
+    const Genome baseline = baseline_numbers(campaign.crop);
     const Scenario scenario = scenario_of(campaign, first);
     const Mesh plant =
-        build_plant({campaign.plant, campaign.baseline, campaign.tessellation});
+        build_plant(campaign.crop.baseline, campaign.tessellation);
     const Day& day = scenario.light.day;
     const Field field =
         draw_field(plant, scenario.field, randomness_of({}, first));
@@ -128,7 +128,8 @@ ExitCode check(const CheckOptions& options) {
     fmt::print("campaign  {}, {} case{}\n", campaign.name, all.size(),
                all.size() == 1 ? "" : "s");
     fmt::print("plant     {}, {} leaves, {:.4f} m2 of leaf, {} faces\n",
-               campaign.plant.name, campaign.baseline.size(), leaf_area(plant),
+               campaign.crop.baseline.name,
+               campaign.crop.baseline.leaves.size(), leaf_area(plant),
                plant.faces.size());
     fmt::print(
         "field     {} x {} plants, period {:.4g} x {:.4g} m, LAI {:.2f}"
@@ -142,7 +143,8 @@ ExitCode check(const CheckOptions& options) {
         day.steps.size(), day.incident() / 1e6,
         100 * day.diffuse() / day.incident());
     fmt::print("{}", sky_table(campaign));
-    const double excess = violation(campaign.constraints, campaign.baseline,
+    const double excess = violation(campaign.constraints, campaign.crop.traits,
+                                    campaign.crop.baseline,
                                     leaf_area(field.mesh) / field.ground_area);
     if (excess > 0)
         fmt::print(

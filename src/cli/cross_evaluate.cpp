@@ -17,23 +17,21 @@ namespace ideotype {
 
 namespace {
 
-//! A plant and everything about it that is not bred.
 struct NamedPlant {
     std::string name;
-    PlantForm form;
-    Genome genome;
+    Plant plant;
 };
 
 NamedPlant named_plant(const std::string& path) {
     if (!is_history(path)) {
-        const KnownPlant plant = read_plant(path);
-        return {plant.form.name, plant.form, to_genome(plant.traits)};
+        const Plant plant = read_plant(path);
+        return {plant.name, plant};
     }
     RowChoice best;
     best.is_best = true;
     const ChosenRow found = choose_row(path, best);
-    return {found.campaign.name + "/" + found.chosen.name, found.campaign.plant,
-            found.row.candidate.genome};
+    return {found.campaign.name + "/" + found.chosen.name,
+            grow(found.campaign.crop, found.row.candidate.genome)};
 }
 
 //! The name of a case without its replicate.
@@ -86,16 +84,18 @@ class CrossEvaluator : public Evaluator {
         return cross_.schema;
     }
 
-    Outcome evaluate(const Task& task, const Genome& genome) override {
+    //! All ranks have the plants: no genome is needed.
+    Outcome evaluate(const Task& task, const Genome&) override {
         const Column& column = cross_.columns.at(task.generation);
         Task shared;  // all plants of a case share their random numbers
         shared.case_index = task.case_index;
         shared.is_final = true;
-        CanopyRequest request = request_of(shared, cross_.under, column.chosen,
-                                           column.scenario, genome);
-        std::get<Plant>(request.stand).form = cross_.plants.at(task.slot).form;
-        Outcome outcome = to_outcome(cross_.under, genome,
-                                     ideotype::evaluate(request, device_));
+        const Plant& plant = cross_.plants.at(task.slot).plant;
+        Outcome outcome = to_outcome(
+            cross_.under, plant,
+            ideotype::evaluate(request_of(shared, cross_.under, column.chosen,
+                                          column.scenario, plant),
+                               device_));
         outcome.quantities.clear();
         return outcome;
     }
@@ -180,7 +180,7 @@ class Matrix : public Director {
             task.generation = static_cast<std::uint32_t>(c);
             task.slot = static_cast<std::uint32_t>(p);
             task.is_final = true;
-            work.push_back({task, cross_.plants[p].genome});
+            work.push_back({task, {}});
         }
         co_await dispatcher_->evaluate(
             std::move(work), [this](const Work& done, const Outcome& outcome) {

@@ -65,7 +65,7 @@ void declare_evaluate(CLI::App& verb, AnyEvaluate& options) {
     auto* files = verb.add_option("files", cross.plants,
                                   "campaign (.toml: its baseline) or history "
                                   "(.h5); with --under several, "
-                                  "plant files (.toml) too");
+                                  "crop files (.toml) too");
     auto* under = verb.add_option(
         "--under", cross.under,
         "campaign in whose cases all plants are evaluated, the best of each "
@@ -143,7 +143,7 @@ ExitCode export_any(const ExportOptions& options) {
 }
 
 void declare_migrate(CLI::App& verb, std::string& path) {
-    verb.add_option("campaign", path, "campaign or plant file (TOML)")
+    verb.add_option("campaign", path, "campaign or crop file (TOML)")
         ->required();
 }
 
@@ -193,7 +193,7 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
         "file, for campaigns), or all complete generations as CSV",
         declare_export, export_any);
     add("migrate",
-        "give a campaign of an earlier version, and the plant file that it "
+        "give a campaign of an earlier version, and the crop file that it "
         "names, the names of this version; the rest of the text stays",
         declare_migrate, migrate);
     add("verify",

@@ -77,10 +77,13 @@ Study timed_study(CanopyRequest request, const std::string& isa) {
     return {std::move(report), now() - began};
 }
 
+Plant plant_of(const ChosenRow& row) {
+    return grow(row.campaign.crop, row.row.candidate.genome);
+}
+
 CanopyRequest request_of(const ChosenRow& row) {
     return request_of(row.task, row.campaign, row.chosen,
-                      scenario_of(row.campaign, row.chosen),
-                      row.row.candidate.genome);
+                      scenario_of(row.campaign, row.chosen), plant_of(row));
 }
 
 ExitCode evaluate_baseline(const EvaluateOptions& options) {
@@ -96,7 +99,7 @@ ExitCode evaluate_baseline(const EvaluateOptions& options) {
     task.is_final = true;
     const auto [report, seconds] = timed_study(
         request_of(task, campaign, chosen, scenario_of(campaign, chosen),
-                   to_genome(campaign.baseline)),
+                   campaign.crop.baseline),
         Device::supported_isas().back());
     if (options.is_json)
         fmt::print("{}\n", to_text(to_json(report, chosen, seconds)));
@@ -122,7 +125,7 @@ Json to_json(const Task& task, const Row& row) {
 ExitCode repeat_row(const ChosenRow& which, bool is_json) {
     const auto& [campaign, chosen, task, row, schema, isa] = which;
     const auto [report, seconds] = timed_study(request_of(which), isa);
-    const Outcome again = to_outcome(campaign, row.candidate.genome, report);
+    const Outcome again = to_outcome(campaign, plant_of(which), report);
     const bool is_done = row.outcome.status == Status::done;
     const bool agrees = agrees_with(which, again);
     if (is_json) {
@@ -158,7 +161,7 @@ ExitCode evaluate_row_again(const ChosenRow& which, double tolerance,
     const auto [report, seconds] = timed_study(std::move(request), isa);
     const Estimate was = row.outcome.objectives.front();
     const Estimate is =
-        to_outcome(campaign, row.candidate.genome, report).objectives.front();
+        to_outcome(campaign, plant_of(which), report).objectives.front();
     const double deviation = (was.mean - is.mean) / was.standard_error;
     if (is_json) {
         Json json = to_json(report, chosen, seconds);

@@ -68,6 +68,7 @@ Json to_json(const MeshReport& report, const MeshOptions& options) {
     json.update(to_json(report.canopy, span_of(options)));
     json["optics"] = {{"leaf", to_json(options.leaf)},
                       {"stalk", to_json(options.stalk)},
+                      {"sheath", to_json(options.sheath)},
                       {"soil_albedo", options.soil_albedo}};
     json["paths"] = report.canopy.paths;
     json["relative_standard_error"] = relative_error_json(report);

@@ -8,6 +8,7 @@
 #include "ideotype/canopy/canopy.hpp"
 #include "ideotype/cli/choose_row.hpp"
 #include "ideotype/cli/verbs.hpp"
+#include "ideotype/crop/measures.hpp"
 #include "ideotype/run/evaluator.hpp"
 #include "mesh_files.hpp"
 
@@ -15,23 +16,29 @@ namespace ideotype {
 
 namespace {
 
-void write_csv(const std::string& path, const Genome& genome) {
+//! What each leaf measures.
+void write_csv(const std::string& path, const Plant& plant) {
     auto out = fmt::output_file(path);
-    out.print("leaf,length_m,width_m,insertion_angle_deg,azimuth_deg\n");
-    const auto traits = to_traits(genome);
-    for (std::size_t i = 0; i < traits.size(); ++i)
-        out.print("{},{},{},{},{}\n", i + 1, traits[i].length, traits[i].width,
-                  traits[i].insertion_angle, traits[i].azimuth);
+    out.print("leaf");
+    for (const Measure<Leaf>& each : leaf_measures)
+        out.print(",{}_{}", each.name, each.unit);
+    int rank = 0;
+    for (const Leaf& leaf : plant.leaves) {
+        out.print("\n{}", ++rank);
+        for (const Measure<Leaf>& each : leaf_measures)
+            out.print(",{}", leaf.*each.value);
+    }
+    out.print("\n");
 }
 
 //! The plant's name is that of the file, as far as names allow.
-void write_plant_file(const std::string& path, const std::string& title,
-                      PlantForm form, const Genome& genome) {
-    form.name = std::filesystem::path(path).stem().string().substr(0, 64);
-    for (char& c : form.name)
+void write_crop_file(const std::string& path, const std::string& title,
+                     const Campaign& campaign, Plant plant) {
+    plant.name = std::filesystem::path(path).stem().string().substr(0, 64);
+    for (char& c : plant.name)
         if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-') c = '_';
     auto out = fmt::output_file(path);
-    out.print("# {}\n{}", title, plant_text({form, to_traits(genome)}));
+    out.print("# {}\n{}", title, crop_text(campaign, plant));
 }
 
 //! Where the surfaces of a file are, for other ray tracers.
@@ -62,11 +69,11 @@ std::vector<Estimate> light_on_faces(CanopyRequest request, std::size_t faces,
 
 //! The surfaces of a plant or its field, with the light on them or without.
 void write_shape(const ExportOptions& options, const ChosenRow& row,
-                 const std::string& title, bool is_lit) {
-    CanopyRequest request = request_of(row.task, row.campaign, row.chosen,
-                                       scenario_of(row.campaign, row.chosen),
-                                       row.row.candidate.genome);
-    const Mesh plant = build_plant(std::get<Plant>(request.stand));
+                 const std::string& title, bool is_lit, const Plant& grown) {
+    CanopyRequest request =
+        request_of(row.task, row.campaign, row.chosen,
+                   scenario_of(row.campaign, row.chosen), grown);
+    const Mesh plant = build_plant(grown, request.tessellation);
     const Spacing& spacing = request.scenario.field.spacing;
     Shape shape{
         about(title, row.chosen), plant, {}, spacing.row * spacing.plant};
@@ -92,7 +99,7 @@ void write_shape(const ExportOptions& options, const ChosenRow& row,
 ExitCode export_plant(const ExportOptions& options) {
     const ChosenRow row = choose_row(options.path, options.row);
     const auto& [campaign, chosen, task, found, schema, isa] = row;
-    const Genome& genome = found.candidate.genome;
+    const Plant plant = grow(campaign.crop, found.candidate.genome);
     const std::string title = fmt::format(
         "ideotype {} {} slot {}", chosen.name,
         task.is_final ? "final" : fmt::format("generation {}", task.generation),
@@ -109,11 +116,11 @@ ExitCode export_plant(const ExportOptions& options) {
                                 options.to),
                     ExitCode::refused);
     if (extension == ".csv")
-        write_csv(options.to, genome);
+        write_csv(options.to, plant);
     else if (extension == ".toml")
-        write_plant_file(options.to, title, campaign.plant, genome);
+        write_crop_file(options.to, title, campaign, plant);
     else
-        write_shape(options, row, title, extension == ".vtp");
+        write_shape(options, row, title, extension == ".vtp", plant);
     fmt::print("{}\n", options.to);
     return ExitCode::ok;
 }

@@ -21,7 +21,7 @@ Estimate fraction(Estimate part, double incident) {
 bool has_stalks(const CanopyReport& report) {
     return std::any_of(
         report.groups.begin(), report.groups.end(),
-        [](const Group& group) { return group.tissue == Tissue::stalk; });
+        [](const Group& group) { return group.tissue != Tissue::leaf; });
 }
 
 //! The sunlit leaf area of an instant is known only with a sun.

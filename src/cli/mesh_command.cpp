@@ -128,6 +128,14 @@ void add_mesh_options(CLI::App& verb, MeshOptions& options) {
     verb.add_option("--stalk-transmittance", options.stalk.transmittance)
         ->capture_default_str()
         ->needs(mesh);
+    verb.add_option("--sheath-reflectance", options.sheath.reflectance,
+                    "of groups whose names begin with sheath, or with "
+                    "plantN_sheath")
+        ->capture_default_str()
+        ->needs(mesh);
+    verb.add_option("--sheath-transmittance", options.sheath.transmittance)
+        ->capture_default_str()
+        ->needs(mesh);
     verb.add_option("--soil-albedo", options.soil_albedo)
         ->capture_default_str()
         ->needs(mesh);

@@ -110,6 +110,7 @@ void check_surface(const std::string& name, const Lambertian& surface) {
 void check_optics(const MeshOptions& options) {
     check_surface("--leaf", options.leaf);
     check_surface("--stalk", options.stalk);
+    check_surface("--sheath", options.sheath);
     require(is_fraction(options.soil_albedo), "--soil-albedo: from 0 to 1");
 }
 

@@ -114,15 +114,16 @@ Accuracy accuracy_of(const MeshOptions& options) {
 
 CanopyRequest to_request(const MeshOptions& options, Field field) {
     constexpr double north = 0;  // the mesh's y axis
-    return {std::move(field),
-            {{},
-             illuminate(day_of(options),
-                        options.sky.value_or(SkyModel::uniform), north),
-             {options.leaf, options.stalk, options.soil_albedo}},
-            {0, layers},
-            accuracy_of(options),
-            {options.seed},
-            {.sunlit = true}};
+    return {
+        std::move(field),
+        {{},
+         illuminate(day_of(options), options.sky.value_or(SkyModel::uniform),
+                    north),
+         {options.leaf, options.stalk, options.soil_albedo, options.sheath}},
+        {0, layers},
+        accuracy_of(options),
+        {options.seed},
+        {.sunlit = true}};
 }
 
 }  // namespace

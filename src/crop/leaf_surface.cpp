@@ -69,20 +69,19 @@ std::array<glm::dvec2, controls_along> interpolate(
 
 }  // namespace
 
-LeafSurface::LeafSurface(const LeafTraits& traits, const LeafForm& form,
-                         const BladeForm& blade)
-    : traits_(traits), insertion_height_(form.insertion_height) {
+LeafSurface::LeafSurface(const Leaf& leaf, const Blade& blade, double distance)
+    : leaf_(leaf), base_(0, distance, leaf.insertion_height) {
     if (blade.width_controls.size() != controls_along)
         throw Error("a blade needs six width controls");
     const auto angle = [&](double s) {
         return degree *
-               (traits.insertion_angle +
-                form.curvature * std::pow(s, blade.curvature_exponent));
+               (leaf.insertion_angle +
+                leaf.curvature * std::pow(s, blade.curvature_exponent));
     };
 
     // The midrib as the integral of its direction, by Simpson's rule.
     std::array<glm::dvec2, controls_along> midrib;
-    glm::dvec2 end{0, form.insertion_height};
+    glm::dvec2 end{distance, leaf.insertion_height};
     double s = 0;
     midrib[0] = end;
     for (std::size_t i = 1; i < controls_along; ++i) {
@@ -90,7 +89,7 @@ LeafSurface::LeafSurface(const LeafTraits& traits, const LeafForm& form,
         const double h = (greville(i) - greville(i - 1)) / steps;
         for (int step = 0; step < steps; ++step, s += h) {
             const double a = angle(s), b = angle(s + h / 2), c = angle(s + h);
-            end += traits.length * h / 6 *
+            end += leaf.length * h / 6 *
                    glm::dvec2(std::sin(a) + 4 * std::sin(b) + std::sin(c),
                               std::cos(a) + 4 * std::cos(b) + std::cos(c));
         }
@@ -103,7 +102,7 @@ LeafSurface::LeafSurface(const LeafTraits& traits, const LeafForm& form,
     for (std::size_t i = 0; i < controls_along; ++i) {
         const double a = angle(greville(i));
         const glm::dvec3 upper(0, -std::cos(a), std::sin(a));
-        const double half = traits.width / 2 * blade.width_controls[i];
+        const double half = leaf.width / 2 * blade.width_controls[i];
         const glm::dvec3 foot(0, midrib_controls[i].x, midrib_controls[i].y);
         const glm::dvec3 across(half * std::cos(rise), 0, 0);
         const glm::dvec3 up = half * std::sin(rise) * upper;
@@ -133,12 +132,11 @@ std::vector<BladeRow> LeafSurface::tessellate(int cells) const {
         width = std::max(width, glm::distance(midrib, rows.back().left) +
                                     glm::distance(midrib, rows.back().right));
     }
-    const double along = traits_.length / length;
-    const double across = traits_.width / width;
-    const glm::dvec3 base(0, 0, insertion_height_);
+    const double along = leaf_.length / length;
+    const double across = leaf_.width / width;
     for (BladeRow& r : rows) {
         const glm::dvec3 midrib = r.midrib;
-        const glm::dvec3 moved = base + along * (midrib - base);
+        const glm::dvec3 moved = base_ + along * (midrib - base_);
         r.left = moved + across * (r.left - midrib);
         r.right = moved + across * (r.right - midrib);
         r.midrib = moved;

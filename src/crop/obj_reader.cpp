@@ -18,18 +18,19 @@ namespace ideotype {
 
 namespace {
 
-//! Whether a group is named as `export` names stalks: "stalk", or in a field
-//! "plant004_stalk".
-bool is_stalk(std::string_view name) {
+//! What a group is made of that is named as `export` names groups: "stalk...",
+//! "sheath...", or in a field "plant004_stalk...".
+Tissue tissue_of(std::string_view name) {
     constexpr std::string_view plant = "plant";
     if (name.starts_with(plant)) {
         const std::size_t end =
             name.find_first_not_of("0123456789", plant.size());
         if (end == plant.size() || end == name.npos || name[end] != '_')
-            return false;
+            return Tissue::leaf;
         name.remove_prefix(end + 1);
     }
-    return name.starts_with("stalk");
+    if (name.starts_with("stalk")) return Tissue::stalk;
+    return name.starts_with("sheath") ? Tissue::sheath : Tissue::leaf;
 }
 
 //! Collects what the library finds in the statements.
@@ -128,9 +129,7 @@ class ObjBuilder {
         std::vector<Group>& groups = result_.mesh.groups;
         const auto [found, is_new] = index_of_.try_emplace(
             name_, static_cast<std::uint32_t>(groups.size()));
-        if (is_new)
-            groups.push_back(
-                {name_, is_stalk(name_) ? Tissue::stalk : Tissue::leaf});
+        if (is_new) groups.push_back({name_, tissue_of(name_)});
         return found->second;
     }
 

@@ -1,11 +1,11 @@
 #include "ideotype/crop/plant.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
 
-#include "ideotype/core/error.hpp"
 #include "ideotype/core/units.hpp"
 #include "ideotype/crop/leaf_surface.hpp"
 
@@ -13,10 +13,14 @@ namespace ideotype {
 
 namespace {
 
-//! Turned about the stem: an azimuth of 0 points along the row (+y), 90
+//! Turned about the stalk: an azimuth of 0 points along the row (+y), 90
 //! across it (+x).
 glm::dvec3 turned(const glm::dvec3& v, double sine, double cosine) {
     return {v.x * cosine + v.y * sine, v.y * cosine - v.x * sine, v.z};
+}
+
+glm::dvec3 turned(const glm::dvec3& v, double azimuth) {
+    return turned(v, std::sin(azimuth * degree), std::cos(azimuth * degree));
 }
 
 void add_leaf(Mesh& mesh, std::uint32_t group, const LeafSurface& surface,
@@ -36,55 +40,174 @@ void add_leaf(Mesh& mesh, std::uint32_t group, const LeafSurface& surface,
         }
 }
 
-//! A prism whose perimeter times height is the side of the cylinder, closed
-//! by a flat top.
-void add_stalk(Mesh& mesh, std::uint32_t group, const StalkForm& stalk,
-               int sides) {
+//! A circular cone without its tip.
+struct Frustum {
+    glm::dvec3 base, top;                     //!< of its axis [m]
+    double base_radius, top_radius;           //!< [m]
+    glm::dvec3 right{1, 0, 0}, far{0, 1, 0};  //!< across the axis, unit length
+};
+
+//! A prism whose perimeter is that of the circle, closed by a flat top unless
+//! something thicker goes on there.
+void add_frustum(Mesh& mesh, std::uint32_t group, const Frustum& shape,
+                 int sides, bool has_top = true) {
     const auto n = static_cast<std::uint32_t>(sides);
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     const double half_angle = std::numbers::pi / sides;
-    const double radius =
-        stalk.diameter / 2 * half_angle / std::sin(half_angle);
+    const auto stretched = [&](double radius) {
+        return radius * half_angle / std::sin(half_angle);
+    };
     for (std::uint32_t i = 0; i < n; ++i) {
         const double a = 2 * half_angle * i;
-        const double x = radius * std::cos(a), y = radius * std::sin(a);
-        mesh.vertices.push_back({x, y, 0});
-        mesh.vertices.push_back({x, y, stalk.height});
+        const glm::dvec3 out =
+            std::cos(a) * shape.right + std::sin(a) * shape.far;
+        mesh.vertices.push_back(shape.base +
+                                stretched(shape.base_radius) * out);
+        mesh.vertices.push_back(shape.top + stretched(shape.top_radius) * out);
     }
     const auto top = static_cast<std::uint32_t>(mesh.vertices.size());
-    mesh.vertices.push_back({0, 0, stalk.height});
+    if (has_top) mesh.vertices.push_back(shape.top);
     for (std::uint32_t i = 0; i < n; ++i) {
         const std::uint32_t a = first + 2 * i;
         const std::uint32_t b = first + 2 * ((i + 1) % n);
         mesh.faces.push_back({a, b, b + 1, a + 1});
+        mesh.face_group.push_back(group);
+        if (!has_top) continue;
         mesh.faces.push_back({a + 1, b + 1, top, top});
-        mesh.face_group.insert(mesh.face_group.end(), 2, group);
+        mesh.face_group.push_back(group);
     }
 }
 
-std::string leaf_name(std::size_t index) {
-    return fmt::format("leaf{:02}", index + 1);
+//! A part of the stalk's length on which the same surface shows [m].
+struct Section {
+    double lower, upper;
+    bool is_sheath;
+};
+
+//! What shows of the stalk from the soil up.
+std::vector<Section> sections(const Plant& plant) {
+    const auto& [is_present, length, thickness] = plant.sheath;
+    if (!is_present) return {{0, plant.stalk.height, false}};
+    std::vector<Section> all;
+    const auto add = [&](double upper, bool is_sheath) {
+        const double lower = all.empty() ? 0 : all.back().upper;
+        if (upper <= lower) return;
+        if (!all.empty() && all.back().is_sheath == is_sheath)
+            all.back().upper = upper;
+        else
+            all.push_back({lower, upper, is_sheath});
+    };
+    for (const Leaf& leaf : plant.leaves) {
+        add(leaf.insertion_height - length, false);
+        add(leaf.insertion_height, true);
+    }
+    add(plant.stalk.height, false);
+    return all;
+}
+
+void add_sections(Mesh& mesh, const Plant& plant, bool is_sheath, int sides) {
+    const auto group = static_cast<std::uint32_t>(mesh.groups.size() - 1);
+    const double around = is_sheath ? plant.sheath.thickness : 0;
+    const std::vector<Section> all = sections(plant);
+    for (const Section& each : all) {
+        if (each.is_sheath != is_sheath) continue;
+        const bool is_last = &each == &all.back();
+        add_frustum(mesh, group,
+                    {{0, 0, each.lower},
+                     {0, 0, each.upper},
+                     plant.stalk.radius(each.lower) + around,
+                     plant.stalk.radius(each.upper) + around},
+                    sides, is_sheath || is_last);
+    }
+}
+
+void add_organ(Mesh& mesh, const Plant& plant, const Organ& organ) {
+    const auto group = static_cast<std::uint32_t>(mesh.groups.size() - 1);
+    const Leaf* leaf =
+        organ.leaf > 0
+            ? &plant.leaves.at(static_cast<std::size_t>(organ.leaf) - 1)
+            : nullptr;
+    const double foot = leaf ? leaf->insertion_height : plant.stalk.height;
+    const double sine = std::sin(organ.inclination * degree);
+    const double cosine = std::cos(organ.inclination * degree);
+    for (int i = 0; i < organ.count; ++i) {
+        const double azimuth = (leaf ? leaf->azimuth : 0) + organ.azimuth +
+                               360.0 * i / organ.count;
+        const double up =
+            organ.count < 2 ? 0 : organ.spread * i / (organ.count - 1);
+        // What leans out begins at the stalk's surface.
+        const double out = leaf ? plant.stalk.radius(foot) : 0;
+        const glm::dvec3 axis = turned(glm::dvec3{0, sine, cosine}, azimuth);
+        const glm::dvec3 base =
+            turned(glm::dvec3{0, out, foot + organ.offset + up}, azimuth);
+        add_frustum(
+            mesh, group,
+            {base, base + organ.length * axis, organ.base_diameter / 2,
+             organ.top_diameter / 2, turned(glm::dvec3{1, 0, 0}, azimuth),
+             turned(glm::dvec3{0, cosine, -sine}, azimuth)},
+            organ.sides);
+    }
+}
+
+//! Those of a file are taken for stalks or sheaths by the beginnings of their
+//! names.
+std::string group_name(const Organ& organ) {
+    return (organ.tissue == Tissue::sheath ? "sheath_" : "stalk_") + organ.name;
 }
 
 }  // namespace
 
-Mesh build_plant(const Plant& plant) {
-    const auto& [form, traits, tessellation] = plant;
-    if (traits.size() != form.leaves.size())
-        throw Error(
-            fmt::format("a plant has {} leaves, but traits are given for {}",
-                        form.leaves.size(), traits.size()));
+double Stalk::radius(double z) const {
+    const double at_top = top_diameter > 0 ? top_diameter : base_diameter;
+    const double part = std::clamp(z / height, 0.0, 1.0);
+    return (base_diameter + part * (at_top - base_diameter)) / 2;
+}
+
+std::vector<std::string> organ_names(const Plant& plant) {
+    std::vector<std::string> names;
+    if (plant.stalk.is_present) names.push_back("stalk");
+    if (plant.sheath.is_present) names.push_back("sheath");
+    for (const Organ& organ : plant.organs)
+        if (organ.is_present) names.push_back(organ.name);
+    return names;
+}
+
+void set_present(Plant& plant, const std::string& organ, bool is_present) {
+    if (organ == "stalk") plant.stalk.is_present = is_present;
+    if (organ == "sheath") plant.sheath.is_present = is_present;
+    for (Organ& each : plant.organs)
+        if (each.name == organ) each.is_present = is_present;
+}
+
+Mesh build_plant(const Plant& plant, const Tessellation& tessellation) {
     Mesh mesh;
-    for (std::size_t i = 0; i < traits.size(); ++i) {
-        mesh.groups.push_back({leaf_name(i), Tissue::leaf});
-        add_leaf(mesh, static_cast<std::uint32_t>(i),
-                 LeafSurface(traits[i], form.leaves[i], form.blade),
-                 traits[i].azimuth, tessellation.cells_along);
+    const auto begin = [&](const std::string& name, Tissue tissue) {
+        mesh.groups.push_back({name, tissue});
+        return static_cast<std::uint32_t>(mesh.groups.size() - 1);
+    };
+    for (const Leaf& leaf : plant.leaves) {
+        const bool is_outside = plant.stalk.is_present &&
+                                plant.stalk.leaf_base == LeafBase::surface;
+        const double distance =
+            is_outside ? plant.stalk.radius(leaf.insertion_height) : 0;
+        const std::uint32_t group = begin(
+            fmt::format("leaf{:02}", mesh.groups.size() + 1), Tissue::leaf);
+        add_leaf(mesh, group, LeafSurface(leaf, plant.blade, distance),
+                 leaf.azimuth, tessellation.cells_along);
     }
-    if (form.stalk.is_present) {
-        mesh.groups.push_back({"stalk", Tissue::stalk});
-        add_stalk(mesh, static_cast<std::uint32_t>(mesh.groups.size() - 1),
-                  form.stalk, tessellation.stalk_sides);
+    const int sides = tessellation.stalk_sides;
+    if (plant.stalk.is_present) {
+        begin("stalk", Tissue::stalk);
+        add_sections(mesh, plant, false, sides);
+    }
+    if (plant.sheath.is_present) {
+        begin("sheath", Tissue::sheath);
+        add_sections(mesh, plant, true, sides);
+    }
+    for (const Organ& organ : plant.organs) {
+        if (!organ.is_present) continue;
+        begin(group_name(organ), organ.tissue);
+        add_organ(mesh, plant, organ);
     }
     return mesh;
 }

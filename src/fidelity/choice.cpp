@@ -209,18 +209,25 @@ Campaign applied(const Trade& trade, const Combination& combination) {
 
 std::vector<PastedKey> keys_of(const Campaign& campaign) {
     const auto number = [](auto x) { return fmt::format("{}", x); };
+    const auto list = [](const std::vector<std::string>& names) {
+        return names.empty()
+                   ? "[]"
+                   : fmt::format("[\"{}\"]", fmt::join(names, "\", \""));
+    };
     const Optics& optics = campaign.optics;
     std::vector<PastedKey> keys{
         {"[day]", "step_minutes", number(campaign.days[0].value.step_minutes)},
         {"field", "rows", number(campaign.field.rows)},
         {"field", "plants", number(campaign.field.plants)},
-        {"plant", "stalk", number(campaign.plant.stalk.is_present)},
+        {"plant", "organs", list(organ_names(campaign.crop.baseline))},
         {"plant", "cells_along", number(campaign.tessellation.cells_along)},
         {"plant", "stalk_sides", number(campaign.tessellation.stalk_sides)},
         {"optics", "leaf_reflectance", number(optics.leaf.reflectance)},
         {"optics", "leaf_transmittance", number(optics.leaf.transmittance)},
         {"optics", "stalk_reflectance", number(optics.stalk.reflectance)},
         {"optics", "stalk_transmittance", number(optics.stalk.transmittance)},
+        {"optics", "sheath_reflectance", number(optics.sheath.reflectance)},
+        {"optics", "sheath_transmittance", number(optics.sheath.transmittance)},
         {"optics", "soil_albedo", number(optics.soil_albedo)},
         {"light", "paths", number(campaign.sampling.paths)},
         {"light", "randomisations", number(campaign.sampling.randomisations)},
@@ -238,6 +245,7 @@ Check check_combination(const Trade& trade, const Combination& combination,
                                        trade.case_index, trade.rivals[0]);
     request.randomness.seed = derive_seed(request.randomness.seed, "check");
     request.randomness.fields = combination.fields;
+    const Crop& crop = trade.own.campaign.crop;
     constexpr std::size_t least = 8, most = 64;
     std::vector<double> found, seconds;
     const double until = now() + budget;
@@ -245,7 +253,7 @@ Check check_combination(const Trade& trade, const Combination& combination,
         request.randomness.generation =
             static_cast<std::uint32_t>(found.size());
         const auto leaves = [&](const Genome& genome) {
-            std::get<Plant>(request.stand).traits = to_traits(genome);
+            request.stand = grow(crop, genome);
             const CanopyReport report =
                 evaluate(request, device, processor_seconds);
             seconds.push_back(report.seconds.total());

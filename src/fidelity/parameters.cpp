@@ -83,7 +83,21 @@ bool is_black(const Lambertian& surface) {
     return surface.reflectance + surface.transmittance == 0;
 }
 
-Parameter scattering_parameter(const Optics& optics, bool has_stalk) {
+//! Plants without some of their organs.
+Parameter organs_parameter(const Plant& plant) {
+    Parameter parameter;
+    parameter.name = "organs";
+    parameter.kind = Parameter::Kind::omission;
+    parameter.values.push_back({"all", [](Variant&) {}});
+    for (const std::string& name : organ_names(plant))
+        parameter.values.push_back(
+            {"without " + name, [name](Variant& variant) {
+                 set_present(variant.campaign.crop.baseline, name, false);
+             }});
+    return parameter;
+}
+
+Parameter scattering_parameter(const Optics& optics, const Plant& plant) {
     Parameter parameter;
     parameter.name = "scattering";
     parameter.kind = Parameter::Kind::omission;
@@ -97,9 +111,12 @@ Parameter scattering_parameter(const Optics& optics, bool has_stalk) {
     if (!is_black(optics.leaf))
         parameter.values.push_back(
             {"black leaves", set([](Optics& o) { o.leaf = {}; })});
-    if (has_stalk && !is_black(optics.stalk))
+    if (plant.stalk.is_present && !is_black(optics.stalk))
         parameter.values.push_back(
             {"black stalks", set([](Optics& o) { o.stalk = {}; })});
+    if (plant.sheath.is_present && !is_black(optics.sheath))
+        parameter.values.push_back(
+            {"black sheaths", set([](Optics& o) { o.sheath = {}; })});
     if (parameter.values.size() > 2)
         parameter.values.push_back({"off", set([](Optics& o) { o = {}; })});
     return parameter;
@@ -135,17 +152,6 @@ Parameter split_parameter() {
     return parameter;
 }
 
-Parameter stalk_parameter() {
-    Parameter parameter;
-    parameter.name = "stalk";
-    parameter.kind = Parameter::Kind::omission;
-    parameter.values = {{"true", [](Variant&) {}},
-                        {"false", [](Variant& variant) {
-                             variant.campaign.plant.stalk.is_present = false;
-                         }}};
-    return parameter;
-}
-
 //! Fewer paths than sources cannot be shared among them.
 int fewest_paths(const Campaign& campaign, const DaySpan& span) {
     const double finest = std::min(span.step_minutes, step_minutes.front());
@@ -174,7 +180,8 @@ CanopyRequest request_of(const Variant& variant, std::size_t case_index,
     const Campaign& campaign = variant.campaign;
     const Case chosen = case_of(variant, case_index);
     CanopyRequest request =
-        request_of({}, campaign, chosen, scenario_of(campaign, chosen), genome);
+        request_of({}, campaign, chosen, scenario_of(campaign, chosen),
+                   grow(campaign.crop, genome));
     DayIllumination& light = request.scenario.light;
     light = illuminate(light.day, campaign.sky_model,
                        chosen.spacing.row_direction, variant.skies);
@@ -186,7 +193,8 @@ CanopyRequest request_of(const Variant& variant, std::size_t case_index,
 std::vector<Parameter> parameters(const Campaign& campaign,
                                   std::size_t case_index) {
     const DaySpan span = cases(campaign).at(case_index).day;
-    const bool has_stalk = campaign.plant.stalk.is_present;
+    const Plant& plant = campaign.crop.baseline;
+    const bool has_stalk = plant.stalk.is_present || plant.sheath.is_present;
     std::vector<Parameter> all;
     all.push_back(ladder("cells_along", cells_along,
                          campaign.tessellation.cells_along, number_name,
@@ -200,9 +208,10 @@ std::vector<Parameter> parameters(const Campaign& campaign,
                                  variant.campaign.tessellation.stalk_sides = n;
                              }));
     all.push_back(step_parameter(span));
-    Parameter scattering = scattering_parameter(campaign.optics, has_stalk);
+    Parameter scattering = scattering_parameter(campaign.optics, plant);
     if (scattering.values.size() > 1) all.push_back(std::move(scattering));
-    if (has_stalk) all.push_back(stalk_parameter());
+    Parameter organs = organs_parameter(plant);
+    if (organs.values.size() > 1) all.push_back(std::move(organs));
     all.push_back(sky_parameter(campaign));
     all.push_back(split_parameter());
 

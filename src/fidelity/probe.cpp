@@ -36,7 +36,7 @@ double median(std::vector<double> x) {
 
 Rivals rivals(const Campaign& campaign, const Case& chosen) {
     constexpr double part = 0.1;
-    const Genome baseline = to_genome(campaign.baseline);
+    const Genome baseline = baseline_numbers(campaign.crop);
     const GeneSpace space = gene_space(campaign, chosen);
     Genome other = baseline;
     for (std::size_t i = 0; i < other.size(); ++i) {
@@ -52,6 +52,7 @@ Rivals rivals(const Campaign& campaign, const Case& chosen) {
 Probe::Probe(const Variant& variant, std::size_t case_index,
              const Device& device, const Rivals& plants)
     : request_(request_of(variant, case_index, plants[0])),
+      crop_(variant.campaign.crop),
       device_(device),
       rivals_(plants) {
     request_.accuracy = {request_.accuracy.paths, 2};
@@ -60,7 +61,7 @@ Probe::Probe(const Variant& variant, std::size_t case_index,
 }
 
 Probe::Randomised Probe::evaluate(const Genome& genome, std::uint32_t draw) {
-    std::get<Plant>(request_.stand).traits = to_traits(genome);
+    request_.stand = grow(crop_, genome);
     request_.randomness.generation = draw;
     const CanopyReport report =
         ideotype::evaluate(request_, device_, processor_seconds);

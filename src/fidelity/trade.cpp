@@ -192,7 +192,8 @@ class Survey {
 int needed_paths(const Campaign& campaign, const Case& chosen,
                  const Device& device, const Genome& genome) {
     CanopyRequest request =
-        request_of({}, campaign, chosen, scenario_of(campaign, chosen), genome);
+        request_of({}, campaign, chosen, scenario_of(campaign, chosen),
+                   grow(campaign.crop, genome));
     request.accuracy = campaign.sampling;
     const CanopyReport report = evaluate(request, device);
     return static_cast<int>(

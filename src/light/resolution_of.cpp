@@ -28,8 +28,7 @@ Resolution resolution_of(const Scene& scene, const std::vector<Group>& groups,
         const std::optional<Heights> heights = scene.heights(g);
         if (!heights) continue;
         const bool is_leaf = groups[g].tissue == Tissue::leaf;
-        const double scattered =
-            scattered_part(is_leaf ? optics.leaf : optics.stalk);
+        const double scattered = scattered_part(optics.of(groups[g].tissue));
         scatters |= scattered > 0;
         if (!(scattered < 1)) continue;
         result.groups[g] = true;

@@ -106,8 +106,7 @@ class Tracer {
 
     double meet_face(PhotonPacket& packet, const Hit& hit, double started,
                      Tissue tissue) {
-        const Lambertian& surface =
-            tissue == Tissue::leaf ? optics_.leaf : optics_.stalk;
+        const Lambertian& surface = optics_.of(tissue);
         const double scattered = surface.reflectance + surface.transmittance;
         if (scattered == 0) return std::exchange(packet.energy, 0.0);
         double choice = sampler_.next();

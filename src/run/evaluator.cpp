@@ -40,11 +40,13 @@ double final_effort(const Campaign& campaign) {
 }
 
 Layers canopy_layers(const Campaign& campaign) {
+    std::vector<double> most;
+    for (const Range& range : campaign.bounds) most.push_back(range.upper);
     double top = 0;
-    for (std::size_t i = 0; i < campaign.baseline.size(); ++i)
-        top = std::max(top, campaign.plant.leaves[i].insertion_height +
-                                std::max(campaign.baseline[i].length,
-                                         campaign.bounds[i].length.upper));
+    for (const Plant& plant :
+         {campaign.crop.baseline, grow(campaign.crop, most)})
+        for (const Leaf& leaf : plant.leaves)
+            top = std::max(top, leaf.insertion_height + leaf.length);
     constexpr double thickness = 0.25;
     return {thickness, static_cast<std::size_t>(std::ceil(top / thickness))};
 }
@@ -60,20 +62,21 @@ Scenario scenario_of(const Campaign& campaign, const Case& chosen) {
 
 CanopyRequest request_of(const Task& task, const Campaign& campaign,
                          const Case& chosen, const Scenario& scenario,
-                         const Genome& genome) {
-    return {Plant{campaign.plant, to_traits(genome), campaign.tessellation},
+                         Plant plant) {
+    return {std::move(plant),
             scenario,
             canopy_layers(campaign),
             accuracy_of(task, campaign),
             randomness_of(task, chosen),
-            {}};
+            {},
+            campaign.tessellation};
 }
 
 OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
                              const Accuracy& accuracy) {
     OutcomeSchema schema;
     schema.measured = canopy_quantities(
-        campaign.baseline.size(), canopy_layers(campaign),
+        campaign.crop.baseline, canopy_layers(campaign),
         clear_day(chosen.site, chosen.day, campaign.par_fraction));
     schema.randomisations = static_cast<std::size_t>(accuracy.randomisations);
     for (const Quantity& each : schema.measured.quantities)
@@ -82,7 +85,7 @@ OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
     return schema;
 }
 
-Outcome to_outcome(const Campaign& campaign, const Genome& genome,
+Outcome to_outcome(const Campaign& campaign, const Plant& plant,
                    const CanopyReport& report) {
     auto [objective, randomisations] =
         measure_objective(campaign.objective, report);
@@ -90,8 +93,8 @@ Outcome to_outcome(const Campaign& campaign, const Genome& genome,
     outcome.status = Status::done;
     outcome.objectives = {objective};
     outcome.randomisations = std::move(randomisations);
-    outcome.violation =
-        violation(campaign.constraints, to_traits(genome), report.lai);
+    outcome.violation = violation(campaign.constraints, campaign.crop.traits,
+                                  plant, report.lai);
     outcome.quantities = measure(report);
     return outcome;
 }
@@ -115,10 +118,11 @@ Outcome CanopyEvaluator::evaluate(const Task& task, const Genome& genome) {
     Prepared& prepared = cases_.at(task.case_index);
     if (!prepared.scenario)
         prepared.scenario = scenario_of(campaign_, prepared.chosen);
+    const Plant plant = grow(campaign_.crop, genome);
     return to_outcome(
-        campaign_, genome,
+        campaign_, plant,
         ideotype::evaluate(request_of(task, campaign_, prepared.chosen,
-                                      *prepared.scenario, genome),
+                                      *prepared.scenario, plant),
                            device_));
 }
 

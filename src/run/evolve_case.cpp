@@ -100,7 +100,7 @@ Routine<bool> evaluate_finalists(const Evolution& evolution, History& history) {
 }  // namespace
 
 SearchSpace search_space(const Campaign& campaign, const Case& chosen) {
-    return {gene_space(campaign, chosen), to_genome(campaign.baseline),
+    return {gene_space(campaign, chosen), baseline_numbers(campaign.crop),
             Sense::maximise};
 }
 

@@ -116,7 +116,7 @@ std::string left_to_gain(const History& history, const Campaign& campaign,
         is_saturated ? ", within the standard error: leaves cannot take more, "
                        "and what evolved beyond is luck; see [objective] and "
                        "[constraints]"
-                     : ", which stalks and soil take");
+                     : ", which other organs and soil take");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-_PLANT = Path(__file__).parents[2] / "campaigns" / "plants" / "b73.toml"
+_PLANT = Path(__file__).parents[2] / "campaigns" / "plants" / "b73_v01.toml"
 
 _CAMPAIGN = """
 name = "tiny"
@@ -35,7 +35,7 @@ rows = 2
 plants = 2
 
 [plant]
-baseline = "b73.toml"
+baseline = "b73_v01.toml"
 
 [light]
 paths = 64

@@ -22,10 +22,10 @@ def fidelity(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("fidelity")
     campaign = write_campaign(folder, 1)
     text = campaign.read_text()
-    text = text.replace("[plant]", "[plant]\nstalk = false")
+    text = text.replace("[plant]", "[plant]\norgans = []")
     text = text.replace("start = 07", "start = 11")
     campaign.write_text(text.replace("end = 20", "end = 13"))
-    plant = folder / "b73.toml"
+    plant = folder / "b73_v01.toml"
     head, *leaves = plant.read_text().split("[[leaf]]")
     plant.write_text("[[leaf]]".join([head, leaves[3], leaves[7]]))
     path = folder / "fidelity.json"

@@ -85,7 +85,7 @@ BENCHMARK(evaluation)
 void generation(benchmark::State& state) {
     const Campaign campaign = Stand::ames();
     CanopyEvaluator evaluator(campaign, Device::supported_isas().back());
-    const Genome baseline = to_genome(campaign.baseline);
+    const Genome baseline = baseline_numbers(campaign.crop);
     for (auto _ : state)
         for (int slot = 0; slot < campaign.search.population; ++slot) {
             Task task;
@@ -103,7 +103,7 @@ BENCHMARK(generation)->Unit(benchmark::kMillisecond)->Iterations(1);
 void memory(benchmark::State& state) {
     const Campaign campaign = Stand::ames();
     CanopyEvaluator evaluator(campaign, Device::supported_isas().back());
-    const Genome baseline = to_genome(campaign.baseline);
+    const Genome baseline = baseline_numbers(campaign.crop);
     for (auto _ : state)
         benchmark::DoNotOptimize(evaluator.evaluate({}, baseline));
     struct rusage usage {};

@@ -30,19 +30,15 @@ BENCHMARK(plants)->Arg(1)->Arg(3)->Arg(10)->Arg(32)->Arg(100)->Unit(
 //! The baseline's leaves several times over, each time a little turned.
 void leaves(benchmark::State& state) {
     Campaign campaign = Stand::ames();
-    const std::vector<LeafTraits> traits = campaign.baseline;
-    const std::vector<LeafForm> forms = campaign.plant.leaves;
-    const auto bounds = campaign.bounds;
-    campaign.baseline.clear();
-    campaign.plant.leaves.clear();
-    campaign.bounds.clear();
+    std::vector<Leaf>& leaves = campaign.crop.baseline.leaves;
+    const std::vector<Leaf> own = std::exchange(leaves, {});
     for (int i = 0; i < state.range(0); ++i) {
-        const auto from = static_cast<std::size_t>(i) % traits.size();
-        campaign.baseline.push_back(traits[from]);
-        campaign.baseline.back().azimuth += 17.0 * i;
-        campaign.plant.leaves.push_back(forms[from]);
-        campaign.bounds.push_back(bounds[from]);
+        leaves.push_back(own[static_cast<std::size_t>(i) % own.size()]);
+        leaves.back().azimuth += 17.0 * i;
     }
+    campaign.bounds.clear();
+    for (const TraitNumber& number : trait_numbers(campaign.crop))
+        campaign.bounds.push_back(campaign.crop.traits[number.trait].range);
     measure(state, campaign, static_cast<double>(state.range(0)));
 }
 BENCHMARK(leaves)->RangeMultiplier(2)->Range(5, 80)->Unit(
@@ -78,7 +74,7 @@ void sites(benchmark::State& state) {
         campaign.sites.push_back(ames);
         campaign.sites.back().name += std::to_string(i);
     }
-    const Genome baseline = to_genome(campaign.baseline);
+    const Genome baseline = baseline_numbers(campaign.crop);
     for (auto _ : state) {
         CanopyEvaluator evaluator(campaign, Device::supported_isas().back());
         Task task;

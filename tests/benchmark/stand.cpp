@@ -9,14 +9,14 @@ Campaign Stand::ames() {
 Stand::Stand(Campaign changed)
     : campaign(std::move(changed)),
       chosen(cases(campaign).front()),
-      baseline(to_genome(campaign.baseline)),
+      baseline(baseline_numbers(campaign.crop)),
       request(request_of({}, campaign, chosen, scenario_of(campaign, chosen),
-                         baseline)),
+                         campaign.crop.baseline)),
       device(Device::supported_isas().back()) {}
 
 Field Stand::field(const Genome& genome) const {
     return draw_field(
-        build_plant({campaign.plant, to_traits(genome), campaign.tessellation}),
+        build_plant(grow(campaign.crop, genome), campaign.tessellation),
         request.scenario.field, request.randomness);
 }
 

@@ -90,7 +90,7 @@ TEST(BrokenCampaign, MissingFileIsNotAnInputError) {
 TEST(BrokenCampaign, ResolvedCampaignsStandAlone) {
     std::string text = sample_text();
     const std::size_t table = text.find("[plant.baseline]");
-    text = text.substr(0, table) + "baseline = \"plants/b73.toml\"\n";
+    text = text.substr(0, table) + "baseline = \"crops/maize.toml\"\n";
     EXPECT_NE(problem_of(text).find("write it as [plant.baseline]"),
               std::string::npos)
         << problem_of(text);
@@ -187,7 +187,7 @@ TEST(BrokenCampaign, DotsInTextsAndCommentsAndNumbersAreNoParts) {
 
 TEST(BrokenCampaign, PlantFilesAreNoCampaigns) {
     const std::string problem = problem_of("name = \"p\"\n[[leaf]]\n");
-    EXPECT_NE(problem.find("this is a plant file"), std::string::npos);
+    EXPECT_NE(problem.find("this is a crop file"), std::string::npos);
     EXPECT_NE(problem.find("--under CAMPAIGN"), std::string::npos);
     EXPECT_EQ(problem.find('\n'), std::string::npos) << problem;
 }

@@ -52,7 +52,7 @@ TEST(Campaign, AmesIsTheStudyOfThePaper) {
     EXPECT_EQ(campaign.field.rows * campaign.field.plants, 16);
     EXPECT_EQ(campaign.field.jitter, 10);
     EXPECT_EQ(campaign.optics.leaf.reflectance, 0.05);
-    EXPECT_EQ(campaign.baseline.size(), 10u);
+    EXPECT_EQ(campaign.crop.baseline.leaves.size(), 10u);
 }
 
 TEST(Campaign, NamesItsOptimizer) {
@@ -94,7 +94,8 @@ TEST(Campaign, WhatIsLeftOutIsAsInTheStudyOfThePaper) {
     for (const std::string& line :
          differences(ames().resolved, parse_campaign(reduced, "x").resolved))
         EXPECT_TRUE(line.starts_with("site[0].name") ||
-                    line.starts_with("plant.baseline"))
+                    line.starts_with("plant.baseline") ||
+                    line.starts_with("plant.organs"))
             << line;
 }
 
@@ -107,57 +108,59 @@ TEST(Campaign, PathsWithoutAToleranceAreAllFollowed) {
 }
 
 TEST(Campaign, PlantsAreWrittenAsTheyAreRead) {
-    const KnownPlant b73 = read_plant(IDEOTYPE_CAMPAIGNS "/plants/b73.toml");
-    EXPECT_EQ(b73.traits.size(), 10u);
-    EXPECT_EQ(plant_text(b73),
-              plant_text(read_plant(IDEOTYPE_CAMPAIGNS "/ames.toml")));
+    const Campaign campaign = ames();
+    const Plant b73 = read_plant(IDEOTYPE_CAMPAIGNS "/crops/maize.toml");
+    EXPECT_EQ(b73.leaves.size(), 10u);
+    const std::string text = crop_text(campaign, b73);
+    EXPECT_EQ(text, crop_text(campaign, campaign.crop.baseline));
     const std::string path = ::testing::TempDir() + "again.toml";
-    std::ofstream(path) << plant_text(b73);
-    const KnownPlant again = read_plant(path);
-    EXPECT_EQ(plant_text(again), plant_text(b73));
-    EXPECT_EQ(again.traits[9].width, b73.traits[9].width);
+    std::ofstream(path) << text;
+    const Plant again = read_plant(path);
+    EXPECT_EQ(crop_text(campaign, again), text);
+    EXPECT_EQ(again.leaves[9].width, b73.leaves[9].width);
+    EXPECT_EQ(organ_names(again), organ_names(b73));
     std::ofstream(path, std::ios::app) << "\n[[leaf]]\nlength = 0.5\n";
     EXPECT_THROW(read_plant(path), InputError);
     EXPECT_THROW(read_plant(path + "none"), Error);
 }
 
 TEST(Campaign, PlantFilesHoldTheKnownPlants) {
-    const Campaign b73 = ames();
-    EXPECT_EQ(b73.plant.name, "b73");
-    EXPECT_EQ(b73.baseline[9].width, 0.0545);
-    EXPECT_EQ(b73.baseline[1].insertion_angle, 31.4);
-    EXPECT_EQ(b73.plant.leaves[0].curvature, 90);
-    EXPECT_EQ(b73.plant.leaves[9].insertion_height, 1.61);
+    const Plant b73 = ames().crop.baseline;
+    EXPECT_EQ(b73.name, "b73");
+    EXPECT_EQ(b73.leaves[9].width, 0.0545);
+    EXPECT_EQ(b73.leaves[1].insertion_angle, 31.4);
+    EXPECT_EQ(b73.leaves[0].curvature, 90);
+    EXPECT_EQ(b73.leaves[9].insertion_height, 1.61);
     // Leaf area index at 86,111 plants per hectare.
     double area = 0;
-    for (const LeafTraits& leaf : b73.baseline)
+    for (const Leaf& leaf : b73.leaves)
         area += 0.7455 * leaf.length * leaf.width;
     EXPECT_NEAR(area / (0.762 * 0.1524), 3.44, 0.01);
 }
 
 TEST(Campaign, ElitePlantIsLargerAndInsideThePaperBounds) {
-    const Campaign elite =
-        read_campaign(IDEOTYPE_TEST_DATA "/campaign/elite.toml");
-    ASSERT_EQ(elite.baseline.size(), 10u);
+    const Plant elite =
+        read_campaign(IDEOTYPE_TEST_DATA "/campaign/elite.toml").crop.baseline;
+    ASSERT_EQ(elite.leaves.size(), 10u);
     double area = 0;
-    for (const LeafTraits& leaf : elite.baseline)
+    for (const Leaf& leaf : elite.leaves)
         area += 0.7455 * leaf.length * leaf.width;
     EXPECT_NEAR(area / (0.762 * 0.1524), 4.7, 0.05);
-    const Campaign b73 = ames();
+    const Plant b73 = ames().crop.baseline;
     for (std::size_t i = 0; i < 10; ++i) {
-        EXPECT_EQ(elite.baseline[i].azimuth, b73.baseline[i].azimuth);
-        EXPECT_EQ(elite.plant.leaves[i].curvature,
-                  b73.plant.leaves[i].curvature);
-        EXPECT_EQ(elite.plant.leaves[i].insertion_height,
-                  b73.plant.leaves[i].insertion_height);
+        EXPECT_EQ(elite.leaves[i].azimuth, b73.leaves[i].azimuth);
+        EXPECT_EQ(elite.leaves[i].curvature, b73.leaves[i].curvature);
+        EXPECT_EQ(elite.leaves[i].insertion_height,
+                  b73.leaves[i].insertion_height);
     }
 }
 
 TEST(Campaign, EveryCampaignOfTheProjectIsValidAndItsSize) {
     const std::map<std::string, std::size_t> sizes{
-        {"ames", 3},       {"ames_quick", 1},     {"isolated_plot", 12},
-        {"latitudes", 15}, {"row_direction", 12}, {"same_leaf_area", 3},
-        {"spacings", 18},  {"trait_sets", 12}};
+        {"ames", 3},           {"ames_quick", 1}, {"isolated_plot", 12},
+        {"latitudes", 15},     {"profiles", 6},   {"row_direction", 12},
+        {"same_leaf_area", 3}, {"sorghum", 2},    {"spacings", 18},
+        {"trait_sets", 12}};
     std::size_t found = 0;
     for (const auto& file :
          std::filesystem::directory_iterator(IDEOTYPE_CAMPAIGNS)) {
@@ -168,8 +171,8 @@ TEST(Campaign, EveryCampaignOfTheProjectIsValidAndItsSize) {
         ASSERT_TRUE(sizes.contains(campaign.name)) << campaign.name;
         EXPECT_EQ(cases(campaign).size(), sizes.at(campaign.name));
         const auto& [low, high] = campaign.constraints.lai;
-        EXPECT_EQ(violation(campaign.constraints, campaign.baseline,
-                            (low + high) / 2),
+        EXPECT_EQ(violation(campaign.constraints, campaign.crop.traits,
+                            campaign.crop.baseline, (low + high) / 2),
                   0)
             << campaign.name << ": the baseline fails its constraints";
     }
@@ -182,14 +185,15 @@ TEST(Campaign, ResolvedTextReadsBackToItself) {
     EXPECT_EQ(again.resolved, campaign.resolved);
     EXPECT_EQ(again.sha256, campaign.sha256);
     EXPECT_EQ(campaign.sha256, sha256(campaign.resolved));
-    EXPECT_EQ(to_genome(again.baseline), to_genome(campaign.baseline));
+    EXPECT_EQ(baseline_numbers(again.crop), baseline_numbers(campaign.crop));
 }
 
 TEST(Campaign, ResolvedTextKeepsUnusualValues) {
     const Campaign campaign = sample(
         "seed = 9223372036854775807\n",
         "[field]\njitter = -0.0\nboundary = \"isolated\"\nborder_rows = 1\n"
-        "[constraints]\nlai = [0.1, 3.3]\nerect_top = true\n"
+        "[constraints]\nlai = [0.1, 3.3]\n"
+        "insertion_angle.falling = true\n"
         "[objective]\nmaximise = \"absorbed_par_per_leaf_area\"\n"
         "[[traits]]\nname = \"t\"\nfree = [\"azimuth\", \"length\"]\n"
         "[stop]\nwall_time = \"01:30:05\"\ntarget = 1e-7\n",
@@ -203,10 +207,12 @@ TEST(Campaign, ResolvedTextKeepsUnusualValues) {
     EXPECT_EQ(again.field.boundary, Boundary::isolated);
     EXPECT_EQ(again.field.border_rows, 1);
     EXPECT_EQ(again.constraints.lai.lower, 0.1);
-    EXPECT_TRUE(again.constraints.erect_top);
+    ASSERT_EQ(again.constraints.traits.size(), 1u);
+    EXPECT_TRUE(again.constraints.traits[0].is_falling);
     EXPECT_EQ(again.objective, "absorbed_par_per_leaf_area");
-    EXPECT_FALSE(again.trait_sets[0].value.width);
-    EXPECT_EQ(again.bounds[0].length.lower, 0.1);
+    EXPECT_EQ(again.trait_sets[0].value, (TraitSet{"length", "azimuth"}));
+    EXPECT_EQ(again.bounds[0].lower, 0.1);
+    EXPECT_EQ(again.bounds[3].upper, 360);
 }
 
 TEST(Campaign, SkyIsUniformUnlessItIsNamed) {
@@ -260,16 +266,21 @@ TEST(Campaign, UnnamedEntriesAreNamedAfterTheirValues) {
 TEST(Campaign, BiologicalBoundsFollowEachLeaf) {
     const Campaign campaign =
         read_campaign(IDEOTYPE_TEST_DATA "/campaign/elite.toml");
-    const LeafBounds& longest = campaign.bounds[3];  // 0.92 m x 0.102 m
-    EXPECT_DOUBLE_EQ(longest.length.lower, 0.65 * 0.92);
-    EXPECT_EQ(longest.length.upper, 1.10);
-    EXPECT_DOUBLE_EQ(longest.width.lower, 0.65 * 0.102);
-    EXPECT_DOUBLE_EQ(longest.width.upper, 1.35 * 0.102);
-    EXPECT_EQ(longest.insertion_angle.lower, 10);
-    EXPECT_EQ(longest.insertion_angle.upper, 80);
-    const LeafBounds& shortest = campaign.bounds[9];  // 0.50 m
-    EXPECT_EQ(shortest.length.lower, 0.40);
-    EXPECT_DOUBLE_EQ(shortest.length.upper, 1.35 * 0.50);
+    const auto bounds = [&](const std::string& name) {
+        for (const Gene& gene : gene_space(campaign, cases(campaign)[0]))
+            if (gene.name == name) return Range{gene.lower, gene.upper};
+        return Range{};
+    };
+    // Leaf 4 has 0.92 m x 0.102 m.
+    EXPECT_DOUBLE_EQ(bounds("leaf04_length").lower, 0.65 * 0.92);
+    EXPECT_EQ(bounds("leaf04_length").upper, 1.10);
+    EXPECT_DOUBLE_EQ(bounds("leaf04_width").lower, 0.65 * 0.102);
+    EXPECT_DOUBLE_EQ(bounds("leaf04_width").upper, 1.35 * 0.102);
+    EXPECT_EQ(bounds("leaf04_insertion_angle").lower, 10);
+    EXPECT_EQ(bounds("leaf04_insertion_angle").upper, 80);
+    // Leaf 10 has 0.50 m.
+    EXPECT_EQ(bounds("leaf10_length").lower, 0.40);
+    EXPECT_DOUBLE_EQ(bounds("leaf10_length").upper, 1.35 * 0.50);
 }
 
 }  // namespace ideotype

@@ -34,7 +34,7 @@ TEST(Cases, ReplicatesVaryFastestThenTraitsThenSpacings) {
     EXPECT_EQ(all[2].name, "ames_0807_762x152_all_r1");
     EXPECT_EQ(all[4].name, "ames_0807_381x76_angles_r1");
     EXPECT_EQ(all[4].spacing.row, 0.381);
-    EXPECT_FALSE(all[1].traits.length);
+    EXPECT_EQ(all[1].traits, (TraitSet{"insertion_angle", "azimuth"}));
     EXPECT_EQ(all[1].replicate, 2);
     for (int i = 0; i < 8; ++i)
         EXPECT_EQ(all[static_cast<std::size_t>(i)].index, i);
@@ -112,18 +112,60 @@ TEST(GeneSpace, TraitSetsDecideWhatIsFree) {
     EXPECT_TRUE(genes[3].is_free);
 }
 
-TEST(Genome, HoldsTheTraitsInTheOrderOfTheGenes) {
-    const Genome genome = to_genome(sample().baseline);
-    EXPECT_EQ(genome, (Genome{0.8, 0.08, 40, 90}));
-    const auto traits = to_traits({1, 2, 3, 4, 5, 6, 7, 8});
-    ASSERT_EQ(traits.size(), 2u);
-    EXPECT_EQ(traits[1].length, 5);
-    EXPECT_EQ(traits[1].azimuth, 8);
-    EXPECT_EQ(to_genome(traits), (Genome{1, 2, 3, 4, 5, 6, 7, 8}));
+constexpr auto own_traits =
+    "[[plant.baseline.trait]]\nname = \"height\"\nper = \"plant\"\n"
+    "scales = [\"stalk.height\", \"leaf.insertion_height\"]\nunit = \"1\"\n"
+    "range = [0.8, 1.2]\nbred = false\n"
+    "[[plant.baseline.trait]]\nname = \"angles\"\nper = \"profile\"\npoints = "
+    "3\n"
+    "shifts = [\"leaf.insertion_angle\"]\nunit = \"deg\"\n"
+    "range = [-20, 20]\n"
+    "[[plant.baseline.trait]]\nname = \"width\"\nsets = [\"leaf.width\"]\n"
+    "unit = \"m\"\nrange = [0.05, 0.14]\n";
+
+TEST(GeneSpace, IsThatOfTheTraitsOfTheCrop) {
+    const Campaign campaign = sample("", own_traits, "\"traits\"");
+    const GeneSpace genes = gene_space(campaign, cases(campaign)[0]);
+    ASSERT_EQ(genes.size(), 5u);
+    EXPECT_EQ(genes[0].name, "leaf01_width");
+    EXPECT_EQ(genes[1].name, "height");
+    EXPECT_EQ(genes[1].unit, "1");
+    EXPECT_EQ(genes[1].leaf, 0);
+    EXPECT_FALSE(genes[1].is_free);
+    EXPECT_EQ(genes[2].name, "angles_1");
+    EXPECT_EQ(genes[4].name, "angles_3");
+    EXPECT_EQ(genes[4].trait, "angles");
+    EXPECT_EQ(genes[4].lower, -20);
+    EXPECT_TRUE(genes[4].is_free);
+    EXPECT_EQ(baseline_numbers(campaign.crop),
+              (std::vector<double>{0.08, 1, 0, 0, 0}));
+    EXPECT_EQ(parse_campaign(campaign.resolved, "again").resolved,
+              campaign.resolved);
 }
 
-TEST(Genome, PartOfALeafIsRefused) {
-    EXPECT_THROW(to_traits({1, 2, 3, 4, 5}), Error);
+TEST(GeneSpace, OwnBoundsMayNarrowAnyTrait) {
+    const Campaign campaign = sample("", own_traits, "{angles = [-5, 10]}");
+    const GeneSpace genes = gene_space(campaign, cases(campaign)[0]);
+    EXPECT_EQ(genes[2].lower, -5);
+    EXPECT_EQ(genes[0].upper, 0.14);
+    EXPECT_THROW(sample("", own_traits, "{length = [0.1, 1]}"), InputError);
+}
+
+TEST(Plant, OrgansAreChosenByTheirNames) {
+    const std::string organ =
+        "[[plant.baseline.organ]]\nname = \"ear\"\npresent = false\n"
+        "leaf = 1\nlength = 0.2\nbase_diameter = 0.05\n";
+    const auto organs = [&](const std::string& line) {
+        std::string text = sample_text("", organ);
+        text.insert(text.find("[plant]") + 8, line);
+        return organ_names(parse_campaign(text, "x").crop.baseline);
+    };
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(organs(""), Names{"stalk"});
+    EXPECT_EQ(organs("organs = []\n"), Names{});
+    EXPECT_EQ(organs("organs = [\"ear\", \"sheath\"]\n"),
+              (Names{"sheath", "ear"}));
+    EXPECT_THROW(organs("organs = [\"eer\"]\n"), InputError);
 }
 
 }  // namespace ideotype

@@ -6,40 +6,112 @@
 namespace ideotype {
 namespace {
 
-const std::vector<LeafTraits> plant{
-    {.6, .06, 60, 0}, {.8, .08, 40, 0}, {.5, .05, 50, 0}};
+Plant plant_of(const std::vector<Leaf>& leaves) {
+    Plant plant;
+    plant.leaves = leaves;
+    return plant;
+}
+
+const Plant plant = plant_of({{.6, .06, 60}, {.8, .08, 40}, {.5, .05, 50}});
+
+std::vector<Trait> leaf_traits() {
+    std::vector<Trait> traits;
+    for (const std::string name :
+         {"length", "width", "insertion_angle", "azimuth"}) {
+        traits.emplace_back();
+        traits.back().name = name;
+        traits.back().measures = {"leaf." + name};
+    }
+    return traits;
+}
+
+double excess(const TraitConstraint& limit, const Plant& of = plant) {
+    return violation({{0, 1000}, {limit}}, leaf_traits(), of, 3);
+}
 
 TEST(Constraints, UsuallyForbidNothing) {
-    EXPECT_EQ(violation({}, plant, 0), 0);
-    EXPECT_EQ(violation({}, plant, 12), 0);
+    EXPECT_EQ(violation({}, leaf_traits(), plant, 0), 0);
+    EXPECT_EQ(violation({}, leaf_traits(), plant, 12), 0);
 }
 
 TEST(Constraints, LeafAreaMayBeBoundedOnBothSides) {
-    Constraints constraints;
-    constraints.lai = {3, 4};
-    EXPECT_EQ(violation(constraints, plant, 3.5), 0);
-    EXPECT_NEAR(violation(constraints, plant, 2.4), .2, 1e-12);
-    EXPECT_NEAR(violation(constraints, plant, 5), .25, 1e-12);
+    const Constraints constraints{{3, 4}, {}};
+    const auto of = [&](double lai) {
+        return violation(constraints, leaf_traits(), plant, lai);
+    };
+    EXPECT_EQ(of(3.5), 0);
+    EXPECT_NEAR(of(2.4), .2, 1e-12);
+    EXPECT_NEAR(of(5), .25, 1e-12);
 }
 
 TEST(Constraints, StepsBetweenNeighbouringLeavesMayBeLimited) {
-    Constraints constraints;
-    constraints.length_step = .2;
-    EXPECT_NEAR(violation(constraints, plant, 3), .5, 1e-12);
-    constraints.length_step = .31;
-    EXPECT_EQ(violation(constraints, plant, 3), 0);
-    constraints.width_step = .025;
-    EXPECT_NEAR(violation(constraints, plant, 3), .2, 1e-12);
-    constraints.width_step = 0;
-    constraints.insertion_angle_step = 10;
-    EXPECT_NEAR(violation(constraints, plant, 3), 1, 1e-12);
+    TraitConstraint limit{"length", .2};
+    EXPECT_NEAR(excess(limit), .5, 1e-12);
+    limit.step = .31;
+    EXPECT_EQ(excess(limit), 0);
+    EXPECT_NEAR(excess({"width", .025}), .2, 1e-12);
+    EXPECT_NEAR(excess({"insertion_angle", 10}), 1, 1e-12);
+}
+
+TEST(Constraints, StepsOfAzimuthsGoAroundTheCircle) {
+    const Plant around =
+        plant_of({{1, .1, 0, 0, 350}, {1, .1, 0, 0, 10}, {1, .1, 0, 0, 40}});
+    EXPECT_EQ(excess({"azimuth", 30}, around), 0);
+    EXPECT_NEAR(excess({"azimuth", 20}, around), .5, 1e-12);
+}
+
+TEST(Constraints, TheTotalOfATraitMayBeBounded) {
+    TraitConstraint limit{"length"};
+    limit.total = {1.9, 2};
+    EXPECT_NEAR(excess(limit), 0, 1e-12);
+    limit.total = {1, 1.52};
+    EXPECT_NEAR(excess(limit), .25, 1e-12);
+    limit.total = {2, 3};
+    EXPECT_NEAR(excess(limit), .05, 1e-12);
 }
 
 TEST(Constraints, ErectTopsMayBeAskedFor) {
-    Constraints constraints;
-    constraints.erect_top = true;
-    EXPECT_NEAR(violation(constraints, plant, 3), 10. / 90, 1e-12);
-    EXPECT_EQ(violation(constraints, {plant[0], plant[1]}, 3), 0);
+    TraitConstraint limit{"insertion_angle"};
+    limit.is_falling = true;
+    EXPECT_NEAR(excess(limit), 10. / 90, 1e-12);
+    EXPECT_EQ(excess(limit, plant_of({plant.leaves[0], plant.leaves[1]})), 0);
+}
+
+TEST(Constraints, LeavesMayBeAskedToStandInTwoRanks) {
+    TraitConstraint limit{"azimuth"};
+    limit.distichous = 10;
+    const auto of = [&](const std::vector<double>& azimuths) {
+        std::vector<Leaf> leaves;
+        for (const double azimuth : azimuths)
+            leaves.push_back({1, .1, 0, 0, azimuth});
+        return excess(limit, plant_of(leaves));
+    };
+    EXPECT_EQ(of({90, 270, 90, 270}), 0);
+    // Any plane will do, and one that is no leaf's.
+    for (const double plane : {0., 47., 175., 200., 359.})
+        EXPECT_EQ(of({plane - 10, plane + 190, plane + 10, plane - 190}), 0)
+            << plane;
+    // All are 15 deg from the plane in their middle: half of the limit more.
+    EXPECT_NEAR(of({90, 270, 120, 270}), 2, 1e-9);
+    EXPECT_NEAR(of({350, 170, 20, 170}), 2, 1e-9);
+    // All on one side.
+    EXPECT_GT(of({90, 90}), 10);
+}
+
+TEST(Constraints, AreDeclaredOnTraitsByName) {
+    const Campaign campaign =
+        sample("",
+               "[constraints]\nlength.step = 0.1\nlength.total = [0.5, 3]\n"
+               "[constraints.azimuth]\ndistichous = 20\n");
+    ASSERT_EQ(campaign.constraints.traits.size(), 2u);
+    EXPECT_EQ(campaign.constraints.traits[0].trait, "length");
+    EXPECT_EQ(campaign.constraints.traits[0].total.upper, 3);
+    EXPECT_EQ(campaign.constraints.traits[1].distichous, 20);
+    EXPECT_EQ(parse_campaign(campaign.resolved, "again").resolved,
+              campaign.resolved);
+    EXPECT_THROW(sample("", "[constraints.lenght]\nstep = 0.1\n"), InputError);
+    EXPECT_THROW(sample("", "[constraints]\nlength.distichous = 20\n"),
+                 InputError);
 }
 
 TEST(Constraints, WhatContradictsItselfIsRefused) {

@@ -63,14 +63,24 @@ TEST_F(TwoLeaves, WithoutSunAllFiguresAreZero) {
     EXPECT_EQ(report.light.day.leaves.standard_error, 0);
 }
 
-TEST_F(TwoLeaves, PlantsOfOtherNumbersOfLeavesAreRefused) {
-    std::get<Plant>(request.stand).traits.pop_back();
-    EXPECT_THROW(evaluated(), Error);
+TEST_F(TwoLeaves, SheathsHaveOpticsOfTheirOwn) {
+    Plant& plant = std::get<Plant>(request.stand);
+    plant.sheath = {true, 1, .001};
+    request.scenario.optics.soil_albedo = 0;
+    request.scenario.optics.leaf = request.scenario.optics.stalk = {};
+    request.scenario.optics.sheath = {};
+    const CanopyReport black = evaluated();
+    EXPECT_EQ(black.light.day.reflected.mean, 0);
+    request.scenario.optics.sheath = {.9, 0};
+    const CanopyReport bright = evaluated();
+    EXPECT_GT(bright.light.day.reflected.mean, 0);
+    EXPECT_LT(bright.light.groups[3].mean, black.light.groups[3].mean / 5);
+    EXPECT_EQ(bright.lai, black.lai);
 }
 
 TEST_F(TwoLeaves, AReadyFieldHasTheLightOfItsPlants) {
     const CanopyReport drawn = evaluated();
-    request.stand = draw_field(build_plant(std::get<Plant>(request.stand)),
+    request.stand = draw_field(build_plant(std::get<Plant>(request.stand), {}),
                                request.scenario.field, request.randomness);
     for (const Fields fields : {Fields::one, Fields::each})
         EXPECT_EQ(evaluated(fields).leaves_by_randomisation,

@@ -15,8 +15,8 @@ namespace {
 const FieldForm form{6, 4, {0.762, 0.1524}, 10};
 
 TEST(Field, PeriodIsSpacingTimesNumberWhateverTheLeavesReach) {
-    const SamplePlant sample;
-    const Mesh plant = build_plant({sample.form, sample.traits, {}});
+    const Plant sample = sample_plant();
+    const Mesh plant = build_plant(sample, {});
     const Field field = draw_field(plant, form, {1, 0, 0});
     EXPECT_DOUBLE_EQ(field.period_x, 6 * 0.762);
     EXPECT_DOUBLE_EQ(field.period_y, 4 * 0.1524);
@@ -35,13 +35,11 @@ TEST(Field, EveryPlantIsTurnedByItsOwnDraw) {
 }
 
 TEST(Field, TurningByAnAngleEqualsChangingTheLeafAzimuths) {
-    SamplePlant sample;
+    Plant sample = sample_plant();
     const FieldForm single{1, 1, {0.76, 0.15}, 10};
-    const Field turned = build_field(
-        build_plant({sample.form, sample.traits, {}}), single, {7.5});
-    for (LeafTraits& traits : sample.traits) traits.azimuth += 7.5;
-    const Field changed =
-        build_field(build_plant({sample.form, sample.traits, {}}), single, {0});
+    const Field turned = build_field(build_plant(sample, {}), single, {7.5});
+    for (Leaf& leaf : sample.leaves) leaf.azimuth += 7.5;
+    const Field changed = build_field(build_plant(sample, {}), single, {0});
     const std::size_t leaf_vertices = 3 * 13 * 3;
     for (std::size_t v = 0; v < leaf_vertices; ++v) {
         EXPECT_NEAR(turned.mesh.vertices[v].x, changed.mesh.vertices[v].x,
@@ -52,10 +50,10 @@ TEST(Field, TurningByAnAngleEqualsChangingTheLeafAzimuths) {
 }
 
 TEST(Field, APlotHasTheGroundOfItsPlants) {
-    const SamplePlant sample;
+    const Plant sample = sample_plant();
     FieldForm plot = form;
     plot.boundary = Boundary::isolated;
-    const Mesh plant = build_plant({sample.form, sample.traits, {}});
+    const Mesh plant = build_plant(sample, {});
     const Field field = draw_field(plant, plot, {1, 0, 0});
     EXPECT_EQ(field.boundary, Boundary::isolated);
     EXPECT_NEAR(field.ground_area, 24 * 0.762 * 0.1524, 1e-12);
@@ -63,11 +61,11 @@ TEST(Field, APlotHasTheGroundOfItsPlants) {
 }
 
 TEST(Field, ACutPlotEndsAtItsEdge) {
-    const SamplePlant sample;
+    const Plant sample = sample_plant();
     FieldForm plot = form;
     plot.boundary = Boundary::isolated;
     plot.border_rows = 1;
-    const Mesh plant = build_plant({sample.form, sample.traits, {}});
+    const Mesh plant = build_plant(sample, {});
     const Field field = draw_field(plant, plot, {1, 0, 0});
     EXPECT_NEAR(field.ground_area, 4 * 2 * 0.762 * 0.1524, 1e-12);
     // What is cut off its plants, its neighbours hang over the edge.
@@ -83,11 +81,11 @@ TEST(Field, ACutPlotEndsAtItsEdge) {
 }
 
 TEST(Field, EveryFaceKnowsItsPlantAlsoInACutPlot) {
-    const SamplePlant sample;
+    const Plant sample = sample_plant();
     FieldForm plot = form;
     plot.boundary = Boundary::isolated;
     plot.border_rows = 1;
-    const Mesh plant = build_plant({sample.form, sample.traits, {}});
+    const Mesh plant = build_plant(sample, {});
     const Field field = draw_field(plant, plot, {1, 0, 0});
     ASSERT_EQ(field.face_plant.size(), field.mesh.faces.size());
     // Stalks stand where their plants do.
@@ -106,11 +104,11 @@ TEST(Field, EveryFaceKnowsItsPlantAlsoInACutPlot) {
 }
 
 TEST(Field, ACutPlotKeepsNoVertexWithoutAFace) {
-    const SamplePlant sample;
+    const Plant sample = sample_plant();
     FieldForm plot = form;
     plot.boundary = Boundary::isolated;
     plot.border_rows = 1;
-    const Mesh plant = build_plant({sample.form, sample.traits, {}});
+    const Mesh plant = build_plant(sample, {});
     const Field field = draw_field(plant, plot, {1, 0, 0});
     std::set<std::uint32_t> used;
     for (const auto& face : field.mesh.faces)
@@ -120,8 +118,8 @@ TEST(Field, ACutPlotKeepsNoVertexWithoutAFace) {
 }
 
 TEST(Field, RefusesAWrongNumberOfTurns) {
-    const SamplePlant sample;
-    const Mesh plant = build_plant({sample.form, sample.traits, {}});
+    const Plant sample = sample_plant();
+    const Mesh plant = build_plant(sample, {});
     EXPECT_THROW(build_field(plant, form, {0, 0}), Error);
 }
 

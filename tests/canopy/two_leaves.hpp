@@ -7,9 +7,9 @@ namespace ideotype {
 //! Plants of two leaves on a clear day at Ames.
 inline CanopyRequest two_leaves(const Accuracy& accuracy) {
     Plant plant;
-    plant.form.leaves = {{60, .2}, {40, .5}};
-    plant.form.blade.width_controls = {.28, .89, .9, 1.15, .38, 0};
-    plant.traits = {{.7, .08, 40, 90}, {.5, .06, 30, 270}};
+    plant.leaves = {{.7, .08, 40, 60, 90, .2}, {.5, .06, 30, 40, 270, .5}};
+    plant.blade.width_controls = {.28, .89, .9, 1.15, .38, 0};
+    plant.stalk = {true, 2, .027, 0, LeafBase::axis};
     Scenario ames;
     ames.field = {2, 2, {.76, .15, 90}};
     ames.light = illuminate(

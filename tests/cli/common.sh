@@ -5,8 +5,8 @@ ideotype=$1
 project=$2
 folder=$3
 rm -rf "$folder"
-mkdir -p "$folder/campaigns/plants"
-cp "$project"/campaigns/plants/*.toml "$folder/campaigns/plants"
+mkdir -p "$folder/campaigns"
+cp -r "$project"/campaigns/{crops,plants} "$folder/campaigns"
 cd "$folder"
 
 fail() {
@@ -55,7 +55,7 @@ plant = 0.1524
 rows = 3
 plants = 3
 [plant]
-baseline = "plants/b73.toml"
+baseline = "plants/b73_v01.toml"
 bounds = "paper"
 [light]
 paths = 256

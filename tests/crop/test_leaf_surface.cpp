@@ -18,16 +18,16 @@ double blade_width(const BladeRow& row) {
 }
 
 LeafSurface sample_leaf(std::size_t i, double folding_angle) {
-    SamplePlant sample;
+    Plant sample = sample_plant();
     sample.blade.folding_angle = folding_angle;
-    return LeafSurface(sample.traits[i], sample.form.leaves[i], sample.blade);
+    return LeafSurface(sample.leaves[i], sample.blade);
 }
 
 class EveryLeaf : public ::testing::TestWithParam<std::size_t> {};
 INSTANTIATE_TEST_SUITE_P(Sample, EveryLeaf, ::testing::Values(0u, 1u, 2u));
 
 TEST_P(EveryLeaf, LengthAndWidthAreMetByTheTessellation) {
-    const SamplePlant sample;
+    const Plant sample = sample_plant();
     for (const int cells : {4, 12, 40}) {
         const auto rows = sample_leaf(GetParam(), 10).tessellate(cells);
         double length = 0, width = 0;
@@ -35,13 +35,13 @@ TEST_P(EveryLeaf, LengthAndWidthAreMetByTheTessellation) {
             if (i > 0) length += distance(rows[i].midrib, rows[i - 1].midrib);
             width = std::max(width, blade_width(rows[i]));
         }
-        EXPECT_NEAR(length / sample.traits[GetParam()].length, 1, 1e-12);
-        EXPECT_NEAR(width / sample.traits[GetParam()].width, 1, 1e-12);
+        EXPECT_NEAR(length / sample.leaves[GetParam()].length, 1, 1e-12);
+        EXPECT_NEAR(width / sample.leaves[GetParam()].width, 1, 1e-12);
     }
 }
 
 TEST_P(EveryLeaf, SurfaceItselfNeedsHardlyAnyStretching) {
-    const SamplePlant sample;
+    const Plant sample = sample_plant();
     const LeafSurface leaf = sample_leaf(GetParam(), 10);
     double length = 0, width = 0;
     for (int i = 1; i <= 1000; ++i) {
@@ -49,14 +49,13 @@ TEST_P(EveryLeaf, SurfaceItselfNeedsHardlyAnyStretching) {
                            leaf.row((i - 1) / 1000.).midrib);
         width = std::max(width, blade_width(leaf.row(i / 1000.)));
     }
-    EXPECT_NEAR(length / sample.traits[GetParam()].length, 1, 1e-3);
-    EXPECT_NEAR(width / sample.traits[GetParam()].width, 1, 2e-3);
+    EXPECT_NEAR(length / sample.leaves[GetParam()].length, 1, 1e-3);
+    EXPECT_NEAR(width / sample.leaves[GetParam()].width, 1, 2e-3);
 }
 
 TEST_P(EveryLeaf, MidribFollowsItsAngles) {
-    const SamplePlant sample;
-    const LeafTraits& traits = sample.traits[GetParam()];
-    const double curvature = sample.form.leaves[GetParam()].curvature;
+    const Plant sample = sample_plant();
+    const Leaf& traits = sample.leaves[GetParam()];
     const LeafSurface leaf = sample_leaf(GetParam(), 0);
     double arc = 0;
     for (int i = 1; i <= 2000; ++i) {
@@ -65,7 +64,7 @@ TEST_P(EveryLeaf, MidribFollowsItsAngles) {
         arc += distance(a, b);
         const double s = arc / traits.length;
         const double expected =
-            traits.insertion_angle + curvature * std::pow(s, 1.5);
+            traits.insertion_angle + traits.curvature * std::pow(s, 1.5);
         const double angle =
             std::atan2(b.y - a.y, b.z - a.z) * 180 / std::acos(-1.);
         EXPECT_NEAR(angle, expected, 2.5) << "at s = " << s;
@@ -77,9 +76,7 @@ TEST(LeafSurface, WidthProfileIsThatOfMaize) {
     // blade; the six-point spline trades 0.023 of width for exact area.
     const double published[] = {.28, .70, .88, .935, .97, .98,
                                 .96, .88, .66, .35,  0};
-    SamplePlant sample;
-    const LeafForm straight{0, 0.5};
-    const LeafSurface leaf({1, 0.1, 45, 0}, straight, sample.blade);
+    const LeafSurface leaf({1, 0.1, 45, 0, 0, 0.5}, sample_plant().blade);
     double area = 0;
     for (int i = 0; i <= 10; ++i)
         EXPECT_NEAR(blade_width(leaf.row(i / 10.)) / 0.1, published[i], 0.024);
@@ -97,8 +94,7 @@ TEST(LeafSurface, FoldRaisesTheEdgesTowardsTheUpperSide) {
 }
 
 TEST(LeafSurface, RefusesAWrongNumberOfWidthControls) {
-    EXPECT_THROW(LeafSurface({1, 0.1, 45, 0}, {0, 0.5}, {{1, 1}, 0, 1.5}),
-                 Error);
+    EXPECT_THROW(LeafSurface({1, 0.1, 45, 0, 0, 0.5}, {{1, 1}, 0, 1.5}), Error);
 }
 
 }  // namespace

@@ -10,9 +10,33 @@
 namespace ideotype {
 namespace {
 
+double area_of(const Mesh& mesh, const std::string& group) {
+    const std::vector<double> areas = face_areas(mesh);
+    double sum = 0;
+    for (std::size_t f = 0; f < areas.size(); ++f)
+        if (mesh.groups[mesh.face_group[f]].name == group) sum += areas[f];
+    return sum;
+}
+
+struct Box {
+    glm::dvec3 lower{9, 9, 9}, upper{-9, -9, -9};
+};
+
+Box box_of(const Mesh& mesh, std::uint32_t group) {
+    Box box;
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+        for (const std::uint32_t v : mesh.faces[f])
+            if (mesh.face_group[f] == group)
+                for (int k = 0; k < 3; ++k) {
+                    box.lower[k] = std::min(box.lower[k], mesh.vertices[v][k]);
+                    box.upper[k] = std::max(box.upper[k], mesh.vertices[v][k]);
+                }
+    return box;
+}
+
 TEST(Plant, GroupsAreLeavesFromTheLowestAndThenTheStalk) {
-    const SamplePlant sample;
-    const Mesh mesh = build_plant({sample.form, sample.traits, {}});
+    const Plant sample = sample_plant();
+    const Mesh mesh = build_plant(sample, {});
     ASSERT_EQ(mesh.groups.size(), 4u);
     EXPECT_EQ(mesh.groups[0].name, "leaf01");
     EXPECT_EQ(mesh.groups[2].name, "leaf03");
@@ -22,24 +46,23 @@ TEST(Plant, GroupsAreLeavesFromTheLowestAndThenTheStalk) {
 }
 
 TEST(Plant, LeafAreaFollowsLengthTimesWidth) {
-    const SamplePlant sample;
+    const Plant sample = sample_plant();
     double expected = 0;
-    for (const LeafTraits& t : sample.traits)
-        expected += 0.7455 * t.length * t.width;
+    for (const Leaf& t : sample.leaves) expected += 0.7455 * t.length * t.width;
     const auto area = [&](int cells) {
-        return leaf_area(build_plant({sample.form, sample.traits, {cells, 8}}));
+        return leaf_area(build_plant(sample, {cells, 8}));
     };
     EXPECT_NEAR(area(12) / expected, 1, 0.006);
     EXPECT_NEAR(area(64) / expected, 1, 0.004);
 }
 
 TEST(Plant, AzimuthZeroIsAlongTheRowAndNinetyAcross) {
-    const SamplePlant sample;
+    const Plant sample = sample_plant();
     for (const auto& [azimuth, x, y] :
          {std::array{0., 0., 1.}, {90., 1., 0.}, {270., -1., 0.}}) {
-        auto traits = sample.traits;
-        traits[1].azimuth = azimuth;
-        const Mesh mesh = build_plant({sample.form, traits, {12, 8}});
+        Plant plant = sample;
+        plant.leaves[1].azimuth = azimuth;
+        const Mesh mesh = build_plant(plant, {12, 8});
         const glm::dvec3 tip = mesh.vertices[13 * 3 * 2 - 2];
         const double reach = std::hypot(tip.x, tip.y);
         EXPECT_NEAR(tip.x / reach, x, 1e-9);
@@ -48,8 +71,8 @@ TEST(Plant, AzimuthZeroIsAlongTheRowAndNinetyAcross) {
 }
 
 TEST(Plant, StalkHasTheSideOfItsCylinder) {
-    const SamplePlant sample;
-    const Mesh mesh = build_plant({sample.form, sample.traits, {}});
+    const Plant sample = sample_plant();
+    const Mesh mesh = build_plant(sample, {});
     const auto areas = face_areas(mesh);
     double sides = 0;
     for (std::size_t f = 0; f < areas.size(); ++f)
@@ -58,15 +81,103 @@ TEST(Plant, StalkHasTheSideOfItsCylinder) {
 }
 
 TEST(Plant, StalkIsOptional) {
-    SamplePlant sample;
-    sample.form.stalk.is_present = false;
-    EXPECT_EQ(build_plant({sample.form, sample.traits, {}}).groups.size(), 3u);
+    Plant sample = sample_plant();
+    sample.stalk.is_present = false;
+    EXPECT_EQ(build_plant(sample, {}).groups.size(), 3u);
 }
 
-TEST(Plant, RefusesAWrongNumberOfLeaves) {
-    SamplePlant sample;
-    sample.traits.pop_back();
-    EXPECT_THROW(build_plant({sample.form, sample.traits, {}}), Error);
+TEST(Plant, StalksTaper) {
+    Plant sample = sample_plant();
+    sample.stalk = {true, 1.6, 0.024, 0.011, LeafBase::axis};
+    EXPECT_DOUBLE_EQ(sample.stalk.radius(0), 0.012);
+    EXPECT_DOUBLE_EQ(sample.stalk.radius(0.8), 0.00875);
+    EXPECT_DOUBLE_EQ(sample.stalk.radius(9), 0.0055);
+    // Side of a cone without its tip: pi (r + R) times its slant height.
+    const double slant = std::hypot(1.6, 0.0065);
+    EXPECT_NEAR(area_of(build_plant(sample, {12, 200}), "stalk") /
+                    (std::numbers::pi * 0.0175 * slant +
+                     std::numbers::pi * 0.0055 * 0.0055),
+                1, 1e-3);
+}
+
+TEST(Plant, LeavesBeginAtTheSurfaceOfTheStalk) {
+    Plant sample = sample_plant();
+    sample.stalk.leaf_base = LeafBase::surface;
+    const Mesh mesh = build_plant(sample, {});
+    constexpr std::size_t per_leaf = 13 * 3;
+    for (std::size_t leaf = 0; leaf < 3; ++leaf) {
+        const glm::dvec3 base = mesh.vertices[leaf * per_leaf + 1];
+        EXPECT_NEAR(std::hypot(base.x, base.y), 0.0135, 1e-12);
+        EXPECT_DOUBLE_EQ(base.z, sample.leaves[leaf].insertion_height);
+    }
+    EXPECT_NEAR(leaf_area(mesh) / leaf_area(build_plant(sample_plant(), {})), 1,
+                1e-9);
+}
+
+TEST(Plant, SheathsCoverTheStalkBelowEachLeafAndAreNoLeaves) {
+    Plant sample = sample_plant();
+    const double leaves = leaf_area(build_plant(sample, {}));
+    sample.stalk = {true, 1.6, 0.02, 0.02, LeafBase::surface};
+    sample.sheath = {true, 0.5, 0.001};
+    Mesh mesh = build_plant(sample, {});
+    EXPECT_EQ(organ_names(sample),
+              (std::vector<std::string>{"stalk", "sheath"}));
+    EXPECT_EQ(mesh.groups.back().name, "sheath");
+    EXPECT_EQ(mesh.groups.back().tissue, Tissue::sheath);
+    EXPECT_NEAR(leaf_area(mesh), leaves, 1e-9);
+    // Leaves at .1, .9 and 1.6 m: .1, .5 and .5 m of sheath show, and .3 and .2
+    // m of stalk; only sheaths are closed by flat tops.
+    const auto tops = [](double radius, int count) {
+        return count * 8 * std::sin(std::numbers::pi / 8) *
+               std::cos(std::numbers::pi / 8) *
+               std::pow(radius * std::numbers::pi / 8 /
+                            std::sin(std::numbers::pi / 8),
+                        2);
+    };
+    EXPECT_NEAR(area_of(mesh, "sheath"),
+                std::numbers::pi * 0.022 * 1.1 + tops(0.011, 3), 1e-9);
+    EXPECT_NEAR(area_of(mesh, "stalk"), std::numbers::pi * 0.02 * 0.5, 1e-9);
+    // Sheaths that are longer than all internodes leave nothing bare.
+    sample.sheath.length = 0.81;
+    EXPECT_EQ(area_of(build_plant(sample, {}), "stalk"), 0);
+}
+
+TEST(Plant, OtherOrgansStandOnTheStalkOrAtALeaf) {
+    Plant sample = sample_plant();
+    sample.stalk = {true, 1.6, 0.02, 0.02, LeafBase::surface};
+    Organ branches;
+    branches.name = "branches";
+    branches.count = 3;
+    branches.spread = 0.1;
+    branches.offset = 0.2;
+    branches.length = 0.2;
+    branches.base_diameter = branches.top_diameter = 0.004;
+    branches.inclination = 90;
+    Organ ear = branches;
+    ear.name = "ear";
+    ear.tissue = Tissue::sheath;
+    ear.leaf = 2;
+    ear.count = 1;
+    ear.offset = 0;
+    ear.inclination = 0;
+    sample.organs = {branches, ear};
+    const Mesh mesh = build_plant(sample, {});
+    ASSERT_EQ(mesh.groups.size(), 6u);
+    EXPECT_EQ(mesh.groups[4].name, "stalk_branches");
+    EXPECT_EQ(mesh.groups[5].name, "sheath_ear");
+    const Box top = box_of(mesh, 4), side = box_of(mesh, 5);
+    // Branches at 1.8, 1.85 and 1.9 m, level, 120 deg apart from +y.
+    EXPECT_NEAR(top.lower.z, 1.8, 0.003);
+    EXPECT_NEAR(top.upper.z, 1.9, 0.003);
+    EXPECT_NEAR(top.upper.y, 0.2, 0.003);
+    EXPECT_NEAR(top.upper.x, 0.2 * std::sin(std::numbers::pi / 3), 0.003);
+    // The ear stands upright at leaf 2, which points to -x.
+    EXPECT_NEAR(side.lower.z, 0.9, 1e-9);
+    EXPECT_NEAR(side.upper.z, 1.1, 1e-9);
+    EXPECT_NEAR((side.lower.x + side.upper.x) / 2, -0.01, 1e-9);
+    set_present(sample, "branches", false);
+    EXPECT_EQ(organ_names(sample), (std::vector<std::string>{"stalk", "ear"}));
+    EXPECT_EQ(build_plant(sample, {}).groups.size(), 5u);
 }
 
 }  // namespace

@@ -80,15 +80,13 @@ void add_leaf(Mesh& mesh, glm::dvec3 corner, glm::dvec3 u, glm::dvec3 v) {
 }
 
 Mesh two_leaves(double length, double width, double insertion_angle) {
-    const PlantForm form{
-        "plant",
-        {{60, 0.2}, {40, 0.5}},
-        {{0.28, 0.885870, 0.895017, 1.149943, 0.379696, 0.0}, 10, 1.5},
-        {false, 2, 0.027}};
-    return build_plant({form,
-                        {{length, width, insertion_angle, 0},
-                         {length, width, insertion_angle, 90}},
-                        {}});
+    Plant plant;
+    plant.leaves = {{length, width, insertion_angle, 60, 0, 0.2},
+                    {length, width, insertion_angle, 40, 90, 0.5}};
+    plant.blade.width_controls = {0.28,     0.885870, 0.895017,
+                                  1.149943, 0.379696, 0.0};
+    plant.stalk.is_present = false;
+    return build_plant(plant, {});
 }
 
 }  // namespace ideotype

@@ -12,7 +12,7 @@ class Ames : public ::testing::Test {
     const Campaign campaign =
         read_campaign(std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml");
     const std::vector<Case> all = cases(campaign);
-    const Genome baseline = to_genome(campaign.baseline);
+    const Genome baseline = baseline_numbers(campaign.crop);
     CanopyEvaluator evaluator{campaign, Device::supported_isas().back()};
 
     const OutcomeSchema schema =
@@ -63,15 +63,16 @@ TEST_F(Ames, CandidatesOfAGenerationShareTheirRandomNumbers) {
 }
 
 TEST_F(Ames, TheElitePlantAbsorbsMoreThanTheBaseline) {
-    const KnownPlant plant =
-        read_plant(std::string(IDEOTYPE_CAMPAIGNS) + "/plants/elite.toml");
-    // Both plants have the same stalk, blade and heights of leaves, so that
-    // the genome is all that tells them apart.
-    const Genome elite = to_genome(plant.traits);
-    const auto absorbed = [&](const Genome& genome) {
-        return evaluator.evaluate({}, genome).objectives[0];
+    const Device device(Device::supported_isas().back());
+    const auto absorbed = [&](const Plant& plant) {
+        return evaluate(request_of({}, campaign, all[0],
+                                   scenario_of(campaign, all[0]), plant),
+                        device)
+            .light.day.leaves;
     };
-    const Estimate b = absorbed(baseline), e = absorbed(elite);
+    const Estimate b = absorbed(campaign.crop.baseline);
+    const Estimate e = absorbed(
+        read_plant(std::string(IDEOTYPE_CAMPAIGNS) + "/plants/elite.toml"));
     EXPECT_GT(e.mean - b.mean,
               4 * std::hypot(b.standard_error, e.standard_error));
 }
@@ -131,8 +132,10 @@ TEST_F(Ames, ObjectivesAreTheMeansOfTheirRandomisations) {
 TEST_F(Ames, EqualRandomNumbersMakeDifferencesCertain) {
     Genome other = baseline;
     other[0] *= 1.02;
-    const Outcome a = evaluator.evaluate({}, baseline);
-    const Outcome b = evaluator.evaluate({}, other);
+    Task task;
+    task.is_final = true;  // the same number of paths for both
+    const Outcome a = evaluator.evaluate(task, baseline);
+    const Outcome b = evaluator.evaluate(task, other);
     const double independent = std::hypot(a.objectives[0].standard_error,
                                           b.objectives[0].standard_error);
     EXPECT_GT(difference(a, b).standard_error, 0);
@@ -186,7 +189,7 @@ TEST(Canopy, InThePolarNightAllFiguresAreZero) {
         const Scenario scenario = scenario_of(campaign, night);
         ASSERT_TRUE(scenario.light.day.steps.empty());
         const Device device(Device::supported_isas().back());
-        const Genome baseline = to_genome(campaign.baseline);
+        const Plant& baseline = campaign.crop.baseline;
         const Outcome outcome = checked_outcome(
             outcome_schema(campaign, night, campaign.sampling),
             to_outcome(

@@ -127,7 +127,7 @@ class GrowingOptimizer : public Optimizer {
 TEST_F(EvolveCase, GenerationsMayDifferInSize) {
     campaign.final_rule.candidates = 2;
     const HistoryHeader h = header();
-    GrowingOptimizer optimizer(to_genome(campaign.baseline));
+    GrowingOptimizer optimizer(baseline_numbers(campaign.crop));
     {
         History written = History::create(path("a.h5"), h);
         SumEvaluator evaluator(h.schema, stop);

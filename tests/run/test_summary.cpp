@@ -23,7 +23,7 @@ class Summary : public testing::Test {
         fs::remove(path_);
         History history = History::create(
             path_.string(), header_of(campaign_, cases(campaign_)[0], "avx2"));
-        const Genome genome = to_genome(campaign_.baseline);
+        const Genome genome = baseline_numbers(campaign_.crop);
         history.propose_final(
             {{genome, Origin::baseline, {}}, {genome, Origin::elite, {}}});
         record(history, 0, baseline, baseline_lai);

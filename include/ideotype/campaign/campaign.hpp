@@ -9,7 +9,8 @@
 #include "ideotype/climate/radiance.hpp"
 #include "ideotype/climate/site.hpp"
 #include "ideotype/core/error.hpp"
-#include "ideotype/crop/plant.hpp"
+#include "ideotype/core/range.hpp"
+#include "ideotype/crop/crop.hpp"
 #include "ideotype/light/accuracy.hpp"
 #include "ideotype/light/optics.hpp"
 #include "ideotype/search/genome.hpp"
@@ -25,42 +26,38 @@ struct Named {
     Value value;
 };
 
-//! Which traits may be bred; the others keep the baseline's values.
-struct TraitSet {
-    bool length = true;
-    bool width = true;
-    bool insertion_angle = true;
-    bool azimuth = true;
+//! The traits that may be bred; the others keep the baseline's values.
+using TraitSet = std::vector<std::string>;
+
+//! What a plant must keep to in the first measure that a trait acts on, in the
+//! unit of that measure, however it is bred.
+struct TraitConstraint {
+    std::string trait;
+    double step = 0;          //!< largest between neighbouring leaves; 0: any
+    Range total{0, 1e9};      //!< of all leaves
+    bool is_falling = false;  //!< it must not rise from leaf to leaf upwards
+    //! Leaves alternate between the two sides of one plane, and none is
+    //! further from it [deg]; 0: any.
+    double distichous = 0;
 };
 
-//! Smallest and largest value.
-struct Range {
-    double lower = 0;
-    double upper = 0;
-};
-
-//! Bounds of one leaf's traits; azimuth is a full circle.
-struct LeafBounds {
-    Range length;           //!< [m]
-    Range width;            //!< [m]
-    Range insertion_angle;  //!< [deg]
-};
+//! Whether it asks for anything.
+bool constrains(const TraitConstraint& limit);
 
 //! What a plant must keep to. A plant that does not is worse than any that
 //! does, and the worse the more it fails: see violation().
 struct Constraints {
-    Range lai{0, 1000};      //!< one-sided [m2 m-2]
-    double length_step = 0;  //!< between neighbouring leaves [m]; 0: any
-    double width_step = 0;   //!< [m]; 0: any
-    double insertion_angle_step = 0;  //!< [deg]; 0: any
-    bool erect_top = false;           //!< insertion angle must not rise upwards
+    Range lai{0, 1000};  //!< one-sided [m2 m-2]
+    std::vector<TraitConstraint> traits;
 };
 
 //! How far a plant fails its constraints: the sum of what each is exceeded by,
 //! relative to its limit; 0 if all are met.
+//! @param traits of the plant's crop
 //! @param lai of the plant in its stand
 double violation(const Constraints& constraints,
-                 const std::vector<LeafTraits>& leaves, double lai);
+                 const std::vector<Trait>& traits, const Plant& plant,
+                 double lai);
 
 //! How the best candidates are evaluated again at the end.
 struct FinalRule {
@@ -94,9 +91,8 @@ struct Campaign {
     std::vector<Named<TraitSet>> trait_sets;
 
     FieldForm field;  //!< spacing is set per case
-    PlantForm plant;
-    std::vector<LeafTraits> baseline;
-    std::vector<LeafBounds> bounds;  //!< per leaf
+    Crop crop;
+    std::vector<Range> bounds;  //!< of trait_numbers(crop)
     Tessellation tessellation;
     Optics optics;
     double par_fraction = 0.45;
@@ -126,7 +122,7 @@ struct Case {
     int replicate = 1;
 };
 
-//! Reads and checks a campaign file and the plant file that it names.
+//! Reads and checks a campaign file and the crop file that it names.
 //! @throws InputError with all problems of both files.
 //! @throws Error if a file cannot be read.
 Campaign read_campaign(const std::string& path);
@@ -136,19 +132,13 @@ Campaign read_campaign(const std::string& path);
 //! @throws InputError
 Campaign parse_campaign(const std::string& text, const std::string& file);
 
-//! A plant with the traits that it has, as a plant file holds it.
-struct KnownPlant {
-    PlantForm form;
-    std::vector<LeafTraits> traits;  //!< lowest leaf first
-};
-
-//! Reads a plant file, or the baseline of a campaign file.
+//! Reads the plant of a crop file, or the baseline of a campaign file.
 //! @throws InputError with all problems.
 //! @throws Error if a file cannot be read.
-KnownPlant read_plant(const std::string& path);
+Plant read_plant(const std::string& path);
 
-//! The text of a plant file: every key with its value.
-std::string plant_text(const KnownPlant& plant);
+//! The text of a crop file with the traits of a campaign and another baseline.
+std::string crop_text(const Campaign& campaign, const Plant& baseline);
 
 //! All cases in their order: sites, then days, spacings, trait sets, and
 //! replicates fastest. Adding an entry to an axis does not change the name or
@@ -163,10 +153,6 @@ Case case_at(const Campaign& campaign, int index, const std::string& path);
 //! The genes of a case with their bounds; genes outside its trait set are
 //! not free.
 GeneSpace gene_space(const Campaign& campaign, const Case& chosen);
-
-//! The baseline plant as a genome, and back.
-Genome to_genome(const std::vector<LeafTraits>& traits);
-std::vector<LeafTraits> to_traits(const Genome& genome);
 
 //! What differs between two resolved campaigns, one line per key:
 //! "light.paths was 4096, is 8192". Empty if nothing does.

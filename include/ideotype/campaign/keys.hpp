@@ -5,9 +5,9 @@
 
 namespace ideotype {
 
-//! What may be written for one key of a campaign or plant file, in words.
+//! What may be written for one key of a campaign or crop file, in words.
 struct KeyInfo {
-    std::string section;  //!< "top", "site", ..., "plant file", ..., "leaf"
+    std::string section;  //!< "top", "site", ..., "crop file", ..., "leaf"
     std::string name;
     std::string type;     //!< "integer", "number", "local date", ...
     std::string unit;     //!< "-" if it has none
@@ -16,7 +16,7 @@ struct KeyInfo {
     std::string meaning;
 };
 
-//! Every key in the order of a resolved campaign, plant files last.
+//! Every key in the order of a resolved campaign, crop files last.
 std::vector<KeyInfo> campaign_keys();
 
 }  // namespace ideotype

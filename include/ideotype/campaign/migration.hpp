@@ -7,16 +7,18 @@
 
 namespace ideotype {
 
-//! A name of an earlier version that stands in a campaign or plant file.
+//! A name of an earlier version that stands in a campaign or crop file.
 struct OldName {
     Location where;
     std::string what;  //!< "key 'inclination' in [leaf]"
     std::string was;
     std::string is;
     bool is_both = false;  //!< its table has the new name too
+    std::string value;     //!< that it has today, as TOML; "": the same
+    std::string also;      //!< an entry that goes with it today, as TOML
 };
 
-//! A campaign or plant file with the names of this version.
+//! A campaign or crop file with the names of this version.
 struct Migration {
     std::string file;
     std::string text;
@@ -31,7 +33,7 @@ struct Migration {
 //! @throws InputError if the text is not valid TOML
 Migration migrated(const std::string& text, const std::string& file);
 
-//! The same of a file, and then of the plant file that it names if there is
+//! The same of a file, and then of the crop file that it names if there is
 //! one.
 //! @throws InputError if a file is not valid TOML
 //! @throws Error if the file cannot be read

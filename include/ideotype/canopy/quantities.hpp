@@ -8,9 +8,9 @@
 
 namespace ideotype {
 
-//! All that is measured of a canopy of plants with so many leaves, along leaf,
-//! layer, hour, light_source and leaf_side.
-QuantitySet canopy_quantities(std::size_t leaves, const Layers& layers,
+//! All that is measured of a canopy of plants with these leaves and organs,
+//! along leaf, organ, layer, hour, light_source and leaf_side.
+QuantitySet canopy_quantities(const Plant& plant, const Layers& layers,
                               const Day& day);
 
 //! Their numbers in a report on such a canopy, in the same order.

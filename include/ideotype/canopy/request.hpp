@@ -31,6 +31,7 @@ struct CanopyRequest {
     Accuracy accuracy;
     Randomness randomness;
     Details details;
+    Tessellation tessellation{};  //!< of plants
 };
 
 }  // namespace ideotype

@@ -34,6 +34,7 @@ struct MeshOptions {
 
     Lambertian leaf{0.05, 0.05};
     Lambertian stalk{0.31, 0.12};
+    Lambertian sheath{0.09, 0};
     double soil_albedo = 0.1;
 
     double tolerance = 1e-3;             //!< relative standard error

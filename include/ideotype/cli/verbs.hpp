@@ -29,8 +29,8 @@ struct PlanOptions {
 };
 ExitCode plan(const PlanOptions& options);
 
-//! `migrate CAMPAIGN`: gives a campaign or plant file of an earlier version,
-//! and the plant file that a campaign names, the names of this one.
+//! `migrate CAMPAIGN`: gives a campaign or crop file of an earlier version,
+//! and the crop file that a campaign names, the names of this one.
 ExitCode migrate(const std::string& path);
 
 //! `status PATH...`: one line per history or history in a folder, also of live
@@ -65,7 +65,7 @@ ExitCode evaluate(const EvaluateOptions& options);
 //! random numbers.
 struct CrossOptions {
     //! Histories, for the best plant; campaigns, for their baseline; and
-    //! plant files.
+    //! crop files.
     std::vector<std::string> plants;
     std::string under;
     bool is_json = false;

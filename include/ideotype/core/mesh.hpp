@@ -10,7 +10,7 @@
 namespace ideotype {
 
 //! What a surface is made of; selects its optical properties.
-enum class Tissue : std::uint8_t { leaf, stalk };
+enum class Tissue : std::uint8_t { leaf, stalk, sheath };
 
 //! Faces whose light is counted together, for example all leaves of one rank.
 struct Group {

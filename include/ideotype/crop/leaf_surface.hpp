@@ -30,11 +30,11 @@ struct BladeRow {
 //! side.
 class LeafSurface {
   public:
-    //! The leaf grows from a stem on the z axis, before it is turned to its
+    //! The leaf grows from a stalk on the z axis, before it is turned to its
     //! azimuth: the midrib is in the plane x = 0, y >= 0.
+    //! @param distance of the midrib's base from the z axis [m]
     //! @throws Error if there are not six width controls.
-    LeafSurface(const LeafTraits& traits, const LeafForm& form,
-                const BladeForm& blade);
+    LeafSurface(const Leaf& leaf, const Blade& blade, double distance = 0);
 
     //! The surface at parameter t in [0, 1] [m].
     BladeRow row(double t) const;
@@ -46,8 +46,8 @@ class LeafSurface {
     std::vector<BladeRow> tessellate(int cells) const;
 
   private:
-    LeafTraits traits_;
-    double insertion_height_;
+    Leaf leaf_;
+    glm::dvec3 base_;  //!< of the midrib
     std::array<BladeRow, controls_along> controls_;
 };
 

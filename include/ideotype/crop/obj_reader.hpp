@@ -24,9 +24,9 @@ inline constexpr std::size_t most_obj_faces = 20'000'000;
 //! Polygons may have any number of corners and need be neither convex nor
 //! quite plane. Faces that follow the same group (g) or object (o) name are
 //! one group, wherever they are in the file. Groups whose names begin with
-//! "stalk", or with "plantN_stalk", are stalks, all others leaves. Materials,
-//! normals and textures are ignored. Faces without area are left out with a
-//! warning.
+//! "stalk" or "sheath", or with "plantN_stalk" or "plantN_sheath", are stalks
+//! or sheaths, all others leaves. Materials, normals and textures are ignored.
+//! Faces without area are left out with a warning.
 //!
 //! @throws Error if the file cannot be read.
 //! @throws InputError with the place of the first thing wrong: what is not a

@@ -7,22 +7,18 @@
 
 namespace ideotype {
 
-//! What can be bred of a leaf.
-struct LeafTraits {
-    double length = 0;           //!< arc length of the midrib [m]
-    double width = 0;            //!< largest width of the blade [m]
-    double insertion_angle = 0;  //!< of the leaf base from the stem [deg]
-    double azimuth = 0;          //!< about the stem, 0 = along the row [deg]
-};
-
-//! What is given of a leaf.
-struct LeafForm {
+//! The blade of one leaf.
+struct Leaf {
+    double length = 0;            //!< arc length of the midrib [m]
+    double width = 0;             //!< largest width of the blade [m]
+    double insertion_angle = 0;   //!< of its base from the stalk [deg]
     double curvature = 0;         //!< how far the tip bends down [deg]
+    double azimuth = 0;           //!< about the stalk, 0: along the row [deg]
     double insertion_height = 0;  //!< above the soil [m]
 };
 
 //! The shape that all blades share.
-struct BladeForm {
+struct Blade {
     //! Control values of the width profile: the width over arc length is a
     //! cubic B-spline with these six control values and knots at 1/3 and 2/3,
     //! scaled to a maximum of 1.
@@ -31,11 +27,56 @@ struct BladeForm {
     double curvature_exponent = 1.5;  //!< of relative arc length
 };
 
-//! A cylinder on the soil.
-struct StalkForm {
+//! Where the midribs of leaves begin.
+enum class LeafBase { surface, axis };
+
+//! A cone without its tip that stands on the soil.
+struct Stalk {
     bool is_present = true;
-    double height = 2.0;      //!< [m]
-    double diameter = 0.027;  //!< [m]
+    double height = 2.0;           //!< [m]
+    double base_diameter = 0.024;  //!< [m]
+    double top_diameter = 0;       //!< [m]; 0: as at the base
+    LeafBase leaf_base = LeafBase::surface;
+
+    //! Half the diameter at a height above the soil [m].
+    double radius(double z) const;
+};
+
+//! The sheath of each leaf, around the stalk below its blade. Of each sheath
+//! shows what is above the insertion of the leaf below it.
+struct Sheath {
+    bool is_present = false;
+    double length = 0.18;      //!< down from the insertion of the leaf [m]
+    double thickness = 0.001;  //!< [m]
+};
+
+//! Any other organ: one or more cones without tips, on top of the stalk or at
+//! the insertion of a leaf.
+struct Organ {
+    std::string name;
+    bool is_present = true;
+    Tissue tissue = Tissue::stalk;  //!< of its surface
+    int leaf = 0;       //!< rank of the leaf that it is at; 0: the stalk's top
+    double offset = 0;  //!< above that [m]
+    int count = 1;      //!< evenly spaced about the stalk
+    double spread = 0;  //!< height over which several are spread [m]
+    double length = 0;  //!< [m]
+    double base_diameter = 0;  //!< [m]
+    double top_diameter = 0;   //!< [m]
+    double inclination = 0;    //!< from the vertical [deg]
+    //! Of the first [deg]: 0 is along the row, or the azimuth of the leaf.
+    double azimuth = 0;
+    int sides = 6;  //!< faces around each
+};
+
+//! One plant: what its organs measure.
+struct Plant {
+    std::string name;
+    std::vector<Leaf> leaves;  //!< lowest first
+    Blade blade;
+    Stalk stalk;
+    Sheath sheath;
+    std::vector<Organ> organs;
 };
 
 //! How finely curved surfaces are cut into faces.
@@ -44,24 +85,17 @@ struct Tessellation {
     int stalk_sides = 8;
 };
 
-//! Everything about a plant that is not bred.
-struct PlantForm {
-    std::string name;
-    std::vector<LeafForm> leaves;  //!< lowest first
-    BladeForm blade;
-    StalkForm stalk;
-};
+//! The names of a plant's present organs besides its leaves, in the order of
+//! their groups: "stalk", "sheath", then the others.
+std::vector<std::string> organ_names(const Plant& plant);
 
-//! One plant, to be built.
-struct Plant {
-    PlantForm form;
-    std::vector<LeafTraits> traits;  //!< lowest leaf first
-    Tessellation tessellation;
-};
+//! Gives a plant an organ of that name, or takes it away; nothing happens to
+//! plants that cannot have it.
+void set_present(Plant& plant, const std::string& organ, bool is_present);
 
 //! The surfaces of a plant: its foot at the origin, y along the row, z up.
-//! Group i is leaf i + 1; the stalk, if present, is the last group.
-//! @throws Error if the numbers of leaves differ.
-Mesh build_plant(const Plant& plant);
+//! Group i is leaf i + 1; a group for each of organ_names() follows.
+//! @throws Error if a blade does not have six width controls.
+Mesh build_plant(const Plant& plant, const Tessellation& tessellation);
 
 }  // namespace ideotype

@@ -81,6 +81,7 @@ class Probe {
     Randomised evaluate(const Genome& genome, std::uint32_t draw);
 
     CanopyRequest request_;
+    Crop crop_;
     const Device& device_;
     Rivals rivals_;
     std::array<std::vector<double>, 2> means_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ideotype/core/mesh.hpp"
+
 namespace ideotype {
 
 //! A Lambertian surface that reflects, transmits and absorbs the rest, the
@@ -14,6 +16,19 @@ struct Optics {
     Lambertian leaf;
     Lambertian stalk;
     double soil_albedo = 0;  //!< Lambertian
+    Lambertian sheath{};
+
+    const Lambertian& of(Tissue tissue) const {
+        switch (tissue) {
+            case Tissue::stalk:
+                return stalk;
+            case Tissue::sheath:
+                return sheath;
+            case Tissue::leaf:
+                break;
+        }
+        return leaf;
+    }
 };
 
 }  // namespace ideotype

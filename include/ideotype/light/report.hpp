@@ -17,7 +17,7 @@ struct BudgetEstimate {
     //! isolated plot what comes in through its bounding box from all sides.
     Estimate entered;
     Estimate leaves;
-    Estimate stalks;
+    Estimate stalks;  //!< and sheaths and all other organs
     Estimate soil;
     Estimate reflected;
 

@@ -11,7 +11,7 @@ namespace ideotype {
 //! Where the light of one source went [J m-2 of ground].
 struct Budget {
     double leaves = 0;
-    double stalks = 0;
+    double stalks = 0;  //!< and sheaths and all other organs
     double soil = 0;
     double reflected = 0;
     double incident = 0;  //!< that entered: into a plot also from soil around

@@ -33,14 +33,14 @@ Scenario scenario_of(const Campaign& campaign, const Case& chosen);
 //! @param scenario that of the case
 CanopyRequest request_of(const Task& task, const Campaign& campaign,
                          const Case& chosen, const Scenario& scenario,
-                         const Genome& genome);
+                         Plant plant);
 
 //! The form of a case's outcomes, with this accuracy.
 OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
                              const Accuracy& accuracy);
 
 //! What a report says of a plant, in that form.
-Outcome to_outcome(const Campaign& campaign, const Genome& genome,
+Outcome to_outcome(const Campaign& campaign, const Plant& plant,
                    const CanopyReport& report);
 
 //! Evaluates candidates of all cases of a campaign.

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ideotype/core/range.hpp"
+#include "ideotype/crop/plant.hpp"
+
+namespace ideotype {
+
+//! A number of a part of plants, with the limits that any plant keeps.
+template <class Part>
+struct Measure {
+    const char* name;
+    const char* unit;
+    Range limits;
+    double Part::*value;
+    const char* meaning;
+};
+
+// Limits are wide enough for any crop plant; those of traits are narrower.
+
+inline constexpr std::array<Measure<Leaf>, 6> leaf_measures{
+    {{"length", "m", {0.01, 3}, &Leaf::length, "arc length of the midrib"},
+     {"width", "m", {0.001, 0.5}, &Leaf::width, "largest width of the blade"},
+     {"insertion_angle",
+      "deg",
+      {0, 90},
+      &Leaf::insertion_angle,
+      "of the base from the stalk; 90 is horizontal"},
+     {"curvature",
+      "deg",
+      {0, 180},
+      &Leaf::curvature,
+      "how much further the tip bends down"},
+     {"azimuth",
+      "deg",
+      {0, 360},
+      &Leaf::azimuth,
+      "about the stalk; 0 is along the row"},
+     {"insertion_height",
+      "m",
+      {0, 6},
+      &Leaf::insertion_height,
+      "above the soil, at most the stalk's height"}}};
+
+inline constexpr std::array<Measure<Blade>, 2> blade_measures{
+    {{"folding_angle",
+      "deg",
+      {0, 80},
+      &Blade::folding_angle,
+      "rise of each half from flat: the V of the blade"},
+     {"curvature_exponent",
+      "1",
+      {0.1, 10},
+      &Blade::curvature_exponent,
+      "angle at arc length s is insertion_angle + curvature s^exponent"}}};
+
+inline constexpr std::array<Measure<Stalk>, 3> stalk_measures{
+    {{"height", "m", {0.05, 6}, &Stalk::height, "above the soil"},
+     {"base_diameter", "m", {0.001, 0.2}, &Stalk::base_diameter, "at the soil"},
+     {"top_diameter",
+      "m",
+      {0, 0.2},
+      &Stalk::top_diameter,
+      "at the top; 0: as at the base"}}};
+
+inline constexpr std::array<Measure<Sheath>, 2> sheath_measures{
+    {{"length",
+      "m",
+      {0, 1},
+      &Sheath::length,
+      "from the insertion of the leaf down; what the sheath of the leaf below "
+      "covers does not show"},
+     {"thickness", "m", {0, 0.01}, &Sheath::thickness, "around the stalk"}}};
+
+inline constexpr std::array<Measure<Organ>, 7> organ_measures{
+    {{"offset",
+      "m",
+      {-6, 6},
+      &Organ::offset,
+      "height of the lowest above the stalk's top or the leaf"},
+     {"spread",
+      "m",
+      {0, 3},
+      &Organ::spread,
+      "height over which several are spread"},
+     {"length", "m", {0.001, 3}, &Organ::length, "of each"},
+     {"base_diameter",
+      "m",
+      {0.0001, 0.5},
+      &Organ::base_diameter,
+      "where it begins"},
+     {"top_diameter", "m", {0, 0.5}, &Organ::top_diameter, "where it ends"},
+     {"inclination", "deg", {0, 180}, &Organ::inclination, "from the vertical"},
+     {"azimuth",
+      "deg",
+      {0, 360},
+      &Organ::azimuth,
+      "of the first; 0 is along the row, or the azimuth of its leaf"}}};
+
+//! What the name of a measure in a plant, such as "leaf.length" or
+//! "stalk.height", stands for.
+struct MeasureInfo {
+    std::string name;
+    std::string unit;
+    Range limits;
+    bool is_of_leaves = false;    //!< each leaf has its own
+    bool is_direction = false;    //!< 0 and 360 deg are the same
+    std::vector<double*> values;  //!< in the plant, one or one per leaf
+};
+
+//! The measure of this name; nothing if the plant has none.
+std::optional<MeasureInfo> find_measure(Plant& plant, const std::string& name);
+
+//! All measures of a plant by their names: "leaf.NAME", "blade.NAME",
+//! "stalk.NAME", "sheath.NAME", and "ORGAN.NAME" for each other organ.
+std::vector<MeasureInfo> measures(Plant& plant);
+
+}  // namespace ideotype

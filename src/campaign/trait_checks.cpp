@@ -1,0 +1,157 @@
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "checks.hpp"
+#include "ideotype/crop/measures.hpp"
+#include "spelling.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! The list of measures of a trait that is in use.
+const std::vector<std::string>& used_list(const TraitEntry& entry) {
+    if (!entry.sets.empty()) return entry.sets;
+    return entry.scales.empty() ? entry.shifts : entry.scales;
+}
+
+//! One trait of a crop file against the measures of its plant.
+class TraitCheck {
+  public:
+    TraitCheck(const TraitEntry& entry, const std::vector<MeasureInfo>& all,
+               Report& report)
+        : entry_(entry),
+          trait_(complete(entry)),
+          list_(used_list(entry)),
+          all_(all),
+          report_(report) {}
+
+    void run() {
+        const int lists = static_cast<int>(!entry_.sets.empty()) +
+                          static_cast<int>(!entry_.scales.empty()) +
+                          static_cast<int>(!entry_.shifts.empty());
+        if (lists != 1)
+            return report_.add(
+                &entry_.trait.name,
+                fmt::format("trait {} has {} of the lists sets, scales and "
+                            "shifts (a trait does one of them); give one",
+                            trait_.name, lists == 0 ? "none" : "several"));
+        if (trait_.effect == TraitEffect::sets &&
+            (list_.size() > 1 || trait_.numbers == TraitNumbers::profile))
+            return fail(list_.size() > 1
+                            ? "sets several measures (they would all be the "
+                              "same number); scale or shift them"
+                            : "sets a measure by a profile (the baseline need "
+                              "not be one); scale or shift it");
+        for (const std::string& name : list_) check(name);
+        check_range();
+    }
+
+  private:
+    void fail(const std::string& what) {
+        report_.add(&list_, fmt::format("trait {} {}", trait_.name, what));
+    }
+
+    void check(const std::string& name) {
+        const auto measure =
+            std::find_if(all_.begin(), all_.end(),
+                         [&](const MeasureInfo& x) { return x.name == name; });
+        if (measure == all_.end()) return fail_unknown(name);
+        const bool is_per_plant = trait_.numbers == TraitNumbers::plant;
+        if (!is_per_plant && !measure->is_of_leaves)
+            return fail(fmt::format(
+                "acts on {} (which the plant has once, but the trait has "
+                "several numbers); write per = \"plant\"",
+                name));
+        if (is_per_plant && measure->is_of_leaves &&
+            trait_.effect == TraitEffect::sets)
+            return fail(
+                fmt::format("sets {} (of which each leaf has its own); scale "
+                            "or shift it, or write per = \"leaf\"",
+                            name));
+        const std::string unit =
+            trait_.effect == TraitEffect::scales ? "1" : measure->unit;
+        if (report_.usable({&entry_.trait.unit}) && trait_.unit != unit)
+            report_.add(
+                &entry_.trait.unit,
+                fmt::format("trait {} has the unit \"{}\" (what it does "
+                            "to {} has \"{}\"); write unit = \"{}\"",
+                            trait_.name, trait_.unit, name, unit, unit));
+        const auto& [least, most] = measure->limits;
+        if (trait_.effect == TraitEffect::sets &&
+            (trait_.range.lower < least || trait_.range.upper > most))
+            report_.add(&entry_.trait.range,
+                        fmt::format("trait {} has the range {} .. {} (of {} it "
+                                    "is at most {} .. {}); narrow it",
+                                    trait_.name, trait_.range.lower,
+                                    trait_.range.upper, name, least, most));
+    }
+
+    void fail_unknown(const std::string& name) {
+        std::vector<std::string> known;
+        for (const MeasureInfo& each : all_) known.push_back(each.name);
+        const std::string nearest = nearest_name(name, known);
+        fail(fmt::format(
+            "acts on \"{}\" (the plant has no such measure); {}", name,
+            nearest.empty()
+                ? fmt::format("use one of {}", fmt::join(known, ", "))
+                : "did you mean \"" + nearest + "\"?"));
+    }
+
+    void check_range() {
+        constexpr double circle = 360;
+        const auto& [lower, upper] = trait_.range;
+        if (!report_.usable({&entry_.trait.range})) return;
+        if (trait_.effect == TraitEffect::scales && lower < 0)
+            report_.add(&entry_.trait.range,
+                        fmt::format("trait {} has the range {} .. {} (a factor "
+                                    "below 0 turns a measure around); begin at "
+                                    "0 or more",
+                                    trait_.name, lower, upper));
+        if (trait_.is_circular &&
+            (trait_.unit != "deg" || upper - lower != circle))
+            report_.add(&entry_.trait.is_circular,
+                        fmt::format("trait {} is circular (its range is {} .. "
+                                    "{} {}); a circle has 360 deg",
+                                    trait_.name, lower, upper, trait_.unit));
+    }
+
+    const TraitEntry& entry_;
+    Trait trait_;
+    const std::vector<std::string>& list_;
+    const std::vector<MeasureInfo>& all_;
+    Report& report_;
+};
+
+}  // namespace
+
+bool is_sound(const TraitEntry& entry, const Report& report) {
+    const Trait& trait = entry.trait;
+    return report.usable({&trait.name, &trait.points, &trait.range, &trait.unit,
+                          &entry.sets, &entry.scales, &entry.shifts});
+}
+
+void check_traits(Draft& draft, Report& report) {
+    const std::vector<MeasureInfo> all = measures(draft.campaign.crop.baseline);
+    std::set<std::string> names{"lai"};
+    for (const TraitEntry& entry : draft.traits) {
+        const std::string& name = entry.trait.name;
+        if (report.usable({&name}) && !names.insert(name).second)
+            report.add(&name,
+                       fmt::format("trait.name is \"{}\" (already used); give "
+                                   "each trait a name of its own",
+                                   name));
+        if (is_sound(entry, report)) TraitCheck(entry, all, report).run();
+    }
+    for (const BoundsEntry& bounds : draft.bounds)
+        if (report.usable({&bounds.trait}) && names.count(bounds.trait) == 0)
+            report.add(&bounds.trait,
+                       fmt::format("bounds.trait is \"{}\" (no trait of this "
+                                   "file); use one of {}",
+                                   bounds.trait, fmt::join(names, ", ")));
+}
+
+}  // namespace ideotype

@@ -1,0 +1,67 @@
+#include "ideotype/crop/measures.hpp"
+
+#include <string_view>
+
+namespace ideotype {
+
+namespace {
+
+//! Calls visit(owner, is_of_leaves, declared measures, parts) for each kind of
+//! part that a plant has.
+template <class Visit>
+void for_each_kind(Plant& plant, const Visit& visit) {
+    std::vector<Leaf*> leaves;
+    leaves.reserve(plant.leaves.size());
+    for (Leaf& leaf : plant.leaves) leaves.push_back(&leaf);
+    visit("leaf", true, leaf_measures, leaves);
+    visit("blade", false, blade_measures, std::array{&plant.blade});
+    visit("stalk", false, stalk_measures, std::array{&plant.stalk});
+    visit("sheath", false, sheath_measures, std::array{&plant.sheath});
+    for (Organ& organ : plant.organs)
+        visit(organ.name, false, organ_measures, std::array{&organ});
+}
+
+template <class Part, class Parts>
+MeasureInfo info_of(const std::string& name, const Measure<Part>& measure,
+                    bool is_of_leaves, const Parts& parts) {
+    MeasureInfo info{name,
+                     measure.unit,
+                     measure.limits,
+                     is_of_leaves,
+                     std::string_view(measure.name) == "azimuth",
+                     {}};
+    info.values.reserve(parts.size());
+    for (Part* part : parts) info.values.push_back(&(part->*measure.value));
+    return info;
+}
+
+}  // namespace
+
+std::optional<MeasureInfo> find_measure(Plant& plant, const std::string& name) {
+    std::optional<MeasureInfo> found;
+    const std::size_t dot = name.find('.');
+    if (dot == name.npos) return found;
+    const std::string_view own = std::string_view(name).substr(0, dot);
+    const std::string_view key = std::string_view(name).substr(dot + 1);
+    for_each_kind(plant, [&](std::string_view owner, bool is_of_leaves,
+                             const auto& declared, const auto& parts) {
+        if (found || owner != own) return;
+        for (const auto& each : declared)
+            if (each.name == key)
+                found = info_of(name, each, is_of_leaves, parts);
+    });
+    return found;
+}
+
+std::vector<MeasureInfo> measures(Plant& plant) {
+    std::vector<MeasureInfo> all;
+    for_each_kind(plant, [&](const std::string& owner, bool is_of_leaves,
+                             const auto& declared, const auto& parts) {
+        for (const auto& each : declared)
+            all.push_back(
+                info_of(owner + '.' + each.name, each, is_of_leaves, parts));
+    });
+    return all;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,29 @@
+#!/bin/bash
+# The walk to a crop of one's own in campaigns/README.md, as a user takes it.
+source "$(dirname "$0")/common.sh"
+
+# The blocks of that chapter, one file each.
+awk '/^## /{inside = /Your own crop/} inside' "$project/campaigns/README.md" |
+    awk '/^```[a-z]/{name = "block" ++n; next} /^```/{name = ""} name{print > name}'
+cat block1 block2 >millet.toml
+mv block3 dryland.toml
+[ "$(wc -l <block4)" -eq 5 ] || fail "not the five commands"
+PATH=$(dirname "$ideotype"):$PATH
+while read -r command; do
+    expect 0 bash -c "$command"
+done <block4
+says "better_millet"
+grep -q '^name = "better_millet"' better_millet.toml || fail "no crop file"
+grep -q '^g sheath' better_millet.obj || fail "no sheaths"
+grep -q '^g stalk_ear' better_millet.obj || fail "no ear"
+# What is bred is within its bounds, and traits that are not keep their values.
+expect 0 "$ideotype" export results/dryland/*.h5 --generations --to all.csv
+head -1 all.csv | tr , '\n' | grep -c '_insertion_angle_deg$' | grep -qx 3 ||
+    fail "not an angle for each leaf"
+head -1 all.csv | grep -q ',width_profile_1,width_profile_2,width_profile_3,height$' ||
+    fail "no profile in $(head -1 all.csv)"
+# A mistake in one's own file is told with its place.
+sed 's/leaf.width/leaf.widht/' millet.toml >wrong.toml
+sed 's/millet.toml/wrong.toml/' dryland.toml >wrong_campaign.toml
+expect 3 "$ideotype" check wrong_campaign.toml
+says "wrong.toml:.*trait width_profile acts on .leaf.widht. .*did you mean .leaf.width."

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from made_history import MadeHistory
 from made_kinds import Measured
-from real_program import start
+from real_program import run_shortened, start
 
 HERE = Path(__file__).parent
 
@@ -126,3 +126,10 @@ def own(tmp_path_factory: pytest.TempPathFactory) -> Path:
     assert run.returncode == 0, output
     (path,) = (folder / "tiny").glob("*.h5")
     return path
+
+
+@pytest.fixture(scope="session")
+def sorghum(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    """Finished histories of sorghum: of each leaf's traits, then of its
+    profile of insertion angles."""
+    return run_shortened(tmp_path_factory.mktemp("sorghum"), "sorghum")

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import json
 import os
+import re
 import shutil
 import subprocess
 from pathlib import Path
 
 import pytest
 
-_PLANT = Path(__file__).parents[2] / "campaigns" / "plants" / "b73_v01.toml"
+CAMPAIGNS = Path(__file__).parents[2] / "campaigns"
+_PLANT = CAMPAIGNS / "plants" / "b73_v01.toml"
 
 _CAMPAIGN = """
 name = "tiny"
@@ -37,15 +40,17 @@ plants = 2
 [plant]
 baseline = "b73_v01.toml"
 
-[light]
-paths = 64
-randomisations = 4
-
 [search]
 population = 6
 
 [stop]
 generations = {generations}
+"""
+
+_FAST = """
+[light]
+paths = 64
+randomisations = 4
 
 [final]
 candidates = 2
@@ -71,8 +76,35 @@ def write_campaign(folder: Path, generations: int) -> Path:
     """tiny.toml with its plant, of so many generations."""
     shutil.copy(_PLANT, folder)
     campaign = folder / "tiny.toml"
-    campaign.write_text(_CAMPAIGN.format(generations=generations))
+    campaign.write_text(_CAMPAIGN.format(generations=generations) + _FAST)
     return campaign
+
+
+def run_crop(folder: Path, crop: str, free: list[str]) -> Path:
+    """A finished history of a crop of campaigns/crops, two generations in the
+    stand of the tiny campaign, and these traits bred."""
+    campaign = write_campaign(folder, 2)
+    baseline = json.dumps(str(CAMPAIGNS / "crops" / f"{crop}.toml"))
+    text = campaign.read_text().replace('"b73_v01.toml"', baseline)
+    traits = f'\n[[traits]]\nname = "some"\nfree = {json.dumps(free)}\n'
+    campaign.write_text(text + traits)
+    output_of("run", campaign, "--out", folder)
+    (path,) = (folder / "tiny").glob("*.h5")
+    return path
+
+
+def run_shortened(folder: Path, name: str) -> list[Path]:
+    """Finished histories of campaigns/NAME.toml, of two generations of eight
+    plants and with little light."""
+    light = _FAST.replace("paths = 64", "paths = 256")
+    text = (CAMPAIGNS / f"{name}.toml").read_text() + light
+    for key, value in (("population", 8), ("generations", 2)):
+        text, count = re.subn(rf"(?m)^{key} = \d+$", f"{key} = {value}", text)
+        assert count == 1, key
+    campaign = shutil.copytree(CAMPAIGNS, folder / "campaigns") / f"{name}.toml"
+    campaign.write_text(text)
+    output_of("run", campaign, "--out", folder)
+    return sorted((folder / name).glob("*.h5"))
 
 
 def start(folder: Path, generations: int) -> subprocess.Popen[str]:

@@ -27,6 +27,8 @@ from made_numbers import final_absorbed
 from made_program import AREA, FACES
 
 CASES = ("ames_0807_762x152_all", "edmonton_0807_762x152_all")
+DRAWN = CASE_FIGURES.keys() - {"profiles", "plant_traits"}
+"""Of each case, which is bred in traits of leaves."""
 ELITE = 11.08
 """Absorbed PAR of the elite plant of the cross-evaluation."""
 
@@ -98,7 +100,7 @@ def plain(text: str) -> str:
 
 def test_every_figure_is_a_file_and_in_the_page(made: Made) -> None:
     names = {"gains", "energy", "latitudes", "cross"}
-    names |= {f"{case}_{name}" for case in CASES for name in CASE_FIGURES}
+    names |= {f"{case}_{name}" for case in CASES for name in DRAWN}
     names |= {f"{case}_plan" for case in CASES}
     files = {path.name for path in (made.folder / "figures").iterdir()}
     assert files == {f"{n}.{end}" for n in names for end in ("png", "pdf")}
@@ -131,6 +133,8 @@ def test_the_page_says_what_was_gained(made: Made) -> None:
 
 def test_missing_things_are_plain_sentences(made: Made) -> None:
     words = plain(made.text)
+    for trait in ("profile over leaf position", "trait of the whole plant"):
+        assert words.count(f"not drawn, no {trait} is bred.") == len(CASES)
     assert (
         "Spacings compared: not drawn, all cases have the same plant density." in words
     )
@@ -211,7 +215,7 @@ def test_a_browser_shows_the_page(made: Made, tmp_path: Path) -> None:
     assert shown["states"] == 6 and shown["isHome"]
     assert shown["scrolls"] and shown["zooms"]
     assert shown["cases"] == list(CASES) and shown["quantities"] == 2
-    assert len(shown["pictures"]) == 4 + 2 * (len(CASE_FIGURES) + 1)
+    assert len(shown["pictures"]) == 4 + 2 * (len(DRAWN) + 1)
     assert min(shown["pictures"]) > 200
     assert shown["wide"]
 

@@ -12,7 +12,12 @@ from .correlation import draw_correlation
 from .plan import draw_roses
 from .profiles import draw_hours, draw_layers, draw_leaves, draw_parts
 from .sensitivity import draw_sensitivity
-from .shape import draw_azimuths, draw_traits
+from .shape import (
+    draw_azimuths,
+    draw_plant_traits,
+    draw_profiles,
+    draw_traits,
+)
 
 CASE_FIGURES: dict[str, tuple[Callable[[Case], Figure], str]] = {
     "convergence": (
@@ -23,8 +28,19 @@ CASE_FIGURES: dict[str, tuple[Callable[[Case], Figure], str]] = {
     ),
     "traits": (
         draw_traits,
-        "Vertical profiles of the ten fittest plants of all seeds. Orange: "
+        "Bred traits by leaf of the ten fittest plants of all seeds. Orange: "
         "their mean and standard deviation, on the circle for azimuths.",
+    ),
+    "profiles": (
+        draw_profiles,
+        "Bred profiles over leaf position of the ten fittest plants. Points "
+        "are what is bred; factors [1] multiply the baseline's measures, "
+        "other numbers are added to them or take their place.",
+    ),
+    "plant_traits": (
+        draw_plant_traits,
+        "Bred traits of the whole plant of the ten fittest plants. Factors "
+        "[1] multiply the baseline's measures.",
     ),
     "azimuths": (
         draw_azimuths,
@@ -59,8 +75,8 @@ CASE_FIGURES: dict[str, tuple[Callable[[Case], Figure], str]] = {
         draw_sensitivity,
         "Which traits matter. Coefficients of a linear regression of the "
         "objective on all free traits over all evaluated plants, each in its "
-        "standard deviations and less the mean of its seed; azimuths enter as "
-        "cosine and sine and show the length of both coefficients. Hatched "
+        "standard deviations and less the mean of its seed; circular ones enter "
+        "as cosine and sine and show the length of both coefficients. Hatched "
         "are traits that have no effect of their own: their variance inflation "
         "is above 10, since they go together with others, or the fittest hold "
         "them at a bound that the coefficient points away from. Bred plants are relatives, not a "
@@ -69,8 +85,8 @@ CASE_FIGURES: dict[str, tuple[Callable[[Case], Figure], str]] = {
     "correlation": (
         draw_correlation,
         "Which traits go together. Spearman's rank correlation over all "
-        "evaluated plants, less the means of their seeds, azimuths as cosine "
-        "and sine; what evolution fixes together correlates too.",
+        "evaluated plants, less the means of their seeds, circular ones as "
+        "cosine and sine; what evolution fixes together correlates too.",
     ),
 }
 """What draws a figure of a case, and its caption."""

@@ -20,7 +20,7 @@ def rank_correlation(x: NDArray) -> NDArray:
 
 def draw_correlation(case: Case) -> Figure:
     """Spearman's rank correlation between the free traits of all evaluated
-    plants; azimuths as cosine and sine."""
+    plants; circular ones as cosine and sine."""
     rows, seed = evaluated(case)
     columns, x = predictors(case.genes, rows)
     if len(columns) < 2:
@@ -41,8 +41,8 @@ def draw_correlation(case: Case) -> Figure:
     ends = [*starts[1:], len(kinds)]
     middles = [(a + b - 1) / 2 for a, b in zip(starts, ends)]
     labels = [kinds[start] for start in starts]
-    leaves = [case.genes.leaves[columns[i].gene] for i in order]
-    ranks = [str(leaf or "") for leaf in leaves]
+    numbers = [case.genes.number(columns[i].gene) for i in order]
+    ranks = [str(number or "") for number in numbers]
     for axis in (axes.xaxis, axes.yaxis):
         # A block's name stays where it meets a leaf's number.
         axis.remove_overlapping_locs = False
@@ -50,7 +50,13 @@ def draw_correlation(case: Case) -> Figure:
         axis.set_ticks(range(len(ranks)), ranks, minor=True, fontsize=5)
         axis.set_tick_params(which="minor", length=1.5, pad=1)
         axis.set_tick_params(which="major", length=0, pad=11)
-    axes.set_title(f"{case.name}\nnumbers are leaf ranks, 1 = lowest")
+    axes.tick_params(axis="x", which="major", labelrotation=30)
+    for label in axes.get_xticklabels():
+        label.set(ha="right", rotation_mode="anchor")
+    axes.set_title(
+        f"{case.name}\n"
+        "numbers are leaf ranks or points of profiles, 1 = lowest"
+    )
     figure.colorbar(image, label="Spearman's rank correlation", shrink=0.8)
     return figure
 

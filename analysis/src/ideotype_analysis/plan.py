@@ -14,9 +14,9 @@ from matplotlib.figure import Figure
 from matplotlib.projections.polar import PolarAxes
 
 from . import style
+from .azimuths import azimuths
 from .case import Case
 from .compass import draw_compass
-from .file import HistoryError
 from .geometry import Mesh
 from .shape import COUNT
 from .stand import places
@@ -27,13 +27,10 @@ _BINS = 24
 def draw_roses(case: Case) -> Figure:
     """How many leaves point where: the baseline, and the fittest plants of
     all seeds. The area of a wedge is the share of leaves."""
-    columns = case.genes.columns("azimuth")
-    if not len(columns):
-        raise HistoryError("the plants have no azimuths")
     top = case.top(COUNT)
-    plants = {f"the {len(top)} fittest": top.genome[:, columns]}
+    plants = {f"the {len(top)} fittest": azimuths(case, top.genome)}
     if case.pairs:
-        baseline = case.baseline.row.genome[:, columns]
+        baseline = azimuths(case, case.baseline.row.genome)
         plants = {"baseline": baseline} | plants
     count = len(plants)
     figure = style.new_figure(3.6 * count + 0.9, 4.2)
@@ -107,8 +104,11 @@ def _draw_field(
     for i in order:
         outline = mesh.vertices[list(mesh.faces[i]), :2]
         group = mesh.groups[i]
-        is_leaf = group.startswith("leaf")
-        color = colormaps["viridis"](norm(int(group[4:]))) if is_leaf else "k"
+        color = (
+            colormaps["viridis"](norm(int(group[4:])))
+            if group.startswith("leaf")
+            else style.organ_color(group)
+        )
         for place in around:
             polygons.append(outline + place)
             colors.append(color)

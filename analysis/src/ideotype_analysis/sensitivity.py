@@ -173,8 +173,8 @@ def _inverse_diagonal(x: NDArray) -> NDArray:
 
 
 def draw_sensitivity(case: Case) -> Figure:
-    """The strongest effects with 95 % confidence intervals, and all of them
-    by leaf rank and kind of trait; those that are not clear are hatched.
+    """The strongest effects with 95 % confidence intervals, and those of
+    leaves by rank and trait; those that are not clear are hatched.
 
     Raises HistoryError if no effect is clear."""
     found = sensitivity(case)
@@ -184,8 +184,9 @@ def draw_sensitivity(case: Case) -> Figure:
             "for separate effects; a larger population or more generations "
             "would tell them apart"
         )
+    has_leaves = case.genes.leaves[found.genes[found.is_clear]].any()
     figure = style.new_figure(style.WIDTH, 4.2)
-    left, right = figure.subplots(1, 2)
+    left, *rest = np.atleast_1d(figure.subplots(1, 1 + has_leaves))
     clear = np.flatnonzero(found.is_clear)
     strongest = np.argsort(-np.abs(found.effect[clear]))[:_SHOWN]
     order = clear[strongest][::-1]
@@ -202,7 +203,8 @@ def draw_sensitivity(case: Case) -> Figure:
         range(len(order)), [case.genes.words(found.genes[i]) for i in order]
     )
     left.set_xlabel("effect in standard deviations, 95 % confidence")
-    _draw_by_rank(figure, right, case.genes, found)
+    for right in rest:
+        _draw_by_rank(figure, right, case.genes, found)
     figure.suptitle(
         f"{case.name}: {found.plants} plants, R² = {found.explained:.2f}",
         fontsize=10,
@@ -214,13 +216,13 @@ def _draw_by_rank(
     figure: Figure, axes: Axes, genes: Genes, found: Sensitivity
 ) -> None:
     at = [i for i in found.genes if genes.leaves[i]]
-    kinds = list(dict.fromkeys(genes.traits[i] for i in at))
+    traits = list(dict.fromkeys(genes.traits[i] for i in at))
     ranks = sorted({int(genes.leaves[i]) for i in at})
-    table = np.full((len(ranks), len(kinds)), np.nan)
+    table = np.full((len(ranks), len(traits)), np.nan)
     for i, effect, is_clear in zip(found.genes, found.effect, found.is_clear):
         if is_clear and genes.leaves[i]:
-            place = ranks.index(genes.leaves[i]), kinds.index(genes.traits[i])
-            table[place] = effect
+            row = ranks.index(genes.leaves[i])
+            table[row, traits.index(genes.traits[i])] = effect
     limit = np.nanmax(np.abs(table))
     image = axes.imshow(
         table, cmap="PuOr", vmin=-limit, vmax=limit, origin="lower",
@@ -230,8 +232,8 @@ def _draw_by_rank(
     # seen where the image is empty
     axes.patch.set(facecolor="#E8E8E8", hatch="////", edgecolor=style.QUIET)
     axes.set_title("hatched: no separate effect", fontsize=8)
-    labels = [kind.replace("_", " ") for kind in kinds]
-    axes.set_xticks(range(len(kinds)), labels, rotation=20)
+    labels = [trait.replace("_", " ") for trait in traits]
+    axes.set_xticks(range(len(traits)), labels, rotation=20)
     axes.set_yticks(range(len(ranks)), [str(rank) for rank in ranks])
     axes.set_ylabel("leaf rank (1 = lowest)")
-    figure.colorbar(image, label="effect (azimuth: size only)")
+    figure.colorbar(image, label="effect (circular: size only)")

@@ -11,30 +11,104 @@ from matplotlib.projections.polar import PolarAxes
 from numpy.typing import NDArray
 
 from . import style
+from .azimuths import azimuths
 from .case import Case
 from .circle import circular_deviation, circular_mean
 from .compass import draw_compass
 from .file import HistoryError
-from .rows import Evaluation, Rows
+from .genes import Kind
+from .profile_curve import curve
+from .rows import Rows
 
 COUNT = 10
 """How many plants are shown."""
 
-_KINDS = ("length", "width", "insertion_angle", "azimuth")
+_ACROSS = 4
+"""Panels beside each other."""
 
 
 def draw_traits(case: Case) -> Figure:
-    """Each trait by leaf rank: the fittest plants, their mean and standard
-    deviation, the baseline, and the bounds."""
+    """Each bred trait by leaf rank: the fittest plants, their mean and
+    standard deviation, the baseline, and the bounds."""
+    traits = _bred(case, "leaf")
+    leaves = case.genes.leaves[case.genes.columns(traits[0])]
+    figure, panels = _panels(traits, 1.6 + 0.28 * len(leaves))
+    for axes, trait in zip(panels, traits):
+        _draw_trait(axes, case, trait, leaves)
+        axes.set_yticks(leaves)
+        axes.set_ylim(leaves.min() - 0.6, leaves.max() + 0.6)
+    for axes in panels[::_ACROSS]:
+        axes.set_ylabel("leaf rank (1 = lowest)")
+    return _finish(figure, case, panels[0])
+
+
+def draw_profiles(case: Case) -> Figure:
+    """Each bred trait that is a smooth curve over leaf position: its points
+    as in draw_traits(), and the curves of the fittest plants and of the
+    baseline."""
+    traits = _bred(case, "profile")
+    figure, panels = _panels(traits, 4.4)
     top = case.top(COUNT)
-    baseline = case.baseline if case.pairs else None
-    figure = style.new_figure(style.WIDTH, 4.4)
-    panels = figure.subplots(1, len(_KINDS), sharey=True)
-    for axes, kind in zip(panels, _KINDS):
-        _draw_trait(axes, case, kind, top, baseline)
-    panels[0].set_ylabel("leaf rank (1 = lowest)")
-    handles, labels = panels[0].get_legend_handles_labels()
-    _add_best_handle(case, panels[0], handles, labels)
+    for axes, trait in zip(panels, traits):
+        columns = case.genes.columns(trait)
+        place = np.linspace(0, 1, len(columns))
+        _draw_trait(axes, case, trait, place)
+        along = np.linspace(0, 1, 101)
+        for values, color in reversed(_colored(top, columns)):
+            axes.plot(curve(values, along), along, color=color, lw=0.9)
+        if case.pairs:
+            values = case.baseline.row.genome[0, columns]
+            axes.plot(
+                curve(values, along), along, "--", color=style.BASELINE, lw=0.9
+            )
+        axes.set_yticks([0, 0.5, 1], ["lowest", "middle", "highest"])
+    for axes in panels[::_ACROSS]:
+        axes.set_ylabel("leaf position")
+    return _finish(figure, case, panels[0])
+
+
+def draw_plant_traits(case: Case) -> Figure:
+    """Each bred trait of the whole plant, as in draw_traits()."""
+    traits = _bred(case, "plant")
+    figure = style.new_figure(style.WIDTH, 1.2 + 0.8 * len(traits))
+    panels = figure.subplots(len(traits), 1, squeeze=False)[:, 0]
+    for axes, trait in zip(panels, traits):
+        _draw_trait(axes, case, trait, np.zeros(1))
+        axes.set_yticks([])
+    return _finish(figure, case, panels[0])
+
+
+_WHAT: dict[Kind, str] = {
+    "leaf": "no trait of single leaves",
+    "plant": "no trait of the whole plant",
+    "profile": "no profile over leaf position",
+}
+
+
+def _bred(case: Case, kind: Kind) -> list[str]:
+    found = case.genes.bred(kind)
+    if not found:
+        raise HistoryError(f"{_WHAT[kind]} is bred")
+    return found
+
+
+def _panels(traits: list[str], height: float) -> tuple[Figure, list[Axes]]:
+    """One for each trait, of this height [inches]."""
+    across = min(len(traits), _ACROSS)
+    down = -(-len(traits) // across)
+    figure = style.new_figure(style.WIDTH, 0.6 + height * down)
+    grid = figure.subplots(down, across, sharey=True, squeeze=False).ravel()
+    for axes in grid[len(traits) :]:
+        axes.set_axis_off()
+    return figure, list(grid[: len(traits)])
+
+
+def _finish(figure: Figure, case: Case, first: Axes) -> Figure:
+    """Legend and title."""
+    handles, labels = first.get_legend_handles_labels()
+    top = case.top(COUNT)
+    _add_top_handle(first, handles, labels, len(top))
+    _add_best_handle(case, first, handles, labels)
     figure.legend(
         handles, labels, loc="outside lower center", ncols=4, fontsize=8
     )
@@ -46,23 +120,23 @@ def draw_azimuths(case: Case) -> Figure:
     """Leaf azimuths from above, the lowest leaf innermost: the fittest
     plants, their circular mean and deviation, and the baseline."""
     top = case.top(COUNT)
-    columns = case.genes.columns("azimuth")
-    if not len(columns):
-        raise HistoryError("the plants have no azimuths")
-    leaves = case.genes.leaves[columns]
+    plants = azimuths(case, top.genome)
+    leaves = np.arange(plants.shape[1]) + 1
     figure = style.new_figure(7.0, 6.4)
     grid = figure.add_gridspec(1, 2, width_ratios=(1, 0.16))
     axes = cast(PolarAxes, figure.add_subplot(grid[0], projection="polar"))
     draw_compass(figure.add_subplot(grid[1]), case)
     axes.set_theta_zero_location("N")
     axes.set_theta_direction(-1)
-    for values, color in reversed(_colored(top, columns)):
+    colors = style.ranked_colors(len(top))
+    for values, color in zip(plants[::-1], colors[::-1]):
         axes.plot(np.deg2rad(values), leaves, "o", color=color, alpha=0.8)
-    _draw_arcs(axes, top.genome[:, columns], leaves)
+    _draw_arcs(axes, plants, leaves)
     if case.pairs:
-        values = case.baseline.row.genome[0, columns]
+        (values,) = azimuths(case, case.baseline.row.genome)
         axes.plot(np.deg2rad(values), leaves, **_BASELINE_MARKER)
-    for values in _bests(case, columns):
+    for genome in _bests(case):
+        (values,) = azimuths(case, genome[None])
         axes.plot(np.deg2rad(values), leaves, **_BEST_MARKER)
     axes.plot([0, 0], [0, 1.1 * leaves.max()], color=style.QUIET, ls="--")
     axes.plot([np.pi] * 2, [0, 1.1 * leaves.max()], color=style.QUIET, ls="--")
@@ -138,12 +212,12 @@ def _colored(top: Rows, columns: NDArray) -> list[tuple[NDArray, NDArray]]:
     )
 
 
-def _bests(case: Case, columns: NDArray) -> list[NDArray]:
-    """Traits of the best of each seed, which shows whether seeds agree;
+def _bests(case: Case) -> list[NDArray]:
+    """Genomes of the best of each seed, which show whether seeds agree;
     nothing for a single seed."""
     if len(case.pairs) < 2:
         return []
-    return [pair.best.row.genome[0, columns] for pair in case.pairs]
+    return [pair.best.row.genome[0] for pair in case.pairs]
 
 
 def _add_best_handle(
@@ -165,59 +239,41 @@ def _add_top_handle(
     labels.insert(0, "one plant (dark: fitter)")
 
 
-def _draw_trait(
-    axes: Axes,
-    case: Case,
-    kind: str,
-    top: Rows,
-    baseline: Evaluation | None,
-) -> None:
-    genes = case.genes
-    columns = genes.columns(kind)
-    leaves = genes.leaves[columns]
-    if not len(columns):
-        raise HistoryError(f"the plants have no {kind}")
+def _draw_trait(axes: Axes, case: Case, trait: str, place: NDArray) -> None:
+    """A trait's genes, each at its place upwards."""
+    genes, top = case.genes, case.top(COUNT)
+    columns = genes.columns(trait)
     is_circular = bool(genes.is_circular[columns].all())
+    step = place[1] - place[0] if len(place) > 1 else 1.0
     axes.barh(
-        leaves,
+        place,
         (genes.upper - genes.lower)[columns],
         left=genes.lower[columns],
-        height=0.8,
+        height=0.8 * step,
         color="#F0F0F0",
         label="bounds",
     )
     for values, color in reversed(_colored(top, columns)):
-        axes.plot(values, leaves, "o", color=color, markersize=3, alpha=0.8)
-    if kind == _KINDS[0]:
-        axes.plot(
-            [], [], "o", color=style.ranked_colors(1)[0], markersize=3,
-            label="one plant (dark: fitter)",
-        )  # fmt: skip
-    values = top.genome[:, columns]
-    _draw_mean(axes, values, leaves, is_circular)
-    if baseline is not None:
-        plain = baseline.row.genome[0, columns]
-        axes.plot(plain, leaves, **_BASELINE_MARKER)
-    for values in _bests(case, columns):
-        axes.plot(values, leaves, **_BEST_MARKER)
+        axes.plot(values, place, "o", color=color, markersize=3, alpha=0.8)
+    _draw_mean(axes, top.genome[:, columns], place - 0.28 * step, is_circular)
+    if case.pairs:
+        plain = case.baseline.row.genome[0, columns]
+        axes.plot(plain, place, **_BASELINE_MARKER)
+    for genome in _bests(case):
+        axes.plot(genome[columns], place, **_BEST_MARKER)
     # of the bounds, and of deviations that reach past them
     lower, upper = axes.dataLim.intervalx
     margin = 0.04 * (upper - lower)
     axes.set_xlim(lower - margin, upper + margin)
     if is_circular:
         axes.set_xticks(np.linspace(lower, upper, 5))
-    axes.set_yticks(leaves)
-    axes.set_ylim(leaves.min() - 0.6, leaves.max() + 0.6)
-    axes.set_xlabel(style.axis_label(kind, genes.units[columns[0]]))
-    if not genes.is_free[columns].any():
-        axes.set_title("not bred")
+    axes.set_xlabel(genes.label(trait))
 
 
 def _draw_mean(
-    axes: Axes, values: NDArray, leaves: NDArray, is_circular: bool
+    axes: Axes, values: NDArray, y: NDArray, is_circular: bool
 ) -> None:
-    """Mean and standard deviation by leaf, beside the points."""
-    y = leaves - 0.28
+    """Mean and standard deviation of each gene."""
     if is_circular:
         mean = circular_mean(values)
         deviation = np.minimum(circular_deviation(values), 180.0)

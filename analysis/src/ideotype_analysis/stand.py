@@ -16,7 +16,7 @@ def row_direction(case: Case) -> float | None:
     """Of the case's rows [deg], clockwise from north; azimuth 0 points there.
     None if the history does not say it."""
     name = case.attributes.get("spacing")
-    for spacing in _campaign(case).get("spacing", []):
+    for spacing in resolved_campaign(case).get("spacing", []):
         if spacing.get("name") == name and "row_direction" in spacing:
             return float(spacing["row_direction"])
     return None
@@ -31,7 +31,7 @@ def places(case: Case, plants: int = 1) -> list[NDArray[np.float64]]:
     plant = float(case.attributes.get("plant_spacing", 0))
     rows = 1
     if case.is_isolated:
-        field = _campaign(case).get("field", {})
+        field = resolved_campaign(case).get("field", {})
         rows = min(rows, (int(field.get("rows", 1)) - 1) // 2)
         plants = min(plants, (int(field.get("plants", 1)) - 1) // 2)
     found = [
@@ -43,7 +43,7 @@ def places(case: Case, plants: int = 1) -> list[NDArray[np.float64]]:
     return sorted(found, key=lambda place: bool(place.any()))
 
 
-def _campaign(case: Case) -> dict[str, Any]:
+def resolved_campaign(case: Case) -> dict[str, Any]:
     """With every default; empty if the history does not have it."""
     try:
         return tomllib.loads(case.histories[0].campaign("resolved"))

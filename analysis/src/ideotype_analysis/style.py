@@ -85,6 +85,12 @@ def series(index: int) -> tuple[str, str]:
     )
 
 
+def organ_color(group: str) -> str:
+    """Of a group of a mesh that is no leaf: a muted green for sheaths and
+    what is as green, grey for the rest."""
+    return "#7E9470" if group.startswith("sheath") else "#969696"
+
+
 def ranked_colors(count: int) -> NDArray[np.float64]:
     """Colours from the fittest, dark, to the least fit, bright; the palest
     end of viridis does not show on white."""

@@ -19,6 +19,8 @@ TURN = 0.6
 """Of the view at its start, about the vertical."""
 PURPLE, YELLOW = (68, 1, 84), (253, 231, 37)
 """The ends of the colour map."""
+GREEN = (126, 148, 112)
+"""Of groups whose light is not shown."""
 TITLE = "9.4317 ± 0.0092 MJ m⁻² day⁻¹"
 NEIGHBOURS = [[-0.7, 0.0], [0.7, 0.0]]
 
@@ -44,6 +46,7 @@ def scene_of(direction: float | None = 90.0) -> str:
         "faces": [[0, 1, 2, 3], [4, 5, 6, 7]],
         "groups": ["leaf01", "leaf02"],
         "group": [0, 1],
+        "colors": [list(GREEN), list(GREEN)],
     }
     case = {
         "name": "made",
@@ -86,23 +89,37 @@ PIXELS = """
 """
 
 
+NEARER = PIXELS + """
+  const at = (plant, side) => color(
+    panel * (plant + 0.5) + side * 0.25 * view.dataset.scale,
+    view.clientHeight / 2);
+  return [[at(0, -1), at(0, 1)], [at(1, -1), at(1, 1)]];
+"""
+"""Colours of what is nearer on the left and on the right of each plant."""
+
+
 def hue(color: list[int]) -> np.ndarray:
     """A colour without its shade."""
     return np.array(color) / max(color)
 
 
 def test_what_is_nearer_hides_what_crosses_it(tmp_path: Path) -> None:
-    script = PIXELS + """
-      const at = (plant, side) => color(
-        panel * (plant + 0.5) + side * 0.25 * view.dataset.scale,
-        view.clientHeight / 2);
-      return [[at(0, -1), at(0, 1)], [at(1, -1), at(1, 1)]];
-    """
-    shown, errors = run_in_browser(page_of(tmp_path, scene_of()), script, tmp_path)
+    page = page_of(tmp_path, scene_of())
+    shown, errors = run_in_browser(page, NEARER, tmp_path)
     assert errors == []
     for plant, colors in zip(shown, ((PURPLE, YELLOW), (YELLOW, PURPLE))):
         for found, expected in zip(plant, colors):
             assert hue(found) == pytest.approx(hue(list(expected)), abs=0.03)
+
+
+def test_organs_without_light_have_colours_of_their_own(tmp_path: Path) -> None:
+    scene = json.loads(scene_of())
+    scene["cases"][0]["quantities"][0]["values"] = [[None, 1.0], [0.0, None]]
+    page = page_of(tmp_path, json.dumps(scene))
+    ((left, _), (_, right)), errors = run_in_browser(page, NEARER, tmp_path)
+    assert errors == []
+    for found in (left, right):
+        assert hue(found) == pytest.approx(hue(list(GREEN)), abs=0.03)
 
 
 @pytest.mark.parametrize("direction", [0.0, 90.0, 225.0, None])

@@ -17,6 +17,7 @@ from .pair import Pair
 from .rows import Evaluation, Rows, join
 
 _SMALL = 1e-12
+_BY_ORGAN = "absorbed_by_organ"
 _TAKEN = ("stalk_fraction", "soil_fraction")
 
 
@@ -148,13 +149,33 @@ class Case:
             [p.objective if name is None else p.estimate(name) for p in plants]
         )
 
+    def light_by_organ(self, who: str) -> dict[str, Interval]:
+        """What each organ but leaves of "baseline" or "best" absorbs over the
+        incident PAR; stalks, sheaths and all others together where the
+        history does not tell them apart."""
+        self.need_pairs()
+        plants = [getattr(pair, who) for pair in self.pairs]
+        try:
+            profiles = [plant.profile(_BY_ORGAN) for plant in plants]
+        except HistoryError:
+            return {"stalk": self.mean(who, "stalk_fraction")}
+        parts = [
+            profile.over(plant.estimate("incident").mean)
+            for profile, plant in zip(profiles, plants)
+        ]
+        return {
+            name: interval([part[name] for part in parts])
+            for name in parts[0]
+            if name != "leaves"
+        }
+
     def headroom(self) -> Estimate:
-        """How much more the leaves of the best plant could absorb if stalks
-        and soil took nothing: incident (1 - reflected) - absorbed. Reflected
+        """How much more the leaves of the best plant could absorb if other
+        organs and soil took nothing: incident (1 - reflected) - absorbed. Reflected
         light is lost to any canopy of these leaves.
 
         The light is shared out in every randomisation, so that the figure is
-        what stalks and soil take, and its standard error at most the sum of
+        what other organs and soil take, and its standard error at most the sum of
         theirs; absorbed and reflected light have larger ones, which cancel.
 
         Raises HistoryError if there is no such ceiling, or a quantity is

@@ -17,12 +17,17 @@ from .interval import Interval
 ELITE = "elite"
 """What the elite plant is called in a cross-evaluation."""
 
-_PARTS = (
-    ("absorbed_fraction", "leaves", style.MEAN, ""),
-    ("stalk_fraction", "stalks", "#E69F00", "//"),
-    ("soil_fraction", "soil", "#CC79A7", ".."),
-    ("reflected_fraction", "reflected", "#56B4E9", "\\\\"),
-)
+_PARTS = {
+    "leaves": (style.MEAN, ""),
+    "stalks": ("#E69F00", "//"),
+    "sheaths": ("#F0E442", "xx"),
+    "other organs": (style.ANEW, "--"),
+    "soil": ("#CC79A7", ".."),
+    "reflected": ("#56B4E9", "\\\\"),
+}
+"""Where light goes: colour and hatch."""
+
+_ORGANS = {"stalk": "stalks", "sheath": "sheaths"}
 
 
 def known_cases(cases: Sequence[Case]) -> list[Case]:
@@ -107,11 +112,30 @@ def draw_energy(cases: Sequence[Case]) -> Figure:
     )
     for (axes,), members in zip(grid, panels):
         _draw_balance(axes, members)
+    bars = {
+        label: handle
+        for (axes,) in grid
+        for handle, label in zip(*axes.get_legend_handles_labels())
+    }
+    shown = [part for part in _PARTS if part in bars]
     figure.legend(
-        *grid[0, 0].get_legend_handles_labels(),
-        loc="outside lower center", ncols=4, fontsize=8,
+        [bars[part] for part in shown], shown,
+        loc="outside lower center", ncols=len(shown), fontsize=8,
     )  # fmt: skip
     return figure
+
+
+def shares(case: Case, who: str) -> dict[str, Interval]:
+    """Parts of the incident PAR in the order of the figure; organs other than
+    leaves, stalks and sheaths together, with at most the sum of their
+    errors."""
+    found = {"leaves": case.mean(who, "absorbed_fraction")}
+    for organ, share in case.light_by_organ(who).items():
+        part = _ORGANS.get(organ, "other organs")
+        found[part] = share.plus(found[part]) if part in found else share
+    for part in ("soil", "reflected"):
+        found[part] = case.mean(who, f"{part}_fraction")
+    return found
 
 
 def _draw_balance(axes: Axes, known: Sequence[Case]) -> None:
@@ -121,14 +145,13 @@ def _draw_balance(axes: Axes, known: Sequence[Case]) -> None:
         for j, who in enumerate(("baseline", "best")):
             y = i + 0.4 * j
             start = 0.0
-            for name, part, color, hatch in _PARTS:
-                share = case.mean(who, name)
+            for part, share in shares(case, who).items():
+                color, hatch = _PARTS[part]
                 axes.barh(
                     y, share.mean, 0.34, left=start, color=color, hatch=hatch,
                     edgecolor="white", linewidth=0.5,
                     xerr=np.nan_to_num(share.half_width),
-                    error_kw={"elinewidth": 1, "capsize": 2},
-                    label=part if not labels else None,
+                    error_kw={"elinewidth": 1, "capsize": 2}, label=part,
                 )  # fmt: skip
                 start += share.mean
             ticks.append(y)

@@ -28,7 +28,8 @@ class Mesh:
     faces: tuple[tuple[int, ...], ...]
     """Three or four vertices each."""
     groups: tuple[str, ...]
-    """Organ of each face: "leaf01", ..., "stalk"."""
+    """Organ of each face: "leaf01", ..., "stalk", "sheath", and others as
+    "stalk_NAME" or "sheath_NAME" by their tissue."""
 
     def area(self, group: str) -> float:
         """Of an organ [m2]; faces are cut into triangles."""

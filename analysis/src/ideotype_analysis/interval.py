@@ -43,6 +43,14 @@ class Interval:
         text = f"{self.mean:.{digits}f} ± {self.half_width:.{digits}f}"
         return text if self.unit == "1" else f"{text} {self.unit}"
 
+    def plus(self, other: Interval) -> Interval:
+        """Both together, of the same seeds and unit; the half-width is the
+        most that it can be, since they need not be independent."""
+        half_width = self.half_width + other.half_width
+        return Interval(
+            self.mean + other.mean, half_width, self.unit, self.seeds
+        )
+
 
 def interval(figures: Sequence[Estimate]) -> Interval:
     """The 95 % confidence interval of the mean of independent seeds: Student's

@@ -111,14 +111,17 @@ def _draw_along(case: Case, names: list[str]) -> tuple[Figure, NDArray]:
 
 
 def draw_parts(case: Case) -> Figure:
-    """Absorbed PAR by origin, face of the leaf, or whatever else has words
-    for labels and the objective's unit."""
+    """Light that leaves absorb by origin, face of the leaf, or whatever else
+    has words for labels and the objective's unit."""
     case.need_pairs()
     unit = case.best.objective.unit
     names = [
         q.name
         for q in case.best.row.quantities.values()
-        if q.axis and q.axis.labels.dtype.kind == "U" and q.unit == unit
+        if q.axis
+        and q.axis.labels.dtype.kind == "U"
+        and q.axis.name != "organ"
+        and q.unit == unit
     ]
     if not names:
         raise HistoryError("the history does not tell parts of the light")

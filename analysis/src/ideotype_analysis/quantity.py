@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from .estimate import Estimate
+
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
@@ -53,6 +55,15 @@ class Profile:
     unit: str
     values: Floats
     standard_error: Floats
+
+    def over(self, whole: float) -> dict[str, Estimate]:
+        """Each label's part of an exact whole in the same unit."""
+        return {
+            str(label): Estimate(value, error).scaled(1 / whole, "1")
+            for label, value, error in zip(
+                self.labels, self.values, self.standard_error
+            )
+        }
 
 
 @dataclass(frozen=True)

@@ -32,8 +32,8 @@ _PLAN = (
 )
 _VIEW = (
     "Baseline (left) and best plant (right). Leaves are coloured by what they "
-    "absorb over the day; stalks are grey, neighbours pale and all turned "
-    "alike. Lines on the ground are the rows. Drag (on a touch screen "
+    "absorb over the day; sheaths are dull green, stalks and other organs grey, "
+    "neighbours pale and all turned alike. Lines on the ground are the rows. Drag (on a touch screen "
     "sideways) or use the arrow keys to turn; pinch, Ctrl and the wheel, or + "
     "and - to zoom; Home to start again."
 )
@@ -147,6 +147,7 @@ def _overview(
             partial(draw_energy, cases),
         )
     )
+    section.blocks += tables.organs(cases)
     section.blocks += [tables.balance(cases), Note(_READING)]
     return section
 

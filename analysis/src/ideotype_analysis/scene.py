@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from matplotlib.colors import to_rgb
 
 from .case import Case
 from .file import HistoryError
@@ -18,7 +19,7 @@ from .history import History
 from .quantity import Profile
 from .rows import Evaluation, Origin
 from .stand import places, row_direction
-from .style import unit_label
+from .style import organ_color, unit_label
 
 _DECIMALS = 4
 """Of a coordinate: a tenth of a millimetre."""
@@ -95,14 +96,20 @@ def _mesh(mesh: Mesh) -> dict[str, Any]:
         "faces": [list(face) for face in mesh.faces],
         "groups": names,
         "group": [names.index(group) for group in mesh.groups],
+        "colors": [_rgb(name) for name in names],
     }
+
+
+def _rgb(group: str) -> list[int]:
+    """Of a group whose light is not shown."""
+    return [round(255 * part) for part in to_rgb(organ_color(group))]
 
 
 def _quantities(
     case: Case, pairs: Sequence[tuple[Evaluation, Mesh]]
 ) -> list[dict[str, Any]]:
-    """Absorbed PAR of each group of each plant; None for a group, such as
-    the stalk, that has none."""
+    """Absorbed PAR of each group of each plant; None for a group that is no
+    leaf."""
     profiles = [_leaves(plant) for plant, _ in pairs]
     meshes = [mesh for _, mesh in pairs]
     by_leaf = [*map(_by_group, profiles, meshes)]

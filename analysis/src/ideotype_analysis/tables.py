@@ -129,8 +129,8 @@ def _remarks(cases: Sequence[Case], cross: Cross | None) -> list[str]:
         "LAI is the one-sided leaf area per ground area, which is known "
         "without error; the gain per leaf area is that in absorbed PAR per "
         "one-sided leaf area.",
-        "The ceiling is what leaves would absorb if stalks and soil took "
-        "nothing: incident light less what the best plant's canopy reflects.",
+        "The ceiling is what leaves would absorb if other organs and soil "
+        "took nothing: incident light less what the best plant's canopy reflects.",
     ]
     if cross is None or ELITE not in cross.plants:
         remarks.append(
@@ -186,6 +186,38 @@ def _case_remarks(case: Case, cross: Cross | None) -> Iterator[str]:
         yield f"Without a ceiling, since {reason}"
 
 
+def organs(cases: Sequence[Case]) -> list[Table]:
+    """What organs other than leaves take, where histories tell it."""
+    plants = [
+        (f"{case.name} {who}", case.light_by_organ(who))
+        for case in cases
+        if case.pairs
+        for who in ("baseline", "best")
+    ]
+    names = list(dict.fromkeys(name for _, parts in plants for name in parts))
+    if names == ["stalk"]:
+        return []
+    rows = [
+        [plant, *(_percent(parts.get(name)) for name in names)]
+        for plant, parts in plants
+    ]
+    return [
+        Table(
+            ("plant", *(name.replace("_", " ") for name in names)),
+            rows,
+            "PAR that organs other than leaves absorb, in % of the incident: "
+            "means over seeds ± half of the 95 % confidence interval.",
+        )
+    ]
+
+
+def _percent(share: Interval | None) -> str:
+    if share is None:
+        return UNKNOWN
+    half_width = 100 * share.half_width
+    return _bare(replace(share, mean=100 * share.mean, half_width=half_width))
+
+
 def balance(cases: Sequence[Case]) -> Note:
     """How well the energy balance closes."""
     errors = [
@@ -198,7 +230,7 @@ def balance(cases: Sequence[Case]) -> Note:
     if not errors:
         return Note("The histories do not say how well the balance closes.")
     return Note(
-        "Leaves, stalks, soil and reflected light add up to the light that "
-        "enters; the largest deviation of all plants shown is "
+        "Leaves, other organs, soil and reflected light add up to the light "
+        "that enters; the largest deviation of all plants shown is "
         f"{np.max(errors):.1g} of it."
     )

@@ -8,7 +8,6 @@ const STOPS = [
   [38, 130, 142], [31, 158, 137], [53, 183, 121], [109, 205, 89],
   [180, 222, 44], [253, 231, 37],
 ];
-const STALK = [150, 150, 150];
 const GROUND = [240, 233, 222];
 const MARK = [120, 100, 75];
 // Towards the viewer's upper left; across, up, away.
@@ -179,8 +178,8 @@ function drawScene(canvas, chosen, quantity, view, hasNeighbours) {
     for (const [corners, color] of ground.faces)
       raster.fill(corners.map(onScreen), [0, 0, 0], color, columns);
     const origin = onScreen([0, 0, 0]);
-    const colors = quantity.values[index].map((value) => value === null
-      ? STALK : colorAt((value - low) / (high - low || 1)));
+    const colors = quantity.values[index].map((value, i) => value === null
+      ? plant.colors[i] : colorAt((value - low) / (high - low || 1)));
     paintPlant(raster, plant, colors, {
       seen: plant.vertices.map(look),
       points: plant.vertices.map(onScreen),

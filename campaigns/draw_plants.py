@@ -1,0 +1,152 @@
+#!/usr/bin/env python3
+"""Plants from the side and from above, at one scale.
+
+draw_plants.py [--ideotype PROGRAM] --to FILE.png [TITLE=]PLANT...
+
+Each PLANT is a plant or crop file, of which its baseline is drawn, or a history, of
+which the best plant is. From the side one looks 30 deg past the row.
+"""
+
+from __future__ import annotations
+
+import argparse
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+from ideotype_analysis import HistoryError
+from ideotype_analysis.geometry import Mesh, export_plant, find_program
+from ideotype_analysis.style import new_figure
+from matplotlib.axes import Axes
+from matplotlib.collections import PolyCollection
+from matplotlib.colors import to_rgb
+
+COLORS = {"leaf": "#4E9A3A", "sheath": "#A3B57E", "stalk": "#A98F62"}
+TURN = np.deg2rad(30)
+LIGHT = np.array([-0.3, 0.6, 0.74])
+"""Right, up and towards the viewer; of length 1."""
+
+# One evaluation with as little light as there may be: only the shape counts.
+CAMPAIGN = """
+name = "plant"
+
+[[site]]
+name = "any"
+latitude = 42
+longitude = 0
+utc_offset = 0
+
+[[day]]
+date = 2025-08-07
+start = 12:00:00
+end = 13:00:00
+step_minutes = 60
+
+[[spacing]]
+row = 0.76
+plant = 0.15
+
+[field]
+rows = 1
+plants = 1
+
+[plant]
+baseline = '{plant}'
+
+[light]
+paths = 16
+randomisations = 2
+
+[search]
+population = 2
+elites = 0
+
+[stop]
+generations = 1
+
+[final]
+candidates = 1
+paths = 16
+randomisations = 2
+"""
+
+
+def shape_of(program: Path, plant: Path) -> Mesh:
+    if plant.suffix == ".h5":
+        return export_plant(program, plant, ["--best"])
+    with tempfile.TemporaryDirectory() as folder:
+        campaign = Path(folder) / "plant.toml"
+        campaign.write_text(CAMPAIGN.format(plant=plant.resolve()))
+        done = subprocess.run(
+            [program, "run", campaign, "--out", folder],
+            capture_output=True, text=True, check=False,
+        )  # fmt: skip
+        if done.returncode:
+            raise HistoryError(f"{plant}: {done.stderr.strip()}")
+        (history,) = Path(folder).glob("plant/*.h5")
+        return export_plant(program, history, ["--generation", "0", "--slot", "0"])
+
+
+def draw(axes: Axes, mesh: Mesh, is_side: bool) -> None:
+    x, y, z = mesh.vertices.T
+    if is_side:
+        c, s = np.cos(TURN), np.sin(TURN)
+        x, y, z = c * x + s * y, z, s * x - c * y
+    corners = [np.array([x, y, z]).T[list(face)] for face in mesh.faces]
+    normals = np.array([np.cross(c[1] - c[0], c[2] - c[0]) for c in corners])
+    cosine = np.abs(normals @ LIGHT) / np.linalg.norm(normals, axis=1)
+    shade = 0.55 + 0.45 * cosine
+    kinds = [group.split("_")[0].rstrip("0123456789") for group in mesh.groups]
+    colors = np.array([to_rgb(COLORS[kind]) for kind in kinds]) * shade[:, None]
+    # what is nearer to the viewer is drawn over the rest
+    order = np.argsort([c[:, 2].mean() for c in corners])
+    axes.add_collection(
+        PolyCollection(
+            [corners[i][:, :2] for i in order],
+            facecolors=colors[order], edgecolors="face", linewidths=0.3,
+        )  # fmt: skip
+    )
+    axes.set_aspect("equal")
+    axes.grid(visible=False)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(usage=(__doc__ or "").split("\n")[2])
+    parser.add_argument("--ideotype")
+    parser.add_argument("--to", type=Path, required=True)
+    parser.add_argument("plants", nargs="+")
+    options = parser.parse_args()
+    try:
+        program = find_program(options.ideotype)
+        if program is None:
+            sys.exit("no ideotype on PATH (shapes come from it); name it with --ideotype")
+        shown = {}
+        for plant in options.plants:
+            title, _, path = plant.rpartition("=")
+            shown[title or Path(path).stem] = shape_of(program, Path(path))
+    except HistoryError as error:
+        sys.exit(str(error))
+
+    every = np.vstack([mesh.vertices for mesh in shown.values()])
+    reach = 1.05 * np.hypot(every[:, 0], every[:, 1]).max()
+    top = 1.05 * every[:, 2].max()
+    width = 1.9 * len(shown) + 0.6
+    figure = new_figure(width, 1.72 * (1 + top / reach / 2) + 0.9)
+    grid = figure.subplots(
+        2, len(shown), sharex=True, sharey="row", squeeze=False,
+        height_ratios=(top, 2 * reach),
+    )  # fmt: skip
+    for (side, above), (title, mesh) in zip(grid.T, shown.items()):
+        draw(side, mesh, is_side=True)
+        draw(above, mesh, is_side=False)
+        side.set_title(title, fontsize=9)
+        above.set_xlabel("across the row [m]")
+    grid[0, 0].set(ylim=(0, top), ylabel="height [m]")
+    grid[1, 0].set(xlim=(-reach, reach), ylim=(-reach, reach), ylabel="along the row [m]")
+    figure.savefig(options.to, dpi=150, pil_kwargs={"optimize": True})
+
+
+if __name__ == "__main__":
+    main()

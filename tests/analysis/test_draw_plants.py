@@ -1,0 +1,47 @@
+"""Pictures of plants, as campaigns/README.md makes them."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+from real_program import CAMPAIGNS, executable
+
+
+def draw(*arguments: object) -> subprocess.CompletedProcess[str]:
+    """What campaigns/draw_plants.py says."""
+    script = CAMPAIGNS / "draw_plants.py"
+    words = [sys.executable, script, "--ideotype", executable(), *arguments]
+    return subprocess.run(
+        [*map(str, words)], capture_output=True, text=True, check=False
+    )
+
+
+def test_baselines_and_bred_plants_are_drawn(
+    sorghum: list[Path], tmp_path: Path
+) -> None:
+    to, crops = tmp_path / "plants.png", CAMPAIGNS / "crops"
+    done = draw("--to", to, crops / "sorghum.toml", f"bred={sorghum[0]}")
+    assert done.returncode == 0, done.stderr
+    assert to.stat().st_size < 300_000
+    with Image.open(to) as image:
+        pixels = np.asarray(image.convert("RGB")).astype(int)
+    red, green, blue = pixels.transpose(2, 0, 1)
+    leaves = (green > red + 30) & (green > blue + 30)
+    wood = (red > green + 10) & (green > blue + 10)
+    middle = pixels.shape[1] // 2
+    # leaves in both columns, the panicles in the upper half
+    assert min(leaves[:, :middle].sum(), leaves[:, middle:].sum()) > 1000
+    assert wood[: len(wood) // 2].sum() > 100
+
+
+def test_what_is_no_plant_is_told(tmp_path: Path) -> None:
+    path = tmp_path / "none.toml"
+    path.write_text('name = "none"')
+    done = draw("--to", tmp_path / "none.png", path)
+    assert done.returncode == 1
+    assert f"{path}: " in done.stderr and "leaf" in done.stderr
+    assert not (tmp_path / "none.png").exists()

@@ -66,10 +66,13 @@ def leaves(path: Path) -> list[Leaf]:
 
 def with_values(text: str, trait: str, values: Values) -> str:
     """A crop file in which the leaves have these values."""
-    left = iter(values)
-    return re.sub(
-        rf"^{trait} = .*$", lambda _: f"{trait} = {next(left)}", text, flags=re.M
+    head, *tables = text.split("[[leaf]]")
+    # other organs, which follow the last leaf, have lengths too
+    parts = (
+        re.sub(rf"^{trait} = .*$", f"{trait} = {value}", table, count=1, flags=re.M)
+        for table, value in zip(tables, values, strict=True)
     )
+    return "[[leaf]]".join([head, *parts])
 
 
 def write_variants(history: Path, baseline: list[Leaf], folder: Path) -> list[Path]:

@@ -1,0 +1,28 @@
+"""What single traits are worth, as campaigns/what_pays.py tells it."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+from real_program import CAMPAIGNS, executable, run_crop
+
+
+def test_traits_of_leaves_alone_are_undone(tmp_path: Path) -> None:
+    """Sheaths and other organs have lengths and azimuths too."""
+    history = run_crop(tmp_path, "maize", ["length", "azimuth"])
+    script, under = CAMPAIGNS / "what_pays.py", tmp_path / "tiny.toml"
+    done = subprocess.run(
+        [sys.executable, script, "--under", under, history],
+        env=os.environ | {"IDEOTYPE_EXECUTABLE": executable()},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert len(re.findall(r"(?m)^\| \d+ \|", done.stdout)) == 10
+    row = re.search(r"(?m)^\| lengths of the baseline \| (\S+) ±", done.stdout)
+    assert row is not None and abs(float(row[1])) < 20

@@ -120,6 +120,16 @@ def test_a_profile_is_a_curve_through_its_points(maize: Path) -> None:
     assert bred[-1][at[0]] == pytest.approx(fittest[at[1]])
 
 
+def test_traits_of_plants_are_named_among_correlations(maize: Path) -> None:
+    with open_study(maize) as study:
+        table, _ = draw_correlation(study.cases()[0]).axes
+    shown = [t.label1.get_text() for t in table.yaxis.get_minor_ticks()]
+    ranks = [str(n) for n in range(1, 11)]
+    assert shown == [*ranks, "leaf plane", "height", "1", "2", "3", "4"]
+    blocks = [t.label1.get_text() for t in table.yaxis.get_major_ticks()]
+    assert blocks == ["azimuth deviation", "", "", "length profile"]
+
+
 def test_effects_are_listed_without_traits_of_leaves(
     sorghum: list[Path],
 ) -> None:

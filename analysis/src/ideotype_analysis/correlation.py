@@ -40,9 +40,10 @@ def draw_correlation(case: Case) -> Figure:
         axes.axvline(start - 0.5, color=style.BASELINE, linewidth=0.8)
     ends = [*starts[1:], len(kinds)]
     middles = [(a + b - 1) / 2 for a, b in zip(starts, ends)]
-    labels = [kinds[start] for start in starts]
     numbers = [case.genes.number(columns[i].gene) for i in order]
-    ranks = [str(number or "") for number in numbers]
+    # A trait of the plant is a block of one, which has its name in small.
+    labels = [kinds[start] if numbers[start] else "" for start in starts]
+    ranks = [str(number or kind) for number, kind in zip(numbers, kinds)]
     for axis in (axes.xaxis, axes.yaxis):
         # A block's name stays where it meets a leaf's number.
         axis.remove_overlapping_locs = False
@@ -50,9 +51,7 @@ def draw_correlation(case: Case) -> Figure:
         axis.set_ticks(range(len(ranks)), ranks, minor=True, fontsize=5)
         axis.set_tick_params(which="minor", length=1.5, pad=1)
         axis.set_tick_params(which="major", length=0, pad=11)
-    axes.tick_params(axis="x", which="major", labelrotation=30)
-    for label in axes.get_xticklabels():
-        label.set(ha="right", rotation_mode="anchor")
+    axes.tick_params(axis="x", which="both", labelrotation=90)
     axes.set_title(
         f"{case.name}\n"
         "numbers are leaf ranks or points of profiles, 1 = lowest"

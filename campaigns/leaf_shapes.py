@@ -1,0 +1,426 @@
+#!/usr/bin/env python3
+"""Do twist, waves and drooping tips of leaves matter for the light and for breeding?
+
+leaf_shapes.py FOLDER [--seeds N] [--fields N] [--paths N] [--only WORD...]
+
+Breeds ames_quick.toml in FOLDER, draws the blades of its baseline and of its best
+plants with finer meshes, gives them other shapes, and evaluates each in the same
+fields with the same random numbers. Prints what each shape does to the light that
+leaves absorb, and to the gain of the bred plants over the baseline. Shapes keep the
+length and area of each blade; what varies from leaf to leaf is drawn at random for
+each plant of a field. Histories that are complete are not run again.
+IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import os
+import random
+import re
+import subprocess
+import sys
+import tomllib
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from statistics import fmean, stdev
+
+PROGRAM = os.environ.get("IDEOTYPE_EXECUTABLE", "ideotype")
+HERE = Path(__file__).parent
+ROWS, PLANTS, ROW, PLANT, TURN = 4, 4, 0.762, 0.1524, 10
+ALONG, HALF = 40, 2  # cells from base to tip, and from midrib to margin
+FINE = 8  # steps of the midrib's integral per cell
+Vector = tuple[float, float, float]
+#: Points and faces that use them, of each group in one or two variants.
+Mesh = dict[str, list[tuple[list[Vector], list[list[int]]]]]
+
+
+def power(exponent: float, s: float) -> float:
+    """The part of the bend that is reached at relative length s, in crop files."""
+    return s**exponent
+
+
+def perez(half: float, s: float) -> float:
+    """Two segments; the first, up to `half`, has two thirds of the bend.
+
+    ADEL and ArchiCrop, leaf_shape_perez; CORNIBU (doi:10.1016/j.compag.2024.109694)
+    has half = 0.5.
+    """
+    first = s <= half
+    c, t = (-0.2, s / half) if first else (5, (s - half) / (1 - half))
+    part = (1 + c) * t * t / (1 + c * t * t)
+    return part * 2 / 3 if first else 2 / 3 + part / 3
+
+
+def prevot(s: float) -> float:
+    """A parabola up to the highest point of the midrib, then an arc of a circle.
+
+    Prevot and others 1991, Agronomie 11, 491, with medians of leaf 6 of the inbred
+    F2 (ADEL, adelMons/data/05_geomF2_S1B1.h): 56 deg up to 0.53, then 63 deg.
+    """
+    rise, top, fall = 56.0, 0.53, 63.0
+    if s > top:
+        return (rise + fall * (s - top) / (1 - top)) / (rise + fall)
+
+    def length(slope: float) -> float:
+        return slope * math.sqrt(1 + slope**2) + math.asinh(slope)
+
+    start = math.tan(math.radians(rise))
+    low, high = 0.0, start
+    for _ in range(40):
+        middle = (low + high) / 2
+        long = length(middle) > length(start) * (1 - s / top)
+        low, high = (low, middle) if long else (middle, high)
+    return (rise - math.degrees(math.atan(low))) / (rise + fall)
+
+
+@dataclass(frozen=True)
+class Shape:
+    """What is changed in each blade."""
+
+    source: str
+    bend: Callable[[float], float] = partial(power, 1.5)
+    total_bend: float | None = None  #: of all leaves [deg], else that of each
+    twist: float = 0  #: of the tip about the midrib [deg]
+    one_sense: bool = False  #: of the twist, else at random for each leaf
+    roll: float = 0  #: largest roll of the cross-section [deg], in turn to both sides
+    half_waves: int = 8  #: of the roll, base to tip, as long as the blade is wide
+    amplitude: float = 0  #: of the margins, normal to the blade [m]
+    wavelength: float = 0.15  #: of the margins [m]
+
+    @property
+    def varies(self) -> bool:
+        """From leaf to leaf, at random."""
+        return bool(self.roll or self.amplitude or self.twist and not self.one_sense)
+
+
+ADEL = "ADEL, ArchiCrop, CORNIBU"
+#: github.com/UniCornXZC/parametric_maize_leaf, of "Modeling Maize Leaf Geometry and
+#: Surface Area by Triangle Mesh": 7 or 10 angles, at random up to 45 deg.
+ROLL = "parametric_maize_leaf"
+#: E marks our estimates.
+SHAPES = {
+    "as in crop files": Shape(""),
+    "twist of 10 deg": Shape("E", twist=10),
+    "twist of 30 deg": Shape("E", twist=30),
+    "twist of 60 deg": Shape("E", twist=60),
+    "twist of 60 deg, one sense": Shape("E", twist=60, one_sense=True),
+    "twist of 90 deg": Shape("E, extreme", twist=90),
+    "roll to both sides, up to 22 deg": Shape(f"{ROLL}, half", roll=22.5),
+    "roll to both sides, up to 45 deg": Shape(ROLL, roll=45),
+    "roll to both sides, up to 10 deg": Shape("E", roll=10),
+    "waves of margins, 1 cm": Shape("E", amplitude=0.01),
+    "waves of margins, 2 cm": Shape("E, extreme", amplitude=0.02),
+    "bend exponent 1": Shape("arc of a circle; E", partial(power, 1)),
+    "bend exponent 2": Shape("E", partial(power, 2)),
+    "bend exponent 3, tips droop": Shape("E", partial(power, 3)),
+    "two segments, break at 0.5": Shape(ADEL, partial(perez, 0.5)),
+    "parabola and arc": Shape("Prevot 1991, ADEL's F2", prevot),
+    "parabola and arc, bend of 119 deg": Shape("the same, as measured", prevot, 119),
+}
+
+
+def ideotype(*words: object) -> str:
+    done = subprocess.run(
+        [PROGRAM, *map(str, words)], check=True, capture_output=True, text=True
+    )
+    return done.stdout
+
+
+def basis(t: float) -> list[float]:
+    """Cubic B-splines of six controls, as the program's blades have."""
+    knots = [0, 0, 0, 0, 1 / 3, 2 / 3, 1, 1, 1, 1]
+    span = 3 + (t >= 1 / 3) + (t >= 2 / 3)
+    n = [float(i == span) for i in range(9)]
+    for k in range(1, 4):
+        for i in range(9 - k):
+            rise, fall = knots[i + k] - knots[i], knots[i + k + 1] - knots[i + 1]
+            n[i] = ((t - knots[i]) / rise * n[i] if rise else 0) + (
+                (knots[i + k + 1] - t) / fall * n[i + 1] if fall else 0
+            )
+    return n[:6]
+
+
+def half_widths(controls: list[float], width: float) -> list[float]:
+    """Of a blade at the rows of its mesh [m]."""
+    profile = [
+        sum(n * c for n, c in zip(basis(i / ALONG), controls, strict=True))
+        for i in range(ALONG + 1)
+    ]
+    return [width / 2 * x / max(profile) for x in profile]
+
+
+def rolls(shape: Shape, halves: list[float], draw: random.Random) -> list[float]:
+    """Of the cross-sections at the rows of a mesh [rad]: random extremes to one side
+    and the other in turn, half waves as long as the blade is wide there."""
+    first = draw.choice([0, 1])
+    ends = [
+        (-1) ** (k + first) * shape.roll * draw.random()
+        for k in range(1, shape.half_waves)
+    ]
+    ends = [0.0, *ends, 0.0]
+    # Phase grows by the inverse of the width, which never counts as less than 40 %.
+    steps = [1 / max(h, 0.4 * max(halves)) for h in halves]
+    total, phase, angles = sum(steps[1:]), 0.0, []
+    for i, step in enumerate(steps):
+        phase += step / total * shape.half_waves if i else 0
+        k = min(int(phase), shape.half_waves - 1)
+        smooth = (1 - math.cos(math.pi * (phase - k))) / 2
+        angles.append(math.radians(ends[k] + (ends[k + 1] - ends[k]) * smooth))
+    return angles
+
+
+def combine(*terms: tuple[float, Vector]) -> Vector:
+    return tuple(sum(f * v[i] for f, v in terms) for i in range(3))
+
+
+def blade(
+    shape: Shape, leaf: dict, halves: list[float], rise: float, base: Vector, seed: int
+) -> list[Vector]:
+    """Vertices, row by row from the base and from margin to margin."""
+    azimuth = math.radians(leaf["azimuth"])
+    out = (math.sin(azimuth), math.cos(azimuth), 0.0)
+    across = (math.cos(azimuth), -math.sin(azimuth), 0.0)
+    up = (0.0, 0.0, 1.0)
+    bend = leaf["curvature"] if shape.total_bend is None else shape.total_bend
+    length, foot, points = leaf["length"], base, []
+    draw = random.Random(seed)
+    roll = rolls(shape, halves, draw)
+    sense = 1 if shape.one_sense or seed % 2 else -1
+    phases = [2 * math.pi * draw.random() for _ in range(2)]
+
+    def angle(s: float) -> float:
+        return math.radians(leaf["insertion_angle"] + bend * shape.bend(s))
+
+    for row, half in enumerate(halves):
+        s = row / ALONG
+        a = angle(s)
+        normal = combine((-math.cos(a), out), (math.sin(a), up))
+        turn = sense * math.radians(shape.twist) * s + roll[row]
+        x = combine((math.cos(turn), across), (math.sin(turn), normal))
+        n = combine((math.cos(turn), normal), (-math.sin(turn), across))
+        for i in range(-HALF, HALF + 1):
+            u = i / HALF
+            wave = shape.amplitude * min(1, s / 0.3) * half / max(halves) * u * u
+            at = length * s / shape.wavelength
+            wave *= math.sin(phases[i > 0] + 2 * math.pi * at)
+            points.append(
+                combine(
+                    (1, foot),
+                    (half * u * math.cos(rise), x),
+                    (half * abs(u) * math.sin(rise) + wave, n),
+                )
+            )
+        for k in range(FINE):
+            a, step = angle(s + (k + 0.5) / FINE / ALONG), length / FINE / ALONG
+            along = combine((math.sin(a), out), (math.cos(a), up))
+            foot = combine((1, foot), (step, along))
+    return points
+
+
+WIDE = 2 * HALF + 1
+CELLS = [
+    [i * WIDE + j, i * WIDE + j + 1, (i + 1) * WIDE + j + 1, (i + 1) * WIDE + j]
+    for i in range(ALONG)
+    for j in range(2 * HALF)
+]
+
+
+def area(points: list[Vector]) -> float:
+    def triangle(a: int, b: int, c: int) -> float:
+        p, q = (combine((1, points[end]), (-1, points[a])) for end in (b, c))
+        return 0.5 * math.hypot(
+            p[1] * q[2] - p[2] * q[1],
+            p[2] * q[0] - p[0] * q[2],
+            p[0] * q[1] - p[1] * q[0],
+        )
+
+    return sum(triangle(a, b, c) + triangle(a, c, d) for a, b, c, d in CELLS)
+
+
+def read_obj(path: Path) -> Mesh:
+    points: list[Vector] = []
+    mesh: Mesh = {}
+    faces: list[list[int]] = []
+    for line in path.read_text().splitlines():
+        kind, *rest = line.split() or [""]
+        if kind == "v":
+            points.append(tuple(map(float, rest)))
+        elif kind == "g":
+            faces = []
+            mesh[rest[0]] = [(points, faces)]
+        elif kind == "f":
+            faces.append([int(x) - 1 for x in rest])
+    return mesh
+
+
+class Plant:
+    """A plant of a history, as the program and as this script draw it."""
+
+    def __init__(self, history: Path, folder: Path, *row: object) -> None:
+        stem = folder / f"{history.stem}_{'_'.join(str(x).strip('-') for x in row)}"
+        for kind in (".toml", ".obj"):
+            path = stem.with_suffix(kind)
+            path.unlink(missing_ok=True)
+            ideotype("export", history, *row, "--to", path)
+        self.traits = tomllib.loads(stem.with_suffix(".toml").read_text())
+        self.mesh = read_obj(stem.with_suffix(".obj"))
+
+    def drawn(self, shape: Shape) -> Mesh:
+        """With finer blades of another shape, which have the areas of before."""
+        folding = math.radians(self.traits["blade"]["folding_angle"])
+        controls = self.traits["blade"]["width_controls"]
+        mesh = {k: v for k, v in self.mesh.items() if not k.startswith("leaf")}
+        for rank, leaf in enumerate(self.traits["leaf"], start=1):
+            ((points, faces),) = self.mesh[f"leaf{rank:02}"]
+            base = points[faces[0][1]]
+            halves = half_widths(controls, leaf["width"])
+            draw = partial(blade, leaf=leaf, rise=folding, base=base)
+            wanted = area(draw(Shape(""), halves=halves, seed=0))
+            variants = mesh[f"leaf{rank:02}"] = []
+            for seed in (2 * rank, 2 * rank + 1) if shape.varies else (0,):
+                own = halves
+                for _ in range(2):
+                    scale = wanted / area(draw(shape, halves=own, seed=seed))
+                    own = [scale * h for h in own]
+                variants.append((draw(shape, halves=own, seed=seed), CELLS))
+        return mesh
+
+
+def write_field(mesh: Mesh, seed: int, path: Path) -> None:
+    """The field of ames.toml, rows from east to west: x is east, y north.
+
+    A plant's y is along the row and its x to the south; each is turned at random.
+    """
+    draw, choose = random.Random(seed), random.Random(seed)
+    lines, count = [], 0
+    for row in range(ROWS):
+        for place in range(PLANTS):
+            turn = math.radians(draw.uniform(-TURN, TURN))
+            c, s = math.cos(turn), math.sin(turn)
+            for name, variants in mesh.items():
+                points, faces = choose.choice(variants)
+                used = sorted({i for face in faces for i in face})
+                at = {old: count + k for k, old in enumerate(used, start=1)}
+                count += len(used)
+                for i in used:
+                    x, y, z = points[i]
+                    x, y = c * x - s * y, s * x + c * y
+                    lines.append(
+                        f"v {y + place * PLANT:.6f} {-x + row * ROW:.6f} {z:.6f}"
+                    )
+                lines.append(f"g {re.match('leaf|stalk|sheath', name)[0]}")
+                lines += ["f " + " ".join(str(at[i]) for i in face) for face in faces]
+    path.write_text("\n".join(lines) + "\n")
+
+
+def leaf_light(mesh: Mesh, options: argparse.Namespace) -> list[float]:
+    """What leaves absorb of a clear day's light, field by field [%]."""
+
+    def share(field: int) -> float:
+        path = options.folder / f"field{field}.obj"
+        write_field(mesh, field, path)
+        found = json.loads(
+            ideotype(
+                *("evaluate", "--mesh", path, "--json", "--seed", field),
+                *("--period", PLANTS * PLANT, ROWS * ROW, "--paths", options.paths),
+                *("--site", 42, -93.6, -5, "--date", "2025-08-07"),
+            )
+        )
+        path.unlink()
+        return 100 * found["leaf"]["mean"]
+
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        return list(pool.map(share, range(1, options.fields + 1)))
+
+
+def mean_and_error(values: list[float]) -> tuple[float, float]:
+    return fmean(values), stdev(values) / math.sqrt(len(values))
+
+
+def text_of(values: list[float]) -> str:
+    mean, error = mean_and_error(values)
+    return f"{mean:+.2f} ± {error:.2f}"
+
+
+def changes(after: list[float], before: list[float]) -> list[float]:
+    return [100 * (a / b - 1) for a, b in zip(after, before, strict=True)]
+
+
+def gains(lights: list[list[float]]) -> list[list[float]]:
+    """Of each bred plant over the first, field by field [%]."""
+    return [changes(own, lights[0]) for own in lights[1:]]
+
+
+def mean_of(lists: list[list[float]]) -> list[float]:
+    return list(map(fmean, zip(*lists, strict=True)))
+
+
+def bred_histories(folder: Path, seeds: int) -> list[Path]:
+    text = (HERE / "ames_quick.toml").read_text()
+    text = text.replace("replicates = 1", f"replicates = {seeds}", 1)
+    text = text.replace('"crops/', f'"{HERE.resolve()}/crops/')
+    campaign = folder / "ames_quick.toml"
+    campaign.write_text(text)
+    ideotype("run", campaign, "--resume", "--ranks", "auto", "--out", folder)
+    return sorted((folder / "ames_quick").glob("*.h5"))
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("--seeds", type=int, default=3, metavar="N")
+    parser.add_argument("--fields", type=int, default=4, metavar="N")
+    parser.add_argument("--paths", type=int, default=2**19, metavar="N")
+    parser.add_argument(
+        "--only", nargs="+", default=[""], metavar="WORD", help="shapes with a word"
+    )
+    parser.add_argument("folder", type=Path, metavar="FOLDER")
+    options = parser.parse_args()
+    if options.fields < 2:
+        parser.error("--fields must be 2 or more (errors are from fields)")
+    options.folder.mkdir(parents=True, exist_ok=True)
+    histories = bred_histories(options.folder, options.seeds)
+    plants = [Plant(histories[0], options.folder, "--generation", 0, "--slot", 0)]
+    plants += [Plant(history, options.folder, "--best") for history in histories]
+
+    before: list[list[float]] = []
+    print("| shape of the blades | source | light of the baseline [%] ", end="")
+    print("| of bred plants [%] | gain [%] | change of the gain | by plant |")
+    print("|---|---|---|---|---|---|---|", flush=True)
+
+    def print_row(name: str, source: str, meshes: list[Mesh]) -> list[list[float]]:
+        lights = [leaf_light(mesh, options) for mesh in meshes]
+        own = gains(lights)
+        cells = [f"{fmean(x):.2f}" for x in (lights[0], sum(lights[1:], []))]
+        cells += [f"{fmean(mean_of(own)):.2f}", "", ""]
+        if before:
+            light = [changes(*pair) for pair in zip(lights, before, strict=True)]
+            cells[:2] = [text_of(light[0]), text_of(mean_of(light[1:]))]
+            gain = [
+                [x - y for x, y in zip(*pair, strict=True)]
+                for pair in zip(own, gains(before), strict=True)
+            ]
+            by_plant = ", ".join(f"{fmean(each):+.2f}" for each in gain)
+            cells[3:] = [text_of(mean_of(gain)), by_plant]
+        print(f"| {name} | {source} | " + " | ".join(cells) + " |", flush=True)
+        return lights
+
+    for i, (name, shape) in enumerate(SHAPES.items()):
+        if i and not any(word in name for word in options.only):
+            continue
+        lights = print_row(name, shape.source, [plant.drawn(shape) for plant in plants])
+        before = before or lights
+    if any(word in "mesh" for word in options.only):
+        print_row("the program's mesh", "", [plant.mesh for plant in plants])
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except subprocess.CalledProcessError as error:
+        sys.exit(error.stderr.strip())

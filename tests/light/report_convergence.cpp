@@ -28,9 +28,9 @@ struct Baseline {
         : campaign(ames(campaigns)),
           chosen(cases(campaign).front()),
           scenario(scenario_of(campaign, chosen)),
-          field(draw_field(build_plant(campaign.crop.baseline,
-                                       campaign.tessellation),
-                           scenario.field, {chosen.seed})),
+          field(draw_field(
+              build_plant(campaign.crop.baseline, campaign.tessellation),
+              scenario.field, {chosen.seed})),
           device(Device::supported_isas().back()),
           scene(device, field.mesh, field.period_x, field.period_y) {}
 

@@ -123,8 +123,10 @@ int exit_code(const End& end, const std::string& way_on) {
                    "  {}\n",
                    what, way_on);
     };
-    // Open MPI ends with 1 when it was told to end.
-    if (end.interrupts > 1 && code == static_cast<int>(ExitCode::runtime)) {
+    // Open MPI's launcher ends with 1 when it was told to end, and at times
+    // with a crash of its own.
+    if (end.interrupts > 1 && (code == static_cast<int>(ExitCode::runtime) ||
+                               WIFSIGNALED(end.status))) {
         tell("stopped at once");
         return by_signal + SIGINT;
     }

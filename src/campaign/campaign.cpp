@@ -1,5 +1,6 @@
 #include "ideotype/campaign/campaign.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "checks.hpp"
@@ -13,6 +14,19 @@ namespace ideotype {
 
 namespace {
 
+//! As high as the highest leaf with all numbers at their upper bounds, or of
+//! the baseline, if it stood upright [m].
+double reach_of(const Campaign& campaign) {
+    std::vector<double> most;
+    for (const Range& range : campaign.bounds) most.push_back(range.upper);
+    const Plant largest = grow(campaign.crop, most);
+    double top = 0;
+    for (const Plant* plant : {&campaign.crop.baseline, &largest})
+        for (const Leaf& leaf : plant->leaves)
+            top = std::max(top, leaf.insertion_height + leaf.length);
+    return top;
+}
+
 Campaign complete(Draft& draft, const std::string& source,
                   const Report& report) {
     Campaign campaign = draft.campaign;
@@ -24,6 +38,7 @@ Campaign complete(Draft& draft, const std::string& source,
     for (std::size_t i = 0; i < numbers.size(); ++i)
         campaign.bounds.push_back(
             bounds_of(draft, numbers[i].trait, baseline[i]));
+    campaign.reach = reach_of(campaign);
     std::erase_if(campaign.constraints.traits,
                   [](const TraitConstraint& x) { return !constrains(x); });
     campaign.source = source;

@@ -110,15 +110,13 @@ void check_baseline(Draft& draft, Report& report) {
         crop.traits.push_back(complete(entry));
     const std::vector<TraitNumber> numbers = trait_numbers(crop);
     const std::vector<double> baseline = baseline_numbers(crop);
-    const std::vector<MeasureInfo> all = measures(draft.campaign.crop.baseline);
     // Where the value of a number in the baseline was written.
     const auto place = [&](const TraitNumber& number) -> const void* {
         const Trait& trait = crop.traits[number.trait];
         if (trait.effect != TraitEffect::sets)
             return &draft.traits[number.trait].trait.range;
-        const auto measure = std::find_if(
-            all.begin(), all.end(),
-            [&](const MeasureInfo& x) { return x.name == trait.measures[0]; });
+        const auto measure =
+            find_measure(draft.campaign.crop.baseline, trait.measures[0]);
         return measure
             ->values[static_cast<std::size_t>(std::max(number.leaf, 1) - 1)];
     };

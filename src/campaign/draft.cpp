@@ -52,18 +52,17 @@ std::vector<std::string> rule_names(const Draft& draft) {
     return names;
 }
 
+const std::vector<std::string>& measures_of(const TraitEntry& entry) {
+    if (!entry.sets.empty()) return entry.sets;
+    return entry.scales.empty() ? entry.shifts : entry.scales;
+}
+
 Trait complete(const TraitEntry& entry) {
     Trait trait = entry.trait;
-    if (!entry.sets.empty()) {
-        trait.effect = TraitEffect::sets;
-        trait.measures = entry.sets;
-    } else if (!entry.scales.empty()) {
-        trait.effect = TraitEffect::scales;
-        trait.measures = entry.scales;
-    } else {
-        trait.effect = TraitEffect::shifts;
-        trait.measures = entry.shifts;
-    }
+    trait.measures = measures_of(entry);
+    trait.effect = !entry.sets.empty()     ? TraitEffect::sets
+                   : !entry.scales.empty() ? TraitEffect::scales
+                                           : TraitEffect::shifts;
     return trait;
 }
 

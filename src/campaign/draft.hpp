@@ -45,6 +45,9 @@ struct Draft {
 //! The names that campaigns may choose bounds by.
 std::vector<std::string> rule_names(const Draft& draft);
 
+//! What the trait acts on: the list that has any measure.
+const std::vector<std::string>& measures_of(const TraitEntry& entry);
+
 //! What the trait acts on, and how, from the list that has any measure.
 Trait complete(const TraitEntry& entry);
 

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
@@ -12,21 +11,14 @@ namespace ideotype {
 
 namespace {
 
-//! The list of measures of a trait that is in use.
-const std::vector<std::string>& used_list(const TraitEntry& entry) {
-    if (!entry.sets.empty()) return entry.sets;
-    return entry.scales.empty() ? entry.shifts : entry.scales;
-}
-
 //! One trait of a crop file against the measures of its plant.
 class TraitCheck {
   public:
-    TraitCheck(const TraitEntry& entry, const std::vector<MeasureInfo>& all,
-               Report& report)
+    TraitCheck(const TraitEntry& entry, Plant& plant, Report& report)
         : entry_(entry),
           trait_(complete(entry)),
-          list_(used_list(entry)),
-          all_(all),
+          list_(measures_of(entry)),
+          plant_(plant),
           report_(report) {}
 
     void run() {
@@ -56,10 +48,8 @@ class TraitCheck {
     }
 
     void check(const std::string& name) {
-        const auto measure =
-            std::find_if(all_.begin(), all_.end(),
-                         [&](const MeasureInfo& x) { return x.name == name; });
-        if (measure == all_.end()) return fail_unknown(name);
+        const auto measure = find_measure(plant_, name);
+        if (!measure) return fail_unknown(name);
         const bool is_per_plant = trait_.numbers == TraitNumbers::plant;
         if (!is_per_plant && !measure->is_of_leaves)
             return fail(fmt::format(
@@ -92,7 +82,8 @@ class TraitCheck {
 
     void fail_unknown(const std::string& name) {
         std::vector<std::string> known;
-        for (const MeasureInfo& each : all_) known.push_back(each.name);
+        for (const MeasureInfo& each : measures(plant_))
+            known.push_back(each.name);
         const std::string nearest = nearest_name(name, known);
         fail(fmt::format(
             "acts on \"{}\" (the plant has no such measure); {}", name,
@@ -122,7 +113,7 @@ class TraitCheck {
     const TraitEntry& entry_;
     Trait trait_;
     const std::vector<std::string>& list_;
-    const std::vector<MeasureInfo>& all_;
+    Plant& plant_;
     Report& report_;
 };
 
@@ -135,7 +126,6 @@ bool is_sound(const TraitEntry& entry, const Report& report) {
 }
 
 void check_traits(Draft& draft, Report& report) {
-    const std::vector<MeasureInfo> all = measures(draft.campaign.crop.baseline);
     std::set<std::string> names{"lai"};
     for (const TraitEntry& entry : draft.traits) {
         const std::string& name = entry.trait.name;
@@ -144,7 +134,8 @@ void check_traits(Draft& draft, Report& report) {
                        fmt::format("trait.name is \"{}\" (already used); give "
                                    "each trait a name of its own",
                                    name));
-        if (is_sound(entry, report)) TraitCheck(entry, all, report).run();
+        if (is_sound(entry, report))
+            TraitCheck(entry, draft.campaign.crop.baseline, report).run();
     }
     for (const BoundsEntry& bounds : draft.bounds)
         if (report.usable({&bounds.trait}) && names.count(bounds.trait) == 0)

@@ -105,6 +105,17 @@ void add_ground(CLI::App& verb, MeshOptions& options, CLI::Option* mesh) {
         ->needs(field);
 }
 
+//! What surfaces of a tissue do with light.
+void add_surface(CLI::App& verb, const std::string& tissue, Lambertian& surface,
+                 const std::string& meaning, CLI::Option* mesh) {
+    verb.add_option(tissue + "-reflectance", surface.reflectance, meaning)
+        ->capture_default_str()
+        ->needs(mesh);
+    verb.add_option(tissue + "-transmittance", surface.transmittance)
+        ->capture_default_str()
+        ->needs(mesh);
+}
+
 }  // namespace
 
 void add_mesh_options(CLI::App& verb, MeshOptions& options) {
@@ -113,29 +124,13 @@ void add_mesh_options(CLI::App& verb, MeshOptions& options) {
                         "the light in a mesh (OBJ, metres, z up) instead");
     add_ground(verb, options, mesh);
     add_light(verb, options, mesh);
-    verb.add_option("--leaf-reflectance", options.leaf.reflectance,
-                    "of both faces")
-        ->capture_default_str()
-        ->needs(mesh);
-    verb.add_option("--leaf-transmittance", options.leaf.transmittance)
-        ->capture_default_str()
-        ->needs(mesh);
-    verb.add_option("--stalk-reflectance", options.stalk.reflectance,
-                    "of groups whose names begin with stalk, or with "
-                    "plantN_stalk")
-        ->capture_default_str()
-        ->needs(mesh);
-    verb.add_option("--stalk-transmittance", options.stalk.transmittance)
-        ->capture_default_str()
-        ->needs(mesh);
-    verb.add_option("--sheath-reflectance", options.sheath.reflectance,
-                    "of groups whose names begin with sheath, or with "
-                    "plantN_sheath")
-        ->capture_default_str()
-        ->needs(mesh);
-    verb.add_option("--sheath-transmittance", options.sheath.transmittance)
-        ->capture_default_str()
-        ->needs(mesh);
+    add_surface(verb, "--leaf", options.leaf, "of both faces", mesh);
+    add_surface(verb, "--stalk", options.stalk,
+                "of groups whose names begin with stalk, or with plantN_stalk",
+                mesh);
+    add_surface(
+        verb, "--sheath", options.sheath,
+        "of groups whose names begin with sheath, or with plantN_sheath", mesh);
     verb.add_option("--soil-albedo", options.soil_albedo)
         ->capture_default_str()
         ->needs(mesh);

@@ -40,15 +40,9 @@ double final_effort(const Campaign& campaign) {
 }
 
 Layers canopy_layers(const Campaign& campaign) {
-    std::vector<double> most;
-    for (const Range& range : campaign.bounds) most.push_back(range.upper);
-    double top = 0;
-    for (const Plant& plant :
-         {campaign.crop.baseline, grow(campaign.crop, most)})
-        for (const Leaf& leaf : plant.leaves)
-            top = std::max(top, leaf.insertion_height + leaf.length);
     constexpr double thickness = 0.25;
-    return {thickness, static_cast<std::size_t>(std::ceil(top / thickness))};
+    return {thickness,
+            static_cast<std::size_t>(std::ceil(campaign.reach / thickness))};
 }
 
 Scenario scenario_of(const Campaign& campaign, const Case& chosen) {

@@ -93,6 +93,7 @@ struct Campaign {
     FieldForm field;  //!< spacing is set per case
     Crop crop;
     std::vector<Range> bounds;  //!< of trait_numbers(crop)
+    double reach = 0;  //!< no leaf within the bounds reaches higher [m]
     Tessellation tessellation;
     Optics optics;
     double par_fraction = 0.45;

@@ -91,9 +91,9 @@ PathSampler::PathSampler(std::uint64_t seed, std::uint32_t generation,
     tail_seed_ = stream.bits64();
 }
 
-void PathSampler::begin(std::uint32_t path) {
+void PathSampler::begin(std::uint32_t path, std::size_t dimension) {
     path_ = path;
-    dimension_ = 0;
+    dimension_ = dimension;
     tail_.reset();
 }
 

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "embree_handle.hpp"
 #include "ideotype/core/error.hpp"
+#include "repeated_faces.hpp"
 
 namespace ideotype {
 
@@ -101,8 +103,13 @@ Scene::Scene(const Device& device, const Mesh& mesh, double period_x,
         images * static_cast<double>(mesh.faces.size()));
     corners_.reserve(4 * expected);
     face_group_.reserve(expected);
+    surface_area_ = std::accumulate(areas.begin(), areas.end(), 0.);
+    surfaces_.vertices = mesh.vertices;
+    surfaces_.faces.reserve(mesh.faces.size());
+    surfaces_.face_group.reserve(mesh.faces.size());
+    const std::vector<bool> repeated = repeated_faces(mesh);
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-        if (areas[f] > 0) add_images(mesh, f);
+        if (areas[f] > 0 && !repeated[f]) add_images(mesh, f);
     top_ += 1e-3;
     clearance_ = 4 * std::numeric_limits<float>::epsilon() *
                  std::max({period_x, period_y, top_});
@@ -128,9 +135,10 @@ Scene Scene::isolated(const Device& device, const Mesh& mesh,
 }
 
 void Scene::add_plot(const Mesh& mesh, const std::vector<double>& areas) {
+    const std::vector<bool> repeated = repeated_faces(mesh);
     const auto is_there = [&](std::size_t f) {
         const auto& face = mesh.faces[f];
-        return areas[f] > 0 &&
+        return areas[f] > 0 && !repeated[f] &&
                std::any_of(face.begin(), face.end(), [&](std::uint32_t v) {
                    return mesh.vertices[v].z >= 0;
                });
@@ -182,6 +190,8 @@ void Scene::add_images(const Mesh& mesh, std::size_t face) {
         z.include(mesh.vertices[v].z);
     }
     if (z.upper < 0) return;
+    surfaces_.faces.push_back(mesh.faces[face]);
+    surfaces_.face_group.push_back(mesh.face_group[face]);
     top_ = std::max(top_, z.upper);
     const Shifts along_x = shifts_into(x, period_x_);
     const Shifts along_y = shifts_into(y, period_y_);

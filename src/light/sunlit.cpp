@@ -6,6 +6,7 @@
 
 #include "directions.hpp"
 #include "ideotype/light/sampler.hpp"
+#include "repeated_faces.hpp"
 #include "travel.hpp"
 
 namespace ideotype {
@@ -17,18 +18,21 @@ struct Triangle {
     glm::dvec3 corner, u, v;
     glm::dvec3 normal;  //!< unit length
     double area;        //!< [m2]
+    bool is_repeated;   //!< of a face that is there already
 };
 
 //! All leaf surface, as the triangles that light meets, and points on it.
 class LeafArea {
   public:
     explicit LeafArea(const Mesh& mesh) {
+        const std::vector<bool> repeated = repeated_faces(mesh);
         for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
             if (mesh.groups[mesh.face_group[f]].tissue != Tissue::leaf)
                 continue;
             const auto& [a, b, c, d] = mesh.faces[f];
-            add(mesh.vertices[a], mesh.vertices[b], mesh.vertices[d]);
-            add(mesh.vertices[c], mesh.vertices[d], mesh.vertices[b]);
+            const auto& v = mesh.vertices;
+            add(v[a], v[b], v[d], repeated[f]);
+            add(v[c], v[d], v[b], repeated[f]);
         }
     }
 
@@ -36,6 +40,7 @@ class LeafArea {
 
     struct Point {
         glm::dvec3 position, normal;
+        bool is_repeated;
     };
 
     Point at(double share, double s, double t) const {
@@ -47,17 +52,18 @@ class LeafArea {
             s = 1 - s;
             t = 1 - t;
         }
-        const auto& [corner, u, v, normal, area] = triangle;
-        return {corner + s * u + t * v, normal};
+        return {triangle.corner + s * triangle.u + t * triangle.v,
+                triangle.normal, triangle.is_repeated};
     }
 
   private:
-    void add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    void add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
+             bool is_repeated) {
         const glm::dvec3 u = b - a, v = c - a;
         const glm::dvec3 n = glm::cross(u, v);
         const double twice = glm::length(n);
         if (!(twice > 0)) return;
-        triangles_.push_back({a, u, v, n / twice, twice / 2});
+        triangles_.push_back({a, u, v, n / twice, twice / 2, is_repeated});
         ends_.push_back(total() + twice / 2);
     }
 
@@ -67,7 +73,7 @@ class LeafArea {
 
 bool sees(const Scene& scene, const LeafArea::Point& point,
           const glm::dvec3& sun) {
-    if (point.position.z < 0) return false;
+    if (point.position.z < 0 || point.is_repeated) return false;
     const glm::dvec3 n =
         glm::dot(point.normal, sun) < 0 ? -point.normal : point.normal;
     PhotonPacket packet{scene.offset_origin(scene.placed(point.position), n),

@@ -33,6 +33,7 @@ void write(const std::vector<std::string>& words) {
     if (is_whole || is_asked("setups"))
         ideotype::report_setups(is_thorough ? 1 : 16);
     if (is_whole || is_asked("extremes")) ideotype::report_extremes();
+    if (is_whole || is_asked("first_hits")) ideotype::report_first_hits();
     if (is_whole || is_asked("honesty")) ideotype::report_honesty();
     if (is_whole || is_asked("convergence"))
         ideotype::report_convergence(IDEOTYPE_CAMPAIGNS);

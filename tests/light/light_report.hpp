@@ -20,6 +20,9 @@ void report_extremes();
 //! The spread of many estimates over the error that each reports.
 void report_honesty();
 
+//! Depth buffers against rays.
+void report_first_hits();
+
 //! The standard error of the baseline at Ames against paths.
 //! @param campaigns folder of the campaign files
 void report_convergence(const std::string& campaigns);

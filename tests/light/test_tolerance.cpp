@@ -62,7 +62,7 @@ TEST_F(LitLeaf, GivesWhatThesePathsGiveWithoutATolerance) {
     const Mesh mesh = leaf(.7);
     const std::vector<Tally> tallies =
         simulate(Scene(device, mesh, 1, 1), mesh.groups, {}, light,
-                 {adaptive.paths, 16}, {1, 0, 0});
+                 adaptive.work, 16, {1, 0, 0});
     ASSERT_EQ(adaptive.tallies.size(), tallies.size());
     for (std::size_t i = 0; i < tallies.size(); ++i)
         EXPECT_EQ(adaptive.tallies[i].groups, tallies[i].groups);

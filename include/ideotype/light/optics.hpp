@@ -9,6 +9,8 @@ namespace ideotype {
 struct Lambertian {
     double reflectance = 0;
     double transmittance = 0;
+
+    double scattered() const { return reflectance + transmittance; }
 };
 
 //! Optical properties of all that light can meet.
@@ -18,6 +20,7 @@ struct Optics {
     double soil_albedo = 0;  //!< Lambertian
     Lambertian sheath{};
 
+    //! What a tissue does with light.
     const Lambertian& of(Tissue tissue) const {
         switch (tissue) {
             case Tissue::stalk:

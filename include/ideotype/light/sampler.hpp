@@ -30,8 +30,8 @@ class PathSampler {
     PathSampler(std::uint64_t seed, std::uint32_t generation,
                 std::uint32_t randomisation, std::uint32_t source);
 
-    //! Goes to the first number of a path.
-    void begin(std::uint32_t path);
+    //! Goes to a number of a path, its first one unless said otherwise.
+    void begin(std::uint32_t path, std::size_t dimension = 0);
 
     //! The next number of this path, uniform in [0, 1).
     double next();

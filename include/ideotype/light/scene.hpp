@@ -36,6 +36,13 @@ struct Heights {
     double lower, upper;
 };
 
+//! The faces of a stand, each once, as the mesh has them.
+struct Surfaces {
+    std::vector<glm::dvec3> vertices;
+    std::vector<std::array<std::uint32_t, 4>> faces;
+    std::vector<std::uint32_t> face_group;
+};
+
 //! Where a ray is inside a box, edges included; nothing if it misses it.
 std::optional<Segment> clip(const Box& box, const glm::dvec3& origin,
                             const glm::dvec3& direction);
@@ -52,7 +59,9 @@ std::optional<Segment> clip(const Box& box, const glm::dvec3& origin,
 //! box is above the origin.
 class Scene {
   public:
-    //! Faces without area and faces below the soil are left out.
+    //! Faces without area, faces below the soil and faces with the same corners
+    //! as an earlier one are left out. Where faces that differ lie on each
+    //! other, rounding decides point by point which of them light meets.
     //! @throws Error if a vertex is not finite or beyond reason, a period not
     //! positive, there are too many faces, or memory runs out.
     Scene(const Device& device, const Mesh& mesh, double period_x,
@@ -79,6 +88,12 @@ class Scene {
     //! can pass between it and a face that lies on it.
     double soil() const { return -2 * clearance_; }
     std::size_t faces() const { return face_group_.size(); }
+
+    //! One-sided area of all faces of the mesh [m2].
+    double surface_area() const { return surface_area_; }
+
+    //! What repeats, if periodic: wherever in the stand the mesh has it.
+    const Surfaces& surfaces() const { return surfaces_; }
 
     //! Where the faces of a group of the mesh are; nothing if it has none.
     std::optional<Heights> heights(std::size_t group) const;
@@ -121,6 +136,8 @@ class Scene {
     double period_y_ = 0;
     double top_ = 0;
     double clearance_ = 0;
+    double surface_area_ = 0;
+    Surfaces surfaces_;
     std::vector<std::array<float, 4>> corners_;  //!< four per face, x y z 0
     std::vector<std::uint32_t> face_group_;
     std::vector<std::optional<Heights>> group_heights_;

@@ -21,7 +21,8 @@ struct SunlitFractions {
 
 //! The part of the leaf area from which the sun can be seen, one-sided; for
 //! each source. Points are spread evenly over all leaves, the
-//! same for every sun, and sent towards it. What is below the soil is shaded.
+//! same for every sun, and sent towards it. What is below the soil is shaded,
+//! and so is a face with the same corners as an earlier one.
 //! @param mesh that the scene was built from
 //! @param accuracy as many points as paths, for each randomisation
 SunlitFractions sunlit_fractions(const Scene& scene, const Mesh& mesh,

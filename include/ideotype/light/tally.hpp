@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -16,6 +17,16 @@ struct Budget {
     double reflected = 0;
     double incident = 0;  //!< that entered: into a plot also from soil around
     double unscattered = 0;  //!< of leaves: before it met anything else
+    double sent_on = 0;      //!< scattered by what was met first
+
+    Budget& operator+=(const Budget& more) {
+        for (double Budget::*part :
+             {&Budget::leaves, &Budget::stalks, &Budget::soil,
+              &Budget::reflected, &Budget::incident, &Budget::unscattered,
+              &Budget::sent_on})
+            this->*part += more.*part;
+        return *this;
+    }
 
     double total() const { return leaves + stalks + soil + reflected; }
 };
@@ -29,6 +40,8 @@ struct Tally {
     //! from which the corners of a face are seen counter-clockwise.
     double adaxial = 0;
     double abaxial = 0;
+    std::uint64_t rays = 0;       //!< to first hits
+    std::uint64_t next_rays = 0;  //!< of light that was scattered
     //! What its paths can tell; shared by all randomisations of a simulation.
     std::shared_ptr<const Resolution> resolution{};
 

@@ -1,0 +1,55 @@
+#include "allocation.hpp"
+
+#include <cmath>
+
+namespace ideotype {
+
+namespace {
+
+//! Where one more unit of cost takes this much off the variance.
+Amounts amounts_at(double rate, const ByOrigin<Law>& laws,
+                   const ByOrigin<double>& costs) {
+    Amounts amounts{};
+    for (std::size_t o = 0; o < origins; ++o) {
+        const Law& law = laws[o];
+        if (law.variance > 0 && costs[o] > 0)
+            amounts[o] =
+                law.amount * std::pow(law.power * law.variance /
+                                          (law.amount * rate * costs[o]),
+                                      1 / (law.power + 1));
+    }
+    return amounts;
+}
+
+double variance_of(const Amounts& amounts, const ByOrigin<Law>& laws) {
+    double sum = 0;
+    for (std::size_t o = 0; o < origins; ++o)
+        if (amounts[o] > 0) sum += laws[o].at(amounts[o]);
+    return sum;
+}
+
+}  // namespace
+
+Amounts scaled(Amounts amounts, double factor) {
+    for (double& amount : amounts) amount *= factor;
+    return amounts;
+}
+
+double Law::at(double other) const {
+    return variance * std::pow(amount / other, power);
+}
+
+Amounts allocate(const ByOrigin<Law>& laws, const ByOrigin<double>& costs,
+                 double variance) {
+    // The variance grows with the rate.
+    double lower = 1e-60, upper = 1e60;
+    for (int i = 0; i < 60; ++i) {
+        const double rate = std::sqrt(lower) * std::sqrt(upper);
+        const bool is_enough =
+            variance_of(amounts_at(rate, laws, costs), laws) <= variance;
+        (is_enough ? lower : upper) = rate;
+    }
+    return amounts_at(lower, laws, costs);
+}
+
+}  // namespace ideotype

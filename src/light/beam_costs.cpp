@@ -1,0 +1,59 @@
+#include "beam_costs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "directions.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! Points that a depth buffer looks at together, whether they are needed or
+//! not.
+constexpr int width = 8;
+
+//! Points of a pixel that depth buffers have room for.
+constexpr int room = 2 * width;
+
+}  // namespace
+
+BeamLattice lattice_of(const Scene& scene, const glm::dvec3& direction,
+                       std::uint32_t first_hits, int randomisations) {
+    return beam_lattice(scene.period_x(), scene.period_y(), first_hits,
+                        std::max(1, room / randomisations), direction);
+}
+
+std::size_t replicates_together(const BeamLattice& lattice) {
+    constexpr std::size_t most_points = std::size_t{1} << 21;
+    const auto points = static_cast<std::size_t>(lattice.points());
+    return std::max<std::size_t>(most_points / points / width * width, width);
+}
+
+double cost_of_drawing(const Scene& scene, const glm::dvec3& direction,
+                       std::uint32_t first_hits, int randomisations) {
+    constexpr double triangle = 0.05, pixel = 0.008, point = 0.006;
+    const double fine =
+        randomisations >= 4 ? 1 : std::max(1, room / randomisations - 2);
+    const double pixels = std::max(1., first_hits / fine);
+    const double groups = std::ceil(randomisations * fine / width);
+    const double triangles =
+        2. * static_cast<double>(scene.surfaces().faces.size());
+    // As the light sees them; leaves turn half of their area to it.
+    const double pixel_area =
+        scene.ground_area() * std::abs(direction.z) / pixels;
+    const double area = scene.surface_area() / 2 / std::max(1., triangles);
+    const double touched = std::pow(std::sqrt(area / pixel_area) + 1, 2);
+    return triangles * (triangle + touched * groups * pixel) +
+           point * first_hits * randomisations;
+}
+
+bool is_drawn(const Scene& scene, const Source& source,
+              std::uint32_t first_hits, int randomisations) {
+    return source.direction && scene.boundary() == Boundary::periodic &&
+           cost_of_drawing(scene, not_level(*source.direction), first_hits,
+                           randomisations) <
+               Costs::ray * first_hits * randomisations;
+}
+
+}  // namespace ideotype

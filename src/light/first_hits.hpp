@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "depth_buffer.hpp"
+#include "ideotype/light/sampler.hpp"
+#include "ideotype/light/scene.hpp"
+#include "launch.hpp"
+
+namespace ideotype {
+
+//! Where light of a source meets something for the first time.
+struct FirstHit {
+    //! In place of a group.
+    static constexpr std::uint32_t soil = ~std::uint32_t{0};
+    static constexpr std::uint32_t sky = soil - 1;
+
+    std::uint32_t group;  //!< of the mesh, or the soil, or the sky
+    float height;         //!< [m]
+    bool is_adaxial;      //!< the side of the face that is met
+    bool is_direct;       //!< straight from the source
+    double energy;        //!< that arrives [J m-2 of ground]
+};
+
+//! All first hits of one source in one randomisation: seen in a depth buffer or
+//! found by rays. Their energies sum to what enters. Neighbours in their order
+//! are near each other: by x in a depth buffer, and by blocks of the stand.
+class FirstHits {
+  public:
+    //! What a replicate of a beam's depth buffer sees.
+    //! @param scene,buffer must outlive it
+    FirstHits(const Scene& scene, const DepthBuffer& buffer,
+              std::size_t replicate, double energy);
+
+    //! Follows so many rays of this energy.
+    FirstHits(const Scene& scene, const Launcher& launcher,
+              PathSampler& sampler, std::uint32_t rays, double energy);
+
+    using Iterator = std::vector<FirstHit>::const_iterator;
+    Iterator begin() const { return hits_.begin(); }
+    Iterator end() const { return hits_.end(); }
+    std::size_t size() const { return hits_.size(); }
+    const FirstHit& operator[](std::size_t i) const { return hits_[i]; }
+
+    //! The point of a hit that is not the sky, and the normal there.
+    Hit at(std::size_t i) const;
+
+  private:
+    void order_by_place();
+
+    const Scene& scene_;
+    const DepthBuffer* buffer_ = nullptr;
+    std::size_t replicate_ = 0;
+    std::vector<FirstHit> hits_;
+    std::vector<Hit> points_;  //!< if found by rays
+};
+
+}  // namespace ideotype

@@ -1,0 +1,65 @@
+#include "repeated_faces.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace ideotype {
+
+namespace {
+
+std::uint64_t mixed(std::uint64_t x) {
+    // Steele et al. 2014, doi:10.1145/2660193.2660195.
+    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
+    x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
+    return x ^ (x >> 31);
+}
+
+std::uint64_t hash_of(const glm::dvec3& v) {
+    // Adding zero makes one of both zeros.
+    const auto bits = [](double x) {
+        return std::bit_cast<std::uint64_t>(x + 0.0);
+    };
+    return mixed(bits(v.x) + 3 * bits(v.y) + 5 * mixed(bits(v.z)));
+}
+
+using Corners = std::array<std::array<double, 3>, 4>;
+
+Corners sorted_corners(const Mesh& mesh, std::size_t face) {
+    Corners corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const glm::dvec3& v = mesh.vertices[mesh.faces[face][i]];
+        corners[i] = {v.x, v.y, v.z};
+    }
+    std::sort(corners.begin(), corners.end());
+    return corners;
+}
+
+}  // namespace
+
+std::vector<bool> repeated_faces(const Mesh& mesh) {
+    std::vector<std::uint64_t> hashes;
+    hashes.reserve(mesh.vertices.size());
+    for (const glm::dvec3& v : mesh.vertices) hashes.push_back(hash_of(v));
+
+    // The first face of each kind, by the sum of its corners' hashes.
+    constexpr std::uint32_t none = ~std::uint32_t{0};
+    const std::size_t places = std::bit_ceil(2 * mesh.faces.size() + 1);
+    std::vector<std::uint32_t> table(places, none);
+    std::vector<bool> repeated(mesh.faces.size());
+    for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
+        std::uint64_t hash = 0;
+        for (const std::uint32_t v : mesh.faces[f]) hash += hashes[v];
+        std::size_t place = hash & (places - 1);
+        for (; table[place] != none; place = (place + 1) & (places - 1))
+            if (sorted_corners(mesh, table[place]) == sorted_corners(mesh, f))
+                break;
+        repeated[f] = table[place] != none;
+        if (!repeated[f]) table[place] = f;
+    }
+    return repeated;
+}
+
+}  // namespace ideotype

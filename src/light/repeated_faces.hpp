@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "ideotype/core/mesh.hpp"
+
+namespace ideotype {
+
+//! Which faces have the same corners as an earlier face of the mesh, in any
+//! order. Light meets only the first of such faces.
+std::vector<bool> repeated_faces(const Mesh& mesh);
+
+}  // namespace ideotype

@@ -1,0 +1,228 @@
+#include "first_hits_referee.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "beam_lattice.hpp"
+#include "depth_buffer.hpp"
+#include "directions.hpp"
+#include "extremes.hpp"
+#include "travel.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! What is met first; the soil has no group and no side.
+struct Seen {
+    bool is_soil;
+    std::uint32_t group;
+    bool is_adaxial;
+    double height;
+};
+
+//! Within what float coordinates and distances are good for.
+bool is_same(const Seen& a, const Seen& b) {
+    if (a.is_soil || b.is_soil) return a.is_soil == b.is_soil;
+    return a.group == b.group && a.is_adaxial == b.is_adaxial &&
+           std::abs(a.height - b.height) < 1e-4;
+}
+
+//! By a ray from above through a point of the beam.
+Seen by_ray(const Scene& scene, const glm::dvec3& direction,
+            const glm::dvec3& point) {
+    const double up = (scene.top() - point.z) / direction.z;
+    PhotonPacket packet;
+    packet.position = scene.wrapped(point + up * direction);
+    packet.position.z = scene.top();
+    packet.direction = direction;
+    packet.energy = 1;
+    Hit hit;
+    if (travel(scene, packet, hit) != Met::face) return {true, 0, false, 0};
+    return {false, hit.group, glm::dot(direction, hit.normal) < 0,
+            hit.position.z};
+}
+
+double cross(const glm::dvec2& a, const glm::dvec2& b) {
+    return a.x * b.y - a.y * b.x;
+}
+
+//! By looking through all images of all faces in double precision.
+class Exact {
+  public:
+    Exact(const Scene& scene, const glm::dvec3& direction,
+          const glm::dvec3& point)
+        : scene_(scene),
+          direction_(direction),
+          ground_(on_ground(point)),
+          seen_{true, 0, false, scene.soil()} {
+        const Surfaces& all = scene.surfaces();
+        for (std::size_t f = 0; f < all.faces.size(); ++f) {
+            const auto& [a, b, c, d] = all.faces[f];
+            const auto& v = all.vertices;
+            look(all.face_group[f], v[a], v[b], v[d]);
+            look(all.face_group[f], v[c], v[d], v[b]);
+        }
+    }
+
+    const Seen& seen() const { return seen_; }
+
+  private:
+    glm::dvec2 on_ground(const glm::dvec3& p) const {
+        return {p.x - p.z * (direction_.x / direction_.z),
+                p.y - p.z * (direction_.y / direction_.z)};
+    }
+
+    void look(std::uint32_t group, const glm::dvec3& a, const glm::dvec3& b,
+              const glm::dvec3& c) {
+        const glm::dvec2 pa = on_ground(a), pb = on_ground(b),
+                         pc = on_ground(c);
+        const double area = cross(pb - pa, pc - pa);
+        if (area == 0) return;
+        const auto first = [](double least, double at, double period) {
+            return std::ceil((least - at) / period);
+        };
+        const auto [x0, x1] = std::minmax({pa.x, pb.x, pc.x});
+        const auto [y0, y1] = std::minmax({pa.y, pb.y, pc.y});
+        const double px = scene_.period_x(), py = scene_.period_y();
+        for (double i = first(x0, ground_.x, px); ground_.x + i * px <= x1; ++i)
+            for (double j = first(y0, ground_.y, py); ground_.y + j * py <= y1;
+                 ++j) {
+                const glm::dvec2 p = ground_ + glm::dvec2{i * px, j * py};
+                const double of_a = cross(pb - p, pc - p) / area;
+                const double of_b = cross(pc - p, pa - p) / area;
+                const double of_c = cross(pa - p, pb - p) / area;
+                if (std::min({of_a, of_b, of_c}) < 0) continue;
+                const double height = of_a * a.z + of_b * b.z + of_c * c.z;
+                if (height > seen_.height)
+                    seen_ = {false, group, area > 0, height};
+            }
+    }
+
+    const Scene& scene_;
+    glm::dvec3 direction_;
+    glm::dvec2 ground_;
+    Seen seen_;
+};
+
+class Referee {
+  public:
+    Referee(std::string name, const Mesh& mesh, Period period, int points)
+        : scene_(widest_device(), mesh, period.x, period.y),
+          result_{std::move(name)},
+          points_(points) {}
+
+    void compare(double elevation, double azimuth) {
+        const glm::dvec3 direction =
+            not_level(*sun_from(elevation, azimuth).sources[0].direction);
+        const std::vector<glm::dvec2> shifts{{.123, .777}, {.61, .05}};
+        // Where the sun is low each point has many faces in its way.
+        const double fewer = std::min(1., 20 * -direction.z);
+        const DepthBuffer buffer(
+            scene_, direction,
+            beam_lattice(scene_.period_x(), scene_.period_y(),
+                         1 + static_cast<std::int64_t>(fewer * points_), 7,
+                         direction),
+            shifts);
+        for (std::size_t r = 0; r < shifts.size(); ++r)
+            for (std::size_t i = 0; i < buffer.points(); ++i)
+                compare(direction, seen(buffer, r, i), buffer.position(r, i));
+    }
+
+    const FirstHitsCompared& result() const { return result_; }
+
+  private:
+    Seen seen(const DepthBuffer& buffer, std::size_t r, std::size_t i) const {
+        const DepthBuffer::Triangle triangle = buffer.triangle(r, i);
+        if (triangle.is_soil()) return {true, 0, false, 0};
+        return {false, scene_.surfaces().face_group[triangle.face()],
+                triangle.is_adaxial(), buffer.height(r, i)};
+    }
+
+    void compare(const glm::dvec3& direction, const Seen& drawn,
+                 const glm::dvec3& point) {
+        ++result_.points;
+        if (is_same(drawn, by_ray(scene_, direction, point))) return;
+        ++result_.differ;
+        if (!is_same(drawn, Exact(scene_, direction, point).seen()))
+            ++result_.wrong;
+    }
+
+    Scene scene_;
+    FirstHitsCompared result_;
+    int points_;
+};
+
+Mesh vertical() {
+    Mesh mesh = leaves_only();
+    add_leaf(mesh, {.3, .2, .1}, {0, .5, 0}, {0, 0, 1});
+    add_leaf(mesh, {.1, .7, .1}, {.8, 0, 0}, {0, 0, 1});
+    return mesh;
+}
+
+//! Level ones that end where others begin, at edges and corners of the cell.
+Mesh tiles() {
+    Mesh mesh = leaves_only();
+    for (const double x : {0., .25, .5, .75})
+        for (const double y : {0., .5})
+            add_leaf(mesh, {x, y, .3}, {.25, 0, 0}, {0, .5, 0});
+    return mesh;
+}
+
+//! On the soil, through it and below it.
+Mesh at_the_soil() {
+    Mesh mesh = leaves_only();
+    add_leaf(mesh, {.1, .1, 0}, {.3, 0, 0}, {0, .3, 0});
+    add_leaf(mesh, {.5, .2, -.2}, {.3, 0, 0}, {0, .2, .4});
+    add_leaf(mesh, {.5, .6, -.1}, {.3, 0, 0}, {0, .3, 0});
+    return mesh;
+}
+
+//! Faces on each other: with the same corners, the first one is met.
+Mesh on_each_other() {
+    Mesh mesh = leaves_only();
+    mesh.groups.push_back({"again", Tissue::leaf});
+    mesh.groups.push_back({"reversed", Tissue::leaf});
+    add_leaf(mesh, {.2, .2, .5}, {.6, 0, .1}, {0, .5, .2});
+    mesh.faces.push_back(mesh.faces[0]);
+    mesh.faces.push_back({3, 2, 1, 0});
+    mesh.face_group = {0, 1, 2};
+    return mesh;
+}
+
+//! Longer than the cell, so that it lies above itself.
+Mesh overhanging() {
+    Mesh mesh = leaves_only();
+    add_leaf(mesh, {.9, .2, .1}, {2.6, 0, .8}, {.1, .4, 0});
+    return mesh;
+}
+
+}  // namespace
+
+std::vector<FirstHitsCompared> compare_first_hits(int points) {
+    const Period square{1, 1};
+    std::vector<FirstHitsCompared> all;
+    const auto add = [&](const std::string& name, const Mesh& mesh,
+                         Period period) {
+        Referee referee(name, mesh, period, points);
+        for (const double elevation : {90., 60., 30., 10., 1., .1, .01})
+            for (const double azimuth : {0., 37., 90., 200.})
+                referee.compare(elevation, azimuth);
+        all.push_back(referee.result());
+    };
+    add("maize1", load_reference_mesh("maize1"), own_cell);
+    for (const char* name : {"poisson_horizontal_L3", "poisson_spherical_L3",
+                             "sheets1", "sheets5"})
+        add(name, load_reference_mesh(name), square);
+    add("vertical leaves", vertical(), square);
+    add("tiles", tiles(), square);
+    add("at the soil", at_the_soil(), square);
+    add("faces on each other", on_each_other(), square);
+    add("longer than the cell", overhanging(), square);
+    return all;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,128 @@
+// Depth buffers of beams against rays, and lattices of their points.
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "beam_lattice.hpp"
+#include "directions.hpp"
+#include "extremes.hpp"
+#include "first_hits_referee.hpp"
+#include "ideotype/light/sunlit.hpp"
+
+namespace ideotype {
+namespace {
+
+TEST(FirstHits, AreThoseOfRays) {
+    for (const FirstHitsCompared& mesh : compare_first_hits(300)) {
+        EXPECT_GT(mesh.points, 5000u) << mesh.name;
+        EXPECT_EQ(mesh.wrong, 0u) << mesh.name;
+        // The ray tracer's single precision puts edges elsewhere.
+        EXPECT_LT(static_cast<double>(mesh.differ),
+                  2e-3 * static_cast<double>(mesh.points))
+            << mesh.name;
+    }
+}
+
+TEST(BeamLattice, RepeatsWithTheCell) {
+    const glm::dvec3 direction = *sun_from(40, 70).sources[0].direction;
+    for (const std::int64_t points : {1, 2, 50, 4096})
+        for (const int lanes : {1, 8, 16}) {
+            const BeamLattice lattice =
+                beam_lattice(1.52, .3, points, lanes, direction);
+            EXPECT_GE(lattice.points(), points);
+            EXPECT_LE(lattice.fine, lanes);
+            EXPECT_EQ(std::gcd(lattice.points(), std::int64_t{36}), 1);
+            // Both steps lead to the pixels they say.
+            for (const auto& [step, number] :
+                 {std::pair{lattice.step_u, lattice.number_u},
+                  std::pair{lattice.step_v, lattice.number_v}}) {
+                const glm::dvec2 off =
+                    step - static_cast<double>(number) * lattice.step_one;
+                for (const double periods : {off.x / 1.52, off.y / .3})
+                    EXPECT_NEAR(periods, std::round(periods), 1e-9);
+            }
+            // A pixel has its share of the cell.
+            EXPECT_NEAR((lattice.step_u.x * lattice.step_v.y -
+                         lattice.step_u.y * lattice.step_v.x) *
+                            static_cast<double>(lattice.pixels),
+                        1.52 * .3, 1e-9);
+        }
+}
+
+//! Beams of one sun over a level leaf, by so many first hits.
+Estimate leaf_light(std::uint32_t first_hits, int randomisations,
+                    const Optics& optics = {}) {
+    Mesh mesh = leaves_only();
+    add_leaf(mesh, {.8, .9, .4}, {.5, 0, 0}, {0, .4, 0});
+    const Scene scene(widest_device(), mesh, 1, 1);
+    Workload work;
+    work.first_hits = {first_hits};
+    std::vector<double> leaves;
+    for (const Tally& tally :
+         simulate(scene, mesh.groups, optics, sun_from(35, 20), work,
+                  randomisations, {1, 0, 0})) {
+        EXPECT_NEAR(tally.sources[0].total(), 1, 1e-12);
+        EXPECT_EQ(tally.rays, 0u);
+        leaves.push_back(tally.leaves());
+    }
+    return estimate(leaves);
+}
+
+TEST(FirstHits, AreDrawnWithoutBiasForAnyNumberOfRandomisations) {
+    for (const int randomisations : {2, 3, 4, 7, 16, 40}) {
+        const Estimate leaves = leaf_light(256, randomisations);
+        // Few randomisations may happen to agree: to two points of each.
+        const double point = 2. / 256 / std::sqrt(randomisations);
+        EXPECT_NEAR(leaves.mean, .2, 4 * std::max(leaves.standard_error, point))
+            << randomisations;
+    }
+}
+
+TEST(FirstHits, ErrorsFallFasterThanThoseOfIndependentPoints) {
+    const double few = leaf_light(128, 256).standard_error;
+    const double many = leaf_light(8192, 256).standard_error;
+    EXPECT_LT(few, std::sqrt(.2 * .8 / 128 / 256));
+    // Sixty-four times the points: an eighth for independent ones.
+    EXPECT_LT(many, few / 12);
+}
+
+TEST(FirstHits, ARandomisationIsTheSameHoweverManyFollow) {
+    Mesh mesh = leaves_only();
+    add_leaf(mesh, {.8, .9, .4}, {.5, .1, .1}, {0, .4, 0});
+    const Scene scene(widest_device(), mesh, 1, 1);
+    const auto first = [&](int randomisations) {
+        Workload work;
+        work.first_hits = {1000};
+        return simulate(scene, mesh.groups, par, sun_from(35, 20), work,
+                        randomisations, {1, 0, 0})
+            .front()
+            .groups;
+    };
+    EXPECT_EQ(first(16), first(40));
+}
+
+//! Of faces with the same corners only the first is there, to all engines.
+TEST(Coincident, OnlyTheFirstFaceIsLit) {
+    Mesh mesh = leaves_only();
+    mesh.groups.push_back({"again", Tissue::leaf});
+    add_leaf(mesh, {0, 0, .5}, {1, 0, 0}, {0, 1, 0});
+    mesh.faces.push_back({3, 2, 1, 0});
+    mesh.face_group = {0, 1};
+    const Scene scene(widest_device(), mesh, 1, 1);
+    EXPECT_EQ(scene.surfaces().faces.size(), 1u);
+    for (const Illumination& light : {sun_from(40, 10), uniform_sky()}) {
+        const Fractions f =
+            trace(mesh, {1, 1}, leaf_optics(0, 0, 0), light, {256, 4});
+        EXPECT_NEAR(f.groups[0].mean, 1, 1e-12);
+        EXPECT_EQ(f.groups[1].mean, 0);
+    }
+    // Half of the leaf area is hidden.
+    const SunlitFractions sunlit =
+        sunlit_fractions(scene, mesh, sun_from(40, 10), {1024, 2}, {1, 0, 0});
+    EXPECT_NEAR(sunlit.fractions[0][0], .5, 1e-2);
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -1,0 +1,133 @@
+#include "weather_light.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "ideotype/climate/diffuse_fraction.hpp"
+#include "ideotype/core/clock.hpp"
+#include "ideotype/core/units.hpp"
+#include "weather_problems.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! What instruments are apart by [W m-2]; more is worth a warning.
+constexpr double noticeable = 20;
+
+//! Counts what is slightly negative, and leaves it out.
+WeatherValues without_negative(WeatherValues values, int line, Doubts& doubts) {
+    for (const auto member :
+         {&WeatherValues::global, &WeatherValues::beam_normal,
+          &WeatherValues::diffuse}) {
+        std::optional<double>& value = values.*member;
+        if (!value || *value >= 0) continue;
+        value = 0;
+        doubts.count(line,
+                     "a value of light is slightly negative; it counts as 0");
+    }
+    return values;
+}
+
+//! The diffuse part of global light.
+double diffuse_of(const WeatherValues& values, double extraterrestrial,
+                  const SeriesStep& step, Doubts& doubts) {
+    const double global = *values.global;
+    if (values.diffuse) {
+        if (*values.diffuse > 1.05 * global + noticeable)
+            doubts.count(step.line,
+                         "a step has more diffuse than global light, all of "
+                         "which counts as diffuse");
+        return std::min(*values.diffuse, global);
+    }
+    if (values.diffuse_fraction)
+        return std::min(*values.diffuse_fraction, 1.0) * global;
+    if (values.beam_normal)
+        return std::max(
+            global - *values.beam_normal * std::cos(step.sun.zenith * degree),
+            0.0);
+    return diffuse_fraction(global, extraterrestrial, step.sun.zenith) * global;
+}
+
+Irradiance split(const SeriesStep& step, Doubts& doubts) {
+    const WeatherValues values =
+        without_negative(step.values, step.line, doubts);
+    if (step.sun.zenith >= 90)
+        return {0, values.global ? *values.global : *values.diffuse};
+    const double extraterrestrial =
+        extraterrestrial_normal(date_at(step.middle));
+    const double cosine = std::cos(step.sun.zenith * degree);
+    const double most = extraterrestrial * cosine;
+    Irradiance light;
+    if (values.global) {
+        light.diffuse = diffuse_of(values, extraterrestrial, step, doubts);
+        light.beam = *values.global - light.diffuse;
+    } else {
+        light = {*values.beam_normal * cosine, *values.diffuse};
+    }
+    if (light.beam > most) {
+        if (light.beam > most + noticeable)
+            doubts.count(step.line,
+                         "a step has more beam than there is outside the "
+                         "atmosphere; it is capped");
+        if (values.global) light.diffuse += light.beam - most;
+        light.beam = most;
+    }
+    return light;
+}
+
+}  // namespace
+
+std::vector<Irradiance> light_of(const std::vector<SeriesStep>& series,
+                                 const WeatherRequest& request,
+                                 Doubts& doubts) {
+    Problems problems(request.file);
+    std::vector<Irradiance> light;
+    double global = 0, apart = 0;
+    const SeriesStep* missing = nullptr;
+    for (const SeriesStep& step : series) {
+        const bool was_missing = missing != nullptr;
+        missing = nullptr;
+        light.emplace_back();
+        const WeatherValues& values = step.values;
+        if (values.lit()) {
+            light.back() = split(step, doubts);
+            if (values.global && values.beam_normal && values.diffuse &&
+                step.sun.zenith < 85) {
+                global += *values.global;
+                apart +=
+                    *values.beam_normal * std::cos(step.sun.zenith * degree) +
+                    *values.diffuse - *values.global;
+            }
+        } else if (step.highest <= 0) {
+            doubts.count(
+                step.line,
+                "a step of the night has no light in the file; it counts as 0");
+        } else {
+            missing = &step;
+            // Of several in a row the first is told.
+            if (!was_missing)
+                problems.add(step.line, 1,
+                             fmt::format("the light of {:04}-{:02}-{:02} "
+                                         "{} is not known (a gap or a missing "
+                                         "value by day); fill it, or choose "
+                                         "another period",
+                                         date_at(step.middle).year,
+                                         date_at(step.middle).month,
+                                         date_at(step.middle).day,
+                                         clock_time(hour_at(step.middle))));
+        }
+    }
+    problems.stop_if_any();
+    if (std::abs(apart) > 0.1 * global)
+        doubts.count(series.front().line,
+                     fmt::format("beam and diffuse light sum to {:.0f} "
+                                 "% of the global light; diffuse and global "
+                                 "light count",
+                                 100 * (1 + apart / global)));
+    return light;
+}
+
+}  // namespace ideotype

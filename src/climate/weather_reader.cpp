@@ -1,0 +1,50 @@
+#include "ideotype/climate/weather_reader.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "weather_light.hpp"
+#include "weather_place.hpp"
+
+namespace ideotype {
+
+WeatherReading parse_weather(const std::string& text,
+                             const WeatherRequest& request) {
+    const std::vector<std::string_view> lines = lines_of(text);
+    const Layout layout = layout_of(lines, request);
+    const RowTimes times = read_times(lines, layout, request);
+    Doubts doubts(request.file);
+    const std::vector<SeriesStep> series = complete_series(
+        times, read_values(lines, layout, times, request), request, doubts);
+    const std::vector<Irradiance> light = light_of(series, request, doubts);
+    check_place(series, light, times.utc_offset, layout.station, request,
+                doubts);
+
+    Weather weather{request.file, times.utc_offset, {}};
+    const auto seconds = static_cast<double>(times.step.count());
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        const SeriesStep& step = series[i];
+        std::optional<double> humidity = step.values.humidity;
+        if (humidity) humidity = std::min(*humidity, 1.0);
+        weather.steps.push_back({date_at(step.middle),
+                                 {hour_at(step.middle),
+                                  seconds,
+                                  step.sun,
+                                  {request.par_fraction * light[i].beam,
+                                   request.par_fraction * light[i].diffuse}},
+                                 step.values.temperature,
+                                 humidity});
+    }
+    return {std::move(weather), doubts.warnings()};
+}
+
+WeatherReading read_weather(const WeatherRequest& request) {
+    std::ifstream file(request.file, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    if (!file || file.bad())
+        throw InputError({{{request.file}, "the file cannot be read"}});
+    return parse_weather(text, request);
+}
+
+}  // namespace ideotype

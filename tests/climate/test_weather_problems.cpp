@@ -1,0 +1,233 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "made_csv.hpp"
+
+namespace ideotype {
+namespace {
+
+using ::testing::HasSubstr;
+
+//! What is wrong with a table after some change.
+template <class Change>
+std::string problem(Change&& change) {
+    MadeCsv made;
+    change(made);
+    return error_of(made.text(), made_request());
+}
+
+//! The light of a row becomes this.
+void set_light(MadeCsv& made, int row, const std::string& light) {
+    made.rows[static_cast<std::size_t>(row)] =
+        made.time(row + .5) + "," + light + ",20.5,60";
+}
+
+constexpr int noon = 36, midnight = 24;  //!< rows
+
+TEST(WeatherProblems, MissingLightByDayIsAnError) {
+    for (const char* missing : {"-999", "-9999", "9999", "NaN", "NA", ""})
+        EXPECT_THAT(
+            problem([&](MadeCsv& made) { set_light(made, noon, missing); }),
+            HasSubstr("made.csv:38:1: the light of 2011-07-02 12:30 is not "
+                      "known"))
+            << missing;
+    // One problem for hours in a row.
+    const std::string several = problem([](MadeCsv& made) {
+        for (int i = noon; i < noon + 3; ++i) set_light(made, i, "-999");
+    });
+    EXPECT_EQ(std::count(several.begin(), several.end(), '\n'), 0);
+}
+
+TEST(WeatherProblems, GapsByDayAreErrorsWithTheLineBefore) {
+    const auto erase = [](MadeCsv& made) {
+        made.rows.erase(made.rows.begin() + noon, made.rows.begin() + noon + 2);
+    };
+    EXPECT_THAT(problem(erase),
+                HasSubstr("made.csv:37:1: the light of 2011-07-02 12:30"));
+}
+
+TEST(WeatherProblems, GapsAtNightAreFilledAndCounted) {
+    MadeCsv made;
+    made.rows.erase(made.rows.begin() + midnight,
+                    made.rows.begin() + midnight + 2);
+    const WeatherReading reading = parse_weather(made.text(), made_request());
+    EXPECT_EQ(reading.weather.steps.size(), 12U * 24);
+    EXPECT_EQ(reading.weather.steps[midnight].light.par.diffuse, 0);
+    EXPECT_EQ(reading.weather.steps[midnight].temperature, 20.5);
+    ASSERT_EQ(reading.warnings.size(), 3U);
+    EXPECT_EQ(to_string(reading.warnings[0]),
+              "made.csv:25:1: a value of the temperature is not known and is "
+              "interpolated (2 times)");
+    EXPECT_EQ(to_string(reading.warnings[2]),
+              "made.csv:25:1: a step of the night has no light in the file; it "
+              "counts as 0 (2 times)");
+}
+
+TEST(WeatherProblems, TemperatureIsInterpolatedOverFewHours) {
+    MadeCsv made;
+    const auto lose = [&](int first, int count) {
+        for (int i = first; i < first + count; ++i)
+            made.rows[static_cast<std::size_t>(i)] =
+                fmt::format("{},{},-999,60", made.time(i + .5), made.global(i));
+    };
+    lose(noon, 3);
+    made.rows[noon + 3] = fmt::format("{},{},24.5,60", made.time(noon + 3.5),
+                                      made.global(noon + 3));
+    const WeatherReading reading = parse_weather(made.text(), made_request());
+    EXPECT_NEAR(*reading.weather.steps[noon].temperature, 21.5, 1e-12);
+    EXPECT_NEAR(*reading.weather.steps[noon + 2].temperature, 23.5, 1e-12);
+    ASSERT_EQ(reading.warnings.size(), 1U);
+    EXPECT_EQ(reading.warnings[0].where.line, MadeCsv::line(noon));
+    lose(noon, 7);
+    EXPECT_THAT(error_of(made.text(), made_request()),
+                HasSubstr("made.csv:38:1: the temperature is not known for 7 "
+                          "hours"));
+}
+
+TEST(WeatherProblems, OrderAndDuplicatesAreErrors) {
+    EXPECT_THAT(
+        problem([](MadeCsv& made) { std::swap(made.rows[40], made.rows[41]); }),
+        HasSubstr("made.csv:43:1: the time is before that of line 42"));
+    EXPECT_THAT(problem([](MadeCsv& made) {
+                    made.rows.insert(made.rows.begin() + 41, made.rows[40]);
+                }),
+                HasSubstr("made.csv:43:1: the same time as on line 42"));
+    EXPECT_THAT(problem([](MadeCsv& made) {
+                    made.rows.insert(made.rows.begin() + 41, made.row(40, .75));
+                }),
+                HasSubstr("made.csv:43:1: the time is not whole steps"));
+}
+
+TEST(WeatherProblems, NegativeLightIsCountedOrAnError) {
+    MadeCsv made;
+    set_light(made, midnight, "-3");
+    set_light(made, midnight + 1, "-2");
+    const WeatherReading reading = parse_weather(made.text(), made_request());
+    EXPECT_EQ(reading.weather.steps[midnight].light.par.diffuse, 0);
+    ASSERT_EQ(reading.warnings.size(), 1U);
+    EXPECT_EQ(to_string(reading.warnings[0]),
+              "made.csv:26:1: a value of light is slightly negative; it counts "
+              "as 0 (2 times)");
+    EXPECT_THAT(
+        problem([](MadeCsv& each) { set_light(each, midnight, "-50"); }),
+        HasSubstr("made.csv:26:18: -50 means -50 W m-2 (outside -20 to 2000)"));
+}
+
+TEST(WeatherProblems, PartsThatContradictEachOtherAreCounted) {
+    MadeCsv made;
+    made.header += ",dhi,dni";
+    for (std::size_t i = 0; i < made.rows.size(); ++i)
+        made.rows[i] +=
+            fmt::format(",{},100", made.global(static_cast<int>(i)));
+    WeatherRequest request = made_request();
+    request.columns->diffuse = Column{"dhi", "W/m2"};
+    // Diffuse and global light are the same, so beam is too much: by some 100
+    // of 680 W m-2.
+    request.columns->beam_normal = Column{"dni", "W/m2"};
+    const auto closure = parse_weather(made.text(), request).warnings;
+    ASSERT_EQ(closure.size(), 1U);
+    EXPECT_THAT(closure[0].what,
+                HasSubstr("beam and diffuse light sum to 115 % of the global"));
+    request.columns->beam_normal.reset();
+    made.rows[noon] = made.time(noon + .5) + ",400,20,60,600,0";
+    const auto diffuse = parse_weather(made.text(), request).warnings;
+    ASSERT_EQ(diffuse.size(), 1U);
+    EXPECT_THAT(diffuse[0].what,
+                HasSubstr("more diffuse than global light, all of which counts "
+                          "as diffuse (1 time)"));
+    made.rows[noon] = made.time(noon + .5) + ",1900,20,60,100,0";
+    const WeatherReading capped = parse_weather(made.text(), request);
+    ASSERT_EQ(capped.warnings.size(), 1U);
+    EXPECT_THAT(capped.warnings[0].what,
+                HasSubstr("more beam than there is outside the atmosphere"));
+    const TimeStep& light = capped.weather.steps[noon].light;
+    EXPECT_NEAR(light.par.beam + light.par.diffuse, .45 * 1900, 1e-9);
+    EXPECT_NEAR(light.par.beam, .45 * 2 * made.global(noon), .05);
+}
+
+TEST(WeatherProblems, NumbersAreRead) {
+    EXPECT_THAT(problem([](MadeCsv& made) { set_light(made, 5, "x1"); }),
+                HasSubstr("made.csv:7:18: \"x1\" is not a number"));
+    EXPECT_THAT(problem([](MadeCsv& made) { set_light(made, 5, "5000"); }),
+                HasSubstr("check the unit"));
+    EXPECT_THAT(problem([](MadeCsv& made) { made.rows[5] = "2011-02-30"; }),
+                HasSubstr("made.csv:7:1: \"2011-02-30\" is no date and time"));
+    EXPECT_THAT(
+        problem([](MadeCsv& made) { made.rows[5] = "2011-257-02 12:30"; }),
+        HasSubstr("is no date and time"));
+    // Centuries between two rows are not filled.
+    EXPECT_THAT(problem([](MadeCsv& made) {
+                    made.rows.push_back("9999-07-02 12:30,0,20,60");
+                }),
+                HasSubstr("the file has 289 of the"));
+    // Only the first twenty of many are told.
+    EXPECT_THAT(problem([](MadeCsv& made) {
+                    for (int i = 0; i < 50; ++i) set_light(made, i, "x");
+                }),
+                HasSubstr("made.csv: 30 more problems"));
+    // A row that is too short has no light.
+    EXPECT_THAT(
+        problem([](MadeCsv& made) { made.rows[noon] = made.time(noon + .5); }),
+        HasSubstr("12:30 is not known"));
+}
+
+TEST(WeatherProblems, ColumnsAndUnitsAreNamed) {
+    WeatherRequest request = made_request();
+    request.columns->global->name = "ghj";
+    EXPECT_THAT(
+        error_of(MadeCsv().text(), request),
+        HasSubstr("made.csv:1:1: there is no column \"ghj\"; is it \"ghi\"?"));
+    request = made_request();
+    request.columns->global->unit = "W/ft2";
+    EXPECT_THAT(error_of(MadeCsv().text(), request),
+                HasSubstr("\"W/ft2\" is no unit of the column \"ghi\"; there "
+                          "are W/m2, kW/m2, Wh/m2"));
+    request.columns->time = {"when"};
+    EXPECT_THAT(error_of(MadeCsv().text(), request),
+                HasSubstr("no line has a column \"when\""));
+    request.columns.reset();
+    EXPECT_THAT(error_of(MadeCsv().text(), request),
+                HasSubstr("no weather file of a known format"));
+    EXPECT_THAT(error_of("", request), HasSubstr("no weather file"));
+    EXPECT_THAT(error_of("time,ghi,t,rh\n", made_request()),
+                HasSubstr("there are not two rows"));
+    MadeCsv twice;
+    twice.header = "time,ghi,ghi,rh,t";
+    EXPECT_THAT(error_of(twice.text(), made_request()),
+                HasSubstr("two columns have the name \"ghi\""));
+    request.file = "no/such/file.csv";
+    EXPECT_THROW(read_weather(request), InputError);
+}
+
+TEST(WeatherProblems, HeadsOfFormatsAreChecked) {
+    const WeatherRequest request{"x", middle_west};
+    EXPECT_THAT(error_of("LOCATION,a,b,c,d,1,north,-90,-6,300\n", request),
+                HasSubstr("x:1:20: the latitude is not a number (\"north\")"));
+    EXPECT_THAT(error_of("LOCATION,a,b,c,d,1,42,-90,-6,300\n", request),
+                HasSubstr("there is no line DATA PERIODS"));
+    EXPECT_THAT(
+        error_of("-BEGIN HEADER-\n-END HEADER-\nYEAR,DOY,T2M\n", request),
+        HasSubstr("x:3:1: there is no column HR"));
+    EXPECT_THAT(error_of("-BEGIN HEADER-\n", request), HasSubstr("HR"));
+    EXPECT_THAT(error_of("Source,Location ID\nNSRDB,1\n", request),
+                HasSubstr("there is no \"Time Zone\""));
+}
+
+TEST(WeatherProblems, PeriodMustBeInTheFile) {
+    WeatherRequest request = made_request();
+    request.period = Period{{2011, 7, 5}, {2011, 7, 20}};
+    EXPECT_EQ(error_of(MadeCsv().text(), request),
+              "made.csv: the file has 2011-07-01 to 2011-07-12, but the period "
+              "is 2011-07-05 to 2011-07-20; choose days that it has");
+    request.period = Period{{2011, 7, 5}, {2011, 7, 4}};
+    EXPECT_THAT(error_of(MadeCsv().text(), request),
+                HasSubstr("ends on 2011-07-04, before it begins"));
+    // What is wrong outside of the period does not matter.
+    request.period = Period{{2011, 7, 5}, {2011, 7, 9}};
+    MadeCsv made;
+    set_light(made, noon, "x");
+    EXPECT_EQ(error_of(made.text(), request), "");
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -1,0 +1,217 @@
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "ideotype/core/units.hpp"
+#include "made_csv.hpp"
+
+namespace ideotype {
+namespace {
+
+using ::testing::HasSubstr;
+
+Weather weather_of(const MadeCsv& made, const WeatherRequest& request) {
+    return parse_weather(made.text(), request).weather;
+}
+
+//! Whether two weathers are the same, but for rounding.
+void expect_same(const Weather& a, const Weather& b) {
+    ASSERT_EQ(a.steps.size(), b.steps.size());
+    for (std::size_t i = 0; i < a.steps.size(); ++i) {
+        const WeatherStep &x = a.steps[i], &y = b.steps[i];
+        EXPECT_EQ(x.date.day, y.date.day);
+        EXPECT_NEAR(x.light.hour, y.light.hour, 1e-9);
+        EXPECT_NEAR(x.light.par.beam, y.light.par.beam, 1e-3);
+        EXPECT_NEAR(x.light.par.diffuse, y.light.par.diffuse, 1e-3);
+        EXPECT_NEAR(*x.temperature, *y.temperature, 1e-9);
+        EXPECT_NEAR(*x.humidity, *y.humidity, 1e-9);
+    }
+}
+
+TEST(WeatherTable, StampsMayNameAnyPartOfTheHour) {
+    const Weather middle = weather_of(MadeCsv(), made_request());
+    EXPECT_EQ(middle.steps.size(), 12U * 24);
+    EXPECT_EQ(middle.steps[0].light.hour, .5);
+    EXPECT_EQ(middle.steps[0].temperature, 20.5);
+    EXPECT_EQ(middle.steps[0].humidity, .6);
+    WeatherRequest request = made_request();
+    request.columns->stamp = Stamp::beginning;
+    expect_same(weather_of(MadeCsv(12, {2011, 7, 1}, 0), request), middle);
+    request.columns->stamp = Stamp::end;
+    expect_same(weather_of(MadeCsv(12, {2011, 7, 1}, 1), request), middle);
+    // A request overrides the format.
+    request.stamp = Stamp::middle;
+    expect_same(weather_of(MadeCsv(), request), middle);
+}
+
+TEST(WeatherTable, TimesMayBeWrittenInManyWays) {
+    const Weather plain = weather_of(MadeCsv(), made_request());
+    const auto written = [](const std::string& header,
+                            const std::vector<std::string>& names,
+                            const auto& stamp_of, DateOrder order) {
+        MadeCsv made;
+        made.header = header + ",ghi,t,rh";
+        for (int i = 0; i < 24 * 12; ++i)
+            made.rows[static_cast<std::size_t>(i)] =
+                fmt::format("{},{:.6f},20.5,60", stamp_of(1 + i / 24, i % 24),
+                            made.global(i));
+        WeatherRequest request = made_request();
+        request.columns->time = names;
+        request.columns->date_order = order;
+        return weather_of(made, request);
+    };
+    const auto ymd = DateOrder::year_month_day;
+    expect_same(plain, written(
+                           "t0", {"t0"},
+                           [](int day, int hour) {
+                               return fmt::format("2011-07-{:02}T{:02}:30:00",
+                                                  day, hour);
+                           },
+                           ymd));
+    // 6 h behind UTC is the clock of the site.
+    expect_same(plain, written(
+                           "t0", {"t0"},
+                           [](int day, int hour) {
+                               return fmt::format(
+                                   "2011-07-{:02}T{:02}:30-06:00", day, hour);
+                           },
+                           ymd));
+    expect_same(plain, written(
+                           "d,h", {"d", "h"},
+                           [](int day, int hour) {
+                               return fmt::format("{:02}/07/2011,{:02}30", day,
+                                                  hour);
+                           },
+                           DateOrder::day_month_year));
+    expect_same(plain, written(
+                           "d,h", {"d", "h"},
+                           [](int day, int hour) {
+                               return fmt::format("7/{}/2011,{}:30", day, hour);
+                           },
+                           DateOrder::month_day_year));
+    expect_same(plain, written(
+                           "y,m,d,h,min", {"y", "m", "d", "h", "min"},
+                           [](int day, int hour) {
+                               return fmt::format("2011,7,{},{},30", day, hour);
+                           },
+                           ymd));
+}
+
+TEST(WeatherTable, SummerTimeInStampsIsTakenOut) {
+    MadeCsv made;
+    for (std::size_t i = 0; i < made.rows.size(); ++i) {
+        const int hour = static_cast<int>(i);
+        const bool summer = i >= 100;
+        made.rows[i] = fmt::format(
+            "{}{},{:.6f},20.5,60", made.time(hour + .5 + (summer ? 1 : 0)),
+            summer ? "-05:00" : "-06:00", made.global(hour));
+    }
+    expect_same(weather_of(made, made_request()),
+                weather_of(MadeCsv(), made_request()));
+}
+
+TEST(WeatherTable, DaysOfAFileInUtcAreThoseOfTheSite) {
+    const MadeCsv made(12, {2011, 7, 1}, 6.5);
+    WeatherRequest request = made_request();
+    request.columns->utc_offset = 0;
+    const Weather weather = weather_of(made, request);
+    EXPECT_EQ(weather.utc_offset, -6);
+    expect_same(weather, weather_of(MadeCsv(), made_request()));
+}
+
+TEST(WeatherTable, UnitsAreConverted) {
+    const Weather plain = weather_of(MadeCsv(), made_request());
+    const auto in = [](const std::string& unit, double factor) {
+        MadeCsv made;
+        for (std::size_t i = 0; i < made.rows.size(); ++i) {
+            const int hour = static_cast<int>(i);
+            made.rows[i] =
+                fmt::format("{},{:.9f},{},{}", made.time(hour + .5),
+                            factor * made.global(hour), 20.5 + 273.15, .6);
+        }
+        WeatherRequest request = made_request();
+        request.columns->global->unit = unit;
+        request.columns->temperature->unit = "K";
+        request.columns->humidity->unit = "1";
+        return weather_of(made, request);
+    };
+    expect_same(plain, in("W/m^2", 1));
+    expect_same(plain, in("Wh/m2", 1));
+    expect_same(plain, in("kJ m-2", 3.6));
+    expect_same(plain, in("MJ/m2", .0036));
+    expect_same(plain, in("umol m-2 s-1", .45 * mol_per_mj_par));
+    expect_same(plain, in("\xC2\xB5mol/m\xC2\xB2/s", .45 * mol_per_mj_par));
+}
+
+TEST(WeatherTable, HalfHoursAreSteps) {
+    MadeCsv made(0);
+    for (int i = 0; i < 48 * 10; ++i)
+        made.rows.push_back(fmt::format(
+            "{},{},20.5,60", made.time(i / 2.0 + .25), made.global(i / 2)));
+    const Weather weather = weather_of(made, made_request());
+    EXPECT_EQ(weather.steps.size(), 48U * 10);
+    EXPECT_EQ(weather.steps[1].light.seconds, 1800);
+    EXPECT_EQ(weather.steps[1].light.hour, .75);
+}
+
+TEST(WeatherTable, GivenPartsOfTheLightAreKept) {
+    // The step around noon.
+    const auto with = [](const std::string& parts, auto&& set) {
+        MadeCsv made;
+        made.header = "time,ghi,t,rh,x,y";
+        for (std::string& row : made.rows) row += "," + parts;
+        WeatherRequest request = made_request();
+        set(*request.columns);
+        return weather_of(made, request).steps[12].light;
+    };
+    const TimeStep fraction = with("0.25,", [](ColumnMap& columns) {
+        columns.diffuse_fraction = Column{"x", "1"};
+    });
+    const double global = .45 * MadeCsv().global(12);
+    EXPECT_NEAR(fraction.par.diffuse, global / 4, 1e-5);
+    EXPECT_NEAR(fraction.par.beam, global * 3 / 4, 1e-5);
+    const TimeStep diffuse = with("100,", [](ColumnMap& columns) {
+        columns.diffuse = Column{"x", "W/m2"};
+    });
+    EXPECT_NEAR(diffuse.par.diffuse, 45, 1e-9);
+    EXPECT_NEAR(diffuse.par.beam, global - 45, 1e-5);
+    const double cosine = std::cos(diffuse.sun.zenith * degree);
+    const TimeStep normal = with("500,", [](ColumnMap& columns) {
+        columns.beam_normal = Column{"x", "W/m2"};
+    });
+    EXPECT_NEAR(normal.par.beam, 225 * cosine, 1e-5);
+    EXPECT_NEAR(normal.par.diffuse, global - 225 * cosine, 1e-5);
+    // Unknown where it would be wanted: as without the column.
+    const TimeStep erbs = with("-999,", [](ColumnMap& columns) {
+        columns.diffuse = Column{"x", "W/m2"};
+    });
+    EXPECT_NEAR(erbs.par.beam, with(",", [](ColumnMap&) {}).par.beam, 1e-12);
+    EXPECT_GT(erbs.par.beam, .2 * global);
+}
+
+TEST(WeatherTable, BeamAndDiffuseAloneAreEnough) {
+    MadeCsv made;
+    made.header = "time,diffuse,beam";
+    for (std::size_t i = 0; i < made.rows.size(); ++i) {
+        const double light = made.global(static_cast<int>(i));
+        made.rows[i] = fmt::format("{},{},{}", made.time(double(i) + .5),
+                                   light / 2, light > 0 ? 300 : 0);
+    }
+    WeatherRequest request = made_request();
+    request.columns = ColumnMap{};
+    request.columns->time = {"time"};
+    request.columns->stamp = Stamp::middle;
+    request.columns->diffuse = Column{"diffuse", "W/m2"};
+    EXPECT_THAT(error_of(made.text(), request),
+                HasSubstr("no column tells the light"));
+    request.columns->beam_normal = Column{"beam", "W/m2"};
+    const WeatherStep noon = weather_of(made, request).steps[12];
+    EXPECT_NEAR(noon.light.par.beam,
+                .45 * 300 * std::cos(noon.light.sun.zenith * degree), 1e-9);
+    EXPECT_FALSE(noon.temperature);
+    EXPECT_FALSE(noon.humidity);
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -1,0 +1,82 @@
+#pragma once
+
+namespace ideotype {
+
+//! Gross assimilation of a C4 leaf at one temperature and CO2 within the leaf
+//! (Collatz et al. 1992, doi:10.1071/PP9920519): co-limited by the enzyme's
+//! capacity and light, and that by CO2,
+//!
+//!     theta M^2 - (V + alpha I) M + V alpha I = 0
+//!     beta A^2 - (M + k ci) A + M k ci = 0        (smaller roots)
+//!
+//! Concave in I, with f(0) = 0. Defaults are those of BioCro.
+struct Collatz {
+    double vmax = 39;  //!< V [umol m-2 s-1]
+    //! Quantum yield [mol CO2 per mol of absorbed photons].
+    double alpha = 0.067;
+    double theta = 0.83;  //!< curvature of light and capacity [-]
+    double beta = 0.93;   //!< curvature of those and CO2 [-]
+    //! Initial slope of the response to CO2 [mol m-2 s-1].
+    double k = 0.7;
+    //! CO2 within the leaf [umol mol-1].
+    double ci = 160;
+
+    //! @param absorbed PPFD of both faces per area of leaf [umol m-2 s-1]
+    //! @returns CO2 per area of leaf [umol m-2 s-1]
+    double gross(double absorbed) const;
+
+    //! Derivative of gross() [mol mol-1].
+    double slope(double absorbed) const;
+};
+
+//! Rates of a leaf at 25 deg C (of g(T), see collatz_at()).
+struct CollatzLeaf {
+    double vmax = 39;  //!< [umol m-2 s-1] (Collatz et al. 1992)
+    double alpha = 0.067;
+    double theta = 0.83;
+    double beta = 0.93;
+    double k = 0.7;            //!< [mol m-2 s-1]
+    double respiration = 0.8;  //!< in the dark [umol m-2 s-1] (BioCro)
+};
+
+//! The leaf at a temperature [deg C]: V g(T), k 2^((T - 25) / 10).
+//! @param ci CO2 within the leaf [umol mol-1]
+Collatz collatz_at(const CollatzLeaf& leaf, double temperature, double ci);
+
+//! Dark respiration [umol m-2 s-1] at a temperature [deg C]:
+//! R 2^((T - 25) / 10) / (1 + e^{1.3 (T - 55)}).
+double dark_respiration(const CollatzLeaf& leaf, double temperature);
+
+//! CO2 within a leaf [umol mol-1] whose stomata follow the air's vapour
+//! pressure deficit [kPa]: ca (0.84 - 0.19 VPD), not below 0 (as in
+//! DCaPST).
+//! @param ambient CO2 of the air [umol mol-1]
+double ci_of_deficit(double deficit, double ambient = 400);
+
+//! Stomata after Ball, Woodrow and Berry 1987: the conductance of water
+//! vapour is b0 + b1 A h / cs, where h and cs are humidity and CO2 at the
+//! surface of the leaf, behind the boundary layer.
+struct Stomata {
+    double b0 = 0.08;       //!< [mol m-2 s-1]
+    double b1 = 3;          //!< [-]
+    double boundary = 1.2;  //!< conductance of its layer [mol m-2 s-1]
+    double ambient = 400;   //!< CO2 of the air [umol mol-1]
+};
+
+//! A leaf in balance with its stomata.
+struct LeafBalance {
+    double net = 0;          //!< assimilation [umol m-2 s-1]
+    double ci = 0;           //!< CO2 within the leaf [umol mol-1]
+    double conductance = 0;  //!< of the stomata [mol m-2 s-1]
+};
+
+//! Net assimilation where the CO2 within the leaf is that which its stomata
+//! let in. Ratios of the conductances of CO2 and water: 1.37 (boundary layer)
+//! and 1.6 (stomata).
+//! @param absorbed [umol m-2 s-1]
+//! @param temperature of leaf and air [deg C]
+//! @param humidity relative, of the air, 0 to 1
+LeafBalance balance(const CollatzLeaf& leaf, const Stomata& stomata,
+                    double absorbed, double temperature, double humidity);
+
+}  // namespace ideotype

@@ -1,0 +1,40 @@
+#pragma once
+
+namespace ideotype {
+
+//! The smaller root x of q x^2 - (a + b) x + a b = 0: a smooth minimum of a
+//! and b, each not negative, with a curvature q from 0 (a b / (a + b)) to 1
+//! (the minimum itself). Exact to rounding at either limit.
+double smooth_minimum(double curvature, double a, double b);
+
+//! Derivative of smooth_minimum() with respect to a; 1 at a = 0 if b is
+//! above 0, and 0 if a and b are 0.
+double smooth_minimum_slope(double curvature, double a, double b);
+
+//! Gross assimilation of a leaf by the non-rectangular hyperbola
+//!
+//!     f(I) = [phi I + A - sqrt((phi I + A)^2 - 4 theta phi I A)] / (2 theta)
+//!
+//! (Rabinowitch 1951; Thornley 1976), concave in I, with f(0) = 0, f'(0) = phi
+//! and a limit of A.
+struct Hyperbola {
+    //! Quantum yield [mol CO2 per mol of absorbed photons]: 0.060, of 0.055 to
+    //! 0.069 in C4 grasses (Ehleringer and Pearcy 1983,
+    //! doi:10.1104/pp.73.3.555: 0.065 in those of maize's subtype).
+    double phi = 0.060;
+    //! Curvature [-], 0 to 1: 0.7 (von Caemmerer 2021,
+    //! doi:10.1093/jxb/erab266), of 0.5 to 0.83 in models of maize.
+    double theta = 0.7;
+    //! Assimilation in saturating light [umol m-2 s-1]: 50, that of Collatz et
+    //! al. 1992 (39 at 25 deg C) at 30 deg C.
+    double amax = 50;
+
+    //! @param absorbed PPFD of both faces per area of leaf [umol m-2 s-1]
+    //! @returns CO2 per area of leaf [umol m-2 s-1]
+    double gross(double absorbed) const;
+
+    //! Derivative of gross() [mol mol-1].
+    double slope(double absorbed) const;
+};
+
+}  // namespace ideotype

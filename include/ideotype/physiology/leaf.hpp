@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "ideotype/physiology/collatz.hpp"
+#include "ideotype/physiology/hyperbola.hpp"
+#include "ideotype/physiology/response_table.hpp"
+
+namespace ideotype {
+
+//! A leaf of the hyperbola at 30 deg C, which is the temperature of clear days.
+struct HyperbolaLeaf {
+    Hyperbola response;
+    //! Respiration in the dark [umol m-2 s-1], day and night alike: 0.04 amax,
+    //! which is 2 at 50, as in the maize of Kim et al. 2007. Were it the same
+    //! in all leaves, the lowest would lose carbon.
+    std::optional<double> respiration{};
+};
+
+//! Parameters of a leaf by either model.
+using LeafRates = std::variant<HyperbolaLeaf, CollatzLeaf>;
+
+//! The air around a leaf, which has its temperature.
+struct Air {
+    double temperature = 30;  //!< [deg C]
+    double humidity = 0.6;    //!< relative, 0 to 1
+};
+
+//! The leaf with a capacity (amax or vmax) and a respiration of so many times.
+LeafRates scaled(const LeafRates& leaf, double factor);
+
+//! The hyperbola at a temperature [deg C]: amax g(T) / g(30), with g of
+//! c4_temperature_response(). phi does not change.
+Hyperbola hyperbola_at(const HyperbolaLeaf& leaf, double temperature);
+
+//! Respiration in the dark [umol m-2 s-1]; of the hyperbola's leaf it is that
+//! at 30 deg C times 2^((T - 30) / 10).
+double dark_respiration(const LeafRates& leaf, double temperature);
+
+//! Gross assimilation [umol m-2 s-1] in some light and air; by Collatz with the
+//! CO2 that follows the vapour pressure deficit.
+//! @param absorbed PPFD of both faces per area of leaf [umol m-2 s-1]
+double gross_assimilation(const LeafRates& leaf, const Air& air,
+                          double absorbed);
+
+//! The same as a table up to a largest light, within a tolerance (both [umol
+//! m-2 s-1]).
+ResponseTable response_table(const LeafRates& leaf, const Air& air,
+                             double largest, double tolerance = 1e-3);
+
+//! Carbon that building a leaf costs, once [mol m-2 of leaf]: 45 g m-2 (of 29
+//! to 62 in WOFOST) of 1.39 g of CH2O each, at 30 g mol-1.
+double leaf_building_cost(double grams_per_area = 45,
+                          double carbohydrate_per_gram = 1.39);
+
+}  // namespace ideotype

@@ -1,0 +1,29 @@
+#pragma once
+
+namespace ideotype {
+
+//! 2^((T - reference) / 10): what doubles every ten degrees.
+//! @param temperature [deg C]
+double q10(double temperature, double reference);
+
+//! Response of C4 enzymes to temperature, about 1 at 25 deg C:
+//!
+//!     g(T) = 2^((T - 25) / 10) / [(1 + e^{0.3 (3 - T)}) (1 + e^{0.3 (T -
+//!     37.5)})]
+//!
+//! (the form of Collatz et al. 1992, doi:10.1071/PP9920519; limits of 3 and
+//! 37.5 deg C as in BioCro).
+//! @param temperature of the leaf [deg C]
+double c4_temperature_response(double temperature);
+
+//! Pressure of saturated water vapour [kPa] over water (Tetens 1930):
+//! 0.61078 exp(17.27 T / (T + 237.3)).
+//! @param temperature [deg C]
+double saturated_vapour(double temperature);
+
+//! Vapour pressure deficit of air [kPa].
+//! @param temperature [deg C]
+//! @param humidity relative, 0 to 1
+double vapour_deficit(double temperature, double humidity);
+
+}  // namespace ideotype

@@ -1,0 +1,83 @@
+#include "ideotype/physiology/leaf.hpp"
+
+#include "ideotype/physiology/temperature.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! At 30 deg C [umol m-2 s-1].
+double respiration_of(const HyperbolaLeaf& leaf) {
+    return leaf.respiration.value_or(0.04 * leaf.response.amax);
+}
+
+//! What evaluates the response in some air.
+Hyperbola response_in(const HyperbolaLeaf& leaf, const Air& air) {
+    return hyperbola_at(leaf, air.temperature);
+}
+
+Collatz response_in(const CollatzLeaf& leaf, const Air& air) {
+    return collatz_at(
+        leaf, air.temperature,
+        ci_of_deficit(vapour_deficit(air.temperature, air.humidity)));
+}
+
+HyperbolaLeaf scale_one(HyperbolaLeaf leaf, double factor) {
+    leaf.response.amax *= factor;
+    if (leaf.respiration) *leaf.respiration *= factor;
+    return leaf;
+}
+
+CollatzLeaf scale_one(CollatzLeaf leaf, double factor) {
+    leaf.vmax *= factor;
+    leaf.respiration *= factor;
+    return leaf;
+}
+
+}  // namespace
+
+LeafRates scaled(const LeafRates& leaf, double factor) {
+    return std::visit(
+        [&](const auto& each) { return LeafRates(scale_one(each, factor)); },
+        leaf);
+}
+
+Hyperbola hyperbola_at(const HyperbolaLeaf& leaf, double temperature) {
+    Hyperbola response = leaf.response;
+    response.amax *=
+        c4_temperature_response(temperature) / c4_temperature_response(30);
+    return response;
+}
+
+double dark_respiration(const LeafRates& leaf, double temperature) {
+    if (const auto* const collatz = std::get_if<CollatzLeaf>(&leaf))
+        return dark_respiration(*collatz, temperature);
+    return respiration_of(std::get<HyperbolaLeaf>(leaf)) * q10(temperature, 30);
+}
+
+double gross_assimilation(const LeafRates& leaf, const Air& air,
+                          double absorbed) {
+    return std::visit(
+        [&](const auto& each) {
+            return response_in(each, air).gross(absorbed);
+        },
+        leaf);
+}
+
+ResponseTable response_table(const LeafRates& leaf, const Air& air,
+                             double largest, double tolerance) {
+    return std::visit(
+        [&](const auto& each) {
+            const auto response = response_in(each, air);
+            return ResponseTable(
+                [response](double light) { return response.gross(light); },
+                response.slope(0), largest, tolerance);
+        },
+        leaf);
+}
+
+double leaf_building_cost(double grams_per_area, double carbohydrate_per_gram) {
+    return grams_per_area * carbohydrate_per_gram / 30;
+}
+
+}  // namespace ideotype

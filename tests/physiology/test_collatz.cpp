@@ -1,0 +1,84 @@
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "ideotype/physiology/collatz.hpp"
+#include "ideotype/physiology/temperature.hpp"
+
+namespace ideotype {
+namespace {
+
+//! Values of other code: data/physiology/README.md.
+nlohmann::json values() {
+    std::ifstream file(IDEOTYPE_TEST_DATA "/physiology/collatz.json");
+    return nlohmann::json::parse(file);
+}
+
+TEST(Collatz, HasTheValuesOfFixedCo2) {
+    const nlohmann::json all = values().at("fixed_ci");
+    ASSERT_EQ(all.size(), 20U);
+    for (const auto& each : all) {
+        const double temperature = each.at("T");
+        const double ci =
+            ci_of_deficit(vapour_deficit(temperature, each.at("vpd_rh")));
+        EXPECT_NEAR(ci, each.at("ci"), 1e-9);
+        const Collatz f = collatz_at({}, temperature, ci);
+        EXPECT_NEAR(f.gross(each.at("Q")), each.at("gross"), 1e-9);
+        EXPECT_NEAR(dark_respiration(CollatzLeaf{}, temperature), each.at("Rd"),
+                    1e-9);
+    }
+}
+
+TEST(Collatz, HasTheValuesOfBallAndBerry) {
+    const nlohmann::json all = values().at("ball_berry");
+    ASSERT_EQ(all.size(), 30U);
+    for (const auto& each : all) {
+        const Stomata stomata{.08, 3, 1.2, each.at("ca")};
+        const LeafBalance leaf =
+            balance({}, stomata, each.at("Q"), each.at("T"), each.at("rh"));
+        EXPECT_NEAR(leaf.net, each.at("A"), 1e-9);
+        EXPECT_NEAR(leaf.ci, each.at("ci"), 1e-7);
+        EXPECT_NEAR(leaf.conductance, each.at("gs"), 1e-10);
+    }
+}
+
+TEST(Collatz, IsConcaveFromItsQuantumYield) {
+    for (const double temperature : {5., 15., 25., 40.}) {
+        const Collatz f = collatz_at({}, temperature, 160);
+        EXPECT_EQ(f.gross(0), 0);
+        EXPECT_EQ(f.slope(0), f.alpha);
+        double before = f.slope(0);
+        for (double light = 5; light < 3000; light += 5) {
+            const double h = 1e-3;
+            EXPECT_NEAR(f.slope(light),
+                        (f.gross(light + h) - f.gross(light - h)) / (2 * h),
+                        1e-9);
+            EXPECT_LT(f.slope(light), before);
+            before = f.slope(light);
+        }
+    }
+}
+
+TEST(Collatz, OfALeafWithStomataIsConcave) {
+    for (const double humidity : {.3, .7, 1.}) {
+        double before = 1, last = 0;
+        for (double light = 10; light < 2500; light += 10) {
+            const double gross = balance({}, {}, light, 25, humidity).net +
+                                 dark_respiration(CollatzLeaf{}, 25);
+            EXPECT_LT(gross - last, before + 1e-8);
+            before = gross - last;
+            last = gross;
+        }
+    }
+}
+
+TEST(Collatz, HasNoCo2InVeryDryAir) {
+    EXPECT_EQ(ci_of_deficit(10), 0);
+    EXPECT_DOUBLE_EQ(ci_of_deficit(0), .84 * 400);
+    EXPECT_EQ(collatz_at({}, 25, 0).gross(1000), 0);
+    EXPECT_EQ(collatz_at({}, 25, 0).slope(1000), 0);
+}
+
+}  // namespace
+}  // namespace ideotype

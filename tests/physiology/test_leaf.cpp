@@ -1,0 +1,79 @@
+#include <gtest/gtest.h>
+
+#include "ideotype/physiology/leaf.hpp"
+#include "ideotype/physiology/temperature.hpp"
+
+namespace ideotype {
+namespace {
+
+TEST(Leaf, OfTheHyperbolaIsItselfAt30Degrees) {
+    const LeafRates leaf = HyperbolaLeaf{};
+    for (const double light : {0., 100., 1500.})
+        EXPECT_EQ(gross_assimilation(leaf, {30, .2}, light),
+                  Hyperbola{}.gross(light));
+    EXPECT_DOUBLE_EQ(dark_respiration(leaf, 30), 2);
+    EXPECT_DOUBLE_EQ(dark_respiration(leaf, 20), 1);
+}
+
+TEST(Leaf, CapacityFollowsTheTemperature) {
+    const Hyperbola cool = hyperbola_at({}, 15);
+    EXPECT_EQ(cool.phi, .06);
+    EXPECT_DOUBLE_EQ(cool.amax, 50 * c4_temperature_response(15) /
+                                    c4_temperature_response(30));
+    // 39 at 25 deg C is 49.9 at 30.
+    EXPECT_NEAR(39 * c4_temperature_response(30) / c4_temperature_response(25),
+                49.9, 2.);
+    EXPECT_LT(c4_temperature_response(0), .1);
+    EXPECT_LT(c4_temperature_response(45), c4_temperature_response(35));
+}
+
+TEST(Leaf, RespirationIsTiedToTheCapacityUnlessGiven) {
+    HyperbolaLeaf leaf;
+    leaf.response.amax = 20;
+    EXPECT_DOUBLE_EQ(dark_respiration(LeafRates(leaf), 30), .8);
+    EXPECT_DOUBLE_EQ(dark_respiration(scaled(leaf, .5), 30), .4);
+    leaf.respiration = 1.5;
+    EXPECT_DOUBLE_EQ(dark_respiration(LeafRates(leaf), 30), 1.5);
+    EXPECT_DOUBLE_EQ(dark_respiration(scaled(leaf, .5), 30), .75);
+    const LeafRates collatz = CollatzLeaf{};
+    EXPECT_DOUBLE_EQ(dark_respiration(scaled(collatz, .5), 25), .4);
+}
+
+TEST(Leaf, ScaledCapacityIsTheLimit) {
+    EXPECT_NEAR(gross_assimilation(scaled(HyperbolaLeaf{}, .3), {}, 1e9), 15,
+                1e-5);
+    const Air air{25, 1};
+    const double half = gross_assimilation(scaled(CollatzLeaf{}, .5), air, 1e9);
+    const double full = gross_assimilation(CollatzLeaf{}, air, 1e9);
+    EXPECT_NEAR(half / full, .5, .03);
+}
+
+TEST(Leaf, CollatzFollowsHumidity) {
+    const LeafRates leaf = CollatzLeaf{};
+    EXPECT_GT(gross_assimilation(leaf, {35, .8}, 2000),
+              gross_assimilation(leaf, {35, .3}, 2000));
+    EXPECT_DOUBLE_EQ(
+        gross_assimilation(leaf, {25, .6}, 700),
+        collatz_at({}, 25, ci_of_deficit(vapour_deficit(25, .6))).gross(700));
+}
+
+TEST(Leaf, TablesAreTheResponse) {
+    for (const LeafRates& leaf :
+         {LeafRates(HyperbolaLeaf{}), LeafRates(CollatzLeaf{})})
+        for (const double temperature : {-5., 8., 22., 41.}) {
+            const Air air{temperature, .5};
+            const ResponseTable table = response_table(leaf, air, 2500);
+            EXPECT_LE(table.error_bound(), 1e-3);
+            EXPECT_LE(table.pieces(), 1024U);
+            for (double light = 0; light < 3000; light += 7)
+                EXPECT_NEAR(table(light), gross_assimilation(leaf, air, light),
+                            1e-3);
+        }
+}
+
+TEST(Leaf, BuildingCostsCarbon) {
+    EXPECT_NEAR(leaf_building_cost(), 2.1, .02);
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -22,12 +22,12 @@ namespace ideotype {
 //! first in the mesh is seen; soil is seen where no face is above it.
 class DepthBuffer {
   public:
-    //! A part of a face as Embree divides it: corners 0 1 3 or 2 3 1.
+    //! A triangle of the scene's surfaces.
     struct Triangle {
         std::uint32_t code;
 
         std::uint32_t face() const { return code / 4; }
-        bool is_second() const { return code & 2; }
+        std::uint32_t number() const { return code / 2; }
         //! Whether light falls on its adaxial side.
         bool is_adaxial() const { return code & 1; }
         bool is_soil() const { return code == soil; }

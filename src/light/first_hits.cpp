@@ -33,8 +33,8 @@ FirstHits::FirstHits(const Scene& scene, const DepthBuffer& buffer,
     for (std::size_t i = 0; i < buffer.points(); ++i) {
         const DepthBuffer::Triangle seen = buffer.triangle(replicate, i);
         hits_.push_back({seen.is_soil() ? FirstHit::soil : groups[seen.face()],
-                         buffer.height(replicate, i), seen.is_adaxial(), true,
-                         energy});
+                         seen.number(), buffer.height(replicate, i),
+                         seen.is_adaxial(), true, energy});
     }
 }
 
@@ -53,7 +53,7 @@ FirstHits::FirstHits(const Scene& scene, const Launcher& launcher,
         hits_.push_back({met == Met::face   ? hit.group
                          : met == Met::soil ? FirstHit::soil
                                             : FirstHit::sky,
-                         static_cast<float>(hit.position.z),
+                         hit.triangle, static_cast<float>(hit.position.z),
                          glm::dot(packet.direction, hit.normal) < 0,
                          !packet.is_scattered, packet.energy});
         points_.push_back(hit);
@@ -107,13 +107,8 @@ Hit FirstHits::at(std::size_t i) const {
         return hit;
     }
     const Surfaces& all = scene_.surfaces();
-    const auto& face = all.faces[seen.face()];
-    const auto corner = [&](std::size_t first, std::size_t second) {
-        return all.vertices[face[seen.is_second() ? second : first]];
-    };
-    const glm::dvec3 a = corner(0, 2);
-    const glm::dvec3 n = glm::cross(corner(1, 3) - a, corner(3, 1) - a);
-    hit.normal = n / glm::length(n);
+    hit.triangle = seen.number();
+    hit.normal = all.normals[hit.triangle];
     hit.group = all.face_group[seen.face()];
     return hit;
 }

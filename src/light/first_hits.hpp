@@ -16,11 +16,12 @@ struct FirstHit {
     static constexpr std::uint32_t soil = ~std::uint32_t{0};
     static constexpr std::uint32_t sky = soil - 1;
 
-    std::uint32_t group;  //!< of the mesh, or the soil, or the sky
-    float height;         //!< [m]
-    bool is_adaxial;      //!< the side of the face that is met
-    bool is_direct;       //!< straight from the source
-    double energy;        //!< that arrives [J m-2 of ground]
+    std::uint32_t group;     //!< of the mesh, or the soil, or the sky
+    std::uint32_t triangle;  //!< of the scene's surfaces, if it is one
+    float height;            //!< [m]
+    bool is_adaxial;         //!< the side of the face that is met
+    bool is_direct;          //!< straight from the source
+    double energy;           //!< that arrives [J m-2 of ground]
 };
 
 //! All first hits of one source in one randomisation: seen in a depth buffer or

@@ -102,14 +102,15 @@ Scene::Scene(const Device& device, const Mesh& mesh, double period_x,
     const auto expected = static_cast<std::size_t>(
         images * static_cast<double>(mesh.faces.size()));
     corners_.reserve(4 * expected);
-    face_group_.reserve(expected);
+    prim_face_.reserve(expected);
     surface_area_ = std::accumulate(areas.begin(), areas.end(), 0.);
     surfaces_.vertices = mesh.vertices;
     surfaces_.faces.reserve(mesh.faces.size());
     surfaces_.face_group.reserve(mesh.faces.size());
     const std::vector<bool> repeated = repeated_faces(mesh);
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-        if (areas[f] > 0 && !repeated[f]) add_images(mesh, f);
+        if (areas[f] > 0 && !repeated[f])
+            add_images(mesh.faces[f], mesh.face_group[f]);
     top_ += 1e-3;
     clearance_ = 4 * std::numeric_limits<float>::epsilon() *
                  std::max({period_x, period_y, top_});
@@ -155,8 +156,13 @@ void Scene::add_plot(const Mesh& mesh, const std::vector<double>& areas) {
     if (!(x.lower <= x.upper)) return;
     plot_corner_ = {x.lower, y.lower, 0};
     box_ = {{0, 0, z.lower}, {x.upper - x.lower, y.upper - y.lower, z.upper}};
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-        if (is_there(f)) add_face(mesh, f, {-x.lower, -y.lower, 0});
+    surfaces_.vertices = mesh.vertices;
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        if (!is_there(f)) continue;
+        surfaces_.add(mesh.faces[f], mesh.face_group[f]);
+        add_face(static_cast<std::uint32_t>(surfaces_.faces.size() - 1),
+                 {-x.lower, -y.lower, 0});
+    }
 }
 
 glm::dvec3 Scene::placed(const glm::dvec3& point) const {
@@ -182,20 +188,36 @@ Scene::Scene(Scene&&) noexcept = default;
 
 Scene& Scene::operator=(Scene&&) noexcept = default;
 
-void Scene::add_images(const Mesh& mesh, std::size_t face) {
+void Surfaces::add(const std::array<std::uint32_t, 4>& face,
+                   std::uint32_t group) {
+    faces.push_back(face);
+    face_group.push_back(group);
+    const auto normal = [&](int i, int j, int k) {
+        const glm::dvec3 a = vertices[face[i]];
+        const glm::dvec3 n =
+            glm::cross(vertices[face[j]] - a, vertices[face[k]] - a);
+        const double length = glm::length(n);
+        return length > 0 ? n / length : glm::dvec3(0);
+    };
+    normals.push_back(normal(0, 1, 3));
+    normals.push_back(normal(2, 3, 1));
+}
+
+void Scene::add_images(const std::array<std::uint32_t, 4>& face,
+                       std::uint32_t group) {
     Extent x, y, z;
-    for (const std::uint32_t v : mesh.faces[face]) {
-        x.include(mesh.vertices[v].x);
-        y.include(mesh.vertices[v].y);
-        z.include(mesh.vertices[v].z);
+    for (const std::uint32_t v : face) {
+        x.include(surfaces_.vertices[v].x);
+        y.include(surfaces_.vertices[v].y);
+        z.include(surfaces_.vertices[v].z);
     }
     if (z.upper < 0) return;
-    surfaces_.faces.push_back(mesh.faces[face]);
-    surfaces_.face_group.push_back(mesh.face_group[face]);
+    const auto number = static_cast<std::uint32_t>(surfaces_.faces.size());
+    surfaces_.add(face, group);
     top_ = std::max(top_, z.upper);
     const Shifts along_x = shifts_into(x, period_x_);
     const Shifts along_y = shifts_into(y, period_y_);
-    if (static_cast<double>(face_group_.size()) +
+    if (static_cast<double>(prim_face_.size()) +
             along_x.count() * along_y.count() >
         static_cast<double>(most_faces))
         throw Error(fmt::format(
@@ -204,24 +226,23 @@ void Scene::add_images(const Mesh& mesh, std::size_t face) {
             most_faces, period_x_, period_y_));
     for (long i = along_x.first; i <= along_x.last; ++i)
         for (long j = along_y.first; j <= along_y.last; ++j)
-            add_face(mesh, face,
-                     {static_cast<double>(i) * period_x_,
-                      static_cast<double>(j) * period_y_, 0});
+            add_face(number, {static_cast<double>(i) * period_x_,
+                              static_cast<double>(j) * period_y_, 0});
 }
 
-void Scene::add_face(const Mesh& mesh, std::size_t face,
-                     const glm::dvec3& shift) {
-    for (const std::uint32_t v : mesh.faces[face]) {
-        const glm::dvec3 p = mesh.vertices[v] + shift;
+void Scene::add_face(std::uint32_t face, const glm::dvec3& shift) {
+    const auto& corners = surfaces_.faces[face];
+    for (const std::uint32_t v : corners) {
+        const glm::dvec3 p = surfaces_.vertices[v] + shift;
         corners_.push_back({static_cast<float>(p.x), static_cast<float>(p.y),
                             static_cast<float>(p.z), 0});
     }
-    const std::uint32_t group = mesh.face_group[face];
-    face_group_.push_back(group);
+    prim_face_.push_back(face);
+    const std::uint32_t group = surfaces_.face_group[face];
     if (group >= group_heights_.size()) group_heights_.resize(group + 1);
     std::optional<Heights>& heights = group_heights_[group];
-    for (const std::uint32_t v : mesh.faces[face]) {
-        const double z = mesh.vertices[v].z;
+    for (const std::uint32_t v : corners) {
+        const double z = surfaces_.vertices[v].z;
         if (!heights) heights = {z, z};
         heights = {std::min(heights->lower, z), std::max(heights->upper, z)};
     }
@@ -236,13 +257,13 @@ void Scene::commit(const Device& device) {
     handle_ = std::make_unique<Handle>(rtcNewScene(embree));
     // Without this, light slips through the edges that faces share.
     rtcSetSceneFlags(handle_->scene, RTC_SCENE_FLAG_ROBUST);
-    if (!face_group_.empty()) attach_faces(embree);
+    if (!prim_face_.empty()) attach_faces(embree);
     rtcCommitScene(handle_->scene);
     if (const RTCError error = rtcGetDeviceError(embree))
         throw Error(
             fmt::format("Embree cannot build a scene of {} faces "
                         "(error {})",
-                        face_group_.size(), static_cast<int>(error)));
+                        prim_face_.size(), static_cast<int>(error)));
 }
 
 void Scene::attach_faces(RTCDeviceTy* embree) {
@@ -252,7 +273,7 @@ void Scene::attach_faces(RTCDeviceTy* embree) {
                                sizeof corners_[0], corners_.size());
     auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4,
-        4 * sizeof(std::uint32_t), face_group_.size()));
+        4 * sizeof(std::uint32_t), prim_face_.size()));
     if (indices)
         for (std::uint32_t i = 0; i < corners_.size(); ++i) indices[i] = i;
     rtcCommitGeometry(geometry);
@@ -282,7 +303,9 @@ bool Scene::intersect(const glm::dvec3& origin, const glm::dvec3& direction,
 
     const glm::dvec3 normal(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
     hit.normal = normal / glm::length(normal);
-    hit.group = face_group_[query.hit.primID];
+    const std::uint32_t face = prim_face_[query.hit.primID];
+    hit.group = surfaces_.face_group[face];
+    hit.triangle = 2 * face + (query.hit.u + query.hit.v > 1 ? 1 : 0);
 
     // The distance along the ray is good to single precision only. Put the
     // point back on the plane through a corner that both triangles of the

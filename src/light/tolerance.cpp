@@ -56,7 +56,7 @@ class Search {
     Search(const Scene& scene, const std::vector<Group>& groups,
            const Optics& optics, const Illumination& light,
            const Accuracy& accuracy, const Randomness& randomness,
-           const Layers& layers)
+           const Layers& layers, Detail detail)
         : scene_(scene),
           groups_(groups),
           optics_(optics),
@@ -64,6 +64,7 @@ class Search {
           accuracy_(accuracy),
           randomness_(randomness),
           layers_(layers),
+          detail_(detail),
           energy_(light.energy()),
           trials_(std::max(trial_randomisations, accuracy.randomisations)) {}
 
@@ -72,7 +73,7 @@ class Search {
         Simulation found;
         found.tallies =
             simulate(scene_, groups_, optics_, light_, work,
-                     accuracy_.randomisations, randomness_, layers_);
+                     accuracy_.randomisations, randomness_, layers_, detail_);
         for (const std::uint32_t hits : work.first_hits)
             found.paths += static_cast<int>(hits);
         found.work = std::move(work);
@@ -384,6 +385,7 @@ class Search {
     const Accuracy& accuracy_;
     const Randomness& randomness_;
     const Layers& layers_;
+    Detail detail_;
     double energy_;
     int trials_;
     std::uint32_t trial_ = 0;
@@ -401,13 +403,13 @@ class Search {
 Simulation simulate_to_tolerance(
     const Scene& scene, const std::vector<Group>& groups, const Optics& optics,
     const Illumination& illumination, const Accuracy& accuracy,
-    const Randomness& randomness, const Layers& layers) {
+    const Randomness& randomness, const Layers& layers, Detail detail) {
     if (accuracy.tolerance > 0 && !illumination.sources.empty())
         return Search(scene, groups, optics, illumination, accuracy, randomness,
-                      layers)
+                      layers, detail)
             .result();
     return {simulate(scene, groups, optics, illumination, accuracy, randomness,
-                     layers),
+                     layers, detail),
             accuracy.paths,
             false,
             {}};

@@ -64,7 +64,29 @@ class Tracer {
     //! Where all hits together send on less than one brings, that is not worth
     //! a path: instead all or nothing of a hit is sent on, with the right odds.
     void trace(const FirstHits& hits, PathSampler& sampler, double path_energy,
-               Budget& budget, Tally& tally) const {
+               std::uint32_t source, bool is_beam, Tally& tally) const {
+        Parts parts{tally, nullptr, {}};
+        if (!tally.leaf_light.empty()) {
+            parts.leaf_light = &tally.leaf_light[source];
+            parts.leaf_light->diffuse.resize(groups_.size());
+            if (is_beam) parts.beam.resize(scene_.surfaces().normals.size());
+        }
+        trace(hits, sampler, path_energy, tally.sources[source], parts);
+        for (std::uint32_t t = 0; t < parts.beam.size(); ++t)
+            if (parts.beam[t] > 0)
+                parts.leaf_light->beam.push_back({t, parts.beam[t]});
+    }
+
+  private:
+    //! Where absorbed light is counted besides the budget.
+    struct Parts {
+        Tally& tally;
+        LeafLight* leaf_light;
+        std::vector<double> beam;  //!< of its triangles
+    };
+
+    void trace(const FirstHits& hits, PathSampler& sampler, double path_energy,
+               Budget& budget, Parts& parts) const {
         const std::size_t first = dimensions_of_first_hits(scene_.boundary());
         sampler.begin(0, first);
         const double start = sampler.next();
@@ -77,16 +99,16 @@ class Tracer {
                 passed += scattered(hits[i]);
                 const bool is_sent_on = passed > start;
                 if (is_sent_on) passed -= 1;
-                absorb(hits[i], is_sent_on ? 1 : 0, sum.next(), tally);
+                absorb(hits[i], is_sent_on ? 1 : 0, sum.next(), parts);
                 if (is_sent_on && hits[i].energy > 0)
                     follow_from(hits, i, hits[i].energy, 0, sampler, sum.next(),
-                                tally);
+                                parts);
             }
             sum.close();
             return;
         }
         for (const FirstHit& hit : hits)
-            absorb(hit, scattered(hit), sum.next(), tally);
+            absorb(hit, scattered(hit), sum.next(), parts);
         sum.close();
         if (!(budget.sent_on > 0)) return;
         const auto paths = static_cast<std::uint32_t>(
@@ -101,12 +123,11 @@ class Tracer {
             for (;
                  path < paths && ((start + path) * energy < passed || is_last);
                  ++path)
-                follow_from(hits, i, energy, path, sampler, sum.next(), tally);
+                follow_from(hits, i, energy, path, sampler, sum.next(), parts);
         }
         sum.close();
     }
 
-  private:
     static bool against(const glm::dvec3& d, const glm::dvec3& n) {
         return glm::dot(d, n) < 0;
     }
@@ -120,7 +141,7 @@ class Tracer {
 
     //! Counts what a surface keeps of a first hit, and the part it sends on.
     void absorb(const FirstHit& hit, double part, Budget& budget,
-                Tally& tally) const {
+                Parts& parts) const {
         budget.incident += hit.energy;
         const double sent_on = hit.energy * part;
         budget.sent_on += sent_on;
@@ -130,35 +151,42 @@ class Tracer {
         else if (hit.group == FirstHit::soil)
             budget.soil += kept;
         else
-            keep(hit.group, kept, hit.height, hit.is_adaxial, hit.is_direct,
-                 budget, tally);
+            keep(hit.group, kept, hit.height, hit.is_adaxial, &hit, budget,
+                 parts);
     }
 
-    //! Counts what a face absorbs.
+    //! Counts what a face absorbs, of a first hit or later.
     void keep(std::uint32_t group, double energy, double height,
-              bool is_adaxial, bool is_direct, Budget& budget,
-              Tally& tally) const {
+              bool is_adaxial, const FirstHit* first, Budget& budget,
+              Parts& parts) const {
+        Tally& tally = parts.tally;
         tally.groups[group] += energy;
         if (groups_[group].tissue != Tissue::leaf) {
             budget.stalks += energy;
             return;
         }
+        const bool is_direct = first && first->is_direct;
         budget.leaves += energy;
         if (is_direct) budget.unscattered += energy;
         tally.layers[layers_.at(height)] += energy;
         (is_adaxial ? tally.adaxial : tally.abaxial) += energy;
+        if (!parts.leaf_light) return;
+        if (is_direct && !parts.beam.empty())
+            parts.beam[first->triangle] += energy;
+        else
+            parts.leaf_light->diffuse[group] += energy;
     }
 
     //! Follows what a hit sends on.
     void follow_from(const FirstHits& hits, std::size_t hit, double energy,
                      std::uint32_t path, PathSampler& sampler, Budget& budget,
-                     Tally& tally) const {
+                     Parts& parts) const {
         sampler.begin(path, dimensions_of_first_hits(scene_.boundary()) + 1);
         PhotonPacket packet;
         packet.energy = energy;
         packet.is_scattered = true;
         set_out(packet, hits[hit], hits.at(hit), sampler);
-        follow(packet, sampler, budget, tally);
+        follow(packet, sampler, budget, parts);
     }
 
     //! The first direction of a path that starts at a hit.
@@ -179,11 +207,11 @@ class Tracer {
 
     //! Until surfaces have absorbed the packet or it has left upwards.
     void follow(PhotonPacket& packet, PathSampler& sampler, Budget& budget,
-                Tally& tally) const {
+                Parts& parts) const {
         const double started = packet.energy;
         Hit hit;
         while (packet.energy > 0) {
-            ++tally.next_rays;
+            ++parts.tally.next_rays;
             const Met met = travel(scene_, packet, hit);
             if (met == Met::sky) {
                 budget.reflected += packet.energy;
@@ -194,8 +222,8 @@ class Tracer {
             } else {
                 const bool is_adaxial = against(packet.direction, hit.normal);
                 const double kept = meet_face(packet, hit, started, sampler);
-                keep(hit.group, kept, hit.position.z, is_adaxial, false, budget,
-                     tally);
+                keep(hit.group, kept, hit.position.z, is_adaxial, nullptr,
+                     budget, parts);
             }
         }
     }
@@ -290,8 +318,8 @@ class SourceRun {
             const FirstHits hits(scene_, launcher_, numbers, first_hits,
                                  energy);
             tallies[r].rays += first_hits;
-            tracer.trace(hits, numbers, path_energy,
-                         tallies[r].sources[number_], tallies[r]);
+            tracer.trace(hits, numbers, path_energy, number_,
+                         source_.direction.has_value(), tallies[r]);
         }
     }
 
@@ -324,8 +352,7 @@ class SourceRun {
             const DepthBuffer buffer(scene_, direction, lattice, shifts);
             for (std::size_t i = 0; i < numbers.size(); ++i, ++r)
                 tracer.trace(FirstHits(scene_, buffer, i, energy), numbers[i],
-                             path_energy, tallies[r].sources[number_],
-                             tallies[r]);
+                             path_energy, number_, true, tallies[r]);
         }
     }
 
@@ -373,12 +400,14 @@ std::vector<std::uint32_t> share_paths(const Illumination& illumination,
 std::vector<Tally> simulate(
     const Scene& scene, const std::vector<Group>& groups, const Optics& optics,
     const Illumination& illumination, const Workload& work, int randomisations,
-    const Randomness& randomness, const Layers& layers) {
+    const Randomness& randomness, const Layers& layers, Detail detail) {
     const std::vector<Source>& sources = illumination.sources;
     std::vector<Tally> tallies(static_cast<std::size_t>(randomisations),
                                {std::vector<Budget>(sources.size()),
                                 std::vector<double>(groups.size()),
                                 std::vector<double>(layers.count)});
+    if (detail == Detail::leaf_light)
+        for (Tally& tally : tallies) tally.leaf_light.resize(sources.size());
     if (sources.empty()) return tallies;
     const Tracer tracer(scene, groups, optics, layers);
     std::vector<double> largest;
@@ -406,7 +435,7 @@ std::vector<Tally> simulate(
 std::vector<Tally> simulate(
     const Scene& scene, const std::vector<Group>& groups, const Optics& optics,
     const Illumination& illumination, const Accuracy& accuracy,
-    const Randomness& randomness, const Layers& layers) {
+    const Randomness& randomness, const Layers& layers, Detail detail) {
     const std::vector<Source>& sources = illumination.sources;
     const auto paths = static_cast<std::uint32_t>(accuracy.paths);
     if (accuracy.paths < 1 || paths < sources.size())
@@ -418,7 +447,7 @@ std::vector<Tally> simulate(
     Workload work;
     if (!sources.empty()) work.first_hits = share_paths(illumination, paths);
     return simulate(scene, groups, optics, illumination, work,
-                    accuracy.randomisations, randomness, layers);
+                    accuracy.randomisations, randomness, layers, detail);
 }
 
 }  // namespace ideotype

@@ -16,9 +16,10 @@ namespace ideotype {
 
 //! Where light meets a face.
 struct Hit {
-    glm::dvec3 position;      //!< on the plane of the face [m]
-    glm::dvec3 normal;        //!< unit length, on the adaxial side
-    std::uint32_t group = 0;  //!< of the mesh
+    glm::dvec3 position;         //!< on the plane of the face [m]
+    glm::dvec3 normal;           //!< unit length, on the adaxial side
+    std::uint32_t group = 0;     //!< of the mesh
+    std::uint32_t triangle = 0;  //!< of the scene's surfaces
 };
 
 //! A box along the axes [m].
@@ -36,11 +37,18 @@ struct Heights {
     double lower, upper;
 };
 
-//! The faces of a stand, each once, as the mesh has them.
+//! The faces of a stand, each once, as the mesh has them. Face f is two
+//! triangles, 2 f of its corners 0 1 3 and 2 f + 1 of 2 3 1, as Embree divides
+//! it.
 struct Surfaces {
     std::vector<glm::dvec3> vertices;
     std::vector<std::array<std::uint32_t, 4>> faces;
     std::vector<std::uint32_t> face_group;
+    //! Of each triangle, on the adaxial side: unit length, or 0 without area.
+    std::vector<glm::dvec3> normals;
+
+    //! Adds a face of a mesh with the same vertices.
+    void add(const std::array<std::uint32_t, 4>& face, std::uint32_t group);
 };
 
 //! Where a ray is inside a box, edges included; nothing if it misses it.
@@ -87,12 +95,12 @@ class Scene {
     //! Height of the soil [m]: below zero by the rounding error, so that light
     //! can pass between it and a face that lies on it.
     double soil() const { return -2 * clearance_; }
-    std::size_t faces() const { return face_group_.size(); }
+    std::size_t faces() const { return prim_face_.size(); }
 
     //! One-sided area of all faces of the mesh [m2].
     double surface_area() const { return surface_area_; }
 
-    //! What repeats, if periodic: wherever in the stand the mesh has it.
+    //! Of the plot, or what repeats: wherever in the stand the mesh has it.
     const Surfaces& surfaces() const { return surfaces_; }
 
     //! Where the faces of a group of the mesh are; nothing if it has none.
@@ -123,8 +131,9 @@ class Scene {
 
     Scene() = default;
     void add_plot(const Mesh& mesh, const std::vector<double>& areas);
-    void add_face(const Mesh& mesh, std::size_t face, const glm::dvec3& shift);
-    void add_images(const Mesh& mesh, std::size_t face);
+    void add_face(std::uint32_t face, const glm::dvec3& shift);
+    void add_images(const std::array<std::uint32_t, 4>& face,
+                    std::uint32_t group);
     void commit(const Device& device);
     void attach_faces(RTCDeviceTy* embree);
 
@@ -139,7 +148,7 @@ class Scene {
     double surface_area_ = 0;
     Surfaces surfaces_;
     std::vector<std::array<float, 4>> corners_;  //!< four per face, x y z 0
-    std::vector<std::uint32_t> face_group_;
+    std::vector<std::uint32_t> prim_face_;       //!< the face of each image
     std::vector<std::optional<Heights>> group_heights_;
     std::unique_ptr<Handle> handle_;
 };

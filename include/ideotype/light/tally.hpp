@@ -31,11 +31,27 @@ struct Budget {
     double total() const { return leaves + stalks + soil + reflected; }
 };
 
+//! What leaves absorb of one source, place by place [J m-2 of ground].
+struct LeafLight {
+    //! Straight from a sun, of a triangle of the scene's surfaces.
+    struct Beam {
+        std::uint32_t triangle;
+        double energy;
+    };
+
+    std::vector<Beam> beam;       //!< in order; triangles without are left out
+    std::vector<double> diffuse;  //!< all other light, by group of the mesh
+};
+
+//! Whether a tally has the light of leaves place by place.
+enum class Detail { sums, leaf_light };
+
 //! What one randomisation found [J m-2 of ground].
 struct Tally {
     std::vector<Budget> sources;
     std::vector<double> groups;    //!< absorbed, per group of the mesh
     std::vector<double> layers{};  //!< absorbed by leaves, lowest layer first
+    std::vector<LeafLight> leaf_light{};  //!< by source, if asked for
     //! Absorbed through the faces of leaves: the adaxial (upper) one is that
     //! from which the corners of a face are seen counter-clockwise.
     double adaxial = 0;

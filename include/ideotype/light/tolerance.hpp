@@ -31,6 +31,7 @@ inline constexpr int fewest_paths = 32;
 Simulation simulate_to_tolerance(
     const Scene& scene, const std::vector<Group>& groups, const Optics& optics,
     const Illumination& illumination, const Accuracy& accuracy,
-    const Randomness& randomness, const Layers& layers = {});
+    const Randomness& randomness, const Layers& layers = {},
+    Detail detail = Detail::sums);
 
 }  // namespace ideotype

@@ -55,12 +55,14 @@ std::vector<std::uint32_t> share_paths(const Illumination& illumination,
 std::vector<Tally> simulate(
     const Scene& scene, const std::vector<Group>& groups, const Optics& optics,
     const Illumination& illumination, const Accuracy& accuracy,
-    const Randomness& randomness, const Layers& layers = {});
+    const Randomness& randomness, const Layers& layers = {},
+    Detail detail = Detail::sums);
 
 //! The same with a workload.
 std::vector<Tally> simulate(
     const Scene& scene, const std::vector<Group>& groups, const Optics& optics,
     const Illumination& illumination, const Workload& work, int randomisations,
-    const Randomness& randomness, const Layers& layers = {});
+    const Randomness& randomness, const Layers& layers = {},
+    Detail detail = Detail::sums);
 
 }  // namespace ideotype

@@ -22,10 +22,7 @@ struct Writer {
         if (key.notation == Notation::clock) return clock_text(*number);
         return fmt::format("{}", *number);
     }
-    std::string operator()(const Date* date) const {
-        return fmt::format("{:04}-{:02}-{:02}", date->year, date->month,
-                           date->day);
-    }
+    std::string operator()(const Date* date) const { return to_string(*date); }
     std::string operator()(const Range* range) const {
         return fmt::format("[{}, {}]", range->lower, range->upper);
     }

@@ -71,7 +71,7 @@ class Evaluation {
     }
 
     CanopyReport report() {
-        const DayIllumination& light = request_.scenario.light;
+        const SeriesIllumination& light = request_.scenario.light;
         for (const Tally& tally : tallies_)
             result_.leaves_by_randomisation.push_back(tally.leaves());
         result_.light = ideotype::report(tallies_, light);

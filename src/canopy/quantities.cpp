@@ -152,6 +152,11 @@ const std::vector<Declaration>& declarations() {
           "PAR that leaves absorb at each instant",
           {"hour"}},
          by_hour},
+        {{"absorbed_by_day",
+          daily,
+          "PAR that leaves absorb on each day",
+          {"day"}},
+         [](const Report& r) { return to_mj(r.light.dates); }},
     };
     return all;
 }
@@ -164,16 +169,20 @@ Axis layer_axis(const Layers& layers) {
             std::move(middles)};
 }
 
-Axis hour_axis(const Day& day) {
-    std::vector<double> hours;
-    for (const TimeStep& step : day.steps) hours.push_back(step.hour);
-    return {"hour", "h", "local clock", std::move(hours)};
+Axis hour_axis(const LightSeries& series) {
+    return {"hour", "h", "local clock", series.hours()};
+}
+
+Axis day_axis(const LightSeries& series) {
+    std::vector<std::string> dates;
+    for (const Date& date : series.dates()) dates.push_back(to_string(date));
+    return {"day", "", "dates on the local clock", std::move(dates)};
 }
 
 }  // namespace
 
 QuantitySet canopy_quantities(const Plant& plant, const Layers& layers,
-                              const Day& day) {
+                              const LightSeries& series) {
     using Names = std::vector<std::string>;
     QuantitySet set;
     Names organs = organ_names(plant);
@@ -182,13 +191,16 @@ QuantitySet canopy_quantities(const Plant& plant, const Layers& layers,
         counted("leaf", "leaf rank, 1 is the lowest", plant.leaves.size(), 1),
         {"organ", "", "leaves together, or another organ", std::move(organs)},
         layer_axis(layers),
-        hour_axis(day),
+        hour_axis(series),
         {"light_source", "", "where light came from at last",
          Names{"beam", "sky", "scattered"}},
         {"leaf_side", "", "upper or lower side of leaves",
          Names{"adaxial", "abaxial"}}};
+    const bool has_days = series.days > 1;
+    if (has_days) set.axes.push_back(day_axis(series));
     for (const Declaration& each : declarations())
-        set.quantities.push_back(each.quantity);
+        if (has_days || each.quantity.axes != Names{"day"})
+            set.quantities.push_back(each.quantity);
     return set;
 }
 

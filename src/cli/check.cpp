@@ -116,7 +116,7 @@ ExitCode check(const CheckOptions& options) {
     const Scenario scenario = scenario_of(campaign, first);
     const Mesh plant =
         build_plant(campaign.crop.baseline, campaign.tessellation);
-    const Day& day = scenario.light.day;
+    const LightSeries& light = scenario.light.series;
     const Field field =
         draw_field(plant, scenario.field, randomness_of({}, first));
     const Cost cost(campaign, measure_cost(campaign, first));
@@ -140,8 +140,8 @@ ExitCode check(const CheckOptions& options) {
     fmt::print(
         "light     {} instants with the sun up, {:.3f} MJ m-2 day-1 of "
         "PAR, {:.0f} % diffuse\n",
-        day.steps.size(), day.incident() / 1e6,
-        100 * day.diffuse() / day.incident());
+        light.steps.size(), light.incident() / 1e6,
+        100 * light.diffuse() / light.incident());
     fmt::print("{}", sky_table(campaign));
     const double excess = violation(campaign.constraints, campaign.crop.traits,
                                     campaign.crop.baseline,

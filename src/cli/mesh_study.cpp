@@ -20,7 +20,7 @@ constexpr std::uint64_t usual_randomisations = 32;
 constexpr std::size_t layers = 10;
 
 //! A single light is that of a second.
-Day day_of(const MeshOptions& options) {
+LightSeries day_of(const MeshOptions& options) {
     constexpr double par_fraction = 0.45;
     if (options.site)
         return clear_day(*options.site, {*options.date, 0, 24, 60},

@@ -110,13 +110,11 @@ std::vector<Irradiance> light_of(const std::vector<SeriesStep>& series,
             // Of several in a row the first is told.
             if (!was_missing)
                 problems.add(step.line, 1,
-                             fmt::format("the light of {:04}-{:02}-{:02} "
+                             fmt::format("the light of {} "
                                          "{} is not known (a gap or a missing "
                                          "value by day); fill it, or choose "
                                          "another period",
-                                         date_at(step.middle).year,
-                                         date_at(step.middle).month,
-                                         date_at(step.middle).day,
+                                         to_string(date_at(step.middle)),
                                          clock_time(hour_at(step.middle))));
         }
     }

@@ -27,15 +27,17 @@ WeatherReading parse_weather(const std::string& text,
         const SeriesStep& step = series[i];
         std::optional<double> humidity = step.values.humidity;
         if (humidity) humidity = std::min(*humidity, 1.0);
-        weather.steps.push_back({date_at(step.middle),
-                                 {hour_at(step.middle),
-                                  seconds,
-                                  step.sun,
-                                  {request.par_fraction * light[i].beam,
-                                   request.par_fraction * light[i].diffuse}},
-                                 step.values.temperature,
-                                 humidity});
+        weather.series.steps.push_back(
+            {hour_at(step.middle),
+             seconds,
+             step.sun,
+             {request.par_fraction * light[i].beam,
+              request.par_fraction * light[i].diffuse},
+             date_at(step.middle),
+             step.values.temperature,
+             humidity});
     }
+    weather.series.days = static_cast<int>(weather.series.dates().size());
     return {std::move(weather), doubts.warnings()};
 }
 

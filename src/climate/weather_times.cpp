@@ -16,10 +16,6 @@ namespace {
 
 using namespace std::chrono;
 
-std::string text_of(const Date& date) {
-    return fmt::format("{:04}-{:02}-{:02}", date.year, date.month, date.day);
-}
-
 //! The date in a year; nothing of a 29 February that it does not have.
 std::optional<ClockTime> in_year(ClockTime time, int year) {
     const Date date = date_at(time);
@@ -228,7 +224,7 @@ class TimesReader {
                 0, 0,
                 fmt::format("the period ends on {}, before it "
                             "begins on {}",
-                            text_of(period.to), text_of(period.from)));
+                            to_string(period.to), to_string(period.from)));
         const bool has_all = !rows.empty() &&
                              rows.front().middle < result_.begin + 24h &&
                              rows.back().middle >= result_.end - 24h;
@@ -239,9 +235,10 @@ class TimesReader {
                     ? "no row is of the period"
                     : fmt::format("the file has {} to {}, but the period is "
                                   "{} to {}; choose days that it has",
-                                  text_of(date_at(rows.front().middle)),
-                                  text_of(date_at(rows.back().middle)),
-                                  text_of(period.from), text_of(period.to)));
+                                  to_string(date_at(rows.front().middle)),
+                                  to_string(date_at(rows.back().middle)),
+                                  to_string(period.from),
+                                  to_string(period.to)));
         std::erase_if(rows, [&](const RowTime& row) {
             return row.middle < result_.begin || row.middle >= result_.end;
         });

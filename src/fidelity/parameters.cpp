@@ -182,8 +182,8 @@ CanopyRequest request_of(const Variant& variant, std::size_t case_index,
     CanopyRequest request =
         request_of({}, campaign, chosen, scenario_of(campaign, chosen),
                    grow(campaign.crop, genome));
-    DayIllumination& light = request.scenario.light;
-    light = illuminate(light.day, campaign.sky_model,
+    SeriesIllumination& light = request.scenario.light;
+    light = illuminate(light.series, campaign.sky_model,
                        chosen.spacing.row_direction, variant.skies);
     for (Source& source : light.light.sources)
         if (!source.direction) source.effort = variant.sky_effort;

@@ -1,8 +1,63 @@
 #include "ideotype/light/illumination.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 namespace ideotype {
+
+namespace {
+
+bool is_up(const TimeStep& step) {
+    return step.sun.zenith < 90;
+}
+
+//! From the middles of equal parts of a series; of all, if there are no more.
+std::vector<Date> dates_of_suns(const LightSeries& series, int count) {
+    const std::vector<Date> all = series.dates();
+    const auto n = static_cast<std::size_t>(count);
+    if (n == 0 || all.size() <= n) return all;
+    std::vector<Date> dates;
+    for (std::size_t i = 0; i < n; ++i)
+        dates.push_back(all[(2 * i + 1) * all.size() / (2 * n)]);
+    return dates;
+}
+
+//! For each instant the one whose sun it has.
+std::vector<std::size_t> instants_of_suns(const LightSeries& series,
+                                          int count) {
+    const std::vector<Date> dates = dates_of_suns(series, count);
+    std::vector<std::size_t> suns;
+    for (std::size_t i = 0; i < series.steps.size(); ++i)
+        if (is_up(series.steps[i]) &&
+            std::find(dates.begin(), dates.end(), series.steps[i].date) !=
+                dates.end())
+            suns.push_back(i);
+    const auto direction = [&](std::size_t i) {
+        return beam_direction(series.steps[i].sun);
+    };
+    std::vector<glm::dvec3> directions;
+    for (const std::size_t sun : suns) directions.push_back(direction(sun));
+    std::vector<std::size_t> chosen(series.steps.size());
+    std::size_t own = 0;
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        chosen[i] = i;
+        while (own < suns.size() && suns[own] < i) ++own;
+        if (suns.empty() || (own < suns.size() && suns[own] == i)) continue;
+        const glm::dvec3 here = direction(i);
+        const auto nearest =
+            std::max_element(directions.begin(), directions.end(),
+                             [&](const glm::dvec3& a, const glm::dvec3& b) {
+                                 return glm::dot(a, here) < glm::dot(b, here);
+                             });
+        chosen[i] =
+            suns[static_cast<std::size_t>(nearest - directions.begin())];
+    }
+    return chosen;
+}
+
+}  // namespace
 
 double Illumination::energy() const {
     double sum = 0;
@@ -10,32 +65,55 @@ double Illumination::energy() const {
     return sum;
 }
 
-DayIllumination illuminate(Day day, SkyModel sky_model, double row_direction,
-                           Skies skies) {
-    DayIllumination result;
-    std::vector<Source>& sources = result.light.sources;
-    const auto add = [&](const Source& source) {
-        if (!(source.energy > 0)) return -1;
-        sources.push_back(source);
-        return static_cast<int>(sources.size()) - 1;
+SeriesIllumination illuminate(LightSeries series, SkyModel sky_model,
+                              double row_direction, Skies skies, int dates) {
+    SeriesIllumination result;
+    const std::vector<TimeStep>& steps = series.steps;
+    const std::vector<std::size_t> sun_of = instants_of_suns(series, dates);
+    const auto sun = [&](std::size_t i) {
+        const SunPosition& position = steps[i].sun;
+        return SunPosition{position.zenith, position.azimuth - row_direction};
     };
-    const auto sun_of = [&](const TimeStep& step) {
-        return SunPosition{step.sun.zenith, step.sun.azimuth - row_direction};
+    // One source for each sun that has light; returns that of each instant.
+    const auto add = [&](double Irradiance::*part, const auto& source_of) {
+        std::vector<double> energy(steps.size());
+        for (std::size_t i = 0; i < steps.size(); ++i)
+            energy[sun_of[i]] +=
+                steps[i].par.*part * steps[i].seconds / series.days;
+        std::vector<int> source(steps.size(), -1);
+        std::vector<Source>& sources = result.light.sources;
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            if (!(energy[i] > 0)) continue;
+            source[i] = static_cast<int>(sources.size());
+            sources.push_back(source_of(i));
+            sources.back().energy = energy[i];
+        }
+        std::vector<int> found;
+        for (std::size_t i = 0; i < steps.size(); ++i)
+            found.push_back(steps[i].par.*part > 0 ? source[sun_of[i]] : -1);
+        return found;
     };
-    for (const TimeStep& step : day.steps)
-        result.beam_of.push_back(add(
-            {beam_direction(sun_of(step)), step.par.beam * step.seconds, {}}));
+    result.beam_of = add(&Irradiance::beam, [&](std::size_t i) {
+        return Source{beam_direction(sun(i)), 0, {}};
+    });
     if (sky_model == SkyModel::clear || skies == Skies::each) {
-        for (const TimeStep& step : day.steps)
-            result.sky_of.push_back(
-                add({std::nullopt, step.par.diffuse * step.seconds,
-                     SkySampler({sky_model, sun_of(step)})}));
+        result.sky_of = add(&Irradiance::diffuse, [&](std::size_t i) {
+            // A night without end has no clear sky.
+            return Source{
+                std::nullopt, 0,
+                SkySampler(is_up(steps[i]) ? SkyRadiance{sky_model, sun(i)}
+                                           : SkyRadiance{})};
+        });
     } else {
-        const int sky =
-            add({std::nullopt, day.diffuse(), SkySampler({sky_model, {}})});
-        result.sky_of.assign(day.steps.size(), sky);
+        result.sky_of.assign(steps.size(), -1);
+        if (series.diffuse() > 0) {
+            result.sky_of.assign(steps.size(),
+                                 static_cast<int>(result.light.sources.size()));
+            result.light.sources.push_back(
+                {std::nullopt, series.diffuse(), SkySampler({sky_model, {}})});
+        }
     }
-    result.day = std::move(day);
+    result.series = std::move(series);
     return result;
 }
 

@@ -40,47 +40,81 @@ Estimate over(const std::vector<Tally>& tallies, const Resolution& resolution,
                     is_open ? resolution.largest_path() / count(tallies) : 0);
 }
 
+//! A figure that is a sum over sources, each with its weight.
+Estimate weighted(const std::vector<Tally>& tallies,
+                  const Resolution& resolution,
+                  const std::vector<double>& weights, bool is_open,
+                  const std::function<double(const Budget&)>& figure) {
+    double step = 0;
+    for (std::size_t s = 0; s < resolution.path_energy.size(); ++s)
+        if (is_open)
+            step = std::max(step, weights[s] * resolution.path_energy[s]);
+    const Estimate found = over(tallies, [&](const Tally& tally) {
+        double sum = 0;
+        for (std::size_t s = 0; s < weights.size(); ++s)
+            if (weights[s] > 0) sum += weights[s] * figure(tally.sources[s]);
+        return sum;
+    });
+    return at_least(found, step / count(tallies));
+}
+
 //! A budget that is a weighted sum over sources, part by part.
 BudgetEstimate weighted_budget(const std::vector<Tally>& tallies,
                                const Resolution& resolution,
                                const std::vector<Source>& sources,
                                const std::vector<double>& weights,
                                double incident) {
-    using IsOf = bool (*)(const Source&);
-    const auto weighted = [&](IsOf is_of, bool is_open, const auto& figure) {
-        double step = 0;
-        for (std::size_t s = 0; s < resolution.path_energy.size(); ++s)
-            if (is_open && is_of(sources[s]))
-                step = std::max(step, weights[s] * resolution.path_energy[s]);
-        const Estimate found = over(tallies, [&](const Tally& tally) {
-            double sum = 0;
-            for (std::size_t s = 0; s < sources.size(); ++s)
-                if (is_of(sources[s]))
-                    sum += weights[s] * figure(tally.sources[s]);
-            return sum;
-        });
-        return at_least(found, step / count(tallies));
-    };
-    const IsOf any = [](const Source&) { return true; };
-    const IsOf is_beam = [](const Source& s) {
-        return s.direction.has_value();
-    };
-    const IsOf is_sky = [](const Source& s) { return !s.direction; };
+    std::vector<double> of_beams = weights, of_skies = weights;
+    for (std::size_t s = 0; s < sources.size(); ++s)
+        (sources[s].direction ? of_skies : of_beams)[s] = 0;
     const auto part = [&](bool is_open, double Budget::*member) {
-        return weighted(any, is_open,
+        return weighted(tallies, resolution, weights, is_open,
                         [=](const Budget& b) { return b.*member; });
     };
-    const auto unscattered = [](const Budget& b) { return b.unscattered; };
+    const auto unscattered = [&](const std::vector<double>& some) {
+        return weighted(tallies, resolution, some, resolution.unscattered,
+                        [](const Budget& b) { return b.unscattered; });
+    };
     return {incident,
             part(false, &Budget::incident),
             part(resolution.leaves, &Budget::leaves),
             part(resolution.stalks, &Budget::stalks),
             part(resolution.soil, &Budget::soil),
             part(resolution.reflected, &Budget::reflected),
-            weighted(is_beam, resolution.unscattered, unscattered),
-            weighted(is_sky, resolution.unscattered, unscattered),
-            weighted(any, resolution.scattered,
+            unscattered(of_beams),
+            unscattered(of_skies),
+            weighted(tallies, resolution, weights, resolution.scattered,
                      [](const Budget& b) { return b.leaves - b.unscattered; })};
+}
+
+//! The light of some instants, as weights of the sources.
+struct Part {
+    explicit Part(std::size_t sources) : weights(sources) {}
+
+    void add(const SeriesIllumination& illumination, std::size_t instant,
+             double factor) {
+        const auto add_source = [&](int source, double irradiance) {
+            if (source < 0) return;
+            const auto s = static_cast<std::size_t>(source);
+            weights[s] +=
+                factor * irradiance / illumination.light.sources[s].energy;
+        };
+        const Irradiance& par = illumination.series.steps[instant].par;
+        add_source(illumination.beam_of[instant], par.beam);
+        add_source(illumination.sky_of[instant], par.diffuse);
+        incident += factor * (par.beam + par.diffuse);
+    }
+
+    std::vector<double> weights;
+    double incident = 0;
+};
+
+//! Where a value is in a sorted list.
+std::optional<std::size_t> position_of(const std::vector<double>& sorted,
+                                       double value) {
+    const auto found = std::lower_bound(sorted.begin(), sorted.end(), value);
+    if (found == sorted.end() || *found != value) return std::nullopt;
+    return found - sorted.begin();
 }
 
 bool is_set(const std::vector<bool>& flags, std::size_t i) {
@@ -99,8 +133,8 @@ double balance_error(const Tally& tally) {
 }  // namespace
 
 DayReport report(const std::vector<Tally>& tallies,
-                 const DayIllumination& illumination) {
-    const Day& day = illumination.day;
+                 const SeriesIllumination& illumination) {
+    const LightSeries& series = illumination.series;
     const std::vector<Source>& sources = illumination.light.sources;
     const Resolution resolution = resolution_of(tallies);
     DayReport result;
@@ -117,22 +151,28 @@ DayReport report(const std::vector<Tally>& tallies,
     result.abaxial = over(tallies, resolution, resolution.leaves,
                           [](const Tally& t) { return t.abaxial; });
 
-    for (std::size_t i = 0; i < day.steps.size(); ++i) {
-        const TimeStep& step = day.steps[i];
-        std::vector<double> weights(sources.size(), 0.0);
-        const auto add = [&](int source, double irradiance) {
-            if (source < 0) return;
-            const auto s = static_cast<std::size_t>(source);
-            weights[s] = irradiance / sources[s].energy;
-        };
-        add(illumination.beam_of[i], step.par.beam);
-        add(illumination.sky_of[i], step.par.diffuse);
-        result.steps.push_back(
-            {step.hour,
-             weighted_budget(tallies, resolution, sources, weights,
-                             step.par.beam + step.par.diffuse),
-             std::nullopt});
+    const std::vector<double> hours = series.hours();
+    std::vector<Part> of_hours(hours.size(), Part(sources.size()));
+    std::vector<Part> of_dates(series.dates().size(), Part(sources.size()));
+    std::size_t date = 0;
+    for (std::size_t i = 0; i < series.steps.size(); ++i) {
+        const TimeStep& step = series.steps[i];
+        if (i > 0 && step.date != series.steps[i - 1].date) ++date;
+        of_dates[date].add(illumination, i, step.seconds);
+        if (const auto hour = position_of(hours, step.hour))
+            of_hours[*hour].add(illumination, i, 1. / series.days);
     }
+    for (std::size_t h = 0; h < hours.size(); ++h)
+        result.steps.push_back(
+            {hours[h],
+             weighted_budget(tallies, resolution, sources, of_hours[h].weights,
+                             of_hours[h].incident),
+             std::nullopt});
+    if (series.days > 1)
+        for (const Part& each : of_dates)
+            result.dates.push_back(
+                weighted(tallies, resolution, each.weights, resolution.leaves,
+                         [](const Budget& budget) { return budget.leaves; }));
     for (const Tally& tally : tallies)
         result.balance_error =
             std::max(result.balance_error, balance_error(tally));
@@ -155,19 +195,25 @@ Estimate absorbed_by_leaves(const std::vector<Tally>& tallies) {
 }
 
 void add_sunlit(DayReport& report, const SunlitFractions& sunlit,
-                const DayIllumination& illumination) {
-    for (std::size_t i = 0; i < report.steps.size(); ++i) {
-        const int beam = illumination.beam_of[i];
-        if (beam < 0) {
-            report.steps[i].sunlit = Estimate{};
-            continue;
+                const SeriesIllumination& illumination) {
+    const LightSeries& series = illumination.series;
+    for (StepReport& step : report.steps) {
+        std::vector<double> replicates(sunlit.fractions.size());
+        bool has_sun = false;
+        for (std::size_t i = 0; i < series.steps.size(); ++i) {
+            const int beam = illumination.beam_of[i];
+            if (series.steps[i].hour != step.hour || beam < 0) continue;
+            has_sun = true;
+            for (std::size_t r = 0; r < replicates.size(); ++r)
+                replicates[r] +=
+                    sunlit.fractions[r][static_cast<std::size_t>(beam)] /
+                    series.days;
         }
-        std::vector<double> replicates;
-        for (const std::vector<double>& by_source : sunlit.fractions)
-            replicates.push_back(by_source[static_cast<std::size_t>(beam)]);
-        report.steps[i].sunlit =
-            at_least(estimate(replicates),
-                     sunlit.step / static_cast<double>(replicates.size()));
+        step.sunlit =
+            has_sun
+                ? at_least(estimate(replicates),
+                           sunlit.step / static_cast<double>(replicates.size()))
+                : Estimate{};
     }
 }
 

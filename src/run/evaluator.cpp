@@ -48,10 +48,12 @@ Layers canopy_layers(const Campaign& campaign) {
 Scenario scenario_of(const Campaign& campaign, const Case& chosen) {
     FieldForm field = campaign.field;
     field.spacing = chosen.spacing;
-    const Day day = clear_day(chosen.site, chosen.day, campaign.par_fraction);
-    return {field,
-            illuminate(day, campaign.sky_model, chosen.spacing.row_direction),
-            campaign.optics};
+    const LightSeries series =
+        clear_day(chosen.site, chosen.day, campaign.par_fraction);
+    return {
+        field,
+        illuminate(series, campaign.sky_model, chosen.spacing.row_direction),
+        campaign.optics};
 }
 
 CanopyRequest request_of(const Task& task, const Campaign& campaign,

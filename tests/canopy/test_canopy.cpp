@@ -135,7 +135,7 @@ TEST_F(TwoLeaves, MoreEffortMakesTheLightOfASourceMoreCertain) {
 //! A quarter turn of rows and sun together changes nothing but the axes.
 TEST_F(TwoLeaves, SkiesOfInstantsFollowTheSunWithTheRows) {
     const auto leaves = [&](double rows, double sun) {
-        const Day day{{{12, 3600, {60, sun}, {0, 300}}}};
+        const LightSeries day{{{12, 3600, {60, sun}, {0, 300}}}};
         request.scenario.light =
             illuminate(day, SkyModel::clear, rows, Skies::each);
         return evaluated().light.day.leaves.mean;

@@ -56,32 +56,32 @@ TEST_P(WeatherFormat, GivesWhatPvlibReads) {
     EXPECT_TRUE(reading.warnings.empty())
         << to_string(reading.warnings.front());
     EXPECT_EQ(reading.weather.utc_offset, -5);
-    ASSERT_EQ(reading.weather.steps.size(), all.size());
-    EXPECT_EQ(reading.weather.days(), 5);
+    ASSERT_EQ(reading.weather.series.steps.size(), all.size());
+    EXPECT_EQ(reading.weather.series.days, 5);
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const WeatherStep& step = reading.weather.steps[i];
+        const TimeStep& step = reading.weather.series.steps[i];
         const Expected& e = all[i];
         EXPECT_EQ(step.date.year, e.date.year);
         EXPECT_EQ(step.date.month, e.date.month);
         EXPECT_EQ(step.date.day, e.date.day);
-        EXPECT_EQ(step.light.hour, e.hour);
-        EXPECT_EQ(step.light.seconds, 3600);
+        EXPECT_EQ(step.hour, e.hour);
+        EXPECT_EQ(step.seconds, 3600);
         // Our sun is exact from 2020 on.
-        EXPECT_NEAR(step.light.sun.zenith, e.zenith, .01);
+        EXPECT_NEAR(step.sun.zenith, e.zenith, .01);
         EXPECT_NEAR(
-            (step.light.sun.azimuth - e.azimuth) * std::sin(e.zenith * degree),
-            0, .01);
+            (step.sun.azimuth - e.azimuth) * std::sin(e.zenith * degree), 0,
+            .01);
         // Rounded to 6 digits where energies are written.
-        const double global = step.light.par.beam + step.light.par.diffuse;
+        const double global = step.par.beam + step.par.diffuse;
         EXPECT_NEAR(global, .45 * e.ghi, 1e-5 * e.ghi);
         const double sky = e.zenith > 90      ? e.ghi
                            : file.has_diffuse ? std::min(e.dhi, e.ghi)
                                               : e.erbs_dhi;
         // At low sun the cap leaves more to the diffuse light.
         if (e.zenith < 85) {
-            EXPECT_NEAR(step.light.par.diffuse, .45 * sky, .05);
+            EXPECT_NEAR(step.par.diffuse, .45 * sky, .05);
         } else {
-            EXPECT_GE(step.light.par.diffuse, .45 * sky - .05);
+            EXPECT_GE(step.par.diffuse, .45 * sky - .05);
         }
         EXPECT_NEAR(step.temperature.value(), e.temperature, 1e-12);
         EXPECT_NEAR(step.humidity.value(), e.humidity / 100, 1e-12);
@@ -101,12 +101,12 @@ INSTANTIATE_TEST_SUITE_P(Files, WeatherFormat,
 TEST(Weather, BeamIsCappedAtTheExtraterrestrial) {
     WeatherRequest request{IDEOTYPE_TEST_DATA "/weather/tmy3.csv", greensboro};
     request.par_fraction = 1;
-    for (const WeatherStep& step : read_weather(request).weather.steps) {
-        const double cosine = std::cos(step.light.sun.zenith * degree);
-        EXPECT_LE(step.light.par.beam,
+    for (const TimeStep& step : read_weather(request).weather.series.steps) {
+        const double cosine = std::cos(step.sun.zenith * degree);
+        EXPECT_LE(step.par.beam,
                   extraterrestrial_normal(step.date) * std::max(0.0, cosine));
         if (cosine <= 0) {
-            EXPECT_EQ(step.light.par.beam, 0);
+            EXPECT_EQ(step.par.beam, 0);
         }
     }
 }
@@ -115,9 +115,9 @@ TEST(Weather, PeriodIsChosenFromAFile) {
     WeatherRequest request{IDEOTYPE_TEST_DATA "/weather/tmy3.csv", greensboro};
     request.period = Period{{1981, 7, 2}, {1981, 7, 3}};
     const Weather weather = read_weather(request).weather;
-    EXPECT_EQ(weather.steps.size(), 48U);
-    EXPECT_EQ(weather.steps.front().date.day, 2);
-    EXPECT_EQ(weather.steps.back().light.hour, 23.5);
+    EXPECT_EQ(weather.series.steps.size(), 48U);
+    EXPECT_EQ(weather.series.steps.front().date.day, 2);
+    EXPECT_EQ(weather.series.steps.back().hour, 23.5);
 }
 
 //! A year of TMY3 whose months are of different years.
@@ -148,9 +148,9 @@ TEST(Weather, TypicalYearHasTheDatesOfThePeriod) {
     WeatherRequest request{"typical.csv", middle_west};
     request.period = Period{{2023, 12, 30}, {2024, 3, 1}};
     const WeatherReading reading = parse_weather(typical_year(), request);
-    const auto& steps = reading.weather.steps;
+    const auto& steps = reading.weather.series.steps;
     // January and March of 2024, without its 29 February.
-    EXPECT_EQ(reading.weather.days(), 2 + 31 + 28 + 1);
+    EXPECT_EQ(reading.weather.series.days, 2 + 31 + 28 + 1);
     ASSERT_EQ(steps.size(), 24U * 62);
     EXPECT_EQ(steps[0].date.year, 2023);
     EXPECT_EQ(steps[0].temperature, 12);
@@ -163,7 +163,7 @@ TEST(Weather, TypicalYearHasTheDatesOfThePeriod) {
                 HasSubstr("29 February is not in the file"));
     // The file's years mean nothing, without a period either.
     request.period.reset();
-    EXPECT_EQ(parse_weather(typical_year(), request).weather.days(), 365);
+    EXPECT_EQ(parse_weather(typical_year(), request).weather.series.days, 365);
     request.period = Period{{2023, 1, 1}, {2024, 6, 1}};
     EXPECT_THAT(error_of(typical_year(), request), HasSubstr("longer than"));
 }
@@ -180,13 +180,13 @@ TEST(Weather, EnergyPlusFilesMayHaveHalfHours) {
             made.global(i / 2) / 2);
     const Weather weather =
         parse_weather(text, {"half.epw", middle_west}).weather;
-    ASSERT_EQ(weather.steps.size(), 48U * 10);
-    EXPECT_EQ(weather.steps[0].light.hour, .25);
-    EXPECT_EQ(weather.steps[24].light.hour, 12.25);
-    EXPECT_EQ(weather.steps[24].date.day, 1);
-    EXPECT_NEAR(
-        weather.steps[24].light.par.beam + weather.steps[24].light.par.diffuse,
-        .45 * made.global(12), 1e-3);
+    ASSERT_EQ(weather.series.steps.size(), 48U * 10);
+    EXPECT_EQ(weather.series.steps[0].hour, .25);
+    EXPECT_EQ(weather.series.steps[24].hour, 12.25);
+    EXPECT_EQ(weather.series.steps[24].date.day, 1);
+    EXPECT_NEAR(weather.series.steps[24].par.beam +
+                    weather.series.steps[24].par.diffuse,
+                .45 * made.global(12), 1e-3);
 }
 
 TEST(Weather, SeasonOfBondvilleHasItsLight) {
@@ -203,19 +203,17 @@ TEST(Weather, SeasonOfBondvilleHasItsLight) {
     request.columns = columns;
     const WeatherReading reading = read_weather(request);
     EXPECT_TRUE(reading.warnings.empty());
-    EXPECT_EQ(reading.weather.days(), 62);
-    EXPECT_EQ(reading.weather.steps.size(), 62U * 24);
+    EXPECT_EQ(reading.weather.series.days, 62);
+    EXPECT_EQ(reading.weather.series.steps.size(), 62U * 24);
     // The sum of the column: 39.6742 mol m-2 d-1 of photons.
-    const double photons =
-        (reading.weather.beam() + reading.weather.diffuse()) * mol_per_mj_par /
-        joule_per_megajoule / 62;
+    const double photons = reading.weather.series.incident() * mol_per_mj_par /
+                           joule_per_megajoule;
     EXPECT_NEAR(photons, 39.6742, 1e-4);
     // 798 hours with the sun above 2 deg and light.
     int lit = 0;
-    for (const WeatherStep& step : reading.weather.steps)
-        lit +=
-            step.light.sun.zenith < 88 &&
-            (step.light.par.beam + step.light.par.diffuse) * mol_per_mj_par > 2;
+    for (const TimeStep& step : reading.weather.series.steps)
+        lit += step.sun.zenith < 88 &&
+               (step.par.beam + step.par.diffuse) * mol_per_mj_par > 2;
     EXPECT_EQ(lit, 798);
 }
 

@@ -74,8 +74,8 @@ TEST(WeatherPlace, LightOfTheNightIsCounted) {
     EXPECT_EQ(to_string(reading.warnings[0]),
               "made.csv:26:1: a step of the night has light, which counts as "
               "diffuse (1 time)");
-    EXPECT_NEAR(reading.weather.steps[24].light.par.diffuse, .45 * 12, 1e-12);
-    EXPECT_EQ(reading.weather.steps[24].light.par.beam, 0);
+    EXPECT_NEAR(reading.weather.series.steps[24].par.diffuse, .45 * 12, 1e-12);
+    EXPECT_EQ(reading.weather.series.steps[24].par.beam, 0);
     for (std::size_t day = 1; day < 12; ++day)
         made.rows[24 * day] = made.time(24.0 * double(day) + .5) + ",90,20,60";
     EXPECT_THAT(error_of(made.text(), made_request()),
@@ -101,7 +101,7 @@ TEST(WeatherPlace, APolarNightHasNoLight) {
     WeatherRequest request = made_request();
     request.site.latitude = 78;
     const WeatherReading reading = parse_weather(made.text(), request);
-    EXPECT_EQ(reading.weather.beam() + reading.weather.diffuse(), 0);
+    EXPECT_EQ(reading.weather.series.incident(), 0);
     ASSERT_EQ(reading.warnings.size(), 1U);
     EXPECT_THAT(reading.warnings[0].what, HasSubstr("no light at all"));
 }

@@ -51,9 +51,9 @@ TEST(WeatherProblems, GapsAtNightAreFilledAndCounted) {
     made.rows.erase(made.rows.begin() + midnight,
                     made.rows.begin() + midnight + 2);
     const WeatherReading reading = parse_weather(made.text(), made_request());
-    EXPECT_EQ(reading.weather.steps.size(), 12U * 24);
-    EXPECT_EQ(reading.weather.steps[midnight].light.par.diffuse, 0);
-    EXPECT_EQ(reading.weather.steps[midnight].temperature, 20.5);
+    EXPECT_EQ(reading.weather.series.steps.size(), 12U * 24);
+    EXPECT_EQ(reading.weather.series.steps[midnight].par.diffuse, 0);
+    EXPECT_EQ(reading.weather.series.steps[midnight].temperature, 20.5);
     ASSERT_EQ(reading.warnings.size(), 3U);
     EXPECT_EQ(to_string(reading.warnings[0]),
               "made.csv:25:1: a value of the temperature is not known and is "
@@ -74,8 +74,9 @@ TEST(WeatherProblems, TemperatureIsInterpolatedOverFewHours) {
     made.rows[noon + 3] = fmt::format("{},{},24.5,60", made.time(noon + 3.5),
                                       made.global(noon + 3));
     const WeatherReading reading = parse_weather(made.text(), made_request());
-    EXPECT_NEAR(*reading.weather.steps[noon].temperature, 21.5, 1e-12);
-    EXPECT_NEAR(*reading.weather.steps[noon + 2].temperature, 23.5, 1e-12);
+    EXPECT_NEAR(*reading.weather.series.steps[noon].temperature, 21.5, 1e-12);
+    EXPECT_NEAR(*reading.weather.series.steps[noon + 2].temperature, 23.5,
+                1e-12);
     ASSERT_EQ(reading.warnings.size(), 1U);
     EXPECT_EQ(reading.warnings[0].where.line, MadeCsv::line(noon));
     lose(noon, 7);
@@ -103,7 +104,7 @@ TEST(WeatherProblems, NegativeLightIsCountedOrAnError) {
     set_light(made, midnight, "-3");
     set_light(made, midnight + 1, "-2");
     const WeatherReading reading = parse_weather(made.text(), made_request());
-    EXPECT_EQ(reading.weather.steps[midnight].light.par.diffuse, 0);
+    EXPECT_EQ(reading.weather.series.steps[midnight].par.diffuse, 0);
     ASSERT_EQ(reading.warnings.size(), 1U);
     EXPECT_EQ(to_string(reading.warnings[0]),
               "made.csv:26:1: a value of light is slightly negative; it counts "
@@ -140,7 +141,7 @@ TEST(WeatherProblems, PartsThatContradictEachOtherAreCounted) {
     ASSERT_EQ(capped.warnings.size(), 1U);
     EXPECT_THAT(capped.warnings[0].what,
                 HasSubstr("more beam than there is outside the atmosphere"));
-    const TimeStep& light = capped.weather.steps[noon].light;
+    const TimeStep& light = capped.weather.series.steps[noon];
     EXPECT_NEAR(light.par.beam + light.par.diffuse, .45 * 1900, 1e-9);
     EXPECT_NEAR(light.par.beam, .45 * 2 * made.global(noon), .05);
 }

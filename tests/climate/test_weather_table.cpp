@@ -17,13 +17,13 @@ Weather weather_of(const MadeCsv& made, const WeatherRequest& request) {
 
 //! Whether two weathers are the same, but for rounding.
 void expect_same(const Weather& a, const Weather& b) {
-    ASSERT_EQ(a.steps.size(), b.steps.size());
-    for (std::size_t i = 0; i < a.steps.size(); ++i) {
-        const WeatherStep &x = a.steps[i], &y = b.steps[i];
+    ASSERT_EQ(a.series.steps.size(), b.series.steps.size());
+    for (std::size_t i = 0; i < a.series.steps.size(); ++i) {
+        const TimeStep &x = a.series.steps[i], &y = b.series.steps[i];
         EXPECT_EQ(x.date.day, y.date.day);
-        EXPECT_NEAR(x.light.hour, y.light.hour, 1e-9);
-        EXPECT_NEAR(x.light.par.beam, y.light.par.beam, 1e-3);
-        EXPECT_NEAR(x.light.par.diffuse, y.light.par.diffuse, 1e-3);
+        EXPECT_NEAR(x.hour, y.hour, 1e-9);
+        EXPECT_NEAR(x.par.beam, y.par.beam, 1e-3);
+        EXPECT_NEAR(x.par.diffuse, y.par.diffuse, 1e-3);
         EXPECT_NEAR(*x.temperature, *y.temperature, 1e-9);
         EXPECT_NEAR(*x.humidity, *y.humidity, 1e-9);
     }
@@ -31,10 +31,10 @@ void expect_same(const Weather& a, const Weather& b) {
 
 TEST(WeatherTable, StampsMayNameAnyPartOfTheHour) {
     const Weather middle = weather_of(MadeCsv(), made_request());
-    EXPECT_EQ(middle.steps.size(), 12U * 24);
-    EXPECT_EQ(middle.steps[0].light.hour, .5);
-    EXPECT_EQ(middle.steps[0].temperature, 20.5);
-    EXPECT_EQ(middle.steps[0].humidity, .6);
+    EXPECT_EQ(middle.series.steps.size(), 12U * 24);
+    EXPECT_EQ(middle.series.steps[0].hour, .5);
+    EXPECT_EQ(middle.series.steps[0].temperature, 20.5);
+    EXPECT_EQ(middle.series.steps[0].humidity, .6);
     WeatherRequest request = made_request();
     request.columns->stamp = Stamp::beginning;
     expect_same(weather_of(MadeCsv(12, {2011, 7, 1}, 0), request), middle);
@@ -150,9 +150,9 @@ TEST(WeatherTable, HalfHoursAreSteps) {
         made.rows.push_back(fmt::format(
             "{},{},20.5,60", made.time(i / 2.0 + .25), made.global(i / 2)));
     const Weather weather = weather_of(made, made_request());
-    EXPECT_EQ(weather.steps.size(), 48U * 10);
-    EXPECT_EQ(weather.steps[1].light.seconds, 1800);
-    EXPECT_EQ(weather.steps[1].light.hour, .75);
+    EXPECT_EQ(weather.series.steps.size(), 48U * 10);
+    EXPECT_EQ(weather.series.steps[1].seconds, 1800);
+    EXPECT_EQ(weather.series.steps[1].hour, .75);
 }
 
 TEST(WeatherTable, GivenPartsOfTheLightAreKept) {
@@ -163,7 +163,7 @@ TEST(WeatherTable, GivenPartsOfTheLightAreKept) {
         for (std::string& row : made.rows) row += "," + parts;
         WeatherRequest request = made_request();
         set(*request.columns);
-        return weather_of(made, request).steps[12].light;
+        return weather_of(made, request).series.steps[12];
     };
     const TimeStep fraction = with("0.25,", [](ColumnMap& columns) {
         columns.diffuse_fraction = Column{"x", "1"};
@@ -206,9 +206,9 @@ TEST(WeatherTable, BeamAndDiffuseAloneAreEnough) {
     EXPECT_THAT(error_of(made.text(), request),
                 HasSubstr("no column tells the light"));
     request.columns->beam_normal = Column{"beam", "W/m2"};
-    const WeatherStep noon = weather_of(made, request).steps[12];
-    EXPECT_NEAR(noon.light.par.beam,
-                .45 * 300 * std::cos(noon.light.sun.zenith * degree), 1e-9);
+    const TimeStep noon = weather_of(made, request).series.steps[12];
+    EXPECT_NEAR(noon.par.beam, .45 * 300 * std::cos(noon.sun.zenith * degree),
+                1e-9);
     EXPECT_FALSE(noon.temperature);
     EXPECT_FALSE(noon.humidity);
 }

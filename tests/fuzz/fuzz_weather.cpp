@@ -12,9 +12,9 @@ namespace {
 void read(const std::string& text, const ideotype::WeatherRequest& request) {
     try {
         const auto weather = ideotype::parse_weather(text, request).weather;
-        if (weather.steps.empty()) std::abort();
-        for (const auto& step : weather.steps)
-            if (!(step.light.par.beam >= 0) || !(step.light.par.diffuse >= 0) ||
+        if (weather.series.steps.empty()) std::abort();
+        for (const auto& step : weather.series.steps)
+            if (!(step.par.beam >= 0) || !(step.par.diffuse >= 0) ||
                 !std::isfinite(step.temperature.value_or(0)) ||
                 !(step.humidity.value_or(0) >= 0))
                 std::abort();

@@ -20,8 +20,9 @@ Site at_latitude(double latitude) {
 }
 
 //! The day's light under its clear sky in rows of maize.
-double leaves_over_day(Findings& findings, const Day& day) {
-    const DayIllumination illumination = illuminate(day, SkyModel::clear, 90);
+double leaves_over_day(Findings& findings, const LightSeries& day) {
+    const SeriesIllumination illumination =
+        illuminate(day, SkyModel::clear, 90);
     const Mesh mesh = load_reference_mesh("maize1");
     const Fractions f =
         findings.closing(mesh, own_cell, par, illumination.light, {512, 4});
@@ -34,7 +35,7 @@ void trace_days(Findings& findings, const std::vector<double>& latitudes,
                 const std::vector<Date>& dates) {
     for (const double latitude : latitudes)
         for (const Date& date : dates) {
-            const Day day =
+            const LightSeries day =
                 clear_day(at_latitude(latitude), {date, 0, 24, 60}, .45);
             if (day.steps.empty()) continue;
             findings.say(fmt::format("{} deg: {} h, {:.3f}", latitude,
@@ -61,10 +62,10 @@ void leap_day(Findings& findings) {
 void polar_night(Findings& findings) {
     for (const auto& [latitude, date] :
          {std::pair{78., Date{2025, 12, 21}}, {-78., Date{2025, 6, 21}}}) {
-        const Day day =
+        const LightSeries day =
             clear_day(at_latitude(latitude), {date, 0, 24, 60}, .45);
         findings.require(day.steps.empty(), "no instant has light");
-        const DayIllumination light = illuminate(day, SkyModel::uniform, 90);
+        const SeriesIllumination light = illuminate(day, SkyModel::uniform, 90);
         const Mesh mesh = load_reference_mesh("maize1");
         const Scene scene(widest_device(), mesh, own_cell.x, own_cell.y);
         const DayReport result = report(
@@ -84,7 +85,7 @@ void sunrise_between_steps(Findings& findings) {
     const Date date{2025, 12, 15};
     const double fine = clear_day(site, {date, 0, 24, 1}, .45).incident();
     for (const double step : {60., 20., 5.}) {
-        const Day day = clear_day(site, {date, 0, 24, step}, .45);
+        const LightSeries day = clear_day(site, {date, 0, 24, step}, .45);
         findings.require(!day.steps.empty(), "the sun rises");
         for (const TimeStep& instant : day.steps)
             findings.require(instant.sun.zenith < 90, "only suns that are up");

@@ -12,15 +12,15 @@ namespace ideotype {
 namespace {
 
 //! An instant of one second with this much light of sun and sky.
-Day instant(SunPosition sun, double beam, double diffuse) {
+LightSeries instant(SunPosition sun, double beam, double diffuse) {
     return {{{12, 1, sun, {beam, diffuse}}}};
 }
 
 DayReport report_of(const Mesh& mesh, Period period, const Optics& optics,
-                    const Day& day, const Layers& layers = {},
+                    const LightSeries& day, const Layers& layers = {},
                     const Accuracy& accuracy = {4096, 16}) {
     const Scene scene(widest_device(), mesh, period.x, period.y);
-    const DayIllumination light = illuminate(day, SkyModel::uniform, 0);
+    const SeriesIllumination light = illuminate(day, SkyModel::uniform, 0);
     DayReport result = report(simulate(scene, mesh.groups, optics, light.light,
                                        accuracy, {1, 0, 0}, layers),
                               light);

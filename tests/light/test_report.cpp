@@ -27,8 +27,8 @@ class MadeUpDay : public ::testing::Test {
             }
         }
     }
-    Day day;
-    DayIllumination light;
+    LightSeries day;
+    SeriesIllumination light;
     std::vector<Tally> tallies;
 };
 
@@ -92,6 +92,63 @@ TEST_F(MadeUpDay, HasAClearSkyForEachInstantThatFollowsTheSun) {
     EXPECT_EQ(r.steps[2].budget.incident, 50);
 }
 
+//! Six days of a sun that is lower each day, of which two stand for all.
+class MadeUpSeason : public ::testing::Test {
+  protected:
+    MadeUpSeason() {
+        for (int d = 0; d < 6; ++d)
+            for (int h = 0; h < 3; ++h)
+                series.steps.push_back({10. + h,
+                                        3600,
+                                        {30. + d + 40 * h, 90. + 60 * h},
+                                        {h == 2 ? 0 : 100. + d, 50},
+                                        {2025, 7, 1 + d}});
+        series.days = 6;
+        light = illuminate(series, SkyModel::uniform, 0, Skies::shared, 2);
+    }
+    LightSeries series;
+    SeriesIllumination light;
+};
+
+TEST_F(MadeUpSeason, HasTheSunsOfAFewDates) {
+    // Of the second and the fifth day, at two hours each.
+    EXPECT_EQ(light.beam_of, (std::vector<int>{0, 1, -1, 0, 1, -1, 0, 1, -1, 2,
+                                               3, -1, 2, 3, -1, 2, 3, -1}));
+    EXPECT_EQ(light.sky_of, std::vector<int>(18, 4));
+    ASSERT_EQ(light.light.sources.size(), 5u);
+    EXPECT_EQ(*light.light.sources[3].direction, beam_direction({74, 150}));
+    EXPECT_DOUBLE_EQ(light.light.sources[0].energy, 3600 * 303 / 6.);
+    EXPECT_DOUBLE_EQ(light.light.energy(), series.incident());
+}
+
+TEST_F(MadeUpSeason, HasTheLightOfEachHourAndDay) {
+    std::vector<Tally> tallies(2);
+    for (Tally& tally : tallies)
+        for (const Source& source : light.light.sources)
+            tally.sources.push_back({.5 * source.energy});
+    const DayReport r = report(tallies, light);
+    EXPECT_DOUBLE_EQ(r.day.incident, series.incident());
+    ASSERT_EQ(r.steps.size(), 3u);
+    EXPECT_DOUBLE_EQ(r.steps[0].budget.incident, 152.5);
+    EXPECT_DOUBLE_EQ(r.steps[0].budget.leaves.mean, 152.5 / 2);
+    EXPECT_DOUBLE_EQ(r.steps[2].budget.leaves.mean, 50 / 2);
+    ASSERT_EQ(r.dates.size(), 6u);
+    EXPECT_DOUBLE_EQ(r.dates[0].mean, 3600 * 350 / 2.);
+    EXPECT_DOUBLE_EQ(r.dates[5].mean, 3600 * 360 / 2.);
+}
+
+TEST_F(MadeUpSeason, MayHaveAllItsSuns) {
+    light = illuminate(series, SkyModel::uniform, 0);
+    EXPECT_EQ(light.light.sources.size(), 13u);
+    EXPECT_EQ(illuminate(series, SkyModel::uniform, 0, Skies::shared, 7)
+                  .light.sources.size(),
+              13u);
+    light = illuminate(series, SkyModel::clear, 0, Skies::shared, 2);
+    EXPECT_EQ(light.light.sources.size(), 4u + 4u);
+    // At 12:00 the sun has set; it has the sky of the nearest that is up.
+    EXPECT_EQ(light.sky_of[2], light.sky_of[17]);
+}
+
 //! A leaf over black soil, and what is certain about its light.
 class Certainty : public ::testing::Test {
   protected:
@@ -106,9 +163,9 @@ class Certainty : public ::testing::Test {
         };
         add_square(side, 0);
         add_square(stalk, 2);
-        Day day;
+        LightSeries day;
         day.steps = {{8, 1, {60, 90}, {1, 0}}, {9, 1, {40, 90}, {1, 0}}};
-        const DayIllumination light = illuminate(day, SkyModel::uniform, 0);
+        const SeriesIllumination light = illuminate(day, SkyModel::uniform, 0);
         const Scene scene(widest_device(), mesh, 1, 1);
         const Layers layers{.25, 3};
         return report(simulate(scene, mesh.groups, optics, light.light,

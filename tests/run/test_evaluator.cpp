@@ -187,7 +187,7 @@ TEST(Canopy, InThePolarNightAllFiguresAreZero) {
         night.site.latitude = pole;
         night.day.date = {2025, pole > 0 ? 12 : 6, 21};
         const Scenario scenario = scenario_of(campaign, night);
-        ASSERT_TRUE(scenario.light.day.steps.empty());
+        ASSERT_TRUE(scenario.light.series.steps.empty());
         const Device device(Device::supported_isas().back());
         const Plant& baseline = campaign.crop.baseline;
         const Outcome outcome = checked_outcome(

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ideotype/canopy/field.hpp"
-#include "ideotype/climate/day.hpp"
+#include "ideotype/climate/light_series.hpp"
 #include "ideotype/climate/radiance.hpp"
 #include "ideotype/climate/site.hpp"
 #include "ideotype/core/error.hpp"

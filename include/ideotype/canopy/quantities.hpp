@@ -9,9 +9,10 @@
 namespace ideotype {
 
 //! All that is measured of a canopy of plants with these leaves and organs,
-//! along leaf, organ, layer, hour, light_source and leaf_side.
+//! along leaf, organ, layer, hour, light_source and leaf_side, and, of several
+//! days, day.
 QuantitySet canopy_quantities(const Plant& plant, const Layers& layers,
-                              const Day& day);
+                              const LightSeries& series);
 
 //! Their numbers in a report on such a canopy, in the same order.
 std::vector<Estimate> measure(const CanopyReport& report);

@@ -10,7 +10,7 @@ namespace ideotype {
 //! surfaces scatter light.
 struct Scenario {
     FieldForm field;
-    DayIllumination light;  //!< in the axes of the field
+    SeriesIllumination light;  //!< in the axes of the field
     Optics optics;
 };
 

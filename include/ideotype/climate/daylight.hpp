@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "ideotype/climate/day.hpp"
+#include "ideotype/climate/light_series.hpp"
 
 namespace ideotype {
 

@@ -19,6 +19,10 @@ struct Date {
     int year = 2025;
     int month = 1;
     int day = 1;
+
+    bool operator==(const Date&) const = default;
 };
+
+std::string to_string(const Date& date);  //!< such as 2025-08-07
 
 }  // namespace ideotype

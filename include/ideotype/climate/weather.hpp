@@ -1,10 +1,8 @@
 #pragma once
 
-#include <optional>
 #include <string>
-#include <vector>
 
-#include "ideotype/climate/day.hpp"
+#include "ideotype/climate/light_series.hpp"
 
 namespace ideotype {
 
@@ -14,23 +12,12 @@ struct Period {
     Date to;
 };
 
-//! What a weather file tells about one of its time steps, mostly an hour.
-struct WeatherStep {
-    Date date;
-    TimeStep light;  //!< its hour and sun are those of the middle of the step
-    std::optional<double> temperature;  //!< of the air [deg C]
-    std::optional<double> humidity;     //!< relative, 0 to 1
-};
-
-//! The weather of a period, night included, without gaps and in order.
+//! The weather of a period, night included, without gaps.
 struct Weather {
     std::string file;
     double utc_offset = 0;  //!< of the clock of dates and hours [h]
-    std::vector<WeatherStep> steps;
-
-    int days() const;        //!< dates with a step
-    double beam() const;     //!< PAR of all steps [J m-2]
-    double diffuse() const;  //!< PAR of all steps [J m-2]
+    //! Hours and suns are those of the middle of each step.
+    LightSeries series;
 };
 
 }  // namespace ideotype

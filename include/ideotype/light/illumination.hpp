@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "ideotype/climate/day.hpp"
+#include "ideotype/climate/light_series.hpp"
 #include "ideotype/climate/sky_sampler.hpp"
 #include "ideotype/core/mesh.hpp"
 
@@ -24,22 +24,28 @@ struct Illumination {
     double energy() const;  //!< [J m-2]
 };
 
-//! Whether a sky whose shape does not change is one source for the whole day,
-//! or one for each instant, as a clear one always is.
+//! Whether a sky whose shape does not change is one source for all instants,
+//! or one for each sun, as a clear one always is.
 enum class Skies { shared, each };
 
-//! The light of a day in the axes of a field: one beam for each instant and
-//! its skies. Sources without energy are left out. beam_of[i] and
-//! sky_of[i] are the sources of instant i, or -1 if it has none.
-struct DayIllumination {
-    Day day;
+//! The light of a series in the axes of a field: beams from the suns and their
+//! skies, each with its energy on a mean day [J m-2 day-1]. Sources without
+//! energy are left out. beam_of[i] and sky_of[i] are the sources of instant
+//! i, or -1 if it has none. Instants may share a source, in which each has its
+//! part by the light that it has itself.
+struct SeriesIllumination {
+    LightSeries series;
     Illumination light;
     std::vector<int> beam_of;
     std::vector<int> sky_of;
 };
 
 //! @param row_direction of the field's y axis, clockwise from north [deg]
-DayIllumination illuminate(Day day, SkyModel sky_model, double row_direction,
-                           Skies skies = Skies::shared);
+//! @param dates the suns of so many dates of a season, each from the middle of
+//! an equal part, stand for all: the nearest in direction for each instant;
+//! 0: each instant has its own
+SeriesIllumination illuminate(LightSeries series, SkyModel sky_model,
+                              double row_direction, Skies skies = Skies::shared,
+                              int dates = 0);
 
 }  // namespace ideotype

@@ -28,7 +28,8 @@ struct BudgetEstimate {
     Estimate leaves_scattered;
 };
 
-//! One instant of the day.
+//! One instant of the day; of several days the mean, in which a day without
+//! light at that hour counts too.
 struct StepReport {
     double hour = 0;        //!< local clock [h]
     BudgetEstimate budget;  //!< [W m-2]
@@ -37,24 +38,26 @@ struct StepReport {
     std::optional<Estimate> sunlit;
 };
 
-//! The light of one day in one stand.
+//! The light of one day, or of the mean of several, in one stand.
 struct DayReport {
     BudgetEstimate day;             //!< [J m-2 day-1]
     std::vector<Estimate> groups;   //!< absorbed per group [J m-2 day-1]
     std::vector<Estimate> layers;   //!< by leaves, lowest first [J m-2 day-1]
     Estimate adaxial, abaxial;      //!< by faces of leaves [J m-2 day-1]
-    std::vector<StepReport> steps;  //!< all instants of the day
+    std::vector<StepReport> steps;  //!< LightSeries::hours()
+    //! Of several days what leaves absorb on each [J m-2 day-1].
+    std::vector<Estimate> dates;
     //! Largest relative difference between incident light and the sum of its
     //! parts in any randomisation.
     double balance_error = 0;
 };
 
-//! Sums up independent tallies of a day; where one sky serves the whole day,
-//! the diffuse part of each instant is its share of that. The standard errors
+//! Sums up independent tallies of a series; where instants share a source, each
+//! has a part of that in proportion to its light. The standard errors
 //! are those of the mean of the tallies, and at least what their paths can
 //! tell, see Resolution.
 DayReport report(const std::vector<Tally>& tallies,
-                 const DayIllumination& illumination);
+                 const SeriesIllumination& illumination);
 
 //! The light that each group of the mesh absorbs, from all sources
 //! [J m-2 of ground]; standard errors as above.
@@ -66,6 +69,6 @@ Estimate absorbed_by_leaves(const std::vector<Tally>& tallies);
 
 //! Adds the sunlit leaf area to each instant; none without a sun.
 void add_sunlit(DayReport& report, const SunlitFractions& sunlit,
-                const DayIllumination& illumination);
+                const SeriesIllumination& illumination);
 
 }  // namespace ideotype

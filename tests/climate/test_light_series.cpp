@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/climate/day.hpp"
+#include "ideotype/climate/light_series.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/units.hpp"
 
@@ -36,7 +36,7 @@ class ClearDayTotals : public testing::TestWithParam<DailyTotal> {};
 
 TEST_P(ClearDayTotals, AgreeWithTheReference) {
     const auto& [site, expected_outside, expected_par] = GetParam();
-    const Day day = clear_day(site, all_day(), par_fraction);
+    const LightSeries day = clear_day(site, all_day(), par_fraction);
     double outside = 0;
     for (const TimeStep& step : day.steps)
         outside += extraterrestrial_normal(august) *
@@ -84,7 +84,8 @@ class PvlibDays : public testing::TestWithParam<PvlibDay> {};
 
 TEST_P(PvlibDays, AgreeToATenThousandth) {
     const PvlibDay& expected = GetParam();
-    const Day day = clear_day(expected.site, expected.span, par_fraction);
+    const LightSeries day =
+        clear_day(expected.site, expected.span, par_fraction);
     EXPECT_NEAR(day.incident() * 1e-6 / expected.par, 1, 1e-4);
     EXPECT_NEAR(day.beam() * 1e-6 / expected.beam, 1, 1e-4);
 }
@@ -126,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test_case) { return test_case.param.name; });
 
 TEST(ClearDay, HasOneInstantPerStepAndHalfWeightsAtTheEnds) {
-    const Day day = clear_day(ames, {august, 7, 20, 60}, par_fraction);
+    const LightSeries day = clear_day(ames, {august, 7, 20, 60}, par_fraction);
     ASSERT_EQ(day.steps.size(), 14u);
     EXPECT_EQ(day.steps.front().hour, 7);
     EXPECT_EQ(day.steps.front().seconds, 1800);
@@ -137,7 +138,7 @@ TEST(ClearDay, HasOneInstantPerStepAndHalfWeightsAtTheEnds) {
 }
 
 TEST(ClearDay, WeighsEachInstantByItsTime) {
-    const Day day = clear_day(ames, {august, 7, 20, 60}, par_fraction);
+    const LightSeries day = clear_day(ames, {august, 7, 20, 60}, par_fraction);
     double beam = 0;
     double diffuse = 0;
     for (const TimeStep& step : day.steps) {
@@ -159,8 +160,9 @@ TEST(ClearDay, HourlyStepsAreCloseToTheIntegral) {
 }
 
 TEST(ClearDay, HoursBelowTheHorizonCarryNothing) {
-    const Day whole = clear_day(ames, all_day(60), par_fraction);
-    const Day daylight = clear_day(ames, {august, 5, 22, 60}, par_fraction);
+    const LightSeries whole = clear_day(ames, all_day(60), par_fraction);
+    const LightSeries daylight =
+        clear_day(ames, {august, 5, 22, 60}, par_fraction);
     ASSERT_FALSE(whole.steps.empty());
     EXPECT_LT(whole.steps.size(), 16u);
     for (const TimeStep& step : whole.steps) {
@@ -174,11 +176,12 @@ TEST(ClearDay, HoursBelowTheHorizonCarryNothing) {
 
 TEST(ClearDay, IsEmptyInThePolarNightAndFullInThePolarDay) {
     const Site north{"north", 78.0, 15.0, 1.0};
-    const Day night =
+    const LightSeries night =
         clear_day(north, {{2025, 12, 21}, 0, 24, 60}, par_fraction);
     EXPECT_TRUE(night.steps.empty());
     EXPECT_EQ(night.incident(), 0);
-    const Day day = clear_day(north, {{2025, 6, 21}, 0, 24, 60}, par_fraction);
+    const LightSeries day =
+        clear_day(north, {{2025, 6, 21}, 0, 24, 60}, par_fraction);
     EXPECT_EQ(day.steps.size(), 25u);
 }
 
@@ -196,8 +199,8 @@ TEST(ClearDay, IsPlausibleFromTheEquatorToThePoleAndOnALeapDay) {
 }
 
 TEST(ClearDay, SunrisesBetweenTwoStepsCostLessThanOnePercent) {
-    const Day fine = clear_day(ames, all_day(1), par_fraction);
-    const Day hourly = clear_day(ames, all_day(60), par_fraction);
+    const LightSeries fine = clear_day(ames, all_day(1), par_fraction);
+    const LightSeries hourly = clear_day(ames, all_day(60), par_fraction);
     EXPECT_NEAR(hourly.incident() / fine.incident(), 1, 0.01);
 }
 

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "ideotype/climate/clear_sky.hpp"
+#include "ideotype/climate/site.hpp"
+#include "ideotype/climate/sun.hpp"
+
+namespace ideotype {
+
+//! Which part of which day counts.
+struct DaySpan {
+    Date date;
+    double start = 7;          //!< local clock [h]
+    double end = 20;           //!< local clock [h], after start
+    double step_minutes = 30;  //!< divides end - start
+};
+
+//! One instant that stands for the time around it.
+struct TimeStep {
+    double hour = 0;     //!< local clock [h]
+    double seconds = 0;  //!< the time that it stands for [s]
+    SunPosition sun;
+    Irradiance par;  //!< photosynthetically active, horizontal [W m-2]
+    Date date{};
+    std::optional<double> temperature{};  //!< of the air [deg C]
+    std::optional<double> humidity{};     //!< relative, 0 to 1
+};
+
+//! The light of one or more days as weighted instants, in order. Those
+//! without light may be left out.
+struct LightSeries {
+    std::vector<TimeStep> steps;
+    int days = 1;
+
+    double beam() const;      //!< PAR on a mean day [J m-2 day-1]
+    double diffuse() const;   //!< PAR on a mean day [J m-2 day-1]
+    double incident() const;  //!< beam + diffuse [J m-2 day-1]
+
+    //! The hours of the day with the sun up or light on any day, from the
+    //! first to the last [h].
+    std::vector<double> hours() const;
+
+    std::vector<Date> dates() const;  //!< with any step, in order
+};
+
+//! The clear day of a site by the trapezoidal rule: the first and last
+//! instants stand for half a step. Instants with the sun below the horizon are
+//! left out; the series is empty if it stays there.
+//! par_fraction is PAR over all solar radiation, the same for beam and
+//! diffuse.
+//! @throws Error if the step does not divide the span.
+LightSeries clear_day(const Site& site, const DaySpan& span,
+                      double par_fraction);
+
+}  // namespace ideotype

@@ -1,0 +1,87 @@
+#include "ideotype/climate/light_series.hpp"
+
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "ideotype/core/error.hpp"
+
+namespace ideotype {
+
+namespace {
+
+double mean_day(const LightSeries& series, double Irradiance::*component) {
+    double sum = 0;
+    for (const TimeStep& step : series.steps)
+        sum += step.par.*component * step.seconds;
+    return sum / series.days;
+}
+
+//! How many steps the span has.
+int step_count(const DaySpan& span) {
+    const double steps = (span.end - span.start) * 60 / span.step_minutes;
+    const double whole = std::round(steps);
+    if (!(whole >= 1) || !(std::abs(steps - whole) <= 1e-6))
+        throw Error(
+            "the time steps of a day do not fit between its start and end "
+            "(the step must divide the time between them)");
+    return static_cast<int>(whole);
+}
+
+}  // namespace
+
+std::string to_string(const Date& date) {
+    return fmt::format("{:04}-{:02}-{:02}", date.year, date.month, date.day);
+}
+
+double LightSeries::beam() const {
+    return mean_day(*this, &Irradiance::beam);
+}
+
+double LightSeries::diffuse() const {
+    return mean_day(*this, &Irradiance::diffuse);
+}
+
+double LightSeries::incident() const {
+    return beam() + diffuse();
+}
+
+std::vector<double> LightSeries::hours() const {
+    std::set<double> hours;
+    for (const TimeStep& step : steps)
+        if (step.sun.zenith < 90 || step.par.beam + step.par.diffuse > 0)
+            hours.insert(step.hour);
+    return {hours.begin(), hours.end()};
+}
+
+std::vector<Date> LightSeries::dates() const {
+    std::vector<Date> dates;
+    for (const TimeStep& step : steps)
+        if (dates.empty() || dates.back() != step.date)
+            dates.push_back(step.date);
+    return dates;
+}
+
+LightSeries clear_day(const Site& site, const DaySpan& span,
+                      double par_fraction) {
+    const int count = step_count(span);
+    const double step_hours = (span.end - span.start) / count;
+    LightSeries series;
+    for (int i = 0; i <= count; ++i) {
+        const double hour = i == count ? span.end : span.start + i * step_hours;
+        const SunPosition sun = sun_position(site, span.date, hour);
+        if (sun.zenith >= 90) continue;
+        const Irradiance solar = clear_sky(site, span.date, sun);
+        const double weight = i == 0 || i == count ? 0.5 : 1.0;
+        series.steps.push_back(
+            {hour,
+             weight * step_hours * 3600,
+             sun,
+             {par_fraction * solar.beam, par_fraction * solar.diffuse},
+             span.date});
+    }
+    return series;
+}
+
+}  // namespace ideotype

@@ -32,7 +32,7 @@ FirstHits::FirstHits(const Scene& scene, const DepthBuffer& buffer,
     hits_.reserve(buffer.points());
     for (std::size_t i = 0; i < buffer.points(); ++i) {
         const DepthBuffer::Triangle seen = buffer.triangle(replicate, i);
-        hits_.push_back({seen.is_soil() ? FirstHit::soil : groups[seen.face()],
+        hits_.push_back({seen.is_soil() ? Hit::soil : groups[seen.face()],
                          seen.number(), buffer.height(replicate, i),
                          seen.is_adaxial(), true, energy});
     }
@@ -45,15 +45,13 @@ FirstHits::FirstHits(const Scene& scene, const Launcher& launcher,
     points_.reserve(rays);
     for (std::uint32_t i = 0; i < rays; ++i) {
         sampler.begin(i);
-        PhotonPacket packet = launcher.launch(sampler, energy);
+        const PhotonPacket packet = launcher.launch(sampler, energy);
         Hit hit;
-        const Met met =
-            packet.energy > 0 ? travel(scene, packet, hit) : Met::sky;
-        if (met == Met::soil) hit = {packet.position, {0, 0, 1}, 0};
-        hits_.push_back({met == Met::face   ? hit.group
-                         : met == Met::soil ? FirstHit::soil
-                                            : FirstHit::sky,
-                         hit.triangle, static_cast<float>(hit.position.z),
+        hit.group = Hit::sky;
+        if (packet.energy > 0)
+            hit = travel(scene, packet.position, packet.direction);
+        hits_.push_back({hit.group, hit.triangle,
+                         static_cast<float>(hit.position.z),
                          glm::dot(packet.direction, hit.normal) < 0,
                          !packet.is_scattered, packet.energy});
         points_.push_back(hit);
@@ -98,9 +96,7 @@ void FirstHits::order_by_place() {
 
 Hit FirstHits::at(std::size_t i) const {
     if (!buffer_) return points_[i];
-    Hit hit;
-    hit.normal = {0, 0, 1};
-    hit.position = buffer_->position(replicate_, i);
+    Hit hit{buffer_->position(replicate_, i), {0, 0, 1}, hits_[i].group};
     const DepthBuffer::Triangle seen = buffer_->triangle(replicate_, i);
     if (seen.is_soil()) {
         hit.position.z = scene_.soil();
@@ -109,7 +105,6 @@ Hit FirstHits::at(std::size_t i) const {
     const Surfaces& all = scene_.surfaces();
     hit.triangle = seen.number();
     hit.normal = all.normals[hit.triangle];
-    hit.group = all.face_group[seen.face()];
     return hit;
 }
 

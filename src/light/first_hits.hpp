@@ -12,11 +12,7 @@ namespace ideotype {
 
 //! Where light of a source meets something for the first time.
 struct FirstHit {
-    //! In place of a group.
-    static constexpr std::uint32_t soil = ~std::uint32_t{0};
-    static constexpr std::uint32_t sky = soil - 1;
-
-    std::uint32_t group;     //!< of the mesh, or the soil, or the sky
+    std::uint32_t group;     //!< as of a Hit
     std::uint32_t triangle;  //!< of the scene's surfaces, if it is one
     float height;            //!< [m]
     bool is_adaxial;         //!< the side of the face that is met
@@ -37,6 +33,8 @@ class FirstHits {
     //! Follows so many rays of this energy.
     FirstHits(const Scene& scene, const Launcher& launcher,
               PathSampler& sampler, std::uint32_t rays, double energy);
+
+    bool are_drawn() const { return buffer_; }
 
     using Iterator = std::vector<FirstHit>::const_iterator;
     Iterator begin() const { return hits_.begin(); }

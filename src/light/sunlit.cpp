@@ -76,10 +76,9 @@ bool sees(const Scene& scene, const LeafArea::Point& point,
     if (point.position.z < 0 || point.is_repeated) return false;
     const glm::dvec3 n =
         glm::dot(point.normal, sun) < 0 ? -point.normal : point.normal;
-    PhotonPacket packet{scene.offset_origin(scene.placed(point.position), n),
-                        sun, 1};
-    Hit hit;
-    return travel(scene, packet, hit) == Met::sky;
+    const glm::dvec3 from =
+        scene.offset_origin(scene.placed(point.position), n);
+    return travel(scene, from, sun).group == Hit::sky;
 }
 
 }  // namespace

@@ -1,13 +1,14 @@
 #include "ideotype/light/tolerance.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "allocation.hpp"
 #include "beam_costs.hpp"
 #include "ideotype/light/report.hpp"
+#include "trial.hpp"
+#include "workload.hpp"
 
 namespace ideotype {
 
@@ -26,10 +27,6 @@ constexpr double longest_step = 8;
 //! variance.
 constexpr std::size_t trial_suns = 4;
 
-//! Powers with which variances fall. Nets converge a little faster than
-//! independent rays.
-constexpr double power_of_rays = 1, power_of_lattices = 1.4;
-
 //! First hits of a sun from which on a lattice beats independent rays; a guess,
 //! which a trial replaces.
 constexpr double even_for_lattices = 30;
@@ -42,10 +39,6 @@ double caution(int randomisations) {
     return 1 + 0.8 / (randomisations - 1);
 }
 
-Origin origin_of(const Source& source) {
-    return source.direction ? Origin::beams : Origin::skies;
-}
-
 double squared(double x) {
     return x * x;
 }
@@ -53,27 +46,20 @@ double squared(double x) {
 //! The simulations on the way to one result.
 class Search {
   public:
-    Search(const Scene& scene, const std::vector<Group>& groups,
-           const Optics& optics, const Illumination& light,
-           const Accuracy& accuracy, const Randomness& randomness,
-           const Layers& layers, Detail detail)
-        : scene_(scene),
-          groups_(groups),
-          optics_(optics),
-          light_(light),
+    Search(const Subject& subject, const Accuracy& accuracy,
+           const Randomness& randomness)
+        : subject_(subject),
+          light_(subject.light),
           accuracy_(accuracy),
           randomness_(randomness),
-          layers_(layers),
-          detail_(detail),
-          energy_(light.energy()),
+          energy_(light_.energy()),
           trials_(std::max(trial_randomisations, accuracy.randomisations)) {}
 
-    Simulation result() {
+    Simulation result(Detail detail) {
         Workload work = enough();
         Simulation found;
-        found.tallies =
-            simulate(scene_, groups_, optics_, light_, work,
-                     accuracy_.randomisations, randomness_, layers_, detail_);
+        found.tallies = subject_.simulate(work, accuracy_.randomisations,
+                                          randomness_, detail);
         for (const std::uint32_t hits : work.first_hits)
             found.paths += static_cast<int>(hits);
         found.work = std::move(work);
@@ -89,45 +75,47 @@ class Search {
         is_capped_ = false;
         Workload work{share_paths(light_, fewest()), {}};
         work.path_energy.assign(work.first_hits.size(), energy_ / fewest());
-        const Amounts least = amounts_of(work);
+        const Amounts least = amounts_of(work, light_);
         Amounts amounts = least;
         bool is_drawn = false;
         for (;;) {
             try_out(work, is_drawn);
-            if (!(mean_ > 0)) {
-                if (!is_open_) return work;
+            if (!(found_.mean > 0)) {
+                if (!found_.is_open) return work;
                 // No path has met a leaf.
                 amounts = scaled(amounts, longest_step);
                 if (is_beyond(amounts)) {
                     is_capped_ = true;
                     return {share_paths(light_, most()), {}};
                 }
-                work = work_of(amounts);
+                work = work_of(amounts, light_);
                 continue;
             }
-            Amounts enough = cheapest(laws_, is_drawn, least);
+            Amounts enough = cheapest(found_.laws, is_drawn, least);
             if (!is_drawn && pays_to_draw(enough, least)) {
                 is_drawn = true;
                 enough = cheapest(guess(), true, least);
                 amounts = drawn_trial(enough);
             } else if (is_drawn &&
-                       enough[index(Origin::beams)] <=
-                           longest_step / 2 * amounts[index(Origin::beams)]) {
+                       enough[Origin::beams] <=
+                           longest_step / 2 * amounts[Origin::beams]) {
                 is_capped_ = is_beyond(enough);
-                return work_of(is_capped_ ? capped(enough) : enough);
+                return work_of(is_capped_ ? capped(enough) : enough, light_);
             } else {
                 const Amounts next = scaled(enough, 1 / step());
                 if (cost(next, is_drawn) <= cost(amounts, is_drawn) ||
                     is_beyond(next)) {
                     is_capped_ = is_beyond(enough);
-                    return work_of(is_capped_ ? capped(enough) : enough);
+                    return work_of(is_capped_ ? capped(enough) : enough,
+                                   light_);
                 }
                 amounts = is_drawn ? drawn_trial(enough) : next;
             }
             for (std::size_t o = 0; o < origins; ++o)
                 amounts[o] = std::max(amounts[o], least[o]);
-            work = work_of(is_beyond(amounts) ? capped(amounts) : amounts);
-            if (is_drawn) leave_suns_out(work);
+            work =
+                work_of(is_beyond(amounts) ? capped(amounts) : amounts, light_);
+            if (is_drawn) leave_suns_out(work, light_, trial_suns);
         }
     }
 
@@ -140,7 +128,7 @@ class Search {
     //! Drawing takes about as long with few points as with many.
     Amounts drawn_trial(const Amounts& enough) const {
         Amounts amounts = scaled(enough, 1 / step());
-        amounts[index(Origin::beams)] = enough[index(Origin::beams)] / 2;
+        amounts[Origin::beams] = enough[Origin::beams] / 2;
         return amounts;
     }
 
@@ -157,7 +145,7 @@ class Search {
     }
 
     static double first_hits(const Amounts& amounts) {
-        return amounts[index(Origin::beams)] + amounts[index(Origin::skies)];
+        return amounts[Origin::beams] + amounts[Origin::skies];
     }
 
     bool is_beyond(const Amounts& amounts) const {
@@ -168,152 +156,23 @@ class Search {
         return scaled(amounts, most() / first_hits(amounts));
     }
 
-    Amounts amounts_of(const Workload& work) const {
-        Amounts amounts{};
-        for (std::size_t s = 0; s < work.first_hits.size(); ++s)
-            amounts[index(origin_of(light_.sources[s]))] += work.first_hits[s];
-        amounts[index(Origin::scattered)] = energy_ / work.path_energy.front();
-        return amounts;
-    }
-
-    Workload work_of(const Amounts& amounts) const {
-        Workload work;
-        work.first_hits.resize(light_.sources.size());
-        const double beams = amounts[index(Origin::beams)];
-        for (const Origin origin : {Origin::beams, Origin::skies}) {
-            Illumination part;
-            for (const Source& source : light_.sources)
-                if (origin_of(source) == origin) part.sources.push_back(source);
-            if (part.sources.empty()) continue;
-            // What rounding takes from beams, skies get.
-            const double others = origin == Origin::beams ? 0 : beams;
-            const double hits =
-                std::max(std::round(others + amounts[index(origin)]) -
-                             std::round(others),
-                         static_cast<double>(part.sources.size()));
-            const auto shares =
-                share_paths(part, static_cast<std::uint32_t>(hits));
-            std::size_t next = 0;
-            for (std::size_t s = 0; s < light_.sources.size(); ++s)
-                if (origin_of(light_.sources[s]) == origin)
-                    work.first_hits[s] = shares[next++];
-        }
-        work.path_energy.assign(light_.sources.size(),
-                                energy_ / amounts[index(Origin::scattered)]);
-        return work;
-    }
-
-    //! Keeps a few suns, evenly over the day.
-    void leave_suns_out(Workload& work) const {
-        std::vector<std::size_t> suns;
-        for (std::size_t s = 0; s < light_.sources.size(); ++s)
-            if (light_.sources[s].direction) suns.push_back(s);
-        if (suns.size() <= trial_suns) return;
-        std::vector<bool> is_kept(light_.sources.size());
-        for (std::size_t i = 0; i < trial_suns; ++i)
-            is_kept[suns[(2 * i + 1) * suns.size() / (2 * trial_suns)]] = true;
-        for (const std::size_t s : suns)
-            if (!is_kept[s]) work.first_hits[s] = 0;
-    }
-
-    //! Simulates a trial and learns from it how variances fall.
+    //! Simulates a trial and learns from it.
     void try_out(const Workload& work, bool is_drawn) {
         Randomness numbers = randomness_;
         numbers.first_randomisation += ++trial_ * first_of_trials;
-        const std::vector<Tally> tallies = simulate(
-            scene_, groups_, optics_, light_, work, trials_, numbers, layers_);
-        const Budget all = sum_of(tallies);
-        const double caught =
-            all.sent_on > 0 ? (all.leaves - all.unscattered) / all.sent_on : 0;
-        const Suns suns(light_, work);
-        Amounts amounts = amounts_of(work);
-        amounts[index(Origin::beams)] *= suns.by_energy;
-        ByOrigin<double> variance{};
-        for (std::size_t s = 0; s < work.first_hits.size(); ++s) {
-            if (work.first_hits[s] == 0) continue;
-            const auto [first, next] = variances(tallies, s, caught);
-            const Origin origin = origin_of(light_.sources[s]);
-            const bool is_beam = origin == Origin::beams;
-            variance[index(origin)] += first * (is_beam ? suns.by_root : 1);
-            variance[index(Origin::scattered)] +=
-                next * (is_beam ? suns.by_energy : 1);
+        const Findings last = found_;
+        found_ = ideotype::try_out(subject_, work, trials_, numbers, is_drawn);
+        if (!found_.is_whole) {
+            found_.mean = last.mean;
+            found_.is_open = last.is_open;
         }
-        for (std::size_t o = 0; o < origins; ++o)
-            laws_[o] = {std::max(1., amounts[o]), variance[o], power_of_rays};
-        if (is_drawn) laws_[index(Origin::beams)].power = power_of_lattices;
-
-        double rays = 0;
-        for (const Tally& tally : tallies)
-            rays += static_cast<double>(tally.next_rays);
-        rays_per_unit_ =
-            rays * energy_ / (all.incident * amounts[index(Origin::scattered)]);
-        if (suns.by_energy == 1) {
-            mean_ = all.leaves / trials_;
-            is_open_ = tallies.front().resolution->leaves;
-        }
-    }
-
-    static Budget sum_of(const std::vector<Tally>& tallies) {
-        Budget sum;
-        for (const Tally& tally : tallies)
-            for (const Budget& budget : tally.sources) sum += budget;
-        return sum;
-    }
-
-    //! By what the variance of a few suns is multiplied for that of all: it
-    //! grows with the energy if first hits in proportion to that are
-    //! independent, and with its root if they are a lattice's.
-    struct Suns {
-        Suns(const Illumination& light, const Workload& work) {
-            double energy = 0, kept_energy = 0, roots = 0, kept_roots = 0;
-            for (std::size_t s = 0; s < work.first_hits.size(); ++s) {
-                const Source& sun = light.sources[s];
-                if (!sun.direction) continue;
-                const double root = std::sqrt(sun.energy);
-                energy += sun.energy;
-                roots += root;
-                if (work.first_hits[s] == 0) continue;
-                kept_energy += sun.energy;
-                kept_roots += root;
-            }
-            if (kept_energy < energy) {
-                by_energy = energy / kept_energy;
-                by_root = roots / kept_roots;
-            }
-        }
-
-        double by_energy = 1, by_root = 1;
-    };
-
-    struct Variances {
-        double first, next;
-    };
-
-    //! Of the leaves' light of a source in one randomisation: by what is met
-    //! first, each surface of which sends the same part of the scattered light
-    //! to leaves; and by what becomes of scattered light beyond that.
-    static Variances variances(const std::vector<Tally>& tallies,
-                               std::size_t source, double caught) {
-        std::vector<double> first, next;
-        for (const Tally& tally : tallies) {
-            const Budget& budget = tally.sources[source];
-            first.push_back(budget.unscattered + caught * budget.sent_on);
-            next.push_back(budget.leaves - first.back());
-        }
-        const auto n = static_cast<double>(tallies.size());
-        return {squared(estimate(first).standard_error) * n,
-                squared(estimate(next).standard_error) * n};
-    }
-
-    static constexpr std::size_t index(Origin origin) {
-        return static_cast<std::size_t>(origin);
     }
 
     //! Of one more in every randomisation of the result [us].
     ByOrigin<double> costs(bool is_drawn) const {
         ByOrigin<double> all{Costs::ray, Costs::ray,
-                             Costs::ray * rays_per_unit_};
-        if (is_drawn) all[index(Origin::beams)] = Costs::point;
+                             Costs::ray * found_.rays_per_unit};
+        if (is_drawn) all[Origin::beams] = Costs::point;
         for (double& cost : all) cost *= accuracy_.randomisations;
         return all;
     }
@@ -323,22 +182,21 @@ class Search {
         const ByOrigin<double> each = costs(is_drawn);
         double sum = 0;
         for (std::size_t o = 0; o < origins; ++o)
-            if (!is_drawn || o != index(Origin::beams))
-                sum += each[o] * amounts[o];
+            if (!is_drawn || o != Origin::beams) sum += each[o] * amounts[o];
         if (!is_drawn) return sum;
-        const Workload work = work_of(amounts);
+        const Workload work = work_of(amounts, light_);
         for (std::size_t s = 0; s < light_.sources.size(); ++s)
             if (light_.sources[s].direction)
-                sum += cost_of_drawing(scene_, *light_.sources[s].direction,
-                                       work.first_hits[s],
-                                       accuracy_.randomisations);
+                sum += cost_of_drawing(
+                    subject_.scene, *light_.sources[s].direction,
+                    work.first_hits[s], accuracy_.randomisations);
         return sum;
     }
 
     //! What drawing the beams would need.
     ByOrigin<Law> guess() const {
-        ByOrigin<Law> laws = laws_;
-        Law& law = laws[index(Origin::beams)];
+        ByOrigin<Law> laws = found_.laws;
+        Law& law = laws[Origin::beams];
         const double even =
             even_for_lattices *
             static_cast<double>(std::count_if(
@@ -349,8 +207,8 @@ class Search {
     }
 
     bool pays_to_draw(const Amounts& by_rays, const Amounts& least) const {
-        if (scene_.boundary() != Boundary::periodic ||
-            laws_[index(Origin::beams)].variance == 0)
+        if (subject_.scene.boundary() != Boundary::periodic ||
+            found_.laws[Origin::beams].variance == 0)
             return false;
         // A trial is drawn too.
         constexpr double with_trial = 1.3;
@@ -361,7 +219,8 @@ class Search {
     //! The cheapest amounts that meet the tolerance.
     Amounts cheapest(const ByOrigin<Law>& laws, bool is_drawn,
                      const Amounts& least) const {
-        const double wanted = accuracy_.tolerance / caution(trials_) * mean_;
+        const double wanted =
+            accuracy_.tolerance / caution(trials_) * found_.mean;
         Amounts amounts = allocate(laws, costs(is_drawn),
                                    squared(wanted) * accuracy_.randomisations);
         // Nothing is known more finely than to one path.
@@ -369,33 +228,24 @@ class Search {
             1 / (accuracy_.tolerance * accuracy_.randomisations);
         const double part = coarsest / first_hits(least);
         for (const Origin origin : {Origin::beams, Origin::skies})
-            amounts[index(origin)] =
-                std::max(amounts[index(origin)], part * least[index(origin)]);
-        amounts[index(Origin::scattered)] =
-            std::max(amounts[index(Origin::scattered)], coarsest);
+            amounts[origin] = std::max(amounts[origin], part * least[origin]);
+        amounts[Origin::scattered] =
+            std::max(amounts[Origin::scattered], coarsest);
         for (std::size_t o = 0; o < origins; ++o)
             amounts[o] = std::max(amounts[o], least[o]);
         return amounts;
     }
 
-    const Scene& scene_;
-    const std::vector<Group>& groups_;
-    const Optics& optics_;
+    Subject subject_;
     const Illumination& light_;
     const Accuracy& accuracy_;
     const Randomness& randomness_;
-    const Layers& layers_;
-    Detail detail_;
     double energy_;
     int trials_;
     std::uint32_t trial_ = 0;
     bool is_capped_ = false;
 
-    // What trials have shown.
-    ByOrigin<Law> laws_{};
-    double mean_ = 0;           //!< light of leaves
-    bool is_open_ = false;      //!< whether it depends on paths
-    double rays_per_unit_ = 0;  //!< of the amount of scattered light
+    Findings found_;  //!< by the last trial
 };
 
 }  // namespace
@@ -405,9 +255,9 @@ Simulation simulate_to_tolerance(
     const Illumination& illumination, const Accuracy& accuracy,
     const Randomness& randomness, const Layers& layers, Detail detail) {
     if (accuracy.tolerance > 0 && !illumination.sources.empty())
-        return Search(scene, groups, optics, illumination, accuracy, randomness,
-                      layers, detail)
-            .result();
+        return Search({scene, groups, optics, illumination, layers}, accuracy,
+                      randomness)
+            .result(detail);
     return {simulate(scene, groups, optics, illumination, accuracy, randomness,
                      layers, detail),
             accuracy.paths,

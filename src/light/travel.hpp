@@ -12,11 +12,10 @@ struct PhotonPacket {
     bool is_scattered = false;  //!< has met a surface
 };
 
-enum class Met { face, soil, sky };
-
-//! Straight on until the packet meets something, however far that is. In a
-//! periodic stand it re-enters the cell on its other side whenever it leaves;
-//! a packet that leaves an isolated plot finds only soil or sky.
-Met travel(const Scene& scene, PhotonPacket& packet, Hit& hit);
+//! The first thing straight on from a point, however far that is: a face, the
+//! soil or the sky. In a periodic stand the way goes on at the other side of
+//! the cell wherever it leaves it; what leaves an isolated plot finds only soil
+//! or sky.
+Hit travel(const Scene& scene, glm::dvec3 from, const glm::dvec3& direction);
 
 }  // namespace ideotype

@@ -35,13 +35,10 @@ bool is_same(const Seen& a, const Seen& b) {
 Seen by_ray(const Scene& scene, const glm::dvec3& direction,
             const glm::dvec3& point) {
     const double up = (scene.top() - point.z) / direction.z;
-    PhotonPacket packet;
-    packet.position = scene.wrapped(point + up * direction);
-    packet.position.z = scene.top();
-    packet.direction = direction;
-    packet.energy = 1;
-    Hit hit;
-    if (travel(scene, packet, hit) != Met::face) return {true, 0, false, 0};
+    glm::dvec3 from = scene.wrapped(point + up * direction);
+    from.z = scene.top();
+    const Hit hit = travel(scene, from, direction);
+    if (hit.group == Hit::soil) return {true, 0, false, 0};
     return {false, hit.group, glm::dot(direction, hit.normal) < 0,
             hit.position.z};
 }

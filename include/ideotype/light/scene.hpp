@@ -14,11 +14,15 @@ struct RTCDeviceTy;
 
 namespace ideotype {
 
-//! Where light meets a face.
+//! Where light meets something.
 struct Hit {
-    glm::dvec3 position;         //!< on the plane of the face [m]
-    glm::dvec3 normal;           //!< unit length, on the adaxial side
-    std::uint32_t group = 0;     //!< of the mesh
+    //! In place of a group.
+    static constexpr std::uint32_t soil = ~std::uint32_t{0};
+    static constexpr std::uint32_t sky = soil - 1;
+
+    glm::dvec3 position{0};      //!< on the plane of the face [m]
+    glm::dvec3 normal{0, 0, 1};  //!< unit length; of faces the adaxial side
+    std::uint32_t group = 0;     //!< of the mesh, or the soil, or the sky
     std::uint32_t triangle = 0;  //!< of the scene's surfaces
 };
 

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "allocation.hpp"
+#include "ideotype/light/transport.hpp"
+
+namespace ideotype {
+
+//! All that a simulation is of.
+struct Subject {
+    const Scene& scene;
+    const std::vector<Group>& groups;
+    const Optics& optics;
+    const Illumination& light;
+    const Layers& layers;
+
+    std::vector<Tally> simulate(const Workload& work, int randomisations,
+                                const Randomness& randomness,
+                                Detail detail = Detail::sums) const {
+        return ideotype::simulate(scene, groups, optics, light, work,
+                                  randomisations, randomness, layers, detail);
+    }
+};
+
+//! What a trial shows.
+struct Findings {
+    ByOrigin<Law> laws{};      //!< how variances fall
+    double rays_per_unit = 0;  //!< of the amount of scattered light
+    double mean = 0;           //!< light of leaves; of all suns
+    bool is_open = false;      //!< whether that depends on paths
+    bool is_whole = true;      //!< whether it had all suns
+};
+
+//! @param is_drawn whether beams are
+Findings try_out(const Subject& subject, const Workload& work,
+                 int randomisations, const Randomness& randomness,
+                 bool is_drawn);
+
+//! Powers with which variances fall. Nets converge a little faster than
+//! independent rays.
+inline constexpr double power_of_rays = 1, power_of_lattices = 1.4;
+
+}  // namespace ideotype

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "allocation.hpp"
+#include "ideotype/light/transport.hpp"
+
+namespace ideotype {
+
+Origin origin_of(const Source& source);
+
+//! What a workload amounts to.
+Amounts amounts_of(const Workload& work, const Illumination& light);
+
+//! The workload of amounts: first hits in proportion to the energy and effort
+//! of sources, and paths of scattered light of equal energy.
+Workload work_of(const Amounts& amounts, const Illumination& light);
+
+//! Keeps so many suns, evenly over the day.
+void leave_suns_out(Workload& work, const Illumination& light,
+                    std::size_t kept);
+
+}  // namespace ideotype

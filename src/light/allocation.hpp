@@ -7,7 +7,7 @@ namespace ideotype {
 
 //! Where the scatter of the leaves' light comes from: how much of beams and of
 //! skies meets leaves, and what becomes of what surfaces scatter.
-enum Origin : std::size_t { beams, skies, scattered };
+enum LightOrigin : std::size_t { beams, skies, scattered };
 
 inline constexpr std::size_t origins = 3;
 

@@ -1,29 +1,13 @@
 #include "first_hits.hpp"
 
-#include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "order_by_place.hpp"
 #include "travel.hpp"
 
 namespace ideotype {
-
-namespace {
-
-//! Bits of three numbers in turn: blocks that are near each other in space get
-//! near numbers (Morton's order).
-std::uint32_t interleaved(std::uint32_t x, std::uint32_t y, std::uint32_t z,
-                          unsigned bits) {
-    std::uint32_t all = 0;
-    for (unsigned bit = bits; bit-- > 0;)
-        all = all << 3 | (x >> bit & 1) << 2 | (y >> bit & 1) << 1 |
-              (z >> bit & 1);
-    return all;
-}
-
-}  // namespace
 
 FirstHits::FirstHits(const Scene& scene, const DepthBuffer& buffer,
                      std::size_t replicate, double energy)
@@ -56,39 +40,19 @@ FirstHits::FirstHits(const Scene& scene, const Launcher& launcher,
                          !packet.is_scattered, packet.energy});
         points_.push_back(hit);
     }
-    order_by_place();
+    order();
 }
 
-void FirstHits::order_by_place() {
-    // As many bits of each coordinate as make some blocks for each hit.
-    unsigned bits = 1;
-    while (bits < 8 && std::size_t{1} << (3 * bits) < hits_.size()) ++bits;
-    const auto part = [bits](double x, double length) {
-        const double all = static_cast<double>(1 << bits);
-        return static_cast<std::uint32_t>(
-            std::clamp(x / length * all, 0., all - 1));
-    };
-    const bool is_periodic = scene_.boundary() == Boundary::periodic;
-    const double length_x =
-        is_periodic ? scene_.period_x() : scene_.box().upper.x;
-    const double length_y =
-        is_periodic ? scene_.period_y() : scene_.box().upper.y;
-    std::vector<std::uint32_t> blocks;
-    blocks.reserve(hits_.size());
-    std::vector<std::uint32_t> ends((std::size_t{1} << (3 * bits)) + 1);
-    for (const Hit& hit : points_) {
-        const glm::dvec3 p = scene_.wrapped(hit.position);
-        blocks.push_back(interleaved(part(p.x, length_x), part(p.y, length_y),
-                                     part(p.z, scene_.top()), bits));
-        ++ends[blocks.back() + 1];
-    }
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    std::vector<FirstHit> hits(hits_.size());
-    std::vector<Hit> points(hits_.size());
-    for (std::size_t i = 0; i < hits_.size(); ++i) {
-        const std::uint32_t place = ends[blocks[i]]++;
-        hits[place] = hits_[i];
-        points[place] = points_[i];
+void FirstHits::order() {
+    std::vector<FirstHit> hits;
+    std::vector<Hit> points;
+    hits.reserve(hits_.size());
+    points.reserve(hits_.size());
+    for (const std::uint32_t i :
+         order_by_place(scene_, hits_.size(),
+                        [&](std::size_t k) { return points_[k].position; })) {
+        hits.push_back(hits_[i]);
+        points.push_back(points_[i]);
     }
     hits_ = std::move(hits);
     points_ = std::move(points);

@@ -46,7 +46,7 @@ class FirstHits {
     Hit at(std::size_t i) const;
 
   private:
-    void order_by_place();
+    void order();
 
     const Scene& scene_;
     const DepthBuffer* buffer_ = nullptr;

@@ -30,9 +30,6 @@ class Ledger {
     //! What something keeps of light that has been scattered.
     void keep(const Hit& hit, bool is_adaxial, double energy);
 
-    //! One more ray of scattered light.
-    void count_ray() { ++tally_.next_rays; }
-
     //! The budget so far.
     const Budget& close();
 

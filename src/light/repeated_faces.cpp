@@ -48,13 +48,14 @@ std::vector<bool> repeated_faces(const Mesh& mesh) {
     constexpr std::uint32_t none = ~std::uint32_t{0};
     const std::size_t places = std::bit_ceil(2 * mesh.faces.size() + 1);
     std::vector<std::uint32_t> table(places, none);
+    std::vector<std::uint64_t> sums(mesh.faces.size());
     std::vector<bool> repeated(mesh.faces.size());
     for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
-        std::uint64_t hash = 0;
-        for (const std::uint32_t v : mesh.faces[f]) hash += hashes[v];
-        std::size_t place = hash & (places - 1);
+        for (const std::uint32_t v : mesh.faces[f]) sums[f] += hashes[v];
+        std::size_t place = sums[f] & (places - 1);
         for (; table[place] != none; place = (place + 1) & (places - 1))
-            if (sorted_corners(mesh, table[place]) == sorted_corners(mesh, f))
+            if (sums[table[place]] == sums[f] &&
+                sorted_corners(mesh, table[place]) == sorted_corners(mesh, f))
                 break;
         repeated[f] = table[place] != none;
         if (!repeated[f]) table[place] = f;

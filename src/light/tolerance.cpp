@@ -97,8 +97,8 @@ class Search {
                 enough = cheapest(guess(), true, least);
                 amounts = drawn_trial(enough);
             } else if (is_drawn &&
-                       enough[Origin::beams] <=
-                           longest_step / 2 * amounts[Origin::beams]) {
+                       enough[LightOrigin::beams] <=
+                           longest_step / 2 * amounts[LightOrigin::beams]) {
                 is_capped_ = is_beyond(enough);
                 return work_of(is_capped_ ? capped(enough) : enough, light_);
             } else {
@@ -128,7 +128,7 @@ class Search {
     //! Drawing takes about as long with few points as with many.
     Amounts drawn_trial(const Amounts& enough) const {
         Amounts amounts = scaled(enough, 1 / step());
-        amounts[Origin::beams] = enough[Origin::beams] / 2;
+        amounts[LightOrigin::beams] = enough[LightOrigin::beams] / 2;
         return amounts;
     }
 
@@ -145,7 +145,7 @@ class Search {
     }
 
     static double first_hits(const Amounts& amounts) {
-        return amounts[Origin::beams] + amounts[Origin::skies];
+        return amounts[LightOrigin::beams] + amounts[LightOrigin::skies];
     }
 
     bool is_beyond(const Amounts& amounts) const {
@@ -172,7 +172,7 @@ class Search {
     ByOrigin<double> costs(bool is_drawn) const {
         ByOrigin<double> all{Costs::ray, Costs::ray,
                              Costs::ray * found_.rays_per_unit};
-        if (is_drawn) all[Origin::beams] = Costs::point;
+        if (is_drawn) all[LightOrigin::beams] = Costs::point;
         for (double& cost : all) cost *= accuracy_.randomisations;
         return all;
     }
@@ -182,7 +182,8 @@ class Search {
         const ByOrigin<double> each = costs(is_drawn);
         double sum = 0;
         for (std::size_t o = 0; o < origins; ++o)
-            if (!is_drawn || o != Origin::beams) sum += each[o] * amounts[o];
+            if (!is_drawn || o != LightOrigin::beams)
+                sum += each[o] * amounts[o];
         if (!is_drawn) return sum;
         const Workload work = work_of(amounts, light_);
         for (std::size_t s = 0; s < light_.sources.size(); ++s)
@@ -196,7 +197,7 @@ class Search {
     //! What drawing the beams would need.
     ByOrigin<Law> guess() const {
         ByOrigin<Law> laws = found_.laws;
-        Law& law = laws[Origin::beams];
+        Law& law = laws[LightOrigin::beams];
         const double even =
             even_for_lattices *
             static_cast<double>(std::count_if(
@@ -208,7 +209,7 @@ class Search {
 
     bool pays_to_draw(const Amounts& by_rays, const Amounts& least) const {
         if (subject_.scene.boundary() != Boundary::periodic ||
-            found_.laws[Origin::beams].variance == 0)
+            found_.laws[LightOrigin::beams].variance == 0)
             return false;
         // A trial is drawn too.
         constexpr double with_trial = 1.3;
@@ -227,10 +228,11 @@ class Search {
         const double coarsest =
             1 / (accuracy_.tolerance * accuracy_.randomisations);
         const double part = coarsest / first_hits(least);
-        for (const Origin origin : {Origin::beams, Origin::skies})
+        for (const LightOrigin origin :
+             {LightOrigin::beams, LightOrigin::skies})
             amounts[origin] = std::max(amounts[origin], part * least[origin]);
-        amounts[Origin::scattered] =
-            std::max(amounts[Origin::scattered], coarsest);
+        amounts[LightOrigin::scattered] =
+            std::max(amounts[LightOrigin::scattered], coarsest);
         for (std::size_t o = 0; o < origins; ++o)
             amounts[o] = std::max(amounts[o], least[o]);
         return amounts;

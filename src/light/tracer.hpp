@@ -4,45 +4,61 @@
 #include <vector>
 
 #include "first_hits.hpp"
+#include "ideotype/core/randomness.hpp"
 #include "ideotype/light/optics.hpp"
 #include "ledger.hpp"
-#include "travel.hpp"
 
 namespace ideotype {
+
+//! Light that a surface sends on.
+struct ScatteredPath {
+    Hit hit;  //!< where it is
+    bool is_adaxial;
+    std::uint32_t source;
+    double energy;   //!< [J m-2 of ground]
+    double started;  //!< with that much
+};
 
 //! Follows light from its first hits on.
 class Tracer {
   public:
-    //! All arguments must outlive it.
-    Tracer(const Scene& scene, const std::vector<Group>& groups,
-           const Optics& optics)
-        : scene_(scene), groups_(groups), optics_(optics) {}
+    //! @param counted must outlive it
+    Tracer(const Counted& counted, const Optics& optics);
 
     //! Surfaces keep exactly their absorptance of what they meet first. What
-    //! they send on is followed in as many paths of equal energy as make each
-    //! at most `path_energy`, at least one. They start at hits that are evenly
+    //! they send on sets out in as many paths of equal energy as make each at
+    //! most `path_energy`, at least one. They start at hits that are evenly
     //! spread over all the energy that is sent on, in the order of the hits.
     //! Where all hits together send on less than one brings, that is not worth
     //! a path: instead all or nothing of a hit is sent on, with the right odds.
-    void trace(const FirstHits& hits, PathSampler& sampler, double path_energy,
-               Ledger& ledger) const;
+    //! @param start uniform in [0, 1)
+    void arrive(const FirstHits& hits, std::uint32_t source, bool is_beam,
+                double start, double path_energy, Tally& tally,
+                std::vector<ScatteredPath>& paths) const;
+
+    //! Until surfaces have absorbed all paths or they have left upwards; none
+    //! is left. From surface to surface they go on together, each time ordered
+    //! by place, with the points of a new net (array-RQMC, L'Ecuyer et al.
+    //! 2008, doi:10.1287/opre.1080.0556): paths that are near each other, of
+    //! whatever source, set out into different directions.
+    //! @param randomness of the randomisation
+    //! @param net that no other paths of it have
+    void follow(std::vector<ScatteredPath>& paths, const Randomness& randomness,
+                std::uint32_t net, Tally& tally) const;
 
   private:
     //! What light meets: soil is a surface too, and the sky is a black one.
-    Lambertian surface(std::uint32_t group) const;
+    const Lambertian& surface(std::uint32_t group) const {
+        const std::size_t others = ~group;
+        return others < 2 ? surfaces_[others] : surfaces_[2 + group];
+    }
 
-    //! Until surfaces have absorbed the packet or it has left upwards.
-    void follow(PhotonPacket packet, PathSampler& sampler,
-                Ledger& ledger) const;
+    //! To the next thing it meets, which keeps some or all of it.
+    void go_on(ScatteredPath& path, PathSampler& numbers, Ledger& ledger) const;
 
-    //! Sends a packet on into the half space that a choice, uniform in [0, 1),
-    //! decides on.
-    void scatter(PhotonPacket& packet, const Hit& hit, bool is_adaxial,
-                 double choice, PathSampler& sampler) const;
-
+    const Counted& counted_;
     const Scene& scene_;
-    const std::vector<Group>& groups_;
-    const Optics& optics_;
+    std::vector<Lambertian> surfaces_;  //!< soil, sky and those of groups
 };
 
 }  // namespace ideotype

@@ -22,9 +22,9 @@ namespace {
 //! The first hits of one source.
 class SourceRun {
   public:
-    //! What is done with those of a randomisation.
-    using Use =
-        std::function<void(std::size_t, const FirstHits&, PathSampler&)>;
+    //! What is done with those of a randomisation; with a number that is
+    //! uniform in [0, 1).
+    using Use = std::function<void(std::size_t, const FirstHits&, double)>;
 
     SourceRun(const Scene& scene, const Source& source, std::uint32_t number,
               const Launcher& launcher, const Randomness& randomness)
@@ -34,16 +34,18 @@ class SourceRun {
           launcher_(launcher),
           randomness_(randomness) {}
 
-    void find(std::uint32_t first_hits, std::size_t randomisations,
-              const Use& use) const {
-        if (is_drawn(scene_, source_, first_hits,
-                     static_cast<int>(randomisations)))
-            return draw(first_hits, randomisations, use);
+    //! @param all randomisations, of which those from `first` up to `last`
+    void find(std::uint32_t first_hits, int all, std::size_t first,
+              std::size_t last, const Use& use) const {
+        if (is_drawn(scene_, source_, first_hits, all))
+            return draw(first_hits, all, first, last, use);
         const double energy =
             source_.energy * launcher_.entering() / first_hits;
-        for (std::size_t r = 0; r < randomisations; ++r) {
+        for (std::size_t r = first; r < last; ++r) {
             PathSampler numbers = sampler(r);
-            use(r, {scene_, launcher_, numbers, first_hits, energy}, numbers);
+            const FirstHits hits(scene_, launcher_, numbers, first_hits,
+                                 energy);
+            use(r, hits, start(numbers));
         }
     }
 
@@ -54,20 +56,25 @@ class SourceRun {
                 number_};
     }
 
+    //! Beyond the dimensions that first hits use.
+    double start(PathSampler& numbers) const {
+        numbers.begin(0, scene_.boundary() == Boundary::periodic ? 4 : 8);
+        return numbers.next();
+    }
+
     //! So many replicates at a time as memory is reasonable for.
-    void draw(std::uint32_t first_hits, std::size_t randomisations,
-              const Use& use) const {
+    void draw(std::uint32_t first_hits, int all, std::size_t first,
+              std::size_t last, const Use& use) const {
         const glm::dvec3 direction = not_level(*source_.direction);
-        const BeamLattice lattice = lattice_of(
-            scene_, direction, first_hits, static_cast<int>(randomisations));
+        const BeamLattice lattice =
+            lattice_of(scene_, direction, first_hits, all);
         const double energy =
             source_.energy / static_cast<double>(lattice.points());
         const std::size_t together = replicates_together(lattice);
-        for (std::size_t r = 0; r < randomisations;) {
+        for (std::size_t r = first; r < last;) {
             std::vector<PathSampler> numbers;
             std::vector<glm::dvec2> shifts;
-            while (numbers.size() < together &&
-                   r + numbers.size() < randomisations) {
+            while (numbers.size() < together && r + numbers.size() < last) {
                 numbers.push_back(sampler(r + numbers.size()));
                 numbers.back().begin(0);
                 const double u = numbers.back().next();
@@ -75,7 +82,7 @@ class SourceRun {
             }
             const DepthBuffer buffer(scene_, direction, lattice, shifts);
             for (std::size_t i = 0; i < numbers.size(); ++i, ++r)
-                use(r, {scene_, buffer, i, energy}, numbers[i]);
+                use(r, {scene_, buffer, i, energy}, start(numbers[i]));
         }
     }
 
@@ -107,29 +114,49 @@ std::vector<Tally> simulate(
         for (Tally& tally : tallies) tally.leaf_light.resize(sources.size());
     if (sources.empty()) return tallies;
     const Counted counted{scene, groups, layers};
-    const Tracer tracer(scene, groups, optics);
-    std::vector<double> largest;
-    for (std::uint32_t s = 0; s < sources.size(); ++s) {
-        const Launcher launcher(scene, sources[s], optics.soil_albedo);
-        const std::uint32_t hits = work.first_hits[s];
-        const double of_hit =
-            sources[s].energy * launcher.entering() / std::max(1u, hits);
-        const double of_path =
-            work.path_energy.empty() ? of_hit : work.path_energy[s];
-        largest.push_back(std::max(
-            of_hit,
-            std::min(of_path, most_scattered(optics) * sources[s].energy *
-                                  launcher.entering())));
-        if (hits == 0) continue;
-        const bool is_beam = sources[s].direction.has_value();
-        SourceRun(scene, sources[s], s, launcher, randomness)
-            .find(hits, tallies.size(),
-                  [&](std::size_t r, const FirstHits& found,
-                      PathSampler& numbers) {
-                      if (!found.are_drawn()) tallies[r].rays += hits;
-                      Ledger ledger(counted, s, is_beam, tallies[r]);
-                      tracer.trace(found, numbers, of_path, ledger);
-                  });
+    const Tracer tracer(counted, optics);
+    std::vector<Launcher> launchers;
+    std::vector<double> of_path, largest;
+    double most_paths = 0;
+    for (std::size_t s = 0; s < sources.size(); ++s) {
+        launchers.emplace_back(scene, sources[s], optics.soil_albedo);
+        const double all = sources[s].energy * launchers[s].entering();
+        const double of_hit = all / std::max(1u, work.first_hits[s]);
+        of_path.push_back(work.path_energy.empty() ? of_hit
+                                                   : work.path_energy[s]);
+        const double scattered = most_scattered(optics) * all;
+        largest.push_back(std::max(of_hit, std::min(of_path[s], scattered)));
+        if (work.first_hits[s] > 0) most_paths += scattered / of_path[s];
+    }
+    // So many randomisations at a time as memory is reasonable for.
+    constexpr std::size_t room = 1 << 18;
+    const auto together = static_cast<std::size_t>(
+        std::max(1., static_cast<double>(room) / (1 + most_paths)));
+    for (std::size_t first = 0; first < tallies.size(); first += together) {
+        const std::size_t last = std::min(first + together, tallies.size());
+        std::vector<std::vector<ScatteredPath>> paths(last - first);
+        const auto follow = [&](std::size_t r, std::uint32_t source) {
+            Randomness numbers = randomness;
+            numbers.first_randomisation += static_cast<std::uint32_t>(r);
+            tracer.follow(paths[r - first], numbers,
+                          static_cast<std::uint32_t>(sources.size()) + source,
+                          tallies[r]);
+        };
+        for (std::uint32_t s = 0; s < sources.size(); ++s) {
+            const std::uint32_t hits = work.first_hits[s];
+            if (hits == 0) continue;
+            const bool is_beam = sources[s].direction.has_value();
+            SourceRun(scene, sources[s], s, launchers[s], randomness)
+                .find(hits, randomisations, first, last,
+                      [&](std::size_t r, const FirstHits& found, double start) {
+                          if (!found.are_drawn()) tallies[r].rays += hits;
+                          tracer.arrive(found, s, is_beam, start, of_path[s],
+                                        tallies[r], paths[r - first]);
+                          if (paths[r - first].size() > room) follow(r, s);
+                      });
+        }
+        const auto last_source = static_cast<std::uint32_t>(sources.size() - 1);
+        for (std::size_t r = first; r < last; ++r) follow(r, last_source);
     }
     const auto resolution = std::make_shared<const Resolution>(
         resolution_of(scene, groups, optics, layers, largest));

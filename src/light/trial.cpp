@@ -38,24 +38,9 @@ struct Suns {
     double by_energy = 1, by_root = 1;
 };
 
-struct Variances {
-    double first, next;
-};
-
-//! Of the leaves' light of a source in one randomisation: by what is met first,
-//! each surface of which sends the same part of the scattered light to leaves;
-//! and by what becomes of scattered light beyond that.
-Variances variances(const std::vector<Tally>& tallies, std::size_t source,
-                    double caught) {
-    std::vector<double> first, next;
-    for (const Tally& tally : tallies) {
-        const Budget& budget = tally.sources[source];
-        first.push_back(budget.unscattered + caught * budget.sent_on);
-        next.push_back(budget.leaves - first.back());
-    }
-    const auto n = static_cast<double>(tallies.size());
-    return {squared(estimate(first).standard_error) * n,
-            squared(estimate(next).standard_error) * n};
+double variance_of(const std::vector<double>& replicates) {
+    return squared(estimate(replicates).standard_error) *
+           static_cast<double>(replicates.size());
 }
 
 }  // namespace
@@ -74,24 +59,37 @@ Findings try_out(const Subject& subject, const Workload& work,
     }
     const double caught =
         all.sent_on > 0 ? (all.leaves - all.unscattered) / all.sent_on : 0;
+    // What is met first: each surface sends the same part of the scattered
+    // light to leaves. And what becomes of scattered light beyond that: paths
+    // of all sources together.
     const Suns suns(light, work);
     Amounts amounts = amounts_of(work, light);
-    amounts[Origin::beams] *= suns.by_energy;
+    amounts[LightOrigin::beams] *= suns.by_energy;
     ByOrigin<double> variance{};
+    std::vector<double> next(tallies.size());
+    double kept = 0;
     for (std::size_t s = 0; s < work.first_hits.size(); ++s) {
         if (work.first_hits[s] == 0) continue;
-        const auto [first, next] = variances(tallies, s, caught);
-        const Origin origin = origin_of(light.sources[s]);
-        const bool is_beam = origin == Origin::beams;
-        variance[origin] += first * (is_beam ? suns.by_root : 1);
-        variance[Origin::scattered] += next * (is_beam ? suns.by_energy : 1);
+        std::vector<double> first;
+        for (std::size_t r = 0; r < tallies.size(); ++r) {
+            const Budget& budget = tallies[r].sources[s];
+            first.push_back(budget.unscattered + caught * budget.sent_on);
+            next[r] += budget.leaves - first.back();
+        }
+        const LightOrigin origin = origin_of(light.sources[s]);
+        variance[origin] += variance_of(first) *
+                            (origin == LightOrigin::beams ? suns.by_root : 1);
+        kept += light.sources[s].energy;
     }
+    variance[LightOrigin::scattered] =
+        variance_of(next) * (light.energy() / kept);
     Findings found;
     for (std::size_t o = 0; o < origins; ++o)
-        found.laws[o] = {std::max(1., amounts[o]), variance[o], power_of_rays};
-    if (is_drawn) found.laws[Origin::beams].power = power_of_lattices;
-    found.rays_per_unit =
-        rays * light.energy() / (all.incident * amounts[Origin::scattered]);
+        found.laws[o] = {std::max(1., amounts[o]), variance[o], 1};
+    found.laws[LightOrigin::beams].power =
+        is_drawn ? power_of_lattices : power_of_nets;
+    found.rays_per_unit = rays * light.energy() /
+                          (all.incident * amounts[LightOrigin::scattered]);
     found.mean = all.leaves / randomisations;
     found.is_open = tallies.front().resolution->leaves;
     found.is_whole = suns.by_energy == 1;

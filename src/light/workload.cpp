@@ -6,8 +6,8 @@
 
 namespace ideotype {
 
-Origin origin_of(const Source& source) {
-    return source.direction ? Origin::beams : Origin::skies;
+LightOrigin origin_of(const Source& source) {
+    return source.direction ? LightOrigin::beams : LightOrigin::skies;
 }
 
 std::vector<std::uint32_t> share_paths(const Illumination& illumination,
@@ -40,7 +40,7 @@ Amounts amounts_of(const Workload& work, const Illumination& light) {
     Amounts amounts{};
     for (std::size_t s = 0; s < work.first_hits.size(); ++s)
         amounts[origin_of(light.sources[s])] += work.first_hits[s];
-    amounts[Origin::scattered] = light.energy() / work.path_energy.front();
+    amounts[LightOrigin::scattered] = light.energy() / work.path_energy.front();
     return amounts;
 }
 
@@ -48,14 +48,14 @@ Workload work_of(const Amounts& amounts, const Illumination& light) {
     const std::vector<Source>& sources = light.sources;
     Workload work;
     work.first_hits.resize(sources.size());
-    for (const Origin origin : {Origin::beams, Origin::skies}) {
+    for (const LightOrigin origin : {LightOrigin::beams, LightOrigin::skies}) {
         Illumination part;
         for (const Source& source : sources)
             if (origin_of(source) == origin) part.sources.push_back(source);
         if (part.sources.empty()) continue;
         // What rounding takes from beams, skies get.
         const double others =
-            origin == Origin::beams ? 0 : amounts[Origin::beams];
+            origin == LightOrigin::beams ? 0 : amounts[LightOrigin::beams];
         const double hits =
             std::max(std::round(others + amounts[origin]) - std::round(others),
                      static_cast<double>(part.sources.size()));
@@ -66,7 +66,7 @@ Workload work_of(const Amounts& amounts, const Illumination& light) {
                 work.first_hits[s] = shares[next++];
     }
     work.path_energy.assign(sources.size(),
-                            light.energy() / amounts[Origin::scattered]);
+                            light.energy() / amounts[LightOrigin::scattered]);
     return work;
 }
 

@@ -5,7 +5,7 @@
 
 namespace ideotype {
 
-Origin origin_of(const Source& source);
+LightOrigin origin_of(const Source& source);
 
 //! What a workload amounts to.
 Amounts amounts_of(const Workload& work, const Illumination& light);

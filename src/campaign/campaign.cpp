@@ -6,6 +6,7 @@
 #include "checks.hpp"
 #include "draft.hpp"
 #include "ideotype/core/hash.hpp"
+#include "photosynthesis_table.hpp"
 #include "reader.hpp"
 #include "report.hpp"
 #include "resolve.hpp"
@@ -76,6 +77,19 @@ Plant read_plant(const std::string& path) {
     check_plant(draft, report);
     report.throw_if_any();
     return draft.campaign.crop.baseline;
+}
+
+Photosynthesis read_photosynthesis(const std::string& path) {
+    const std::optional<std::string> text = read_text(path);
+    if (!text) throw Error("cannot read " + path);
+    PhotosynthesisTable table;
+    table.profile = CapacityProfile::none;
+    table.follows_weather = false;
+    Report report;
+    read_table(*text, path, one_table(photosynthesis_section(table)), report);
+    check_photosynthesis(table, report);
+    report.throw_if_any();
+    return to_photosynthesis(table);
 }
 
 std::string crop_text(const Campaign& campaign, const Plant& baseline) {

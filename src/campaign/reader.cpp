@@ -206,6 +206,21 @@ void read_draft(const std::string& text, const std::string& file,
         DraftReader(file, source, draft, report).read(*table);
 }
 
+void read_table(const std::string& text, const std::string& file,
+                const Table& table, Report& report) {
+    report.open(file);
+    const auto top = parse_toml(text, file, report);
+    if (!top) return;
+    TableReader tables(file, report);
+    tables.read(*top, Section{file, {}}, {table});
+    if (!top->contains(table.name))
+        report.add(Location{file, 1, 1},
+                   fmt::format("there is no table [{0}] (this file is read "
+                               "for it); write [{0}] and its keys",
+                               table.name));
+    tables.read(*top, table);
+}
+
 bool read_plant_draft(const std::string& text, const std::string& file,
                       Draft& draft, Report& report) {
     const auto table = parse(text, file, report);

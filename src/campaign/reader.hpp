@@ -7,6 +7,7 @@
 
 #include "draft.hpp"
 #include "report.hpp"
+#include "schema.hpp"
 
 namespace ideotype {
 
@@ -25,6 +26,10 @@ void read_draft(const std::string& text, const std::string& file,
 //! is. Returns false if it is the text of something else.
 bool read_plant_draft(const std::string& text, const std::string& file,
                       Draft& draft, Report& report);
+
+//! Reads the text of a file that has this table and nothing else.
+void read_table(const std::string& text, const std::string& file,
+                const Table& table, Report& report);
 
 //! The crop file that a campaign names, as seen from here; "" if none.
 std::string plant_path(const toml::table& campaign, const std::string& file);

@@ -53,6 +53,9 @@ struct MistakenUnit {
     double value;
 };
 
+//! Of a list: one number, or a list of any length.
+inline constexpr std::size_t any_count = ~std::size_t{0};
+
 //! One key, bound to the place of its value. This is the only declaration of
 //! a key: parsing, the canonical text and the documentation all use it.
 struct Key {

@@ -27,6 +27,8 @@ struct Writer {
         return fmt::format("[{}, {}]", range->lower, range->upper);
     }
     std::string operator()(const std::vector<double>* numbers) const {
+        if (key.count == any_count && numbers->size() == 1)
+            return fmt::format("{}", numbers->front());
         return fmt::format("[{}]", fmt::join(*numbers, ", "));
     }
     std::string operator()(const std::vector<std::string>* texts) const {
@@ -57,6 +59,7 @@ struct TypeName {
     std::string operator()(const Date*) const { return "local date"; }
     std::string operator()(const Range*) const { return "[lower, upper]"; }
     std::string operator()(const std::vector<double>*) const {
+        if (key.count == any_count) return "number or list by leaf";
         return fmt::format("list of {} numbers", key.count);
     }
     std::string operator()(const std::vector<std::string>*) const {

@@ -121,6 +121,11 @@ struct Reader {
     //! The numbers of an array; otherwise reports.
     std::optional<std::vector<double>> numbers(std::size_t count) const {
         const toml::array* array = node.as_array();
+        if (!array && count == any_count && node.is_number()) {
+            const auto value = number(node);
+            if (!value) return std::nullopt;
+            return std::vector{*value};
+        }
         if (!array) {
             fail_type(node);
             return std::nullopt;
@@ -128,6 +133,7 @@ struct Reader {
         std::vector<double> values;
         for (const toml::node& element : *array)
             if (const auto value = number(element)) values.push_back(*value);
+        if (count == any_count) count = array->size();
         if (array->size() != count)
             fail(fmt::format("has {} values (expected: {}); give {} of them",
                              array->size(), type_text(key), count));

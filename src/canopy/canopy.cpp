@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/canopy/assimilation.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/light/device.hpp"
 #include "ideotype/light/sunlit.hpp"
@@ -33,6 +34,32 @@ Mesh with_a_group_per_face(Mesh mesh) {
     return mesh;
 }
 
+//! Makes the light of pieces that of the groups that they are of.
+void add_up_pieces(std::vector<Tally>& tallies,
+                   const std::vector<std::uint32_t>& group_of_piece,
+                   std::size_t groups) {
+    if (tallies.empty()) return;
+    const auto add_up = [&](const auto& pieces, auto groups_of, auto add) {
+        groups_of.resize(groups);
+        for (std::size_t v = 0; v < pieces.size(); ++v)
+            add(groups_of, group_of_piece[v], pieces[v]);
+        return groups_of;
+    };
+    Resolution resolution = *tallies.front().resolution;
+    resolution.groups = add_up(resolution.groups, std::vector<bool>(),
+                               [](auto& all, std::size_t g, bool is_open) {
+                                   all[g] = all[g] || is_open;
+                               });
+    const auto shared = std::make_shared<const Resolution>(resolution);
+    for (Tally& tally : tallies) {
+        tally.groups = add_up(
+            tally.groups, std::vector<double>(),
+            [](auto& all, std::size_t g, double light) { all[g] += light; });
+        tally.leaf_light.clear();
+        tally.resolution = shared;
+    }
+}
+
 template <class All>
 void append(All& all, All more) {
     all.insert(all.end(), std::make_move_iterator(more.begin()),
@@ -52,22 +79,34 @@ class Evaluation {
     //! randomisations.
     void trace(const Plant& plant) {
         const Mesh mesh = split(build_plant(plant, request_.tessellation));
+        std::optional<Pieces> pieces;
+        if (request_.details.photosynthesis) pieces = cut_leaves(mesh);
         Accuracy accuracy = request_.accuracy;
         Randomness randomness = request_.randomness;
         const bool is_one = randomness.fields == Randomness::Fields::one;
         const int fields = is_one ? 1 : accuracy.randomisations;
         accuracy.randomisations /= fields;
-        for (int f = 0; f < fields; ++f, ++randomness.first_randomisation)
-            trace(draw_field(mesh, request_.scenario.field, randomness),
-                  accuracy, randomness);
+        for (int f = 0; f < fields; ++f, ++randomness.first_randomisation) {
+            Field field = draw_field(pieces ? pieces->mesh : mesh,
+                                     request_.scenario.field, randomness);
+            if (pieces)
+                trace(field, mesh.groups,
+                      pieces_of_field(*pieces, field.mesh, field.face_plant),
+                      accuracy, randomness);
+            else
+                trace(field, mesh.groups, std::nullopt, accuracy, randomness);
+        }
     }
 
     void trace(const Field& field) {
-        if (!request_.details.faces)
-            return trace(field, request_.accuracy, request_.randomness);
-        Field by_face = field;
-        by_face.mesh = split(std::move(by_face.mesh));
-        trace(by_face, request_.accuracy, request_.randomness);
+        Field copy = field;
+        copy.mesh = split(std::move(copy.mesh));
+        const std::vector<Group> groups = copy.mesh.groups;
+        std::optional<Pieces> pieces;
+        if (request_.details.photosynthesis)
+            pieces = cut_leaves(copy.mesh, copy.face_plant);
+        trace(copy, groups, std::move(pieces), request_.accuracy,
+              request_.randomness);
     }
 
     CanopyReport report() {
@@ -77,6 +116,12 @@ class Evaluation {
         result_.light = ideotype::report(tallies_, light);
         if (request_.details.sunlit) add_sunlit(result_.light, sunlit_, light);
         if (request_.details.faces) result_.faces = per_area();
+        if (request_.details.photosynthesis) {
+            for (double& area : leaf_area_index_) area /= fields_;
+            result_.assimilation = ideotype::report(
+                std::move(assimilation_), rates_, leaf_area_index_, light,
+                *request_.details.photosynthesis);
+        }
         if (!(result_.light.balance_error < balance_tolerance))
             throw Error(fmt::format("the energy balance is off by {:.3g}",
                                     result_.light.balance_error));
@@ -89,15 +134,19 @@ class Evaluation {
         return with_a_group_per_face(std::move(mesh));
     }
 
-    void trace(const Field& field, Accuracy accuracy,
+    //! @param groups of the mesh before it was cut into pieces
+    void trace(Field& field, const std::vector<Group>& groups,
+               std::optional<Pieces> pieces, Accuracy accuracy,
                const Randomness& randomness) {
+        if (pieces) std::swap(field.mesh, pieces->mesh);
         const Mesh& mesh = field.mesh;
         const Illumination& light = request_.scenario.light.light;
-        result_.groups = mesh.groups;
+        result_.groups = groups;
         result_.boundary = field.boundary;
         result_.ground_area = field.ground_area;
         result_.lai = leaf_area(mesh) / field.ground_area;
         if (request_.details.faces) add_areas(mesh);
+        ++fields_;
         take(result_.seconds.geometry);
 
         const Scene scene = build_scene(device_, field);
@@ -106,12 +155,13 @@ class Evaluation {
             layers.thickness = scene.top() / static_cast<double>(layers.count);
         take(result_.seconds.scene);
 
-        Simulation found =
-            simulate_to_tolerance(scene, mesh.groups, request_.scenario.optics,
-                                  light, accuracy, randomness, layers);
-        append(tallies_, std::move(found.tallies));
+        Simulation found = simulate_to_tolerance(
+            scene, mesh.groups, request_.scenario.optics, light, accuracy,
+            randomness, layers, pieces ? Detail::leaf_light : Detail::sums);
         accuracy.paths = found.paths;
         result_.paths += accuracy.all_paths();
+        if (pieces) assimilate_in(scene, *pieces, groups, found.tallies);
+        append(tallies_, std::move(found.tallies));
         result_.is_capped |= found.is_capped;
         if (request_.details.sunlit) {
             accuracy.paths = std::min(accuracy.paths, most_sunlit_points);
@@ -123,12 +173,30 @@ class Evaluation {
         take(result_.seconds.light);
     }
 
+    //! Assimilation in one field; afterwards its tallies are those of the mesh
+    //! that was cut.
+    void assimilate_in(const Scene& scene, const Pieces& pieces,
+                       const std::vector<Group>& groups,
+                       std::vector<Tally>& tallies) {
+        const Photosynthesis& photosynthesis = *request_.details.photosynthesis;
+        leaf_area_index_.resize(groups.size());
+        for (std::size_t v = 0; v < pieces.count; ++v)
+            leaf_area_index_[pieces.group[v]] +=
+                pieces.area[v] / result_.ground_area;
+        if (rates_.empty())
+            rates_ = rates_of_groups(photosynthesis, groups, leaf_area_index_);
+        append(assimilation_,
+               assimilate(tallies, scene, pieces, request_.scenario.optics,
+                          request_.scenario.light, photosynthesis, rates_,
+                          result_.layers));
+        add_up_pieces(tallies, pieces.group, groups.size());
+    }
+
     void add_areas(const Mesh& mesh) {
         const std::vector<double> areas = face_areas(mesh);
         areas_.resize(mesh.groups.size());
         for (std::size_t f = 0; f < areas.size(); ++f)
             areas_[mesh.face_group[f]] += areas[f];
-        ++fields_;
     }
 
     std::vector<Estimate> per_area() const {
@@ -156,7 +224,10 @@ class Evaluation {
     CanopyReport result_;
     std::vector<Tally> tallies_;
     SunlitFractions sunlit_;
-    std::vector<double> areas_;  //!< of all copies of each face [m2]
+    std::vector<AssimilationTally> assimilation_;
+    std::vector<LeafRates> rates_;         //!< of each group
+    std::vector<double> leaf_area_index_;  //!< of each group, of all fields
+    std::vector<double> areas_;            //!< of all copies of each face [m2]
     int fields_ = 0;
 };
 

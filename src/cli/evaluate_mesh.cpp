@@ -20,6 +20,9 @@ std::string light_name(const MeshOptions& options) {
                            options.date->year, options.date->month,
                            options.date->day, options.site->latitude,
                            options.site->longitude, options.site->utc_offset);
+    if (options.sun && options.sky && options.beam_ppfd)
+        return fmt::format("sun at elevation {} and azimuth {}, and sky",
+                           90 - options.sun->zenith, options.sun->azimuth);
     if (options.sky)
         return *options.sky == SkyModel::uniform    ? "uniform sky"
                : *options.sky == SkyModel::overcast ? "overcast sky"
@@ -66,6 +69,9 @@ Json to_json(const MeshReport& report, const MeshOptions& options) {
               {"boundary", boundary_name(options)},
               {"light", light_name(options)}};
     json.update(to_json(report.canopy, span_of(options)));
+    if (report.canopy.assimilation)
+        json["assimilation"] =
+            assimilation_json(report.canopy, span_of(options));
     json["optics"] = {{"leaf", to_json(options.leaf)},
                       {"stalk", to_json(options.stalk)},
                       {"sheath", to_json(options.sheath)},

@@ -102,6 +102,37 @@ void print_budget(const CanopyReport& report, const Totals& totals) {
             report.ground_area);
 }
 
+//! Of a single light, that shines for a second, in umol.
+double assimilation_scale(Span span) {
+    return span == Span::single ? 1e6 : 1;
+}
+
+const char* assimilation_unit(Span span) {
+    return span == Span::single ? "umol m-2 s-1" : "mol m-2 day-1";
+}
+
+Estimate lowered(Estimate gross, double loss) {
+    return {gross.mean - loss, gross.standard_error};
+}
+
+void print_assimilation(const CanopyReport& report, Span span) {
+    const AssimilationReport& all = *report.assimilation;
+    const double scale = assimilation_scale(span);
+    const auto line = [&](const std::string& name, Estimate gross,
+                          double loss) {
+        fmt::print("{:<20} {:>24} {:>24}\n", name, format(scaled(gross, scale)),
+                   format(scaled(lowered(gross, loss), scale)));
+    };
+    fmt::print("\n{:<20} {:>24} {:>24}\n",
+               fmt::format("CO2 [{}]", assimilation_unit(span)),
+               "gross assimilation", "net");
+    line("leaf", all.gross, all.net_loss());
+    for (std::size_t g = 0; g < report.groups.size(); ++g)
+        if (report.groups[g].tissue == Tissue::leaf)
+            line("  " + report.groups[g].name, all.groups[g],
+                 all.respiration[g].in_light);
+}
+
 void print_hours(const CanopyReport& report) {
     fmt::print("\n{:<5} {:>8} {:>20} {:>20} {:>20} {:>20} {:>20}\n", "hour",
                "W m-2", "leaf", "  of the sun", "soil", "reflected",
@@ -120,6 +151,31 @@ void print_hours(const CanopyReport& report) {
 }
 
 }  // namespace
+
+Json assimilation_json(const CanopyReport& report, Span span) {
+    const AssimilationReport& all = *report.assimilation;
+    const double scale = assimilation_scale(span);
+    const auto part = [&](Estimate x) {
+        Json json = to_json(scaled(x, scale));
+        json["unit"] = assimilation_unit(span);
+        return json;
+    };
+    const auto both = [&](Estimate gross, double loss) {
+        return Json{{"gross", part(gross)},
+                    {"net", part(lowered(gross, loss))}};
+    };
+    Json json = both(all.gross, all.net_loss());
+    if (span == Span::day)
+        json["carbon_balance"] = part(lowered(all.gross, all.carbon_loss()));
+    Json groups = Json::object();
+    for (std::size_t g = 0; g < report.groups.size(); ++g)
+        if (report.groups[g].tissue == Tissue::leaf)
+            groups.get_ref<Json::object_t&>().emplace_back(
+                report.groups[g].name,
+                both(all.groups[g], all.respiration[g].in_light));
+    json["groups"] = std::move(groups);
+    return json;
+}
 
 Json to_json(const CanopyReport& report, Span span) {
     const DayReport& light = report.light;
@@ -170,6 +226,7 @@ void print_light(const CanopyReport& report, Span span) {
         fmt::print("\nThe sun stays below the horizon.\n");
     const Totals totals(light.day.incident, span);
     print_budget(report, totals);
+    if (report.assimilation) print_assimilation(report, span);
     totals.head("organ");
     for (std::size_t g = 0; g < report.groups.size(); ++g)
         totals.line(report.groups[g].name, light.groups[g]);

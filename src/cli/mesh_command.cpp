@@ -52,6 +52,17 @@ void add_light(CLI::App& verb, MeshOptions& options, CLI::Option* mesh) {
                                             {"overcast", SkyModel::overcast},
                                             {"clear", SkyModel::clear}}))
         ->needs(mesh);
+    verb.add_option("--beam-ppfd", options.beam_ppfd,
+                    "beam of --sun on level ground above the canopy "
+                    "[umol m-2 s-1], instead of 1")
+        ->needs(mesh);
+    verb.add_option("--sky-ppfd", options.sky_ppfd,
+                    "light of --sky on level ground [umol m-2 s-1]")
+        ->needs(mesh);
+    verb.add_option("--photosynthesis", options.photosynthesis,
+                    "FILE.toml with a [photosynthesis] table: assimilation of "
+                    "the leaves")
+        ->needs(mesh);
     verb.add_option_function<Three>(
             "--site",
             [&](const Three& site) {

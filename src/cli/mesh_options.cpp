@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -84,8 +85,35 @@ void check_light(const MeshOptions& options) {
             "the light is missing: give --sun, --sky, or --site with --date");
     require(!options.site || !options.sun,
             "--sun and --site are two lights; give one");
-    require(!options.sun || !options.sky || is_clear,
-            "--sun and --sky are two lights; give one");
+    require(options.beam_ppfd.has_value() == options.sky_ppfd.has_value() ||
+                !options.sun || !options.sky,
+            "--sun and --sky together need --beam-ppfd and --sky-ppfd");
+    require(!options.sun || !options.sky || is_clear || options.beam_ppfd,
+            "--sun and --sky are two lights; give one, or how strong each is: "
+            "--beam-ppfd and --sky-ppfd");
+    require(!options.beam_ppfd || options.sun,
+            "--beam-ppfd needs the position of the sun: --sun");
+    require(!options.sky_ppfd || options.sky,
+            "--sky-ppfd needs a sky: --sky uniform, overcast or clear");
+    require(!options.sun || is_clear || !options.sky_ppfd || options.beam_ppfd,
+            "--sun needs --beam-ppfd beside --sky-ppfd");
+    require(!options.sky || !options.beam_ppfd || options.sky_ppfd,
+            "--sky needs --sky-ppfd beside --beam-ppfd");
+    require((options.beam_ppfd || options.sky_ppfd) || options.site ||
+                options.photosynthesis.empty(),
+            "--photosynthesis needs how strong the light is: --beam-ppfd, "
+            "--sky-ppfd, or a day with --site and --date");
+    for (const auto& [name, ppfd] :
+         {std::pair("--beam-ppfd", options.beam_ppfd),
+          std::pair("--sky-ppfd", options.sky_ppfd)})
+        require(!ppfd || (*ppfd >= 0 && *ppfd <= 1e5),
+                fmt::format("{}: from 0 to 100000 umol m-2 s-1", name));
+    require(options.beam_ppfd.value_or(0) + options.sky_ppfd.value_or(0) > 0 ||
+                !(options.beam_ppfd || options.sky_ppfd),
+            "--beam-ppfd and --sky-ppfd: there is no light");
+    require(!options.site || !(options.beam_ppfd || options.sky_ppfd),
+            "--site has the light of a clear day; leave out --beam-ppfd and "
+            "--sky-ppfd");
     require(!is_clear || options.sun || options.site,
             "--sky clear needs the position of the sun: --sun");
     if (options.site) check_site(*options.site, *options.date);

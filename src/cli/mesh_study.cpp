@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/campaign/campaign.hpp"
 #include "ideotype/crop/obj_reader.hpp"
 #include "ideotype/light/device.hpp"
 #include "ideotype/run/progress.hpp"
@@ -25,7 +26,9 @@ LightSeries day_of(const MeshOptions& options) {
     if (options.site)
         return clear_day(*options.site, {*options.date, 0, 24, 60},
                          par_fraction);
-    const Irradiance one = options.sky ? Irradiance{0, 1} : Irradiance{1, 0};
+    Irradiance one = options.sky ? Irradiance{0, 1} : Irradiance{1, 0};
+    if (options.beam_ppfd || options.sky_ppfd)
+        one = {options.beam_ppfd.value_or(0), options.sky_ppfd.value_or(0)};
     return {{{0, 1, options.sun.value_or(SunPosition{}), one}}};
 }
 
@@ -114,6 +117,11 @@ Accuracy accuracy_of(const MeshOptions& options) {
 
 CanopyRequest to_request(const MeshOptions& options, Field field) {
     constexpr double north = 0;  // the mesh's y axis
+    Details details{.sunlit = true};
+    if (!options.photosynthesis.empty()) {
+        details.photosynthesis = read_photosynthesis(options.photosynthesis);
+        if (!options.site) details.photosynthesis->photons = 1;
+    }
     return {
         std::move(field),
         {{},
@@ -123,7 +131,7 @@ CanopyRequest to_request(const MeshOptions& options, Field field) {
         {0, layers},
         accuracy_of(options),
         {options.seed},
-        {.sunlit = true}};
+        details};
 }
 
 }  // namespace

@@ -8,11 +8,6 @@
 
 namespace ideotype {
 
-double Collatz::gross(double absorbed) const {
-    const double lit = smooth_minimum(theta, alpha * absorbed, vmax);
-    return smooth_minimum(beta, lit, k * ci);
-}
-
 double Collatz::slope(double absorbed) const {
     const double lit = smooth_minimum(theta, alpha * absorbed, vmax);
     return alpha * smooth_minimum_slope(theta, alpha * absorbed, vmax) *

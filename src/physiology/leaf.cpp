@@ -55,25 +55,25 @@ double dark_respiration(const LeafRates& leaf, double temperature) {
     return respiration_of(std::get<HyperbolaLeaf>(leaf)) * q10(temperature, 30);
 }
 
-double gross_assimilation(const LeafRates& leaf, const Air& air,
-                          double absorbed) {
+LeafResponse response(const LeafRates& leaf, const Air& air) {
     return std::visit(
-        [&](const auto& each) {
-            return response_in(each, air).gross(absorbed);
-        },
+        [&](const auto& each) { return LeafResponse(response_in(each, air)); },
         leaf);
 }
 
-ResponseTable response_table(const LeafRates& leaf, const Air& air,
-                             double largest, double tolerance) {
-    return std::visit(
+void gross(const LeafResponse& response, std::span<const double> absorbed,
+           double* assimilation) {
+    std::visit(
         [&](const auto& each) {
-            const auto response = response_in(each, air);
-            return ResponseTable(
-                [response](double light) { return response.gross(light); },
-                response.slope(0), largest, tolerance);
+            for (std::size_t i = 0; i < absorbed.size(); ++i)
+                assimilation[i] = each.gross(absorbed[i]);
         },
-        leaf);
+        response);
+}
+
+double slope(const LeafResponse& response, double absorbed) {
+    return std::visit([&](const auto& each) { return each.slope(absorbed); },
+                      response);
 }
 
 double leaf_building_cost(double grams_per_area, double carbohydrate_per_gram) {

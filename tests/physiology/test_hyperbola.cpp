@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/physiology/chord.hpp"
 #include "ideotype/physiology/hyperbola.hpp"
 
 namespace ideotype {
@@ -72,24 +71,6 @@ TEST(Hyperbola, SlopeIsTheDerivativeAndFalls) {
             EXPECT_NEAR(f.slope(light), numeric, 1e-10);
             EXPECT_LT(f.slope(light), before);
             before = f.slope(light);
-        }
-    }
-}
-
-TEST(Hyperbola, ChordBecomesTheSlope) {
-    const Hyperbola f;
-    EXPECT_EQ(chord(f, 0, 0), f.phi);
-    EXPECT_EQ(chord(f, 700, 0), f.slope(700));
-    for (const double light : {0., 300., 900.}) {
-        // The same on both sides of the change of the formula.
-        const double below = chord(f, light, std::nextafter(.01, 0));
-        EXPECT_NEAR(below, chord(f, light, .01), 1e-11);
-        EXPECT_NEAR(chord(f, light, 1000),
-                    (f.gross(light + 1000) - f.gross(light)) / 1000, 1e-15);
-        double before = f.slope(light);
-        for (const double more : {.1, 1., 10., 100., 1000.}) {
-            EXPECT_LT(chord(f, light, more), before);
-            before = chord(f, light, more);
         }
     }
 }

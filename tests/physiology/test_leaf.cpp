@@ -6,6 +6,13 @@
 namespace ideotype {
 namespace {
 
+double gross_assimilation(const LeafRates& leaf, const Air& air,
+                          double absorbed) {
+    double result = 0;
+    gross(response(leaf, air), {&absorbed, 1}, &result);
+    return result;
+}
+
 TEST(Leaf, OfTheHyperbolaIsItselfAt30Degrees) {
     const LeafRates leaf = HyperbolaLeaf{};
     for (const double light : {0., 100., 1500.})
@@ -55,20 +62,6 @@ TEST(Leaf, CollatzFollowsHumidity) {
     EXPECT_DOUBLE_EQ(
         gross_assimilation(leaf, {25, .6}, 700),
         collatz_at({}, 25, ci_of_deficit(vapour_deficit(25, .6))).gross(700));
-}
-
-TEST(Leaf, TablesAreTheResponse) {
-    for (const LeafRates& leaf :
-         {LeafRates(HyperbolaLeaf{}), LeafRates(CollatzLeaf{})})
-        for (const double temperature : {-5., 8., 22., 41.}) {
-            const Air air{temperature, .5};
-            const ResponseTable table = response_table(leaf, air, 2500);
-            EXPECT_LE(table.error_bound(), 1e-3);
-            EXPECT_LE(table.pieces(), 1024U);
-            for (double light = 0; light < 3000; light += 7)
-                EXPECT_NEAR(table(light), gross_assimilation(leaf, air, light),
-                            1e-3);
-        }
 }
 
 TEST(Leaf, BuildingCostsCarbon) {

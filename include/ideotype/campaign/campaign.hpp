@@ -13,6 +13,7 @@
 #include "ideotype/crop/crop.hpp"
 #include "ideotype/light/accuracy.hpp"
 #include "ideotype/light/optics.hpp"
+#include "ideotype/physiology/photosynthesis.hpp"
 #include "ideotype/search/genome.hpp"
 #include "ideotype/search/settings.hpp"
 #include "ideotype/search/stop_rules.hpp"
@@ -137,6 +138,13 @@ Campaign parse_campaign(const std::string& text, const std::string& file);
 //! @throws InputError with all problems.
 //! @throws Error if a file cannot be read.
 Plant read_plant(const std::string& path);
+
+//! Reads the [photosynthesis] table of a file, which has nothing else in it.
+//! What it leaves out is as in a campaign, but leaves do not differ by depth
+//! (profile "none") nor follow the weather.
+//! @throws InputError with all problems.
+//! @throws Error if the file cannot be read.
+Photosynthesis read_photosynthesis(const std::string& path);
 
 //! The text of a crop file with the traits of a campaign and another baseline.
 std::string crop_text(const Campaign& campaign, const Plant& baseline);

@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "ideotype/canopy/assimilation.hpp"
 #include "ideotype/canopy/request.hpp"
 #include "ideotype/light/report.hpp"
 #include "ideotype/light/scene.hpp"
@@ -32,6 +34,7 @@ struct CanopyReport {
     //! That of a plant is a mean over all its copies; in a plot that is cut
     //! some are only there in part.
     std::vector<Estimate> faces;
+    std::optional<AssimilationReport> assimilation;  //!< if asked for
     std::uint64_t paths = 0;    //!< that the light is the mean of
     bool is_capped = false;     //!< more would be needed to meet the tolerance
     std::vector<Group> groups;  //!< that light was counted for

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "ideotype/crop/plant.hpp"
 #include "ideotype/light/accuracy.hpp"
 #include "ideotype/light/layers.hpp"
+#include "ideotype/physiology/photosynthesis.hpp"
 
 namespace ideotype {
 
@@ -17,6 +19,8 @@ struct Details {
     bool sunlit = false;  //!< the sunlit leaf area, which costs more rays
     //! The light on each face: groups are then faces, not organs.
     bool faces = false;
+    //! What leaves make of the light.
+    std::optional<Photosynthesis> photosynthesis{};
 };
 
 //! One evaluation of a canopy: all that its result is a function of.

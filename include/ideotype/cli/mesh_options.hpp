@@ -32,6 +32,11 @@ struct MeshOptions {
     std::optional<Site> site;  //!< with date: a whole clear day
     std::optional<Date> date;
 
+    //! On level ground above the canopy [umol m-2 s-1]: with them all light
+    //! is in this unit.
+    std::optional<double> beam_ppfd, sky_ppfd;
+    std::string photosynthesis;  //!< file with this table; "": none
+
     Lambertian leaf{0.05, 0.05};
     Lambertian stalk{0.31, 0.12};
     Lambertian sheath{0.09, 0};

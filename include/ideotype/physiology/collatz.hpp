@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ideotype/physiology/hyperbola.hpp"
+
 namespace ideotype {
 
 //! Gross assimilation of a C4 leaf at one temperature and CO2 within the leaf
@@ -23,7 +25,10 @@ struct Collatz {
 
     //! @param absorbed PPFD of both faces per area of leaf [umol m-2 s-1]
     //! @returns CO2 per area of leaf [umol m-2 s-1]
-    double gross(double absorbed) const;
+    double gross(double absorbed) const {
+        const double lit = smooth_minimum(theta, alpha * absorbed, vmax);
+        return smooth_minimum(beta, lit, k * ci);
+    }
 
     //! Derivative of gross() [mol mol-1].
     double slope(double absorbed) const;

@@ -1,11 +1,25 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace ideotype {
+
+//! Half the distance of the roots of smooth_minimum() times 2 q, without the
+//! difference of large numbers.
+inline double discriminant_root(double curvature, double a, double b) {
+    return std::sqrt((a - b) * (a - b) + 4 * (1 - curvature) * a * b);
+}
 
 //! The smaller root x of q x^2 - (a + b) x + a b = 0: a smooth minimum of a
 //! and b, each not negative, with a curvature q from 0 (a b / (a + b)) to 1
 //! (the minimum itself). Exact to rounding at either limit.
-double smooth_minimum(double curvature, double a, double b);
+inline double smooth_minimum(double curvature, double a, double b) {
+    // Without a branch for a and b of 0, so that loops become vectors.
+    const double sum = a + b + discriminant_root(curvature, a, b);
+    return 2 * a * b / std::max(sum, std::numeric_limits<double>::min());
+}
 
 //! Derivative of smooth_minimum() with respect to a; 1 at a = 0 if b is
 //! above 0, and 0 if a and b are 0.
@@ -31,7 +45,9 @@ struct Hyperbola {
 
     //! @param absorbed PPFD of both faces per area of leaf [umol m-2 s-1]
     //! @returns CO2 per area of leaf [umol m-2 s-1]
-    double gross(double absorbed) const;
+    double gross(double absorbed) const {
+        return smooth_minimum(theta, phi * absorbed, amax);
+    }
 
     //! Derivative of gross() [mol mol-1].
     double slope(double absorbed) const;

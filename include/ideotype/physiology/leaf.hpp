@@ -1,11 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <variant>
 
 #include "ideotype/physiology/collatz.hpp"
 #include "ideotype/physiology/hyperbola.hpp"
-#include "ideotype/physiology/response_table.hpp"
 
 namespace ideotype {
 
@@ -38,16 +38,19 @@ Hyperbola hyperbola_at(const HyperbolaLeaf& leaf, double temperature);
 //! at 30 deg C times 2^((T - 30) / 10).
 double dark_respiration(const LeafRates& leaf, double temperature);
 
-//! Gross assimilation [umol m-2 s-1] in some light and air; by Collatz with the
-//! CO2 that follows the vapour pressure deficit.
-//! @param absorbed PPFD of both faces per area of leaf [umol m-2 s-1]
-double gross_assimilation(const LeafRates& leaf, const Air& air,
-                          double absorbed);
+//! Response to light of a leaf in some air.
+using LeafResponse = std::variant<Hyperbola, Collatz>;
 
-//! The same as a table up to a largest light, within a tolerance (both [umol
-//! m-2 s-1]).
-ResponseTable response_table(const LeafRates& leaf, const Air& air,
-                             double largest, double tolerance = 1e-3);
+//! By Collatz with the CO2 that follows the vapour pressure deficit.
+LeafResponse response(const LeafRates& leaf, const Air& air);
+
+//! Gross assimilation [umol m-2 s-1] at each of some PPFDs that both faces
+//! absorb per area of leaf [umol m-2 s-1].
+void gross(const LeafResponse& response, std::span<const double> absorbed,
+           double* assimilation);
+
+//! Its derivative [mol mol-1].
+double slope(const LeafResponse& response, double absorbed);
 
 //! Carbon that building a leaf costs, once [mol m-2 of leaf]: 45 g m-2 (of 29
 //! to 62 in WOFOST) of 1.39 g of CH2O each, at 30 g mol-1.

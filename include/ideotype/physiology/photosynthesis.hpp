@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "ideotype/physiology/depth.hpp"
+#include "ideotype/physiology/leaf.hpp"
+
+namespace ideotype {
+
+//! How the capacity of leaves differs with their place in the canopy.
+enum class CapacityProfile {
+    none,         //!< as the rates say
+    exponential,  //!< exp(-kn L) of the leaf area index L above
+    nitrogen,     //!< by a fixed canopy nitrogen, spread as exp(-kn L)
+};
+
+//! What the leaves of a canopy do with light.
+struct Photosynthesis {
+    //! Of all leaves; or of each, the lowest first.
+    std::vector<LeafRates> rates{HyperbolaLeaf{}};
+    CapacityProfile profile = CapacityProfile::exponential;
+    CanopyNitrogen nitrogen{};  //!< its kn is that of either profile
+    //! Whether leaves have the temperature and humidity of the weather; else
+    //! their air is that of clear days.
+    bool follows_weather = true;
+    //! Carbon that leaves are built of [mol m-2 of leaf], over so many days.
+    double building_cost = leaf_building_cost();
+    double building_days = 62;
+    //! Photons in the unit of irradiance [umol J-1]; 1 if that is umol m-2 s-1.
+    double photons = 4.57;
+};
+
+//! The rates of each leaf of a canopy, the lowest first.
+//! @param leaf_area_index of each leaf [m2 m-2 of ground]
+//! @throws Error if there are rates of another number of leaves.
+std::vector<LeafRates> rates_of_leaves(
+    const Photosynthesis& photosynthesis,
+    const std::vector<double>& leaf_area_index);
+
+}  // namespace ideotype

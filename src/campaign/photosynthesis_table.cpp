@@ -1,0 +1,155 @@
+#include "photosynthesis_table.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace ideotype {
+
+namespace {
+
+using Numbers = std::vector<double> PhotosynthesisTable::*;
+
+//! A number of leaves that models share or not.
+struct LeafKey {
+    const char* name;
+    Numbers numbers;
+    bool hyperbola, collatz;
+};
+
+constexpr LeafKey leaf_keys[] = {
+    {"phi", &PhotosynthesisTable::phi, true, false},
+    {"theta", &PhotosynthesisTable::theta, true, true},
+    {"amax", &PhotosynthesisTable::amax, true, false},
+    {"rd", &PhotosynthesisTable::rd, true, true},
+    {"vmax", &PhotosynthesisTable::vmax, false, true},
+    {"alpha", &PhotosynthesisTable::alpha, false, true},
+    {"beta", &PhotosynthesisTable::beta, false, true},
+    {"k", &PhotosynthesisTable::k, false, true},
+};
+
+std::size_t leaves(const PhotosynthesisTable& table) {
+    std::size_t most = 1;
+    for (const LeafKey& key : leaf_keys)
+        most = std::max(most, (table.*key.numbers).size());
+    return most;
+}
+
+Key by_leaf(const std::string& name, std::vector<double>& value, double least,
+            double most, const std::string& unit, const std::string& initial,
+            const std::string& meaning) {
+    return Key(name, &value, meaning)
+        .within(least, most, unit)
+        .set(&Key::count, any_count)
+        .set(&Key::initial, initial);
+}
+
+}  // namespace
+
+Section photosynthesis_section(PhotosynthesisTable& table) {
+    return {
+        "photosynthesis",
+        {Key("model", choice(table.model),
+             "response of leaves to light: the non-rectangular hyperbola, or "
+             "the C4 model of Collatz et al. 1992")
+             .one_of({"hyperbola", "collatz"}),
+         by_leaf("phi", table.phi, 0, 0.2, "", "0.06",
+                 "quantum yield of the hyperbola [mol mol-1]"),
+         by_leaf("theta", table.theta, 0, 1, "",
+                 "0.7 of the hyperbola, 0.83 by Collatz",
+                 "curvature of the response to light"),
+         by_leaf("amax", table.amax, 0, 1e15, "umol m-2 s-1", "50",
+                 "gross assimilation of the hyperbola in saturating light, at "
+                 "30 deg C"),
+         by_leaf("rd", table.rd, 0, 1000, "umol m-2 s-1",
+                 "0.04 amax, at 30 deg C; 0.8 by Collatz, at 25 deg C",
+                 "respiration in the dark"),
+         by_leaf("vmax", table.vmax, 0, 1e6, "umol m-2 s-1", "39",
+                 "capacity by Collatz, at 25 deg C"),
+         by_leaf("alpha", table.alpha, 0, 0.2, "", "0.067",
+                 "quantum yield by Collatz [mol mol-1]"),
+         by_leaf("beta", table.beta, 0, 1, "", "0.93",
+                 "curvature of light and CO2 by Collatz"),
+         by_leaf("k", table.k, 0, 100, "mol m-2 s-1", "0.7",
+                 "initial slope of the response to CO2 by Collatz, at 25 deg "
+                 "C"),
+         Key("profile", choice(table.profile),
+             "how the capacity of leaves falls with depth: not, as exp(-kn L) "
+             "of the leaf area index L above, or by a fixed canopy nitrogen "
+             "that is spread in this way")
+             .one_of({"none", "exponential", "nitrogen"}),
+         Key("kn", &table.kn, "of the profile, per leaf area index")
+             .within(0, 5),
+         Key("nitrogen", &table.nitrogen, "in leaves, per ground area")
+             .within(0.01, 100, "g m-2"),
+         Key("weather", &table.follows_weather,
+             "whether leaves have the temperature and humidity of the "
+             "weather; else, and on clear days, they have 30 deg C and 60 %"),
+         Key("leaf_mass", &table.building_cost,
+             "that leaves are built of, which the carbon balance pays for")
+             .within(0, 1000, "g m-2"),
+         Key("leaf_days", &table.building_days,
+             "that the building of leaves is spread over")
+             .within(1, 1000, "day")}};
+}
+
+void check_photosynthesis(const PhotosynthesisTable& table, Report& report) {
+    const bool is_collatz = table.model == LeafModel::collatz;
+    const std::size_t count = leaves(table);
+    for (const LeafKey& key : leaf_keys) {
+        const std::vector<double>& numbers = table.*key.numbers;
+        if (numbers.empty() || !report.usable({&numbers})) continue;
+        if (!(is_collatz ? key.collatz : key.hyperbola))
+            report.add(
+                &numbers,
+                fmt::format("photosynthesis.{} is no number of the model "
+                            "\"{}\" (it is one of \"{}\"); remove it",
+                            key.name, is_collatz ? "collatz" : "hyperbola",
+                            is_collatz ? "hyperbola" : "collatz"));
+        else if (numbers.size() != 1 && numbers.size() != count)
+            report.add(&numbers,
+                       fmt::format("photosynthesis.{} has {} values (another "
+                                   "list has {}); give one number, or one for "
+                                   "each leaf",
+                                   key.name, numbers.size(), count));
+    }
+}
+
+Photosynthesis to_photosynthesis(const PhotosynthesisTable& table) {
+    Photosynthesis result;
+    result.rates.clear();
+    for (std::size_t i = 0; i < leaves(table); ++i) {
+        const auto take = [&](Numbers from, double& to) {
+            const std::vector<double>& numbers = table.*from;
+            if (!numbers.empty()) to = numbers[numbers.size() == 1 ? 0 : i];
+            return !numbers.empty();
+        };
+        using All = PhotosynthesisTable;
+        if (table.model == LeafModel::collatz) {
+            CollatzLeaf leaf;
+            take(&All::vmax, leaf.vmax);
+            take(&All::alpha, leaf.alpha);
+            take(&All::theta, leaf.theta);
+            take(&All::beta, leaf.beta);
+            take(&All::k, leaf.k);
+            take(&All::rd, leaf.respiration);
+            result.rates.push_back(leaf);
+        } else {
+            HyperbolaLeaf leaf;
+            take(&All::phi, leaf.response.phi);
+            take(&All::theta, leaf.response.theta);
+            take(&All::amax, leaf.response.amax);
+            double rd = 0;
+            if (take(&All::rd, rd)) leaf.respiration = rd;
+            result.rates.push_back(leaf);
+        }
+    }
+    result.profile = table.profile;
+    result.nitrogen = {table.nitrogen, table.kn};
+    result.follows_weather = table.follows_weather;
+    result.building_cost = leaf_building_cost(table.building_cost);
+    result.building_days = table.building_days;
+    return result;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "ideotype/physiology/photosynthesis.hpp"
+#include "report.hpp"
+#include "schema.hpp"
+
+namespace ideotype {
+
+enum class LeafModel { hyperbola, collatz };
+
+//! [photosynthesis] as it is written: numbers of all leaves, or of each, the
+//! lowest first. Empty lists are what the model has.
+struct PhotosynthesisTable {
+    LeafModel model = LeafModel::hyperbola;
+    std::vector<double> phi, theta, amax, rd;  //!< hyperbola, and both
+    std::vector<double> vmax, alpha, beta, k;  //!< Collatz
+    CapacityProfile profile = CapacityProfile::exponential;
+    double kn = CanopyNitrogen{}.kn;
+    double nitrogen = CanopyNitrogen{}.total;
+    bool follows_weather = true;
+    double building_days = Photosynthesis{}.building_days;
+    double building_cost = 45;  //!< [g m-2 of leaf]
+};
+
+Section photosynthesis_section(PhotosynthesisTable& table);
+
+//! Reports numbers of other models and lists that differ in length.
+void check_photosynthesis(const PhotosynthesisTable& table, Report& report);
+
+//! @param table without problems
+Photosynthesis to_photosynthesis(const PhotosynthesisTable& table);
+
+}  // namespace ideotype

@@ -1,0 +1,220 @@
+#include "ideotype/canopy/pieces.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include <glm/common.hpp>
+
+namespace ideotype {
+
+namespace {
+
+using Faces = std::vector<std::uint32_t>;
+
+//! Numbers that are joined to each other.
+class Joined {
+  public:
+    explicit Joined(std::size_t count) : parent_(count) {
+        std::iota(parent_.begin(), parent_.end(), 0u);
+    }
+
+    std::uint32_t first(std::uint32_t i) {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+
+    void join(std::uint32_t a, std::uint32_t b) {
+        a = first(a);
+        b = first(b);
+        parent_[std::max(a, b)] = std::min(a, b);
+    }
+
+  private:
+    std::vector<std::uint32_t> parent_;
+};
+
+bool is_leaf(const Mesh& mesh, std::uint32_t face) {
+    return mesh.groups[mesh.face_group[face]].tissue == Tissue::leaf;
+}
+
+//! The faces of each blade, in the order of groups and first faces.
+std::vector<Faces> blades(const Mesh& mesh, const Faces& whole) {
+    // Corners by what they are of and where they are.
+    using Corner = std::tuple<std::uint32_t, std::uint32_t, double, double,
+                              double, std::uint32_t>;
+    std::vector<Corner> corners;
+    for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
+        if (!is_leaf(mesh, f)) continue;
+        for (const std::uint32_t v : mesh.faces[f]) {
+            const glm::dvec3& p = mesh.vertices[v];
+            corners.emplace_back(mesh.face_group[f],
+                                 whole.empty() ? 0 : whole[f], p.x, p.y, p.z,
+                                 f);
+        }
+    }
+    std::sort(corners.begin(), corners.end());
+    const auto place = [](const Corner& c) {
+        return std::tie(std::get<0>(c), std::get<1>(c), std::get<2>(c),
+                        std::get<3>(c), std::get<4>(c));
+    };
+    Joined joined(mesh.faces.size());
+    for (std::size_t i = 1; i < corners.size(); ++i)
+        if (place(corners[i - 1]) == place(corners[i]))
+            joined.join(std::get<5>(corners[i - 1]), std::get<5>(corners[i]));
+
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> order;
+    for (std::uint32_t f = 0; f < mesh.faces.size(); ++f)
+        if (is_leaf(mesh, f)) order.emplace_back(joined.first(f), f);
+    std::sort(order.begin(), order.end());
+    std::stable_sort(
+        order.begin(), order.end(), [&](const auto& a, const auto& b) {
+            return mesh.face_group[a.second] < mesh.face_group[b.second];
+        });
+    std::vector<Faces> result;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        if (i == 0 || order[i].first != order[i - 1].first)
+            result.emplace_back();
+        result.back().push_back(order[i].second);
+    }
+    return result;
+}
+
+class Cutter {
+  public:
+    explicit Cutter(const Mesh& mesh) : areas_(face_areas(mesh)) {
+        result_.mesh = mesh;
+        result_.mesh.groups.clear();
+        centres_.reserve(mesh.faces.size());
+        for (const auto& face : mesh.faces) {
+            glm::dvec3 sum(0);
+            for (const std::uint32_t v : face) sum += mesh.vertices[v];
+            centres_.push_back(sum / 4.);
+        }
+    }
+
+    //! Halves the faces until there are so many pieces.
+    void cut(const Mesh& mesh, std::uint32_t* first, std::uint32_t* last,
+             std::size_t pieces) {
+        if (pieces < 2 || last - first < 2) return add(mesh, first, last);
+        glm::dvec3 lower = centres_[*first], upper = lower;
+        for (const std::uint32_t* f = first; f != last; ++f) {
+            lower = glm::min(lower, centres_[*f]);
+            upper = glm::max(upper, centres_[*f]);
+        }
+        const glm::dvec3 extent = upper - lower;
+        int axis = extent.y > extent.x ? 1 : 0;
+        if (extent.z > extent[axis]) axis = 2;
+        std::sort(first, last, [&](std::uint32_t a, std::uint32_t b) {
+            return std::pair(centres_[a][axis], a) <
+                   std::pair(centres_[b][axis], b);
+        });
+        double whole = 0, part = 0;
+        for (const std::uint32_t* f = first; f != last; ++f)
+            whole += areas_[*f];
+        const std::size_t left = pieces / 2;
+        const double wanted =
+            whole * static_cast<double>(left) / static_cast<double>(pieces);
+        std::uint32_t* middle = first + 1;
+        for (part = areas_[*first];
+             middle != last - 1 && part + areas_[*middle] / 2 < wanted;
+             ++middle)
+            part += areas_[*middle];
+        cut(mesh, first, middle, left);
+        cut(mesh, middle, last, pieces - left);
+    }
+
+    //! With the groups that are no leaves.
+    Pieces result(const Mesh& mesh) {
+        result_.count = result_.group.size();
+        std::vector<std::uint32_t> place(mesh.groups.size(), none);
+        for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
+            if (is_leaf(mesh, f)) continue;
+            std::uint32_t& group = place[mesh.face_group[f]];
+            if (group == none) group = add_group(mesh, mesh.face_group[f]);
+            result_.mesh.face_group[f] = group;
+        }
+        return std::move(result_);
+    }
+
+  private:
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+    std::uint32_t add_group(const Mesh& mesh, std::uint32_t group) {
+        result_.mesh.groups.push_back(mesh.groups[group]);
+        result_.group.push_back(group);
+        return static_cast<std::uint32_t>(result_.group.size() - 1);
+    }
+
+    void add(const Mesh& mesh, const std::uint32_t* first,
+             const std::uint32_t* last) {
+        double area = 0, moment = 0;
+        const std::uint32_t piece = add_group(mesh, mesh.face_group[*first]);
+        for (const std::uint32_t* f = first; f != last; ++f) {
+            result_.mesh.face_group[*f] = piece;
+            area += areas_[*f];
+            moment += areas_[*f] * centres_[*f].z;
+        }
+        result_.area.push_back(area);
+        result_.height.push_back(area > 0 ? moment / area : 0);
+    }
+
+    Pieces result_;
+    std::vector<double> areas_;
+    std::vector<glm::dvec3> centres_;
+};
+
+}  // namespace
+
+Pieces cut_leaves(const Mesh& mesh, const std::vector<std::uint32_t>& whole,
+                  std::size_t per_blade) {
+    // Pieces of very fine meshes may be small too.
+    constexpr std::size_t faces_of_piece = 16;
+    Cutter cutter(mesh);
+    for (Faces& blade : blades(mesh, whole))
+        cutter.cut(mesh, blade.data(), blade.data() + blade.size(),
+                   std::max(per_blade, blade.size() / faces_of_piece));
+    return cutter.result(mesh);
+}
+
+Pieces pieces_of_field(const Pieces& plant, Mesh field,
+                       const std::vector<std::uint32_t>& face_plant) {
+    const std::vector<double> areas = face_areas(field);
+    std::size_t plants = 0;
+    for (const std::uint32_t p : face_plant)
+        plants = std::max(plants, std::size_t{p} + 1);
+    const auto count = static_cast<std::uint32_t>(plant.count);
+    const auto all = static_cast<std::uint32_t>(count * plants);
+    Pieces result;
+    result.count = all;
+    const std::vector<Group> groups = std::move(field.groups);
+    field.groups.clear();
+    for (std::size_t p = 0; p < plants; ++p) {
+        field.groups.insert(field.groups.end(), groups.begin(),
+                            groups.begin() + count);
+        result.group.insert(result.group.end(), plant.group.begin(),
+                            plant.group.begin() + count);
+    }
+    field.groups.insert(field.groups.end(), groups.begin() + count,
+                        groups.end());
+    result.group.insert(result.group.end(), plant.group.begin() + count,
+                        plant.group.end());
+    result.area.resize(all);
+    result.height.resize(all);
+    for (std::size_t f = 0; f < field.faces.size(); ++f) {
+        std::uint32_t& group = field.face_group[f];
+        if (group >= count) {
+            group += all - count;
+            continue;
+        }
+        result.height[face_plant[f] * count + group] = plant.height[group];
+        group += face_plant[f] * count;
+        result.area[group] += areas[f];
+    }
+    result.mesh = std::move(field);
+    return result;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,48 @@
+#include "ideotype/physiology/photosynthesis.hpp"
+
+#include <fmt/format.h>
+
+#include "ideotype/core/error.hpp"
+
+namespace ideotype {
+
+namespace {
+
+std::vector<double> capacities(const Photosynthesis& photosynthesis,
+                               const std::vector<double>& leaf_area_index) {
+    const CanopyNitrogen& canopy = photosynthesis.nitrogen;
+    switch (photosynthesis.profile) {
+        case CapacityProfile::exponential:
+            return exponential_profile(leaf_area_index, canopy.kn);
+        case CapacityProfile::nitrogen: {
+            std::vector<double> all =
+                nitrogen_of_leaves(leaf_area_index, canopy);
+            for (double& x : all) x = nitrogen_response(x);
+            return all;
+        }
+        case CapacityProfile::none:
+            break;
+    }
+    return std::vector(leaf_area_index.size(), 1.);
+}
+
+}  // namespace
+
+std::vector<LeafRates> rates_of_leaves(
+    const Photosynthesis& photosynthesis,
+    const std::vector<double>& leaf_area_index) {
+    const std::vector<LeafRates>& given = photosynthesis.rates;
+    const std::size_t leaves = leaf_area_index.size();
+    if (given.size() != 1 && given.size() != leaves)
+        throw Error(fmt::format(
+            "photosynthesis has rates of {} leaves, the plant has {}",
+            given.size(), leaves));
+    const std::vector<double> factors =
+        capacities(photosynthesis, leaf_area_index);
+    std::vector<LeafRates> result;
+    for (std::size_t i = 0; i < leaves; ++i)
+        result.push_back(scaled(given[given.size() == 1 ? 0 : i], factors[i]));
+    return result;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,223 @@
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "ideotype/cli/mesh_study.hpp"
+
+namespace ideotype {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string data(const std::string& name) {
+    return std::string(IDEOTYPE_TEST_DATA) + "/" + name;
+}
+
+//! A file with this [photosynthesis] table.
+std::string table(const std::string& name, const std::string& keys) {
+    const auto path =
+        std::filesystem::path(testing::TempDir()) / (name + ".toml");
+    std::ofstream(path) << "[photosynthesis]\n" << keys;
+    return path.string();
+}
+
+MeshOptions mesh(const std::string& name, MeshOptions::Period period) {
+    MeshOptions options;
+    options.path = data("reference/" + name + ".obj");
+    options.period = period;
+    options.leaf = {.05, .05};
+    options.tolerance = 3e-4;
+    return options;
+}
+
+void set_light(MeshOptions& options, const Json& input, const char* beam,
+               const char* sky) {
+    if (input.at(beam) > 0) {
+        options.sun = {90 - input.at("elevation").get<double>(),
+                       input.at("azimuth").get<double>()};
+        options.beam_ppfd = input.at(beam).get<double>();
+    }
+    if (input.at(sky) > 0) {
+        options.sky = SkyModel::uniform;
+        options.sky_ppfd = input.at(sky).get<double>();
+    }
+}
+
+//! In umol m-2 s-1.
+struct Rates {
+    Estimate gross, net;
+    std::vector<Estimate> groups;
+};
+
+Rates rates(const MeshOptions& options) {
+    const AssimilationReport report = *study(options).canopy.assimilation;
+    Rates result{scaled(report.gross, 1e6), scaled(report.gross, 1e6), {}};
+    result.net.mean -= 1e6 * report.net_loss();
+    for (const Estimate& group : report.groups)
+        result.groups.push_back(scaled(group, 1e6));
+    return result;
+}
+
+//! The rule of the reference values.
+void expect_agreement(Estimate ours, const Json& reference,
+                      const std::string& what) {
+    const double mean = reference.at(0), error = reference.at(1);
+    EXPECT_NEAR(
+        ours.mean, mean,
+        4 * std::hypot(ours.standard_error, error) + 5e-4 * std::abs(mean))
+        << what;
+}
+
+class MaizeAssimilation : public testing::Test {
+  protected:
+    MaizeAssimilation() {
+        std::ifstream(data("physiology/maize1.json")) >> all_;
+        const Json& set2 = all_.at("parameters").at("set2");
+        sets_ = {
+            table("set1", "amax = 50\nrd = 2\n"),
+            table("set2",
+                  fmt::format("amax = {}\nrd = {}\n",
+                              set2.at("Amax_by_rank_1_lowest_to_10_top").dump(),
+                              set2.at("Rd_by_rank").dump()))};
+    }
+
+    const Json& maize() const { return all_.at("meshes").at("maize1"); }
+
+    Json all_;
+    std::vector<std::string> sets_;
+};
+
+TEST_F(MaizeAssimilation, IsThatOfEveryLeafPoint) {
+    for (const auto& [name, instant] : maize().at("instants").items())
+        for (std::size_t set = 0; set < sets_.size(); ++set) {
+            MeshOptions options = mesh("maize1", {.76, .15});
+            options.photosynthesis = sets_[set];
+            const Json& input = instant.at("input");
+            options.leaf = {input.at("rho"), input.at("tau")};
+            options.soil_albedo = input.at("soil_albedo");
+            set_light(options, input, "beam_horizontal_ppfd",
+                      "sky_horizontal_ppfd");
+            const Rates found = rates(options);
+            const std::string a = set == 0 ? "A" : "A2";
+            expect_agreement(found.gross, instant.at(a + "_gross"), name);
+            expect_agreement(found.net, instant.at(a + "_net"), name);
+            for (const Json& rank : instant.at("per_rank"))
+                expect_agreement(
+                    found.groups.at(rank.at("rank").get<std::size_t>() - 1),
+                    rank.at(a + "_gross"), name + rank.at("rank").dump());
+        }
+}
+
+TEST_F(MaizeAssimilation, OfADayIsTheSumOfItsHours) {
+    Estimate sum;
+    for (const Json& hour : maize().at("hours")) {
+        MeshOptions options = mesh("maize1", {.76, .15});
+        options.photosynthesis = sets_[0];
+        options.soil_albedo = 0;
+        set_light(options, hour.at("input"), "beam_ppfd", "diffuse_ppfd");
+        const Estimate gross = scaled(rates(options).gross, 3600e-6);
+        sum = {sum.mean + gross.mean,
+               std::hypot(sum.standard_error, gross.standard_error)};
+    }
+    expect_agreement(sum, maize().at("day_ames_0807").at("A_gross_mol"), "day");
+}
+
+TEST(Assimilation, OfALinearResponseIsAbsorbedLight) {
+    MeshOptions options = mesh("maize1", {.76, .15});
+    options.photosynthesis = table("linear", "phi=0.06\ntheta=1\namax=1e12\n");
+    options.sun = {60, 120};
+    options.sky = SkyModel::uniform;
+    options.beam_ppfd = 700;
+    options.sky_ppfd = 300;
+    const CanopyReport report = study(options).canopy;
+    EXPECT_NEAR(report.assimilation->gross.mean * 1e6 /
+                    (.06 * report.light.day.leaves.mean),
+                1, 1e-12);
+    EXPECT_NEAR(report.assimilation->gross.standard_error * 1e6 /
+                    (.06 * report.light.day.leaves.standard_error),
+                1, 1e-9);
+}
+
+TEST(Assimilation, OfSheetsIsExact) {
+    MeshOptions options = mesh("sheets1", {1, 1});
+    options.photosynthesis = table("sheets", "amax = 50\n");
+    options.soil_albedo = .2;
+    options.sun = {30, 90};
+    options.beam_ppfd = 1000;
+    const Estimate one = rates(options).gross;
+    EXPECT_NEAR(one.mean, 33.6839, 4 * one.standard_error);
+    options.path = data("reference/sheets5.obj");
+    options.leaf = {.45, .45};
+    options.soil_albedo = .3;
+    options.beam_ppfd = 2000;
+    const Estimate five = rates(options).gross;
+    EXPECT_NEAR(five.mean, 36.053, 4 * five.standard_error + 5e-4);
+    EXPECT_LT(five.standard_error, .02);
+}
+
+TEST(Assimilation, OfBlackSphericalLeavesIsExact) {
+    constexpr double normal = 1800;
+    for (const auto& [elevation, exact] :
+         {std::pair(90, 45.665), {60, 41.899}, {15, 15.167}}) {
+        MeshOptions options = mesh("poisson_spherical_L3", {1, 1});
+        options.photosynthesis = table("black", "amax = 50\n");
+        options.leaf = {0, 0};
+        options.soil_albedo = 0;
+        options.sun = {90. - elevation, 90};
+        options.beam_ppfd =
+            normal * std::sin(elevation * 3.14159265358979 / 180);
+        const Estimate found = rates(options).gross;
+        // The mesh is finite.
+        EXPECT_NEAR(found.mean, exact, 4 * found.standard_error + .005 * exact);
+    }
+}
+
+TEST(Assimilation, OfWeakLeavesCountsThoseInTheSun) {
+    MeshOptions options = mesh("maize1", {.76, .15});
+    options.photosynthesis = table("weak", "amax = 1e-9\n");
+    options.leaf = {0, 0};
+    options.soil_albedo = 0;
+    options.sun = {30, 180};
+    options.beam_ppfd = 1500;
+    const Estimate found = scaled(rates(options).gross, 1e9);
+    EXPECT_NEAR(found.mean, 1.342278,
+                4 * std::hypot(found.standard_error, .00025));
+}
+
+TEST(Assimilation, NeedsToKnowHowStrongTheLightIs) {
+    MeshOptions options = mesh("maize1", {.76, .15});
+    options.photosynthesis = table("any", "amax = 50\n");
+    options.sun = {30, 180};
+    EXPECT_THROW(check(options), Error);
+    options.beam_ppfd = 1500;
+    EXPECT_NO_THROW(check(options));
+    options.sky_ppfd = 300;
+    EXPECT_THROW(check(options), Error);
+}
+
+TEST(Assimilation, FilesWithMistakesAreRefusedInOnePass) {
+    MeshOptions options = mesh("maize1", {.76, .15});
+    options.sun = {30, 180};
+    options.beam_ppfd = 1500;
+    options.photosynthesis =
+        table("wrong",
+              "model = 'hyperbola'\nvmax = 39\namx = 50\n"
+              "theta = 2\nrd = [1, 2]\nphi = [0.06, 0.06, 0.06]\n");
+    try {
+        study(options);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.problems().size(), 4u);
+    }
+    options.photosynthesis = table("lists", "amax = [40, 50]\n");
+    EXPECT_THROW(study(options), Error);
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -65,6 +65,20 @@ double wrapped_into(double x, double period) {
     return w < period ? w : 0;
 }
 
+//! Whether a point is closer to a triangle than a clearance, edges aside.
+bool is_at(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b,
+           const glm::dvec3& c, double clearance) {
+    const glm::dvec3 u = b - a, v = c - a, p = point - a;
+    const glm::dvec3 n = glm::cross(u, v);
+    const double square = glm::dot(n, n);
+    if (!(square > 0) ||
+        std::abs(glm::dot(p, n)) > clearance * std::sqrt(square))
+        return false;
+    const double s = glm::dot(glm::cross(p, v), n) / square;
+    const double t = glm::dot(glm::cross(u, p), n) / square;
+    return s >= 0 && t >= 0 && s + t <= 1;
+}
+
 }  // namespace
 
 std::optional<Segment> clip(const Box& box, const glm::dvec3& origin,
@@ -316,6 +330,34 @@ bool Scene::intersect(const glm::dvec3& origin, const glm::dvec3& direction,
     const glm::dvec3 on_plane(corner[0], corner[1], corner[2]);
     hit.position = p - glm::dot(p - on_plane, hit.normal) * hit.normal;
     return true;
+}
+
+int Scene::faces_at(const glm::dvec3& point) const {
+    struct Search {
+        const Scene& scene;
+        glm::dvec3 point;
+        int found = 0;
+    } search{*this, point};
+    RTCPointQuery query;
+    query.x = static_cast<float>(point.x);
+    query.y = static_cast<float>(point.y);
+    query.z = static_cast<float>(point.z);
+    query.radius = static_cast<float>(2 * clearance_);
+    query.time = 0;
+    RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    const auto look_at = [](RTCPointQueryFunctionArguments* arguments) {
+        auto& [scene, p, found] = *static_cast<Search*>(arguments->userPtr);
+        const auto corner = [&scene, arguments](std::size_t i) {
+            const auto& c = scene.corners_[4 * arguments->primID + i];
+            return glm::dvec3(c[0], c[1], c[2]);
+        };
+        found += is_at(p, corner(0), corner(1), corner(3), scene.clearance_) ||
+                 is_at(p, corner(2), corner(3), corner(1), scene.clearance_);
+        return false;
+    };
+    rtcPointQuery(handle_->scene, &query, &context, look_at, &search);
+    return search.found;
 }
 
 }  // namespace ideotype

@@ -71,9 +71,14 @@ class LeafArea {
     std::vector<double> ends_;  //!< summed area up to and with each [m2]
 };
 
+//! The part of a point's leaf area that is not on another's.
+double own_part(const Scene& scene, const LeafArea::Point& point) {
+    if (point.position.z < 0 || point.is_repeated) return 0;
+    return 1. / std::max(1, scene.faces_at(scene.placed(point.position)));
+}
+
 bool sees(const Scene& scene, const LeafArea::Point& point,
           const glm::dvec3& sun) {
-    if (point.position.z < 0 || point.is_repeated) return false;
     const glm::dvec3 n =
         glm::dot(point.normal, sun) < 0 ? -point.normal : point.normal;
     const glm::dvec3 from =
@@ -104,10 +109,11 @@ SunlitFractions sunlit_fractions(const Scene& scene, const Mesh& mesh,
             const double share = sampler.next();
             const double s = sampler.next();
             const LeafArea::Point point = leaves.at(share, s, sampler.next());
+            const double part = own_part(scene, point);
             for (std::size_t k = 0; k < sources.size(); ++k) {
-                if (!sources[k].direction) continue;
+                if (!sources[k].direction || part == 0) continue;
                 const glm::dvec3 d = not_level(*sources[k].direction);
-                if (sees(scene, point, -d)) fractions[k] += result.step;
+                if (sees(scene, point, -d)) fractions[k] += part * result.step;
             }
         }
     }

@@ -124,5 +124,42 @@ TEST(Coincident, OnlyTheFirstFaceIsLit) {
     EXPECT_NEAR(sunlit.fractions[0][0], .5, 1e-2);
 }
 
+//! Faces that lie on each other in part, or on their own images, are one
+//! surface: to beams, to skies, and for the sunlit area.
+TEST(Coincident, FacesOnEachOtherAreOneSurface) {
+    for (const double slope : {0., .3}) {
+        Mesh one = leaves_only(), two = one, wrapped = one;
+        const auto add = [slope](Mesh& mesh, double x, double length) {
+            add_leaf(mesh, {x, .2, .3 + slope * x}, {length, 0, slope * length},
+                     {0, .5, 0});
+        };
+        add(one, .1, .7);
+        add(two, .1, .5);
+        add(two, .4, .4);
+        const Illumination sun = sun_from(70, 0);
+        const auto sunlit_of = [&](const Mesh& mesh) {
+            const Scene scene(widest_device(), mesh, 1, 1);
+            return sunlit_fractions(scene, mesh, sun, {4096, 4}, {1, 0, 0})
+                .fractions[0][0];
+        };
+        EXPECT_NEAR(sunlit_of(one), 1, 1e-12);
+        EXPECT_NEAR(sunlit_of(two), .7 / .9, 2e-3);
+        for (const Illumination& light : {sun, uniform_sky()}) {
+            const auto leaves = [&](const Mesh& mesh) {
+                return trace(mesh, {1, 1}, leaf_optics(.1, .2, 0), light,
+                             {16384, 8})
+                    .leaves;
+            };
+            const Estimate a = leaves(one), b = leaves(two);
+            EXPECT_NEAR(a.mean, b.mean,
+                        5 * std::hypot(a.standard_error, b.standard_error));
+            EXPECT_LT(a.standard_error, 2e-3 * a.mean);
+        }
+        if (slope > 0) continue;
+        add(wrapped, .3, 2);
+        EXPECT_NEAR(sunlit_of(wrapped), .5, 1e-12);
+    }
+}
+
 }  // namespace
 }  // namespace ideotype

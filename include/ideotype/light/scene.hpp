@@ -71,9 +71,12 @@ std::optional<Segment> clip(const Box& box, const glm::dvec3& origin,
 //! box is above the origin.
 class Scene {
   public:
-    //! Faces without area, faces below the soil and faces with the same corners
-    //! as an earlier one are left out. Where faces that differ lie on each
-    //! other, rounding decides point by point which of them light meets.
+    //! Faces without area and faces below the soil are left out.
+    //!
+    //! Faces that lie on each other, closer than clearance(), are one surface:
+    //! light meets one of them, and what that sends on restarts beyond all. Of
+    //! faces with the same corners, in any order, it is the first in the mesh;
+    //! the others are left out. Elsewhere rounding decides point by point.
     //! @throws Error if a vertex is not finite or beyond reason, a period not
     //! positive, there are too many faces, or memory runs out.
     Scene(const Device& device, const Mesh& mesh, double period_x,
@@ -114,6 +117,10 @@ class Scene {
     //! unit direction; false if there is none.
     bool intersect(const glm::dvec3& origin, const glm::dvec3& direction,
                    double distance, Hit& hit) const;
+
+    //! How many faces and images of faces are at a point of the cell or the
+    //! plot: closer than a clearance.
+    int faces_at(const glm::dvec3& point) const;
 
     //! Where a point of the mesh is in this scene.
     glm::dvec3 placed(const glm::dvec3& point) const;

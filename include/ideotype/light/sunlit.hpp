@@ -20,9 +20,10 @@ struct SunlitFractions {
 };
 
 //! The part of the leaf area from which the sun can be seen, one-sided; for
-//! each source. Points are spread evenly over all leaves, the
-//! same for every sun, and sent towards it. What is below the soil is shaded,
-//! and so is a face with the same corners as an earlier one.
+//! each source. Points are spread evenly over all leaves, the same for every
+//! sun, and sent towards it. What is below the soil is shaded. Faces that lie
+//! on each other are one surface, see Scene: of faces with the same corners
+//! only the first can be sunlit, others share equally what is.
 //! @param mesh that the scene was built from
 //! @param accuracy as many points as paths, for each randomisation
 SunlitFractions sunlit_fractions(const Scene& scene, const Mesh& mesh,

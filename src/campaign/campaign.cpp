@@ -10,6 +10,7 @@
 #include "reader.hpp"
 #include "report.hpp"
 #include "resolve.hpp"
+#include "weather_reader.hpp"
 
 namespace ideotype {
 
@@ -45,6 +46,7 @@ Campaign complete(Draft& draft, const std::string& source,
     campaign.source = source;
     campaign.warnings = report.warnings();
     campaign.resolved = resolved_text(draft);
+    if (campaign.climates.empty()) campaign.sun_dates = 0;
     campaign.sha256 = sha256(campaign.resolved);
     return campaign;
 }
@@ -54,6 +56,7 @@ Campaign parse(const std::string& text, const std::string& file,
     Draft draft;
     Report report;
     read_draft(text, file, source, draft, report);
+    read_weathers(file, source, draft, report);
     check_draft(draft, report);
     report.throw_if_any();
     return complete(draft, text, report);

@@ -23,12 +23,37 @@ std::string case_name(const std::string& site, const std::string& day,
     return name;
 }
 
+LightSeries to_series(const SiteWeather& weather, Site site) {
+    site.utc_offset = weather.utc_offset;
+    const auto at = [](const std::vector<double>& values, std::size_t i) {
+        return values.empty() ? std::nullopt : std::optional(values.at(i));
+    };
+    const double seconds = 86400 / static_cast<double>(weather.hours.size());
+    LightSeries series;
+    series.days = static_cast<int>(weather.dates.size());
+    for (const Date& date : weather.dates)
+        for (const double hour : weather.hours) {
+            const std::size_t i = series.steps.size();
+            series.steps.push_back({hour,
+                                    seconds,
+                                    sun_position(site, date, hour),
+                                    {weather.beam.at(i), weather.diffuse.at(i)},
+                                    date,
+                                    at(weather.temperature, i),
+                                    at(weather.humidity, i)});
+        }
+    return series;
+}
+
 }  // namespace
 
 std::vector<Case> cases(const Campaign& campaign) {
+    std::vector<Named<DaySpan>> days = campaign.days;
+    for (const auto& climate : campaign.climates)
+        days.push_back({climate.name, {}});
     std::vector<Case> all;
     for (const Site& site : campaign.sites)
-        for (const auto& day : campaign.days)
+        for (const auto& day : days)
             for (const auto& spacing : campaign.spacings)
                 for (const auto& traits : campaign.trait_sets)
                     for (int r = 1; r <= campaign.replicates; ++r) {
@@ -48,6 +73,16 @@ std::vector<Case> cases(const Campaign& campaign) {
                         all.push_back(std::move(one));
                     }
     return all;
+}
+
+LightSeries light_of(const Campaign& campaign, const Case& chosen) {
+    if (campaign.climates.empty())
+        return clear_days(chosen.site, chosen.day, campaign.par_fraction);
+    for (const SiteWeather& weather : campaign.weathers)
+        if (weather.site == chosen.site.name &&
+            weather.climate == chosen.day_name)
+            return to_series(weather, chosen.site);
+    throw Error("there is no weather of case " + chosen.name);
 }
 
 Case case_at(const Campaign& campaign, int index, const std::string& path) {

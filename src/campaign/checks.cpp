@@ -144,6 +144,7 @@ void check_draft(Draft& draft, Report& report) {
     const Campaign& campaign = draft.campaign;
     check_names("site", campaign.sites, report);
     check_names("day", campaign.days, report);
+    check_names("climate", campaign.climates, report);
     check_names("spacing", campaign.spacings, report);
     check_names("traits", campaign.trait_sets, report);
     // Repeated names of one axis have been told apart already.

@@ -44,6 +44,18 @@ const std::string* find(const Entries& entries, const std::string& name) {
 
 }  // namespace
 
+namespace {
+
+//! As it stands, but for numbers of a whole season.
+std::string shown(const std::string& value) {
+    constexpr std::size_t longest = 80;
+    if (value.size() <= longest) return value;
+    return fmt::format("{}... ({} characters)", value.substr(0, longest / 2),
+                       value.size());
+}
+
+}  // namespace
+
 std::vector<std::string> differences(const std::string& was,
                                      const std::string& is) {
     const Entries before = entries(was);
@@ -52,13 +64,16 @@ std::vector<std::string> differences(const std::string& was,
     for (const auto& [name, value] : before) {
         const std::string* now = find(after, name);
         if (!now)
-            lines.push_back(fmt::format("{} was {}, is absent", name, value));
+            lines.push_back(
+                fmt::format("{} was {}, is absent", name, shown(value)));
         else if (*now != value)
-            lines.push_back(fmt::format("{} was {}, is {}", name, value, *now));
+            lines.push_back(fmt::format("{} was {}, is {}", name, shown(value),
+                                        shown(*now)));
     }
     for (const auto& [name, value] : after)
         if (!find(before, name))
-            lines.push_back(fmt::format("{} was absent, is {}", name, value));
+            lines.push_back(
+                fmt::format("{} was absent, is {}", name, shown(value)));
     return lines;
 }
 

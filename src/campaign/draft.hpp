@@ -40,6 +40,7 @@ struct Draft {
     std::vector<Range> own_bounds;    //!< of each trait
     std::vector<std::string> organs;  //!< that plants have besides leaves
     bool is_crop_known = true;        //!< no file is missing
+    bool has_climate = false;         //!< instead of days
 };
 
 //! The names that campaigns may choose bounds by.

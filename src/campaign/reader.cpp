@@ -62,6 +62,10 @@ std::optional<toml::table> parse(const std::string& text,
     return table;
 }
 
+std::string month_and_day(const Date& date) {
+    return fmt::format("{:02}{:02}", date.month, date.day);
+}
+
 class DraftReader {
   public:
     DraftReader(const std::string& file, PlantSource source, Draft& draft,
@@ -79,6 +83,7 @@ class DraftReader {
         if (const auto baseline = top["plant"]["baseline"])
             read_baseline(top, *baseline.node());
         prepare();
+        draft_.has_climate = top.contains("climate");
         if (top["plant"]["bounds"].is_table()) draft_.rule.clear();
         const std::vector<Table> tables = campaign_tables(draft_);
         tables_.read(top, top_section(campaign), tables);
@@ -89,9 +94,15 @@ class DraftReader {
         if (top["light"]["paths"] && !top["light"]["tolerance"])
             campaign.sampling.tolerance = 0;
         for (auto& [name, span] : campaign.days)
+            if (name.empty() && !span.dates.empty()) {
+                name = month_and_day(span.dates.front());
+                if (span.dates.size() > 1)
+                    name += '-' + month_and_day(span.dates.back());
+            }
+        for (auto& [name, climate] : campaign.climates)
             if (name.empty())
-                name =
-                    fmt::format("{:02}{:02}", span.date.month, span.date.day);
+                name = month_and_day(climate.period.from) + '-' +
+                       month_and_day(climate.period.to);
         for (auto& [name, spacing] : campaign.spacings)
             if (name.empty())
                 name = fmt::format("{}x{}", std::lround(spacing.row * 1000),
@@ -232,8 +243,11 @@ bool read_plant_draft(const std::string& text, const std::string& file,
 
 std::string plant_path(const toml::table& campaign, const std::string& file) {
     const auto path = campaign["plant"]["baseline"].value<std::string>();
-    if (!path) return "";
-    return (fs::path(file).parent_path() / *path)
+    return path ? path_from(file, *path) : "";
+}
+
+std::string path_from(const std::string& file, const std::string& path) {
+    return (fs::path(file).parent_path() / path)
         .lexically_normal()
         .generic_string();
 }

@@ -34,6 +34,9 @@ void read_table(const std::string& text, const std::string& file,
 //! The crop file that a campaign names, as seen from here; "" if none.
 std::string plant_path(const toml::table& campaign, const std::string& file);
 
+//! A path that a campaign file names, as seen from here.
+std::string path_from(const std::string& file, const std::string& path);
+
 //! The whole content of a file; nothing if it cannot be read.
 std::optional<std::string> read_text(const std::string& path);
 

@@ -42,6 +42,7 @@ class Report {
 
     //! Notes what may be wrong with a value; it stays usable.
     void warn(const void* value, const std::string& what);
+    void warn(const Problem& warning) { warnings_.push_back(warning); }
 
     //! @throws InputError if there is any problem: file by file in the order
     //! in which they were read, by position in each.

@@ -8,10 +8,22 @@ namespace ideotype {
 
 namespace {
 
-//! Whether it is a list of nothing that need not be there.
+//! Whether it is nothing that need not be there.
 bool is_empty(const Key& key) {
-    const auto* texts = std::get_if<std::vector<std::string>*>(&key.value);
-    return texts && (*texts)->empty() && key.initial.empty();
+    if (!key.is_written) return true;
+    return std::visit(
+        [&](auto value) {
+            if constexpr (std::is_same_v<decltype(value),
+                                         std::vector<std::string>*>)
+                return value->empty() && key.initial.empty();
+            else if constexpr (requires { value->empty(); })
+                return value->empty() && !key.is_required;
+            else if constexpr (requires { value->has_value(); })
+                return !value->has_value();
+            else
+                return false;
+        },
+        key.value);
 }
 
 //! Appends the keys of a section; values with a form of their own have

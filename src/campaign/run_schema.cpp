@@ -52,7 +52,12 @@ Section light_section(Campaign& campaign) {
              Key("sky", choice(campaign.sky_model),
                  "how the radiance of diffuse light is distributed: evenly, "
                  "or as CIE overcast or clear skies")
-                 .one_of({"uniform", "overcast", "clear"})}};
+                 .one_of({"uniform", "overcast", "clear"}),
+             Key("dates", &campaign.sun_dates,
+                 "of a climate: the suns of so many dates stand for all, the "
+                 "nearest for each hour")
+                 .within(1, 366)
+                 .set(&Key::is_written, !campaign.climates.empty())}};
 }
 
 Section objective_section(Campaign& campaign) {

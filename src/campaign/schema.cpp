@@ -1,5 +1,7 @@
 #include "schema.hpp"
 
+#include <fmt/format.h>
+
 namespace ideotype {
 
 namespace {
@@ -33,6 +35,16 @@ Key fraction(const std::string& name, double& value,
     return Key(name, &value, meaning).within(0, 1);
 }
 
+Key path(const std::string& name, std::string& value,
+         const std::string& meaning) {
+    return Key(name, &value, meaning)
+        .set(&Key::is_any_text, true)
+        .set(&Key::type, "path")
+        .like("\"weather/mine.csv\"")
+        .set(&Key::range, "relative to this file")
+        .set(&Key::initial, "none");
+}
+
 Section site_section(Site& site) {
     return {"site",
             {entry_name(site.name, "", R"("ames")"),
@@ -50,23 +62,130 @@ Section site_section(Site& site) {
                  .within(-500, 9000, "m"),
              Key("linke_turbidity", &site.linke_turbidity,
                  "haze of the clear sky: 2 very clear, 7 hazy")
-                 .within(1, 10)}};
+                 .within(1, 10),
+             path("weather", site.weather,
+                  "weather file of the site, if a climate has none")}};
 }
+
+constexpr auto date_range = "1950-01-01 .. 2100-12-31";
 
 Section day_section(Named<DaySpan>& day) {
     DaySpan& span = day.value;
+    return {"day",
+            {entry_name(day.name, R"(month and day, "0807")", R"("0807")"),
+             Key("date", &span.dates,
+                 "fixes the sun's path; of several dates the mean day counts")
+                 .set(&Key::range, date_range)
+                 .required("2025-08-07"),
+             instant("start", span.start, "07:00:00", "00:00:00 .. 23:59:59",
+                     "first instant, on the local clock"),
+             instant("end", span.end, "20:00:00", "after start, to \"24:00\"",
+                     "last instant"),
+             Key("step_minutes", &span.step_minutes,
+                 "between instants; divides the time from start to end")
+                 .within(1, 720, "min")}};
+}
+
+Key column(const std::string& name, std::optional<Column>& value,
+           const std::string& unit, const std::string& meaning) {
+    return Key(name, &value, meaning)
+        .like(fmt::format("[\"{}\", \"{}\"]", name, unit))
+        .set(&Key::initial, "none");
+}
+
+Section climate_section(Named<Climate>& named) {
+    Climate& climate = named.value;
+    ColumnMap& columns = climate.columns;
+    const auto date = [](const std::string& name, Date& value,
+                         const std::string& example,
+                         const std::string& meaning) {
+        return Key(name, &value, meaning)
+            .set(&Key::range, date_range)
+            .required(example);
+    };
+    const auto number =
+        [](const std::string& name, std::optional<double>& value,
+           const std::string& initial, const std::string& meaning) {
+            return Key(name, &value, meaning).set(&Key::initial, initial);
+        };
+    const auto light = [](const std::string& name, std::optional<Column>& value,
+                          const std::string& plane) {
+        return column(name, value, "W/m2", "column and unit: light " + plane);
+    };
     return {
-        "day",
-        {entry_name(day.name, R"(month and day, "0807")", R"("0807")"),
-         Key("date", &span.date, "fixes the sun's path")
-             .set(&Key::range, "1950-01-01 .. 2100-12-31")
-             .required("2025-08-07"),
-         instant("start", span.start, "07:00:00", "00:00:00 .. 23:59:59",
-                 "first instant, on the local clock"),
-         instant("end", span.end, "20:00:00", "after start", "last instant"),
-         Key("step_minutes", &span.step_minutes,
-             "between instants; divides the time from start to end")
-             .within(1, 720, "min")}};
+        "climate",
+        {entry_name(named.name, R"(months and days, "0721-0920")",
+                    R"("season")"),
+         path("file", climate.file,
+              "weather file: EPW, TMY3, NSRDB, NASA POWER, or any CSV with "
+              "the columns below"),
+         date("from", climate.period.from, "2011-07-21", "first day"),
+         date("to", climate.period.to, "2011-09-20", "last day"),
+         Key("stamp", &climate.stamp,
+             "which part of its time step the time of a row is")
+             .one_of({"beginning", "middle", "end"})
+             .set(&Key::initial, "that of the format; \"end\" of other CSV"),
+         Key("time", &columns.time,
+             "columns of date and time, or of date, and time, or of year, "
+             "month, day, hour and, if there is one, minute")
+             .set(&Key::range, "columns of the file")
+             .set(&Key::initial, "those of the format"),
+         Key("date_order", choice(columns.date_order), "of dates in one text")
+             .one_of({"year_month_day", "month_day_year", "day_month_year"}),
+         number("utc_offset", columns.utc_offset, "that of the site",
+                "of the file's clock, if its times have none")
+             .within(-12, 14, "h"),
+         number("missing", climate.missing, "none",
+                "number that stands for what is not known, beside -99, -999, "
+                "9999, NaN and the like"),
+         light("global", columns.global, "on a horizontal plane"),
+         light("beam_normal", columns.beam_normal,
+               "of the sun on a plane that faces it"),
+         light("diffuse", columns.diffuse, "of the sky on a horizontal plane"),
+         column("diffuse_fraction", columns.diffuse_fraction, "1",
+                "column and unit: diffuse over global light"),
+         column("temperature", columns.temperature, "C",
+                "column and unit: of the air"),
+         column("humidity", columns.humidity, "%",
+                "column and unit: relative humidity of the air")}};
+}
+
+Section weather_section(SiteWeather& weather) {
+    const auto numbers =
+        [](const std::string& name, std::vector<double>& values,
+           const std::string& unit, const std::string& meaning) {
+            return Key(name, &values, meaning)
+                .set(&Key::unit, unit)
+                .set(&Key::initial, "none")
+                .like("[0, 0]");
+        };
+    const auto text = [](const std::string& name, std::string& value,
+                         const std::string& meaning) {
+        return Key(name, &value, meaning)
+            .set(&Key::range, name_range)
+            .required("\"ames\"");
+    };
+    return {"weather",
+            {text("site", weather.site, "name of the site"),
+             text("climate", weather.climate, "name of the climate"),
+             text("sha256", weather.sha256, "of the file that was read"),
+             Key("utc_offset", &weather.utc_offset, "of dates and hours")
+                 .within(-12, 14, "h")
+                 .required("-6"),
+             Key("dates", &weather.dates,
+                 "of the period, but for those that "
+                 "the file leaves out")
+                 .set(&Key::range, date_range)
+                 .required("[2011-07-21]"),
+             numbers("hours", weather.hours, "h",
+                     "middles of the time steps of a day"),
+             numbers("beam", weather.beam, "W m-2",
+                     "PAR of the sun on a horizontal plane, date by date and "
+                     "hour by hour"),
+             numbers("diffuse", weather.diffuse, "W m-2", "PAR of the sky"),
+             numbers("temperature", weather.temperature, "deg C", "of the air"),
+             numbers("humidity", weather.humidity, "1",
+                     "relative humidity of the air")}};
 }
 
 Section spacing_section(Named<Spacing>& spacing) {
@@ -152,8 +271,17 @@ Section top_section(Campaign& campaign) {
 
 std::vector<Table> campaign_tables(Draft& draft) {
     Campaign& campaign = draft.campaign;
+    Table days =
+        list_of_tables<Named<DaySpan>>("day", day_section, campaign.days);
+    days.is_optional = draft.has_climate;
+    Table climates = list_of_tables<Named<Climate>>("climate", climate_section,
+                                                    campaign.climates);
+    Table weathers = list_of_tables<SiteWeather>("weather", weather_section,
+                                                 campaign.weathers);
+    climates.is_optional = weathers.is_optional = true;
     return {list_of_tables<Site>("site", site_section, campaign.sites),
-            list_of_tables<Named<DaySpan>>("day", day_section, campaign.days),
+            days,
+            climates,
             list_of_tables<Named<Spacing>>("spacing", spacing_section,
                                            campaign.spacings),
             list_of_tables<Named<TraitSet>>(
@@ -171,7 +299,8 @@ std::vector<Table> campaign_tables(Draft& draft) {
             one_table(search_section(campaign.search)),
             one_table(stop_section(campaign.stop)),
             one_table(final_section(campaign.final_rule)),
-            one_table(parallel_section(campaign.answer_limits))};
+            one_table(parallel_section(campaign.answer_limits)),
+            weathers};
 }
 
 }  // namespace ideotype

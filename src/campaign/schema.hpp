@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -34,8 +35,9 @@ Choice choice(Enum& value) {
 //! value has a form of its own and is read and written by hand.
 using Target =
     std::variant<std::monostate, std::string*, std::uint64_t*, int*, long long*,
-                 double*, bool*, Date*, Range*, std::vector<double>*,
-                 std::vector<std::string>*, Choice>;
+                 double*, std::optional<double>*, bool*, Date*,
+                 std::vector<Date>*, Range*, std::vector<double>*,
+                 std::vector<std::string>*, std::optional<Column>*, Choice>;
 
 //! The address behind a target, which identifies the value in a Report.
 const void* address(const Target& target);
@@ -99,8 +101,10 @@ struct Key {
     //! Units that a number above the range may have been given in.
     std::vector<MistakenUnit> mistaken;
     double lower = 0;
-    double upper = 0;       //!< of numbers; lower == upper: none
-    std::size_t count = 0;  //!< of the numbers of a list
+    double upper = 0;          //!< of numbers; lower == upper: none
+    std::size_t count = 0;     //!< of the numbers of a list; 0: any
+    bool is_any_text = false;  //!< not only a name
+    bool is_written = true;    //!< in resolved campaigns
     //! Of texts, none: any name.
     std::vector<std::string> choices;
     std::string example;  //!< as TOML, shown in messages

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -54,11 +55,11 @@ void check_day(const DaySpan& day, Report& report) {
 void check_light(const Site& site, const Named<DaySpan>& day, Report& report) {
     const DaySpan& span = day.value;
     if (!report.usable({&site.latitude, &site.longitude, &site.utc_offset,
-                        &site.elevation, &site.linke_turbidity, &span.date,
+                        &site.elevation, &site.linke_turbidity, &span.dates,
                         &span.start, &span.end, &span.step_minutes}) ||
-        clear_day(site, span, 1).incident() > 0)
+        clear_days(site, span, 1).incident() > 0)
         return;
-    const Daylight sun = daylight(site, span.date);
+    const Daylight sun = daylight(site, span.dates[0]);
     const std::string what = fmt::format(
         "day \"{}\" has no light at site \"{}\" ", day.name, site.name);
     if (sun.sunrise && sun.sunset)
@@ -69,10 +70,14 @@ void check_light(const Site& site, const Named<DaySpan>& day, Report& report) {
                                clock_time(*sun.sunrise),
                                clock_time(*sun.sunset)));
     else
-        report.add(report.where(&span.date),
+        report.add(report.where(&span.dates),
                    what +
                        "(the sun is down all day); take another date or "
                        "site");
+}
+
+double total(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
 }  // namespace
@@ -84,6 +89,19 @@ void check_sky(const Campaign& campaign, Report& report) {
     for (const Site& site : campaign.sites)
         for (const Named<DaySpan>& day : campaign.days)
             check_light(site, day, report);
+    if (campaign.climates.empty()) return;
+    const std::string& climate = campaign.climates[0].name;
+    if (!campaign.days.empty())
+        report.add(report.where(&climate),
+                   "there are both [[climate]] and [[day]] (each case has one "
+                   "of them); remove one, or write two campaigns");
+    for (const SiteWeather& weather : campaign.weathers)
+        if (report.empty() &&
+            !(total(weather.beam) + total(weather.diffuse) > 0))
+            report.add(report.where(&climate),
+                       fmt::format("climate \"{}\" has no light at site "
+                                   "\"{}\"; take another period",
+                                   weather.climate, weather.site));
 }
 
 }  // namespace ideotype

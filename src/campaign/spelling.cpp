@@ -33,6 +33,10 @@ std::optional<std::string> meant_time(const std::string& text) {
                        to_int(found[3]));
 }
 
+bool is_midnight(const std::string& text) {
+    return text == "24:00" || text == "24:00:00";
+}
+
 std::optional<std::string> meant_date(const std::string& text) {
     std::smatch found = parts(text, R"((\d{4})[-./](\d{1,2})[-./](\d{1,2}))");
     const bool is_year_first = !found.empty();
@@ -62,6 +66,8 @@ std::string line_advice(const std::string& line) {
         parts(line, R"(\s*([\w-]+)\s*=\s*([^#]*[^#\s])\s*(?:#.*)?)");
     if (found.empty()) return "correct this line";
     const std::string key = found[1], value = found[2];
+    if (is_midnight(value))
+        return fmt::format("write the end of a day as in {} = \"24:00\"", key);
     if (const auto time = meant_time(value); time && *time != value)
         return fmt::format("write times as in {} = {}", key, *time);
     if (const auto date = meant_date(value); date && *date != value)

@@ -10,17 +10,50 @@ namespace ideotype {
 
 namespace {
 
+//! As a TOML string.
+std::string quoted(const std::string& text) {
+    std::string escaped;
+    for (const char c : text) {
+        const auto code = static_cast<unsigned char>(c);
+        if (code < 0x20 || code == 0x7f)
+            escaped += fmt::format("\\u{:04X}", code);
+        else if (c == '"' || c == '\\')
+            escaped += fmt::format("\\{}", c);
+        else
+            escaped += c;
+    }
+    return '"' + escaped + '"';
+}
+
 //! Writes the value that a target points at.
 struct Writer {
     const Key& key;
 
     std::string operator()(std::monostate) const { return ""; }
     std::string operator()(const std::string* text) const {
-        return fmt::format("\"{}\"", *text);
+        return quoted(*text);
     }
     std::string operator()(const double* number) const {
-        if (key.notation == Notation::clock) return clock_text(*number);
+        if (key.notation == Notation::clock) {
+            // TOML's days end before that.
+            const std::string text = clock_text(*number);
+            return *number < 24 ? text : quoted(text);
+        }
         return fmt::format("{}", *number);
+    }
+    std::string operator()(const std::optional<double>* number) const {
+        return *number ? fmt::format("{}", **number) : "";
+    }
+    std::string operator()(const std::optional<Column>* column) const {
+        if (!*column) return "";
+        return fmt::format("[{}, {}]", quoted((*column)->name),
+                           quoted((*column)->unit));
+    }
+    std::string operator()(const std::vector<Date>* dates) const {
+        std::vector<std::string> texts;
+        for (const Date& date : *dates) texts.push_back(to_string(date));
+        const std::string all = fmt::format("{}", fmt::join(texts, ", "));
+        return texts.size() == 1 ? all : '[' + all + ']';
     }
     std::string operator()(const Date* date) const { return to_string(*date); }
     std::string operator()(const Range* range) const {
@@ -33,7 +66,9 @@ struct Writer {
     }
     std::string operator()(const std::vector<std::string>* texts) const {
         if (texts->empty()) return "[]";
-        return fmt::format("[\"{}\"]", fmt::join(*texts, "\", \""));
+        std::vector<std::string> all;
+        for (const std::string& text : *texts) all.push_back(quoted(text));
+        return fmt::format("[{}]", fmt::join(all, ", "));
     }
     std::string operator()(const Choice& choice) const {
         return fmt::format("\"{}\"", key.choices[choice.get(choice.value)]);
@@ -56,11 +91,21 @@ struct TypeName {
             return "number or \"1h30m\" or \"HH:MM:SS\"";
         return "number";
     }
+    std::string operator()(const std::optional<double>*) const {
+        return "number";
+    }
+    std::string operator()(const std::optional<Column>*) const {
+        return "[column, unit]";
+    }
     std::string operator()(const Date*) const { return "local date"; }
+    std::string operator()(const std::vector<Date>*) const {
+        return "local date, or list of them";
+    }
     std::string operator()(const Range*) const { return "[lower, upper]"; }
     std::string operator()(const std::vector<double>*) const {
         if (key.count == any_count) return "number or list by leaf";
-        return fmt::format("list of {} numbers", key.count);
+        return key.count == 0 ? "list of numbers"
+                              : fmt::format("list of {} numbers", key.count);
     }
     std::string operator()(const std::vector<std::string>*) const {
         return "list of texts";

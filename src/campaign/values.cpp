@@ -34,7 +34,9 @@ struct Reader {
     std::optional<std::string> without_quotes(const toml::node& found) const {
         const auto text = found.value<std::string>();
         if (!text) return std::nullopt;
-        if (std::holds_alternative<Date*>(key.value)) return meant_date(*text);
+        if (std::holds_alternative<Date*>(key.value) ||
+            std::holds_alternative<std::vector<Date>*>(key.value))
+            return meant_date(*text);
         if (!std::holds_alternative<double*>(key.value)) return std::nullopt;
         return key.notation == Notation::clock ? meant_time(*text)
                                                : meant_number(*text);
@@ -118,6 +120,20 @@ struct Reader {
         return value;
     }
 
+    //! The texts of an array; otherwise reports.
+    std::optional<std::vector<std::string>> texts(std::size_t count) const {
+        const toml::array* array = node.as_array();
+        if (!array || array->size() != count)
+            return fail_type(node), std::nullopt;
+        std::vector<std::string> values;
+        for (const toml::node& element : *array) {
+            const auto text = element.value<std::string>();
+            if (!text) return fail_type(element), std::nullopt;
+            values.push_back(*text);
+        }
+        return values;
+    }
+
     //! The numbers of an array; otherwise reports.
     std::optional<std::vector<double>> numbers(std::size_t count) const {
         const toml::array* array = node.as_array();
@@ -133,7 +149,7 @@ struct Reader {
         std::vector<double> values;
         for (const toml::node& element : *array)
             if (const auto value = number(element)) values.push_back(*value);
-        if (count == any_count) count = array->size();
+        if (count == any_count || count == 0) count = array->size();
         if (array->size() != count)
             fail(fmt::format("has {} values (expected: {}); give {} of them",
                              array->size(), type_text(key), count));
@@ -166,7 +182,7 @@ struct Reader {
         }
         const auto text = node.value<std::string>();
         if (!text) return fail_type(node);
-        if (!is_name(*text))
+        if (!key.is_any_text && !is_name(*text))
             return fail(
                 fmt::format("is \"{}\" (allowed: {}); use for example "
                             "\"{}\"",
@@ -201,7 +217,20 @@ struct Reader {
         if (const auto found = number(node)) *value = *found;
     }
 
+    void operator()(std::optional<double>* value) const {
+        if (const auto found = number(node)) *value = *found;
+    }
+
+    void operator()(std::optional<Column>* value) const {
+        if (const auto found = texts(2))
+            *value = Column{(*found)[0], (*found)[1]};
+    }
+
     void clock(double* value) const {
+        if (is_midnight(node.value<std::string>().value_or(""))) {
+            *value = 24;
+            return;
+        }
         const toml::value<toml::time>* found = node.as_time();
         if (!found) return fail_type(node);
         const toml::time time = found->get();
@@ -227,14 +256,39 @@ struct Reader {
         *value = *found;
     }
 
+    //! A date in the range; otherwise reports.
+    std::optional<Date> date(const toml::node& from) const {
+        const toml::value<toml::date>* found = from.as_date();
+        if (!found) return fail_type(from), std::nullopt;
+        const Date date{found->get().year, found->get().month,
+                        found->get().day};
+        if (date.year >= 1950 && date.year <= 2100) return date;
+        fail(fmt::format("is {} (outside the range {}); use a year within",
+                         to_string(date), range_text(key)));
+        return std::nullopt;
+    }
+
     void operator()(Date* value) const {
-        const toml::value<toml::date>* found = node.as_date();
-        if (!found) return fail_type(node);
-        const toml::date date = found->get();
-        *value = {date.year, date.month, date.day};
-        if (date.year < 1950 || date.year > 2100)
-            fail(fmt::format("is {} (outside the range {}); use a year within",
-                             toml_text(key), range_text(key)));
+        if (const auto found = date(node)) *value = *found;
+    }
+
+    void operator()(std::vector<Date>* value) const {
+        const toml::array* array = node.as_array();
+        if (!array) {
+            if (const auto found = date(node)) *value = {*found};
+            return;
+        }
+        if (array->empty()) return fail_type(node);
+        for (const toml::node& element : *array) {
+            const auto found = date(element);
+            if (!found) return;
+            if (!value->empty() && !(value->back() < *found))
+                return fail(
+                    fmt::format("has {} after {} (not in order); give "
+                                "each date once, the earliest first",
+                                to_string(*found), to_string(value->back())));
+            value->push_back(*found);
+        }
     }
 
     void operator()(Range* value) const {

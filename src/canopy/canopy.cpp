@@ -149,6 +149,9 @@ class Evaluation {
         ++fields_;
         take(result_.seconds.geometry);
 
+        // Each source has a path of its own.
+        accuracy.paths =
+            std::max(accuracy.paths, static_cast<int>(light.sources.size()));
         const Scene scene = build_scene(device_, field);
         Layers& layers = result_.layers;
         if (!(layers.thickness > 0))

@@ -138,10 +138,13 @@ ExitCode check(const CheckOptions& options) {
         field.period_y, leaf_area(field.mesh) / field.ground_area,
         field.mesh.faces.size());
     fmt::print(
-        "light     {} instants with the sun up, {:.3f} MJ m-2 day-1 of "
-        "PAR, {:.0f} % diffuse\n",
-        light.steps.size(), light.incident() / 1e6,
-        100 * light.diffuse() / light.incident());
+        "light     {} {}, {:.3f} MJ m-2 day-1 of PAR, {:.0f} % diffuse\n",
+        light.steps.size(),
+        campaign.climates.empty()
+            ? "instants with the sun up"
+            : fmt::format("time steps with the suns of {} of {} dates",
+                          std::min(campaign.sun_dates, light.days), light.days),
+        light.incident() / 1e6, 100 * light.diffuse() / light.incident());
     fmt::print("{}", sky_table(campaign));
     const double excess = violation(campaign.constraints, campaign.crop.traits,
                                     campaign.crop.baseline,

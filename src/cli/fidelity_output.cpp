@@ -49,7 +49,8 @@ std::string summary(const Combination& combination, const Campaign& campaign) {
         combination.accuracy.randomisations,
         fmt::format("{}x{}", campaign.field.rows, campaign.field.plants),
         campaign.tessellation.cells_along, campaign.tessellation.stalk_sides,
-        campaign.days[0].value.step_minutes);
+        campaign.climates.empty() ? campaign.days[0].value.step_minutes
+                                  : campaign.sun_dates);
 }
 
 //! The keys that a combination changes, as a part of a campaign file.
@@ -141,7 +142,8 @@ void print_choices(const Trade& trade, const std::vector<Choice>& choices,
         "{:>6} "
         "{:>6} {:>6} {:>7} {:>6} {:>6}  {}\n",
         "error of", "tolerance", "fields", "paths", "cell", "cells", "sides",
-        "step", "error", "ms", "ms", "bias, s.e.");
+        trade.own.campaign.climates.empty() ? "step" : "dates", "error", "ms",
+        "ms", "bias, s.e.");
     for (const Choice& choice : choices) {
         fmt::print("{:<10} {:>9.3f} {:>6} ", name_of(choice.goal),
                    100 * choice.tolerance, name_of(choice.fields));

@@ -24,8 +24,8 @@ constexpr std::size_t layers = 10;
 LightSeries day_of(const MeshOptions& options) {
     constexpr double par_fraction = 0.45;
     if (options.site)
-        return clear_day(*options.site, {*options.date, 0, 24, 60},
-                         par_fraction);
+        return clear_days(*options.site, {{*options.date}, 0, 24, 60},
+                          par_fraction);
     Irradiance one = options.sky ? Irradiance{0, 1} : Irradiance{1, 0};
     if (options.beam_ppfd || options.sky_ppfd)
         one = {options.beam_ppfd.value_or(0), options.sky_ppfd.value_or(0)};

@@ -73,14 +73,15 @@ double share_left_out(const Site& site, const DaySpan& span) {
     constexpr int instants = 24 * 60;
     const double midnight = clock_ahead(site);
     double all = 0, kept = 0;
-    for (int i = 0; i < instants; ++i) {
-        const double hour = midnight + (i + 0.5) * 24 / instants;
-        const Irradiance light =
-            clear_sky(site, span.date, sun_position(site, span.date, hour));
-        const double sum = light.beam + light.diffuse;
-        all += sum;
-        if (hour > span.start && hour < span.end) kept += sum;
-    }
+    for (const Date& date : span.dates)
+        for (int i = 0; i < instants; ++i) {
+            const double hour = midnight + (i + 0.5) * 24 / instants;
+            const Irradiance light =
+                clear_sky(site, date, sun_position(site, date, hour));
+            const double sum = light.beam + light.diffuse;
+            all += sum;
+            if (hour > span.start && hour < span.end) kept += sum;
+        }
     return all > 0 ? 1 - kept / all : 0;
 }
 

@@ -63,24 +63,27 @@ std::vector<Date> LightSeries::dates() const {
     return dates;
 }
 
-LightSeries clear_day(const Site& site, const DaySpan& span,
-                      double par_fraction) {
+LightSeries clear_days(const Site& site, const DaySpan& span,
+                       double par_fraction) {
     const int count = step_count(span);
     const double step_hours = (span.end - span.start) / count;
     LightSeries series;
-    for (int i = 0; i <= count; ++i) {
-        const double hour = i == count ? span.end : span.start + i * step_hours;
-        const SunPosition sun = sun_position(site, span.date, hour);
-        if (sun.zenith >= 90) continue;
-        const Irradiance solar = clear_sky(site, span.date, sun);
-        const double weight = i == 0 || i == count ? 0.5 : 1.0;
-        series.steps.push_back(
-            {hour,
-             weight * step_hours * 3600,
-             sun,
-             {par_fraction * solar.beam, par_fraction * solar.diffuse},
-             span.date});
-    }
+    series.days = static_cast<int>(span.dates.size());
+    for (const Date& date : span.dates)
+        for (int i = 0; i <= count; ++i) {
+            const double hour =
+                i == count ? span.end : span.start + i * step_hours;
+            const SunPosition sun = sun_position(site, date, hour);
+            if (sun.zenith >= 90) continue;
+            const Irradiance solar = clear_sky(site, date, sun);
+            const double weight = i == 0 || i == count ? 0.5 : 1.0;
+            series.steps.push_back(
+                {hour,
+                 weight * step_hours * 3600,
+                 sun,
+                 {par_fraction * solar.beam, par_fraction * solar.diffuse},
+                 date});
+        }
     return series;
 }
 

@@ -216,7 +216,10 @@ std::vector<PastedKey> keys_of(const Campaign& campaign) {
     };
     const Optics& optics = campaign.optics;
     std::vector<PastedKey> keys{
-        {"[day]", "step_minutes", number(campaign.days[0].value.step_minutes)},
+        campaign.climates.empty()
+            ? PastedKey{"[day]", "step_minutes",
+                        number(campaign.days[0].value.step_minutes)}
+            : PastedKey{"light", "dates", number(campaign.sun_dates)},
         {"field", "rows", number(campaign.field.rows)},
         {"field", "plants", number(campaign.field.plants)},
         {"plant", "organs", list(organ_names(campaign.crop.baseline))},

@@ -18,6 +18,7 @@ constexpr std::array cells_along{4, 6, 8, 12, 16, 24, 32};
 constexpr std::array stalk_sides{3, 4, 6, 8, 12, 24};
 constexpr std::array plants{1, 2, 3, 4, 6};
 constexpr std::array step_minutes{15.0, 30.0, 60.0, 120.0, 240.0};
+constexpr std::array sun_dates{1, 2, 3, 4, 6, 12};
 constexpr std::array paths{256, 1024, 4096, 16384};
 
 //! Paths of one randomisation where they are not what is compared: few, since
@@ -152,15 +153,26 @@ Parameter split_parameter() {
     return parameter;
 }
 
-//! Fewer paths than sources cannot be shared among them.
-int fewest_paths(const Campaign& campaign, const DaySpan& span) {
-    const double finest = std::min(span.step_minutes, step_minutes.front());
-    const double steps = (span.end - span.start) * 60 / finest + 1;
-    const double sources =
-        campaign.sky_model == SkyModel::clear ? 2 * steps : steps + 1;
+//! Fewer paths than sources would be as many as those.
+int fewest_paths(const Parameter& instants, const Variant& own,
+                 std::size_t case_index) {
+    Variant finest = own;
+    instants.values[instants.reference].apply(finest);
+    const Scenario scenario =
+        scenario_of(finest.campaign, case_of(finest, case_index));
     int count = usual_paths;
-    while (count < sources) count *= 2;
+    while (count < static_cast<int>(scenario.light.light.sources.size()))
+        count *= 2;
     return count;
+}
+
+//! The suns that are traced: of the time steps of a day, or of the dates of a
+//! season.
+Parameter instants_parameter(const Campaign& campaign, const DaySpan& span) {
+    if (campaign.climates.empty()) return step_parameter(span);
+    return ladder(
+        "dates", sun_dates, campaign.sun_dates, number_name,
+        [](Variant& variant, int n) { variant.campaign.sun_dates = n; });
 }
 
 }  // namespace
@@ -184,7 +196,8 @@ CanopyRequest request_of(const Variant& variant, std::size_t case_index,
                    grow(campaign.crop, genome));
     SeriesIllumination& light = request.scenario.light;
     light = illuminate(light.series, campaign.sky_model,
-                       chosen.spacing.row_direction, variant.skies);
+                       chosen.spacing.row_direction, variant.skies,
+                       campaign.sun_dates);
     for (Source& source : light.light.sources)
         if (!source.direction) source.effort = variant.sky_effort;
     return request;
@@ -207,7 +220,8 @@ std::vector<Parameter> parameters(const Campaign& campaign,
                              [](Variant& variant, int n) {
                                  variant.campaign.tessellation.stalk_sides = n;
                              }));
-    all.push_back(step_parameter(span));
+    const Parameter instants = instants_parameter(campaign, span);
+    all.push_back(instants);
     Parameter scattering = scattering_parameter(campaign.optics, plant);
     if (scattering.values.size() > 1) all.push_back(std::move(scattering));
     Parameter organs = organs_parameter(plant);
@@ -217,7 +231,7 @@ std::vector<Parameter> parameters(const Campaign& campaign,
 
     Variant own{campaign};
     own.campaign.first_tolerance = own.campaign.sampling.tolerance = 0;
-    own.campaign.sampling.paths = fewest_paths(campaign, span);
+    own.campaign.sampling.paths = fewest_paths(instants, own, case_index);
     Variant fine = own;
     for (const Parameter& parameter : all)
         if (parameter.kind != Parameter::Kind::arrangement)

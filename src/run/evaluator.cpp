@@ -48,12 +48,11 @@ Layers canopy_layers(const Campaign& campaign) {
 Scenario scenario_of(const Campaign& campaign, const Case& chosen) {
     FieldForm field = campaign.field;
     field.spacing = chosen.spacing;
-    const LightSeries series =
-        clear_day(chosen.site, chosen.day, campaign.par_fraction);
-    return {
-        field,
-        illuminate(series, campaign.sky_model, chosen.spacing.row_direction),
-        campaign.optics};
+    return {field,
+            illuminate(light_of(campaign, chosen), campaign.sky_model,
+                       chosen.spacing.row_direction, Skies::shared,
+                       campaign.sun_dates),
+            campaign.optics};
 }
 
 CanopyRequest request_of(const Task& task, const Campaign& campaign,
@@ -71,9 +70,9 @@ CanopyRequest request_of(const Task& task, const Campaign& campaign,
 OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
                              const Accuracy& accuracy) {
     OutcomeSchema schema;
-    schema.measured = canopy_quantities(
-        campaign.crop.baseline, canopy_layers(campaign),
-        clear_day(chosen.site, chosen.day, campaign.par_fraction));
+    schema.measured =
+        canopy_quantities(campaign.crop.baseline, canopy_layers(campaign),
+                          light_of(campaign, chosen));
     schema.randomisations = static_cast<std::size_t>(accuracy.randomisations);
     for (const Quantity& each : schema.measured.quantities)
         if (each.name == campaign.objective)

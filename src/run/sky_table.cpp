@@ -16,6 +16,10 @@ std::string clock(std::optional<double> hour) {
     return hour ? clock_time(*hour) : "-";
 }
 
+const Date& middle(const std::vector<Date>& dates) {
+    return dates[dates.size() / 2];
+}
+
 std::string place(const Site& site) {
     return fmt::format("{} {} {} {}", std::abs(site.latitude),
                        site.latitude < 0 ? 'S' : 'N', std::abs(site.longitude),
@@ -29,7 +33,9 @@ void print_warnings(const Campaign& campaign) {
         fmt::print(stderr, "ideotype: warning: {}\n", to_string(warning));
 }
 
-std::string sky_table(const Campaign& campaign) {
+namespace {
+
+std::string table_of_days(const Campaign& campaign) {
     constexpr auto row =
         "{:<9} {:<12} {:<16} {:<6} {:>7} {:>5} {:>9} {:>6} "
         "{:>8} {:>11}\n";
@@ -38,7 +44,7 @@ std::string sky_table(const Campaign& campaign) {
                     "elevation", "sunset", "left out", "clock ahead");
     for (const Site& site : campaign.sites)
         for (const auto& [name, span] : campaign.days) {
-            const Daylight sun = daylight(site, span.date);
+            const Daylight sun = daylight(site, middle(span.dates));
             text += fmt::format(
                 row, "", site.name, place(site), name, clock(sun.sunrise),
                 clock(sun.noon), fmt::format("{:.1f} deg", sun.elevation),
@@ -47,6 +53,55 @@ std::string sky_table(const Campaign& campaign) {
                 fmt::format("{:+.2f} h", clock_ahead(site)));
         }
     return text;
+}
+
+//! The mean of what is known by day, weighted by light.
+std::string by_day(const LightSeries& series,
+                   std::optional<double> TimeStep::*value, double factor,
+                   const std::string& unit) {
+    double sum = 0, light = 0;
+    for (const TimeStep& step : series.steps) {
+        const double par = step.par.beam + step.par.diffuse;
+        if (!(step.*value)) return "-";
+        sum += par * *(step.*value);
+        light += par;
+    }
+    return fmt::format("{:.1f} {}", factor * sum / light, unit);
+}
+
+std::string table_of_climates(const Campaign& campaign) {
+    constexpr auto row =
+        "{:<9} {:<12} {:<16} {:<10} {:>4} {:>11} {:>8} {:>11} {:>8} {:>7} "
+        "{:>5} {:>6}\n";
+    std::string text = fmt::format(
+        row, "climate", "site", "place", "period", "days", "PAR per day",
+        "diffuse", "temperature", "humidity", "sunrise", "noon", "sunset");
+    for (const Case& each : cases(campaign)) {
+        const Site& site = each.site;
+        const std::string start =
+            fmt::format("{:<9} {:<12} {:<16} {:<10} ", "", site.name,
+                        place(site), each.day_name);
+        if (text.find(start) != std::string::npos) continue;
+        const LightSeries series = light_of(campaign, each);
+        const Daylight sun = daylight(site, middle(series.dates()));
+        text += fmt::format(
+            row, "", site.name, place(site), each.day_name, series.days,
+            fmt::format("{:.2f} MJ m-2", series.incident() / 1e6),
+            fmt::format("{:.0f} %", 100 * series.diffuse() / series.incident()),
+            by_day(series, &TimeStep::temperature, 1, "C"),
+            by_day(series, &TimeStep::humidity, 100, "%"), clock(sun.sunrise),
+            clock(sun.noon), clock(sun.sunset));
+    }
+    return text +
+           "          temperature and humidity are weighted by light; "
+           "sunrise, noon and sunset are those of the middle date\n";
+}
+
+}  // namespace
+
+std::string sky_table(const Campaign& campaign) {
+    return campaign.climates.empty() ? table_of_days(campaign)
+                                     : table_of_climates(campaign);
 }
 
 }  // namespace ideotype

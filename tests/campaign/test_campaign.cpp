@@ -40,9 +40,9 @@ TEST(Campaign, AmesIsTheStudyOfThePaper) {
     EXPECT_EQ(campaign.sites[0].utc_offset, -5);
     ASSERT_EQ(campaign.days.size(), 1u);
     const DaySpan& day = campaign.days[0].value;
-    EXPECT_EQ(day.date.year, 2025);
-    EXPECT_EQ(day.date.month, 8);
-    EXPECT_EQ(day.date.day, 7);
+    EXPECT_EQ(day.dates[0].year, 2025);
+    EXPECT_EQ(day.dates[0].month, 8);
+    EXPECT_EQ(day.dates[0].day, 7);
     EXPECT_EQ(day.start, 7);
     EXPECT_EQ(day.end, 20);
     EXPECT_EQ(day.step_minutes, 30);
@@ -157,10 +157,10 @@ TEST(Campaign, ElitePlantIsLargerAndInsideThePaperBounds) {
 
 TEST(Campaign, EveryCampaignOfTheProjectIsValidAndItsSize) {
     const std::map<std::string, std::size_t> sizes{
-        {"ames", 3},           {"ames_quick", 1}, {"isolated_plot", 12},
-        {"latitudes", 15},     {"profiles", 6},   {"row_direction", 12},
-        {"same_leaf_area", 3}, {"sorghum", 2},    {"spacings", 18},
-        {"trait_sets", 12}};
+        {"ames", 3},           {"bondville", 6},      {"ames_quick", 1},
+        {"isolated_plot", 12}, {"latitudes", 15},     {"profiles", 6},
+        {"row_direction", 12}, {"same_leaf_area", 3}, {"sorghum", 2},
+        {"spacings", 18},      {"trait_sets", 12}};
     std::size_t found = 0;
     for (const auto& file :
          std::filesystem::directory_iterator(IDEOTYPE_CAMPAIGNS)) {

@@ -40,6 +40,28 @@ std::set<std::string> declared_keys() {
     return rows;
 }
 
+//! The sample with all that a climate may have, in place of a day.
+std::string with_climate(const std::string& more) {
+    std::string text = sample_text("", more);
+    const std::size_t begin = text.find("[[day]]");
+    text.replace(begin, text.find("[[spacing]]") - begin,
+                 "weather = \"own.csv\"\n"
+                 "[[climate]]\nname = \"dry\"\nfile = \"a.csv\"\n"
+                 "from = 2025-08-07\nto = 2025-08-07\nstamp = \"end\"\n"
+                 "time = [\"t\"]\nutc_offset = -6\nmissing = -1\n"
+                 "global = [\"g\", \"W/m2\"]\n"
+                 "beam_normal = [\"b\", \"W/m2\"]\n"
+                 "diffuse = [\"d\", \"W/m2\"]\n"
+                 "diffuse_fraction = [\"f\", \"1\"]\n"
+                 "temperature = [\"t\", \"C\"]\n"
+                 "humidity = [\"h\", \"%\"]\n");
+    return text +
+           "[[weather]]\nsite = \"Ames\"\nclimate = \"dry\"\n"
+           "sha256 = \"0\"\nutc_offset = -6\ndates = 2025-08-07\n"
+           "hours = [12]\nbeam = [100]\ndiffuse = [50]\n"
+           "temperature = [20]\nhumidity = [0.5]\n";
+}
+
 }  // namespace
 
 TEST(Documentation, ReadmeHasEveryKeyWithUnitRangeAndDefault) {
@@ -86,8 +108,13 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
     const std::string organ =
         "[[plant.baseline.organ]]\nname = \"ear\"\nlength = 0.2\n"
         "base_diameter = 0.05\n";
+    auto lines = differences(sample("", organ).resolved, "");
+    // A campaign has days or climates.
+    const std::string text = with_climate(organ);
     for (const std::string& line :
-         differences(sample("", organ).resolved, "")) {
+         differences(parse_campaign(text, "sample.toml").resolved, ""))
+        lines.push_back(line);
+    for (const std::string& line : lines) {
         std::string name = line.substr(0, line.find(' '));
         const std::size_t index = name.find('[');
         if (index != std::string::npos) name.erase(index, 3);

@@ -13,7 +13,7 @@ inline CanopyRequest two_leaves(const Accuracy& accuracy) {
     Scenario ames;
     ames.field = {2, 2, {.76, .15, 90}};
     ames.light = illuminate(
-        clear_day({"ames", 42, -93.6, -5}, {{2025, 8, 7}, 7, 20, 60}, .45),
+        clear_days({"ames", 42, -93.6, -5}, {{{2025, 8, 7}}, 7, 20, 60}, .45),
         SkyModel::uniform, ames.field.spacing.row_direction);
     ames.optics = {{.05, .05}, {.31, .12}, .1};
     return {plant, ames, {.25, 4}, accuracy, {1}, {}};

@@ -53,16 +53,16 @@ TEST(ClockAhead, IsTheOffsetLessFourMinutesPerDegree) {
 }
 
 TEST(ShareLeftOut, IsTheLightBeforeTheStartAndAfterTheEnd) {
-    EXPECT_EQ(share_left_out(ames, {august, 0, 24, 60}), 0);
-    EXPECT_EQ(share_left_out(ames, {august, 22, 24, 60}), 1);
+    EXPECT_EQ(share_left_out(ames, {{august}, 0, 24, 60}), 0);
+    EXPECT_EQ(share_left_out(ames, {{august}, 22, 24, 60}), 1);
     const double noon = daylight(ames, august).noon;
-    const double morning = share_left_out(ames, {august, 0, noon, 60});
+    const double morning = share_left_out(ames, {{august}, 0, noon, 60});
     EXPECT_NEAR(morning, 0.5, 2e-3);
-    const double whole = clear_day(ames, {august, 0, 24, 1}, 1).incident();
-    const double part = clear_day(ames, {august, 10, 15, 1}, 1).incident();
-    EXPECT_NEAR(share_left_out(ames, {august, 10, 15, 60}), 1 - part / whole,
+    const double whole = clear_days(ames, {{august}, 0, 24, 1}, 1).incident();
+    const double part = clear_days(ames, {{august}, 10, 15, 1}, 1).incident();
+    EXPECT_NEAR(share_left_out(ames, {{august}, 10, 15, 60}), 1 - part / whole,
                 5e-4);
-    EXPECT_EQ(share_left_out(tromso, {{2025, 12, 21}, 0, 24, 60}), 0);
+    EXPECT_EQ(share_left_out(tromso, {{{2025, 12, 21}}, 0, 24, 60}), 0);
 }
 
 }  // namespace ideotype

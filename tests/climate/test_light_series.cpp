@@ -17,7 +17,7 @@ const Date august{2025, 8, 7};
 const Site ames{"Ames", 42.0, -93.6, -5.0};
 
 DaySpan all_day(double step_minutes = 5) {
-    return {august, 0, 24, step_minutes};
+    return {{august}, 0, 24, step_minutes};
 }
 
 struct DailyTotal {
@@ -36,7 +36,7 @@ class ClearDayTotals : public testing::TestWithParam<DailyTotal> {};
 
 TEST_P(ClearDayTotals, AgreeWithTheReference) {
     const auto& [site, expected_outside, expected_par] = GetParam();
-    const LightSeries day = clear_day(site, all_day(), par_fraction);
+    const LightSeries day = clear_days(site, all_day(), par_fraction);
     double outside = 0;
     for (const TimeStep& step : day.steps)
         outside += extraterrestrial_normal(august) *
@@ -85,7 +85,7 @@ class PvlibDays : public testing::TestWithParam<PvlibDay> {};
 TEST_P(PvlibDays, AgreeToATenThousandth) {
     const PvlibDay& expected = GetParam();
     const LightSeries day =
-        clear_day(expected.site, expected.span, par_fraction);
+        clear_days(expected.site, expected.span, par_fraction);
     EXPECT_NEAR(day.incident() * 1e-6 / expected.par, 1, 1e-4);
     EXPECT_NEAR(day.beam() * 1e-6 / expected.beam, 1, 1e-4);
 }
@@ -106,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(
             "PeaceRiver", {"", 56.2, -117.3, -6}, all_day(), 10.77097, 9.13856},
         PvlibDay{"AmesQuick",
                  {"", 42, -93.6, -5},
-                 {august, 7, 20, 30},
+                 {{august}, 7, 20, 30},
                  12.07745,
                  10.43282},
         PvlibDay{"Mountain",
@@ -116,18 +116,19 @@ INSTANTIATE_TEST_SUITE_P(
                  13.22382},
         PvlibDay{"HazyWinter",
                  {"", 42, -93.6, -6, 300, 4},
-                 {{2025, 12, 21}, 0, 24, 5},
+                 {{{2025, 12, 21}}, 0, 24, 5},
                  2.88135,
                  2.01736},
         PvlibDay{"SouthernAutumn",
                  {"", -33, 151, 10, 100, 5},
-                 {{2025, 3, 21}, 0, 24, 5},
+                 {{{2025, 3, 21}}, 0, 24, 5},
                  8.85476,
                  6.55184}),
     [](const auto& test_case) { return test_case.param.name; });
 
 TEST(ClearDay, HasOneInstantPerStepAndHalfWeightsAtTheEnds) {
-    const LightSeries day = clear_day(ames, {august, 7, 20, 60}, par_fraction);
+    const LightSeries day =
+        clear_days(ames, {{august}, 7, 20, 60}, par_fraction);
     ASSERT_EQ(day.steps.size(), 14u);
     EXPECT_EQ(day.steps.front().hour, 7);
     EXPECT_EQ(day.steps.front().seconds, 1800);
@@ -138,7 +139,8 @@ TEST(ClearDay, HasOneInstantPerStepAndHalfWeightsAtTheEnds) {
 }
 
 TEST(ClearDay, WeighsEachInstantByItsTime) {
-    const LightSeries day = clear_day(ames, {august, 7, 20, 60}, par_fraction);
+    const LightSeries day =
+        clear_days(ames, {{august}, 7, 20, 60}, par_fraction);
     double beam = 0;
     double diffuse = 0;
     for (const TimeStep& step : day.steps) {
@@ -154,15 +156,16 @@ TEST(ClearDay, WeighsEachInstantByItsTime) {
 }
 
 TEST(ClearDay, HourlyStepsAreCloseToTheIntegral) {
-    const double hourly = clear_day(ames, all_day(60), par_fraction).incident();
-    const double fine = clear_day(ames, all_day(1), par_fraction).incident();
+    const double hourly =
+        clear_days(ames, all_day(60), par_fraction).incident();
+    const double fine = clear_days(ames, all_day(1), par_fraction).incident();
     EXPECT_NEAR(hourly / fine, 1, 0.003);
 }
 
 TEST(ClearDay, HoursBelowTheHorizonCarryNothing) {
-    const LightSeries whole = clear_day(ames, all_day(60), par_fraction);
+    const LightSeries whole = clear_days(ames, all_day(60), par_fraction);
     const LightSeries daylight =
-        clear_day(ames, {august, 5, 22, 60}, par_fraction);
+        clear_days(ames, {{august}, 5, 22, 60}, par_fraction);
     ASSERT_FALSE(whole.steps.empty());
     EXPECT_LT(whole.steps.size(), 16u);
     for (const TimeStep& step : whole.steps) {
@@ -171,17 +174,17 @@ TEST(ClearDay, HoursBelowTheHorizonCarryNothing) {
     }
     EXPECT_EQ(whole.incident(), daylight.incident());
     EXPECT_TRUE(
-        clear_day(ames, {august, 0, 4, 30}, par_fraction).steps.empty());
+        clear_days(ames, {{august}, 0, 4, 30}, par_fraction).steps.empty());
 }
 
 TEST(ClearDay, IsEmptyInThePolarNightAndFullInThePolarDay) {
     const Site north{"north", 78.0, 15.0, 1.0};
     const LightSeries night =
-        clear_day(north, {{2025, 12, 21}, 0, 24, 60}, par_fraction);
+        clear_days(north, {{{2025, 12, 21}}, 0, 24, 60}, par_fraction);
     EXPECT_TRUE(night.steps.empty());
     EXPECT_EQ(night.incident(), 0);
     const LightSeries day =
-        clear_day(north, {{2025, 6, 21}, 0, 24, 60}, par_fraction);
+        clear_days(north, {{{2025, 6, 21}}, 0, 24, 60}, par_fraction);
     EXPECT_EQ(day.steps.size(), 25u);
 }
 
@@ -191,7 +194,7 @@ TEST(ClearDay, IsPlausibleFromTheEquatorToThePoleAndOnALeapDay) {
              {Date{2024, 2, 29}, {2025, 6, 21}, {2025, 12, 21}}) {
             const Site site{"somewhere", latitude, 0.0, 0.0};
             const double incident =
-                clear_day(site, {date, 0, 24, 30}, par_fraction).incident();
+                clear_days(site, {{date}, 0, 24, 30}, par_fraction).incident();
             ASSERT_TRUE(std::isfinite(incident)) << latitude;
             EXPECT_GE(incident, 0) << latitude;
             EXPECT_LT(incident, 17e6) << latitude;
@@ -199,15 +202,15 @@ TEST(ClearDay, IsPlausibleFromTheEquatorToThePoleAndOnALeapDay) {
 }
 
 TEST(ClearDay, SunrisesBetweenTwoStepsCostLessThanOnePercent) {
-    const LightSeries fine = clear_day(ames, all_day(1), par_fraction);
-    const LightSeries hourly = clear_day(ames, all_day(60), par_fraction);
+    const LightSeries fine = clear_days(ames, all_day(1), par_fraction);
+    const LightSeries hourly = clear_days(ames, all_day(60), par_fraction);
     EXPECT_NEAR(hourly.incident() / fine.incident(), 1, 0.01);
 }
 
 TEST(ClearDay, RefusesAStepThatDoesNotDivideTheSpan) {
-    EXPECT_THROW(clear_day(ames, {august, 7, 20, 50}, par_fraction), Error);
-    EXPECT_THROW(clear_day(ames, {august, 20, 7, 60}, par_fraction), Error);
-    EXPECT_THROW(clear_day(ames, {august, 7, 20, 0}, par_fraction), Error);
+    EXPECT_THROW(clear_days(ames, {{august}, 7, 20, 50}, par_fraction), Error);
+    EXPECT_THROW(clear_days(ames, {{august}, 20, 7, 60}, par_fraction), Error);
+    EXPECT_THROW(clear_days(ames, {{august}, 7, 20, 0}, par_fraction), Error);
 }
 
 }  // namespace ideotype

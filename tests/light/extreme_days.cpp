@@ -36,7 +36,7 @@ void trace_days(Findings& findings, const std::vector<double>& latitudes,
     for (const double latitude : latitudes)
         for (const Date& date : dates) {
             const LightSeries day =
-                clear_day(at_latitude(latitude), {date, 0, 24, 60}, .45);
+                clear_days(at_latitude(latitude), {{date}, 0, 24, 60}, .45);
             if (day.steps.empty()) continue;
             findings.say(fmt::format("{} deg: {} h, {:.3f}", latitude,
                                      day.steps.size(),
@@ -51,7 +51,7 @@ void solstice(Findings& findings) {
 void leap_day(Findings& findings) {
     trace_days(findings, {-42, 42}, {{2024, 2, 29}});
     const auto incident = [](const Date& date) {
-        return clear_day(at_latitude(42), {date, 0, 24, 60}, .45).incident();
+        return clear_days(at_latitude(42), {{date}, 0, 24, 60}, .45).incident();
     };
     const double between =
         (incident({2024, 2, 28}) + incident({2024, 3, 1})) / 2;
@@ -63,7 +63,7 @@ void polar_night(Findings& findings) {
     for (const auto& [latitude, date] :
          {std::pair{78., Date{2025, 12, 21}}, {-78., Date{2025, 6, 21}}}) {
         const LightSeries day =
-            clear_day(at_latitude(latitude), {date, 0, 24, 60}, .45);
+            clear_days(at_latitude(latitude), {{date}, 0, 24, 60}, .45);
         findings.require(day.steps.empty(), "no instant has light");
         const SeriesIllumination light = illuminate(day, SkyModel::uniform, 90);
         const Mesh mesh = load_reference_mesh("maize1");
@@ -83,9 +83,9 @@ void sunrise_between_steps(Findings& findings) {
     // At 66 degrees the sun rises between any two steps or just before one.
     const Site site = at_latitude(66);
     const Date date{2025, 12, 15};
-    const double fine = clear_day(site, {date, 0, 24, 1}, .45).incident();
+    const double fine = clear_days(site, {{date}, 0, 24, 1}, .45).incident();
     for (const double step : {60., 20., 5.}) {
-        const LightSeries day = clear_day(site, {date, 0, 24, step}, .45);
+        const LightSeries day = clear_days(site, {{date}, 0, 24, step}, .45);
         findings.require(!day.steps.empty(), "the sun rises");
         for (const TimeStep& instant : day.steps)
             findings.require(instant.sun.zenith < 90, "only suns that are up");

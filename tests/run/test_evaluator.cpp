@@ -185,7 +185,7 @@ TEST(Canopy, InThePolarNightAllFiguresAreZero) {
     for (const double pole : {90., -90.}) {
         Case night = cases(campaign)[0];
         night.site.latitude = pole;
-        night.day.date = {2025, pole > 0 ? 12 : 6, 21};
+        night.day.dates = {{2025, pole > 0 ? 12 : 6, 21}};
         const Scenario scenario = scenario_of(campaign, night);
         ASSERT_TRUE(scenario.light.series.steps.empty());
         const Device device(Device::supported_isas().back());

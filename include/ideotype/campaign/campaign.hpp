@@ -1,13 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "ideotype/canopy/field.hpp"
+#include "ideotype/climate/column_map.hpp"
 #include "ideotype/climate/light_series.hpp"
 #include "ideotype/climate/radiance.hpp"
 #include "ideotype/climate/site.hpp"
+#include "ideotype/climate/weather.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/range.hpp"
 #include "ideotype/crop/crop.hpp"
@@ -25,6 +28,27 @@ template <class Value>
 struct Named {
     std::string name;
     Value value;
+};
+
+//! The weather of a period from a file.
+struct Climate {
+    std::string file;  //!< as written; "" if each site has one of its own
+    Period period;
+    std::string stamp;              //!< "": that of the format
+    std::optional<double> missing;  //!< also stands for what is not known
+    ColumnMap columns;              //!< if they have a time
+};
+
+//! The weather of a site in a climate, as it was read.
+struct SiteWeather {
+    std::string site, climate;  //!< names
+    std::string sha256;         //!< of the file
+    double utc_offset = 0;      //!< of dates and hours [h]
+    std::vector<Date> dates;
+    std::vector<double> hours;  //!< of each day: the middles of steps [h]
+    //! Date by date and hour by hour: PAR on a horizontal plane [W m-2], and,
+    //! if they are known, temperature [deg C] and relative humidity (0 to 1).
+    std::vector<double> beam, diffuse, temperature, humidity;
 };
 
 //! The traits that may be bred; the others keep the baseline's values.
@@ -88,6 +112,8 @@ struct Campaign {
 
     std::vector<Site> sites;
     std::vector<Named<DaySpan>> days;
+    std::vector<Named<Climate>> climates;  //!< instead of days
+    std::vector<SiteWeather> weathers;     //!< of each site in each of those
     std::vector<Named<Spacing>> spacings;
     std::vector<Named<TraitSet>> trait_sets;
 
@@ -99,6 +125,8 @@ struct Campaign {
     Optics optics;
     double par_fraction = 0.45;
     SkyModel sky_model = SkyModel::uniform;  //!< of diffuse light
+    //! Of a climate: the suns of so many dates stand for all. 0: without one.
+    int sun_dates = 3;
     Accuracy sampling;           //!< of an evaluation during evolution
     double first_tolerance = 0;  //!< of the first generation; 0: as all others
     std::string objective = "absorbed_par";  //!< a quantity, maximised
@@ -115,8 +143,8 @@ struct Case {
     std::string name;        //!< also the name of its file
     std::uint64_t seed = 0;  //!< a function of campaign seed and name only
     Site site;
-    std::string day_name;
-    DaySpan day;
+    std::string day_name;  //!< or that of its climate
+    DaySpan day;           //!< without a climate
     std::string spacing_name;
     Spacing spacing;
     std::string trait_set_name;
@@ -149,9 +177,12 @@ Photosynthesis read_photosynthesis(const std::string& path);
 //! The text of a crop file with the traits of a campaign and another baseline.
 std::string crop_text(const Campaign& campaign, const Plant& baseline);
 
-//! All cases in their order: sites, then days, spacings, trait sets, and
-//! replicates fastest. Adding an entry to an axis does not change the name or
-//! seed of any other case.
+//! The light of a case: of its clear days, or of its weather.
+LightSeries light_of(const Campaign& campaign, const Case& chosen);
+
+//! All cases in their order: sites, then days or climates, spacings, trait
+//! sets, and replicates fastest. Adding an entry to an axis does not change the
+//! name or seed of any other case.
 std::vector<Case> cases(const Campaign& campaign);
 
 //! The case of this index.

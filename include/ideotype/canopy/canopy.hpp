@@ -48,10 +48,10 @@ struct CanopyReport {
 //! Tells a time [s].
 using Clock = std::function<double()>;
 
-//! The one evaluation of canopies: plant -> fields -> light -> report.
-//! @throws Error if the numbers of leaves differ, a scene cannot be built,
-//! there are fewer paths than sources of light, or the energy balance does not
-//! close.
+//! The one evaluation of canopies: plant -> fields -> light -> report. Of fewer
+//! paths than sources of light, as many as there are sources are traced.
+//! @throws Error if the numbers of leaves differ, a scene cannot be built, or
+//! the energy balance does not close.
 CanopyReport evaluate(const CanopyRequest& request, const Device& device,
                       const Clock& clock = {});
 

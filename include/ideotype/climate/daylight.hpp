@@ -21,7 +21,7 @@ Daylight daylight(const Site& site, const Date& date);
 //! but for the equation of time, noon comes so much later than 12:00.
 double clock_ahead(const Site& site);
 
-//! The part of the light of a clear day that comes before the start and after
+//! The part of the light of clear days that comes before the start and after
 //! the end of a span, from 0 to 1; 0 if there is no light.
 double share_left_out(const Site& site, const DaySpan& span);
 

@@ -9,9 +9,9 @@
 
 namespace ideotype {
 
-//! Which part of which day counts.
+//! Which part of which days counts.
 struct DaySpan {
-    Date date;
+    std::vector<Date> dates;   //!< in order
     double start = 7;          //!< local clock [h]
     double end = 20;           //!< local clock [h], after start
     double step_minutes = 30;  //!< divides end - start
@@ -45,13 +45,12 @@ struct LightSeries {
     std::vector<Date> dates() const;  //!< with any step, in order
 };
 
-//! The clear day of a site by the trapezoidal rule: the first and last
-//! instants stand for half a step. Instants with the sun below the horizon are
-//! left out; the series is empty if it stays there.
-//! par_fraction is PAR over all solar radiation, the same for beam and
-//! diffuse.
+//! Clear days of a site by the trapezoidal rule: the first and last instants
+//! stand for half a step. Instants with the sun below the horizon are left out;
+//! the series is empty if it stays there. par_fraction is PAR over all solar
+//! radiation, the same for beam and diffuse.
 //! @throws Error if the step does not divide the span.
-LightSeries clear_day(const Site& site, const DaySpan& span,
-                      double par_fraction);
+LightSeries clear_days(const Site& site, const DaySpan& span,
+                       double par_fraction);
 
 }  // namespace ideotype

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <string>
 
 namespace ideotype {
@@ -12,6 +13,7 @@ struct Site {
     double utc_offset = 0;       //!< of the local clock [h]
     double elevation = 0;        //!< above sea level [m]
     double linke_turbidity = 3;  //!< [-], 2 very clear ... 7 hazy
+    std::string weather{};       //!< file of it, if there is one
 };
 
 //! A day of the Gregorian calendar.
@@ -20,7 +22,7 @@ struct Date {
     int month = 1;
     int day = 1;
 
-    bool operator==(const Date&) const = default;
+    auto operator<=>(const Date&) const = default;
 };
 
 std::string to_string(const Date& date);  //!< such as 2025-08-07

@@ -1,0 +1,211 @@
+#include "weather_reader.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "ideotype/climate/weather_reader.hpp"
+#include "ideotype/core/hash.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! The columns of a climate, in its order of keys.
+std::vector<std::optional<Column>*> columns_of(ColumnMap& columns) {
+    return {&columns.global,           &columns.beam_normal, &columns.diffuse,
+            &columns.diffuse_fraction, &columns.temperature, &columns.humidity};
+}
+
+//! Reports what cannot be read by; returns whether there is nothing.
+bool check_climate(Climate& climate, Report& report) {
+    const Period& period = climate.period;
+    if (!report.usable({&climate.file, &climate.stamp, &period.from, &period.to,
+                        &climate.missing, &climate.columns.utc_offset,
+                        &climate.columns.time, &climate.columns.date_order}))
+        return false;
+    if (period.to < period.from) {
+        report.add(&period.to,
+                   fmt::format("climate.to is {} (before the first day, {}); "
+                               "give a later one",
+                               to_string(period.to), to_string(period.from)));
+        return false;
+    }
+    for (std::optional<Column>* column : columns_of(climate.columns)) {
+        if (!report.usable({column})) return false;
+        if (!*column || !climate.columns.time.empty()) continue;
+        report.add(column,
+                   fmt::format("climate has the column \"{}\" but no 'time' "
+                               "(a file of a known format needs neither); name "
+                               "the columns of the time too",
+                               (*column)->name));
+        return false;
+    }
+    return true;
+}
+
+WeatherRequest request_of(const std::string& file, const Site& site,
+                          Climate climate, double par_fraction) {
+    WeatherRequest request{file, site, climate.period};
+    request.par_fraction = par_fraction;
+    if (climate.stamp == "beginning") request.stamp = Stamp::beginning;
+    if (climate.stamp == "middle") request.stamp = Stamp::middle;
+    if (climate.stamp == "end") request.stamp = Stamp::end;
+    if (climate.columns.time.empty()) return request;
+    for (std::optional<Column>* column : columns_of(climate.columns))
+        if (*column) (*column)->missing = climate.missing;
+    request.columns = climate.columns;
+    if (request.stamp) request.columns->stamp = *request.stamp;
+    return request;
+}
+
+SiteWeather to_site_weather(const Weather& weather) {
+    SiteWeather result;
+    result.utc_offset = weather.utc_offset;
+    result.dates = weather.series.dates();
+    for (const TimeStep& step : weather.series.steps) {
+        if (step.date == result.dates[0]) result.hours.push_back(step.hour);
+        result.beam.push_back(step.par.beam);
+        result.diffuse.push_back(step.par.diffuse);
+        if (step.temperature) result.temperature.push_back(*step.temperature);
+        if (step.humidity) result.humidity.push_back(*step.humidity);
+    }
+    return result;
+}
+
+//! Reports what a campaign has of its weather and cannot be.
+void check_weather(const SiteWeather& weather, Report& report) {
+    const auto& hours = weather.hours;
+    const auto check = [&](const std::string& name,
+                           const std::vector<double>& values, bool is_fine,
+                           const std::string& expected) {
+        if (report.usable({&values}) && !is_fine)
+            report.add(&values, fmt::format("weather.{} has {} values "
+                                            "(expected: {}); take what the "
+                                            "program has written",
+                                            name, values.size(), expected));
+    };
+    check("hours", hours,
+          !hours.empty() && std::is_sorted(hours.begin(), hours.end()) &&
+              hours.front() >= 0 && hours.back() < 24,
+          "from 0 to 24, in order");
+    const std::size_t steps = weather.dates.size() * hours.size();
+    const auto of_steps = [&](const std::string& name,
+                              const std::vector<double>& values,
+                              bool is_required, double least) {
+        check(name, values,
+              (values.size() == steps || (values.empty() && !is_required)) &&
+                  std::all_of(values.begin(), values.end(),
+                              [&](double x) { return x >= least; }),
+              fmt::format("one of each hour of each date, {} or more", least));
+    };
+    of_steps("beam", weather.beam, true, 0);
+    of_steps("diffuse", weather.diffuse, true, 0);
+    of_steps("temperature", weather.temperature, false, -273);
+    of_steps("humidity", weather.humidity, false, 0);
+}
+
+class WeathersReader {
+  public:
+    WeathersReader(const std::string& campaign_file, PlantSource source,
+                   Draft& draft, Report& report)
+        : campaign_file_(campaign_file),
+          source_(source),
+          campaign_(draft.campaign),
+          report_(report) {}
+
+    void read() {
+        for (const SiteWeather& weather : campaign_.weathers)
+            check_weather(weather, report_);
+        std::vector<SiteWeather> found;
+        for (auto& [name, climate] : campaign_.climates) {
+            if (!check_climate(climate, report_)) continue;
+            for (const Site& site : campaign_.sites)
+                if (!has(site.name, name)) read(site, name, climate, found);
+        }
+        for (SiteWeather& each : found)
+            campaign_.weathers.push_back(std::move(each));
+    }
+
+  private:
+    bool has(const std::string& site, const std::string& climate) const {
+        return std::any_of(campaign_.weathers.begin(), campaign_.weathers.end(),
+                           [&](const SiteWeather& weather) {
+                               return weather.site == site &&
+                                      weather.climate == climate;
+                           });
+    }
+
+    void read(const Site& site, const std::string& name, Climate& climate,
+              std::vector<SiteWeather>& found) {
+        if (source_ == PlantSource::table)
+            return report_.add(
+                &climate.file,
+                fmt::format("climate \"{}\" has no [[weather]] of site \"{}\" "
+                            "(resolved campaigns have it in them); use the "
+                            "campaign file",
+                            name, site.name));
+        if (!report_.usable({&site.name, &site.weather, &site.latitude,
+                             &site.longitude, &site.utc_offset, &site.elevation,
+                             &campaign_.par_fraction}))
+            return;
+        if (climate.file.empty() && site.weather.empty())
+            return report_.add(
+                &climate.file,
+                fmt::format("climate \"{}\" has no file (and site \"{}\" no "
+                            "weather); add file = \"weather/mine.csv\" here, "
+                            "or weather = ... there",
+                            name, site.name));
+        if (!climate.file.empty() && !site.weather.empty())
+            return report_.add(
+                &site.weather,
+                fmt::format("site \"{}\" has weather of its own (climate "
+                            "\"{}\" has a file for all sites); remove one",
+                            site.name, name));
+        const std::string& own =
+            climate.file.empty() ? site.weather : climate.file;
+        const std::string path = path_from(campaign_file_, own);
+        const std::optional<std::string> text = read_text(path);
+        if (!text)
+            return report_.add(
+                climate.file.empty() ? &site.weather : &climate.file,
+                fmt::format("cannot read {}; give a path "
+                            "relative to this file",
+                            path));
+        report_.open(path);
+        try {
+            const WeatherReading reading = parse_weather(
+                *text, request_of(path, site, climate, campaign_.par_fraction));
+            for (const Problem& warning : reading.warnings)
+                if (is_new(warning)) report_.warn(warning);
+            found.push_back(to_site_weather(reading.weather));
+            found.back().site = site.name;
+            found.back().climate = name;
+            found.back().sha256 = sha256(*text);
+        } catch (const InputError& error) {
+            // Sites may share a file.
+            for (const Problem& problem : error.problems())
+                if (is_new(problem)) report_.add(problem.where, problem.what);
+        }
+    }
+
+    bool is_new(const Problem& problem) {
+        return told_.insert(to_string(problem)).second;
+    }
+
+    const std::string& campaign_file_;
+    PlantSource source_;
+    Campaign& campaign_;
+    Report& report_;
+    std::set<std::string> told_;
+};
+
+}  // namespace
+
+void read_weathers(const std::string& file, PlantSource source, Draft& draft,
+                   Report& report) {
+    WeathersReader(file, source, draft, report).read();
+}
+
+}  // namespace ideotype

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "draft.hpp"
+#include "reader.hpp"
+#include "report.hpp"
+
+namespace ideotype {
+
+//! Reads the weather files of a campaign, for each site in each climate, but
+//! for weather that it has already; resolved campaigns have all. What is wrong
+//! with a file is reported with its line.
+//! @param file of the campaign, which names of weather files are relative to
+void read_weathers(const std::string& file, PlantSource source, Draft& draft,
+                   Report& report);
+
+}  // namespace ideotype

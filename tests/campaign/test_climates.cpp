@@ -1,0 +1,153 @@
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/core/error.hpp"
+#include "sample_campaign.hpp"
+
+namespace ideotype {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path folder = IDEOTYPE_CAMPAIGNS;
+
+Campaign bondville() {
+    return read_campaign((folder / "bondville.toml").string());
+}
+
+std::string with(std::string text, const std::string& what,
+                 const std::string& other) {
+    return text.replace(text.find(what), what.size(), other);
+}
+
+std::string problem_of(const std::string& text) {
+    try {
+        parse_campaign(text, "sample.toml");
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+void expect_same(const LightSeries& a, const LightSeries& b) {
+    EXPECT_EQ(a.days, b.days);
+    ASSERT_EQ(a.steps.size(), b.steps.size());
+    for (std::size_t i = 0; i < a.steps.size(); ++i) {
+        EXPECT_EQ(a.steps[i].date, b.steps[i].date);
+        EXPECT_EQ(a.steps[i].hour, b.steps[i].hour);
+        EXPECT_EQ(a.steps[i].sun.zenith, b.steps[i].sun.zenith);
+        EXPECT_EQ(a.steps[i].par.beam, b.steps[i].par.beam);
+        EXPECT_EQ(a.steps[i].par.diffuse, b.steps[i].par.diffuse);
+        EXPECT_EQ(a.steps[i].temperature, b.steps[i].temperature);
+        EXPECT_EQ(a.steps[i].humidity, b.steps[i].humidity);
+    }
+}
+
+}  // namespace
+
+TEST(Climates, ASeasonIsReadFromItsFile) {
+    const Campaign campaign = bondville();
+    const std::vector<Case> all = cases(campaign);
+    EXPECT_EQ(all[0].name, "bondville_season_30x6_all_r1");
+    const LightSeries light = light_of(campaign, all[0]);
+    EXPECT_EQ(light.days, 62);
+    EXPECT_EQ(light.steps.size(), 62u * 24);
+    EXPECT_NEAR(light.incident(), 8.681e6, 1e3);
+    EXPECT_EQ(light.steps[0].temperature, 25.1);
+    EXPECT_EQ(light.steps[0].humidity, 0.9);
+    EXPECT_EQ(campaign.sun_dates, 3);
+}
+
+TEST(Climates, ResolvedCampaignsNeedNoFile) {
+    const Campaign campaign = bondville();
+    const Campaign again = parse_campaign(campaign.resolved, "elsewhere.toml");
+    EXPECT_EQ(again.resolved, campaign.resolved);
+    EXPECT_EQ(again.sha256, campaign.sha256);
+    const Case chosen = cases(campaign)[0];
+    expect_same(light_of(again, chosen), light_of(campaign, chosen));
+    const std::string without =
+        campaign.resolved.substr(0, campaign.resolved.find("[[weather]]"));
+    EXPECT_NE(problem_of(without).find("has no [[weather]] of site"),
+              std::string::npos);
+    const std::string short_of =
+        with(campaign.resolved, "diffuse = [0, ", "diffuse = [");
+    EXPECT_NE(problem_of(short_of).find("weather.diffuse has 1487 values"),
+              std::string::npos);
+}
+
+TEST(Climates, SitesMayHaveFilesOfTheirOwn) {
+    const std::string other = fs::temp_directory_path() / "own_weather.toml";
+    std::string text;
+    {
+        std::ifstream in(folder / "bondville.toml");
+        text.assign(std::istreambuf_iterator<char>(in), {});
+    }
+    const std::string file =
+        (folder / "weather/bondville_2011_0721_0920.csv").string();
+    text = with(text, "file = \"weather/bondville_2011_0721_0920.csv\"\n", "");
+    text = with(text, "elevation = 213", "weather = \"" + file + "\"");
+    text = with(text, "crops/", (folder / "crops/").string());
+    std::ofstream(other) << text;
+    const Campaign campaign = read_campaign(other);
+    fs::remove(other);
+    EXPECT_NE(campaign.resolved.find("weather = \"" + file), std::string::npos);
+    // The place decides the sun, not its height the measured light.
+    const Campaign usual = bondville();
+    expect_same(light_of(campaign, cases(campaign)[0]),
+                light_of(usual, cases(usual)[0]));
+}
+
+TEST(Climates, AnotherFileIsAnotherCampaign) {
+    const std::string was = bondville().resolved;
+    const std::size_t sum = was.find("sha256 = \"") + 10;
+    std::string is = was;
+    is[sum] = is[sum] == '0' ? '1' : '0';
+    is = with(is, "beam = [0, ", "beam = [1, ");
+    const auto lines = differences(was, is);
+    ASSERT_EQ(lines.size(), 2u);
+    EXPECT_EQ(lines[0].substr(0, 22), "weather[0].sha256 was ");
+    // Not all 1488 numbers.
+    EXPECT_LT(lines[1].size(), 200u);
+}
+
+TEST(Climates, CampaignsOfDaysHaveNothingOfThem) {
+    const Campaign campaign = sample();
+    EXPECT_EQ(campaign.sun_dates, 0);
+    for (const char* key : {"weather", "climate", "\ndates"})
+        EXPECT_EQ(campaign.resolved.find(key), std::string::npos) << key;
+}
+
+TEST(Climates, SeveralClearDaysAreOneCase) {
+    const std::string text =
+        with(sample_text(), "2025-08-07", "[2025-06-07, 2025-08-07]");
+    const Campaign campaign = parse_campaign(text, "sample.toml");
+    EXPECT_EQ(campaign.days[0].name, "0607-0807");
+    EXPECT_EQ(parse_campaign(campaign.resolved, "x").resolved,
+              campaign.resolved);
+    const Case chosen = cases(campaign)[0];
+    Case june = chosen, august = chosen;
+    june.day.dates.pop_back();
+    august.day.dates.erase(august.day.dates.begin());
+    EXPECT_NEAR(light_of(campaign, chosen).incident(),
+                (light_of(campaign, june).incident() +
+                 light_of(campaign, august).incident()) /
+                    2,
+                1e-6);
+}
+
+TEST(Climates, APolarDayEndsAtMidnight) {
+    std::string text = with(sample_text(), "20:00:00", "\"24:00\"");
+    text = with(text, "07:00:00", "00:00:00");
+    const Campaign campaign = parse_campaign(text, "sample.toml");
+    EXPECT_EQ(campaign.days[0].value.end, 24);
+    EXPECT_NE(campaign.resolved.find("end = \"24:00:00\""), std::string::npos);
+    EXPECT_EQ(parse_campaign(campaign.resolved, "x").resolved,
+              campaign.resolved);
+}
+
+}  // namespace ideotype

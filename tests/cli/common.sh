@@ -76,7 +76,7 @@ TOML
 same_group() {
     # The same data at other places in the file: scales refer to them.
     local excluded=() name scales="row finalist gene parent objective \
-        randomisation leaf layer hour light_source leaf_side generation"
+        randomisation leaf layer hour day light_source leaf_side generation"
     for name in $scales "${@:4}"; do excluded+=(--exclude-path "/$name"); done
     h5diff -c "${excluded[@]}" "$1" "$2" "$3" "$3" ||
         fail "$3 differs: $1 $2"
@@ -91,5 +91,5 @@ same_results() {
 }
 
 history_of() {
-    echo "$1/$2/ames_0807_762x152_all_r1.h5"
+    echo "$1/$2/ames_${3:-0807}_762x152_all_r1.h5"
 }

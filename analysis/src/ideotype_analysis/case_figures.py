@@ -54,7 +54,7 @@ CASE_FIGURES: dict[str, tuple[Callable[[Case], Figure], str]] = {
     ),
     "hours": (
         draw_hours,
-        "PAR by hour. Error bars are standard errors; those of the difference "
+        "PAR by hour, of several days the mean, and then by day. Error bars are standard errors; those of the difference "
         "take baseline and best as independent.",
     ),
     "leaves": (

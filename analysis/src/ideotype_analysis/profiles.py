@@ -23,29 +23,32 @@ PLANTS: tuple[Looks, Looks] = (
 
 
 def draw_hours(case: Case) -> Figure:
-    """PAR absorbed by leaves at each hour, and best minus baseline. The error
-    of the difference takes both as independent. Parts of the light have a
-    panel each if the history tells them apart by hour."""
+    """PAR absorbed by leaves at each hour, of a season also on each day, and
+    best minus baseline. The error of the difference takes both as independent.
+    Parts of the light have a panel each if the history tells them apart."""
     names = _names(case, "hour", "hour")
+    names += [q.name for q in case.best.row.with_axis("day")]
     figure = style.new_figure(max(6.4, 3.6 * len(names)), 5.2)
     grid = figure.subplots(
-        2, len(names), sharex=True, height_ratios=(2, 1), squeeze=False
+        2, len(names), sharex="col", height_ratios=(2, 1), squeeze=False
     )
     for (upper, lower), name in zip(grid.T, names):
         _draw_hours(upper, lower, case, name)
     kind = "" if case.best_pair.is_final else "provisional "
     gain = case.best_pair.gain.number().replace("+-", "±")
     figure.suptitle(
-        f"{case.name}: {kind}gain over the day {gain} %", fontsize=10
+        f"{case.name}: {kind}gain over the {_span(names)} {gain} %", fontsize=10
     )
     return figure
 
 
 def _draw_hours(upper: Axes, lower: Axes, case: Case, name: str) -> None:
     baseline, best = case.baseline.profile(name), case.best.profile(name)
+    is_days = best.labels.dtype.kind == "U"
+    places = best.labels.astype("datetime64[D]") if is_days else best.labels
     for profile, (label, color, marker, line) in zip((baseline, best), PLANTS):
         upper.errorbar(
-            profile.labels,
+            places,
             profile.values,
             profile.standard_error,
             color=color,
@@ -56,7 +59,7 @@ def _draw_hours(upper: Axes, lower: Axes, case: Case, name: str) -> None:
         )
     lower.axhline(0, color=style.QUIET, linewidth=1)
     lower.errorbar(
-        best.labels,
+        places,
         best.values - baseline.values,
         np.hypot(best.standard_error, baseline.standard_error),
         color=style.BEST,
@@ -65,10 +68,18 @@ def _draw_hours(upper: Axes, lower: Axes, case: Case, name: str) -> None:
     )
     label_light(upper, "y", _title(name), best.unit)
     lower.set_ylabel(style.axis_label("best − baseline\n", best.unit))
-    lower.set_xlabel("local clock time [h]")
-    _set_hours(lower, best)
+    if is_days:
+        lower.set_xlabel("date")
+        lower.tick_params(axis="x", labelrotation=30)
+    else:
+        lower.set_xlabel("local clock time [h]")
+        _set_hours(lower, best)
     upper.set_ylim(bottom=0)
     upper.legend()
+
+
+def _span(names: list[str]) -> str:
+    return "season" if any(name.endswith("_by_day") for name in names) else "day"
 
 
 def _set_hours(axes: Axes, profile: Profile) -> None:
@@ -120,7 +131,7 @@ def draw_parts(case: Case) -> Figure:
         for q in case.best.row.quantities.values()
         if q.axis
         and q.axis.labels.dtype.kind == "U"
-        and q.axis.name != "organ"
+        and q.axis.name not in ("organ", "day")
         and q.unit == unit
     ]
     if not names:

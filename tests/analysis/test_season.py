@@ -1,0 +1,103 @@
+"""A season of weather: what the program writes of it, and how it is drawn."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from ideotype_analysis import open_history, open_study
+from ideotype_analysis.profiles import draw_hours, draw_parts
+from real_program import CAMPAIGNS, executable, output_of, write_campaign
+
+_CLIMATE = """
+[[climate]]
+name = "july"
+file = "weather.csv"
+from = 2011-07-21
+to = 2011-07-30
+time = ["time"]
+stamp = "middle"
+global = ["ppfd_umol", "umol/m2/s"]
+diffuse_fraction = ["diffuse_fraction_erbs", "1"]
+
+"""
+
+
+@pytest.fixture(scope="module")
+def campaign(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The tiny campaign under ten days of Bondville."""
+    folder = tmp_path_factory.mktemp("season")
+    path = write_campaign(folder, 3)
+    text = path.read_text()
+    begin, end = text.index("[[day]]"), text.index("[[spacing]]")
+    text = text[:begin] + _CLIMATE + text[end:]
+    for was, now in (("42.0", "40.05"), ("-93.6", "-88.37"), ("-5", "-6")):
+        text = text.replace(was, now, 1)
+    path.write_text(text)
+    weather = CAMPAIGNS / "weather" / "bondville_2011_0721_0920.csv"
+    shutil.copy(weather, folder / "weather.csv")
+    return path
+
+
+@pytest.fixture(scope="module")
+def season(campaign: Path) -> Path:
+    output_of("run", campaign, "--out", campaign.parent)
+    (path,) = (campaign.parent / "tiny").glob("*.h5")
+    return path
+
+
+def test_hours_and_days_sum_to_the_mean_day(season: Path) -> None:
+    with open_history(season) as history:
+        best = history.best()
+    assert best is not None
+    days = best.profile("absorbed_by_day")
+    assert list(days.labels) == [f"2011-07-{day}" for day in range(21, 31)]
+    assert days.values.mean() == pytest.approx(best.objective.mean, rel=1e-9)
+    hours = best.profile("absorbed_by_hour")
+    assert set(range(6, 19)) <= set(hours.labels)
+    mean = 3600 * hours.values.sum() / 1e6
+    assert mean == pytest.approx(best.objective.mean, rel=1e-9)
+    # the light of the file
+    table = np.genfromtxt(
+        season.parents[1] / "weather.csv", delimiter=",", skip_header=1, max_rows=240
+    )
+    mol = table[:, 1].sum() * 3600 / 10 / 1e6
+    assert best.estimate("incident").mean == pytest.approx(mol / 4.57, rel=1e-9)
+
+
+def test_a_season_is_drawn_by_hour_and_by_day(season: Path) -> None:
+    with open_study(season) as study:
+        (case,) = study.cases()
+        figure = draw_hours(case)
+        parts = draw_parts(case)
+    assert [axes.get_xlabel() for axes in figure.axes[2:]] == [
+        "local clock time [h]",
+        "date",
+    ]
+    assert len(parts.axes[0].get_yticks()) == 5
+
+
+def test_a_row_is_the_same_without_the_file(season: Path, tmp_path: Path) -> None:
+    alone = shutil.copy(season, tmp_path)
+    assert "bit for bit" in output_of("evaluate", alone, "--best")
+
+
+def test_a_run_is_not_resumed_with_other_weather(season: Path, campaign: Path) -> None:
+    weather = campaign.parent / "weather.csv"
+    text = weather.read_text()
+    weather.write_text(text.replace(",25.1,", ",25.2,", 1))
+    try:
+        done = subprocess.run(
+            [executable(), "run", campaign, "--out", campaign.parent, "--resume"],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+    finally:
+        weather.write_text(text)
+    assert done.returncode == 4
+    assert "weather[0].sha256 was " in done.stderr
+    output_of("run", campaign, "--out", campaign.parent, "--resume")

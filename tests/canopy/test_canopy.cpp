@@ -63,6 +63,17 @@ TEST_F(TwoLeaves, WithoutSunAllFiguresAreZero) {
     EXPECT_EQ(report.light.day.leaves.standard_error, 0);
 }
 
+TEST_F(TwoLeaves, EachSunHasAPathHoweverFewThereAre) {
+    const double usual = evaluated().light.day.leaves.mean;
+    request.accuracy = {2, 64};
+    const CanopyReport few = evaluated();
+    const auto sources = request.scenario.light.light.sources.size();
+    ASSERT_GT(sources, 10u);
+    EXPECT_EQ(few.paths, 64 * sources);
+    const Estimate& leaves = few.light.day.leaves;
+    EXPECT_LT(std::abs(leaves.mean - usual), 4 * leaves.standard_error);
+}
+
 TEST_F(TwoLeaves, SheathsHaveOpticsOfTheirOwn) {
     Plant& plant = std::get<Plant>(request.stand);
     plant.sheath = {true, 1, .001};

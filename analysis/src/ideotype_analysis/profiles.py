@@ -37,7 +37,8 @@ def draw_hours(case: Case) -> Figure:
     kind = "" if case.best_pair.is_final else "provisional "
     gain = case.best_pair.gain.number().replace("+-", "±")
     figure.suptitle(
-        f"{case.name}: {kind}gain over the {_span(names)} {gain} %", fontsize=10
+        f"{case.name}: {kind}gain over the {_span(names)} {gain} %",
+        fontsize=10,
     )
     return figure
 
@@ -79,7 +80,8 @@ def _draw_hours(upper: Axes, lower: Axes, case: Case, name: str) -> None:
 
 
 def _span(names: list[str]) -> str:
-    return "season" if any(name.endswith("_by_day") for name in names) else "day"
+    is_season = any(name.endswith("_by_day") for name in names)
+    return "season" if is_season else "day"
 
 
 def _set_hours(axes: Axes, profile: Profile) -> None:

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Draws the figures of README.md from what benchmarks wrote.
 
-Usage: draw.py CONVERGENCE.json SCALING.json FOLDER, with the output of
-`convergence` and of `benchmarks --benchmark_format=json`.
+Usage: draw.py accuracy BEFORE AFTER FOLDER, with the tables of `accuracy`,
+       draw.py scaling SCALING.json FOLDER, with the output of
+           `benchmarks --benchmark_format=json`.
 """
 import json
 import math
@@ -27,57 +28,33 @@ def slope(points):
     return found, math.exp(mean_y - found * mean_x)
 
 
-def milliseconds(setting, goal, randomisations):
-    """Time to a relative standard error of the mean of randomisations."""
-    points = setting["points"]
-    wanted = goal * math.sqrt(randomisations)
-    for a, b in zip(points, points[1:]):
-        if b["error"] <= wanted:
-            part = math.log(a["error"] / wanted) / math.log(
-                a["error"] / b["error"]
-            )
-            paths = a["paths"] * (b["paths"] / a["paths"]) ** part
-            light = randomisations * paths * b["seconds_per_path"]
-            return 1e3 * (setting["build_seconds"] + light), paths
-    return math.nan, math.nan
+def rows(path):
+    """Of a table that `accuracy` printed, by plants and light."""
+    found = {}
+    with open(path, encoding="utf-8") as file:
+        for line in file:
+            cells = [cell.strip() for cell in line.split("|")[1:-1]]
+            if len(cells) < 7 or not cells[2].isdigit():
+                continue
+            point = (float(cells[6]), float(cells[4]))
+            found.setdefault(f"{cells[0]}, {cells[1]}", []).append(point)
+    return found
 
 
-def draw_convergence(settings, folder):
+def draw_accuracy(before, after, folder):
     figure, axes = plt.subplots(figsize=(6.4, 4.4))
-    for setting, colour in zip(settings, ("C0", "C1", "C2", "C3")):
-        points = [(p["paths"], p["error"]) for p in setting["points"]]
-        whole, upper = slope(points)[0], slope(points[len(points) // 2:])[0]
-        plain = setting["plain_deviation"]
-        at = dict(points)[4096]
-        gained = plain / math.sqrt(4096) / at
-        label = (
-            f"{setting['cell']} x {setting['cell']}, {setting['light']}: "
-            f"{whole:.2f}, upper half {upper:.2f}"
-        )
-        axes.loglog(*zip(*points), "o-", color=colour, ms=3, label=label)
+    for number, (name, points) in enumerate(after.items()):
+        colour = f"C{number}"
+        axes.loglog(*zip(*points), "o-", color=colour, ms=3, label=name)
         axes.loglog(
-            [p for p, _ in points],
-            [plain / math.sqrt(p) for p, _ in points],
-            ":", color=colour, lw=0.8,
+            *zip(*before.get(name, [])), "s:", color=colour, ms=3, lw=0.8
         )
-        print(
-            f"{label}; at 4,096 paths {100 * at:.3f} %, {gained:.2f} times "
-            f"less error than plain Monte Carlo, {gained**2:.2f} times less "
-            "variance"
-        )
-        for randomisations in (2, 8):
-            time, paths = milliseconds(setting, 1e-3, randomisations)
-            print(
-                f"    0.1 %: {time:.0f} ms, {randomisations} x {paths:,.0f} "
-                f"paths, {1e3 * setting['build_seconds']:.2f} ms of it for "
-                "geometry and scene"
-            )
-    axes.set_xlabel("paths of one randomisation")
-    axes.set_ylabel("relative error of the leaves' light")
-    axes.set_title("dotted: plain Monte Carlo", fontsize=9)
+    axes.set_xlabel("time of the processor for an evaluation [ms]")
+    axes.set_ylabel("standard error of the leaves' light [%]")
+    axes.set_title("dotted: v0.1.1", fontsize=9)
     axes.legend(fontsize=7)
     figure.tight_layout()
-    figure.savefig(f"{folder}/convergence.png", dpi=100)
+    figure.savefig(f"{folder}/accuracy.png", dpi=100)
 
 
 def draw_scaling(runs, folder):
@@ -101,13 +78,13 @@ def draw_scaling(runs, folder):
 
 
 def main():
-    if len(sys.argv) != 4:
+    if sys.argv[1:2] == ["accuracy"] and len(sys.argv) == 5:
+        draw_accuracy(rows(sys.argv[2]), rows(sys.argv[3]), sys.argv[4])
+    elif sys.argv[1:2] == ["scaling"] and len(sys.argv) == 4:
+        with open(sys.argv[2], encoding="utf-8") as file:
+            draw_scaling(json.load(file)["benchmarks"], sys.argv[3])
+    else:
         sys.exit(__doc__)
-    convergence, scaling, folder = sys.argv[1:]
-    with open(convergence, encoding="utf-8") as file:
-        draw_convergence(json.load(file), folder)
-    with open(scaling, encoding="utf-8") as file:
-        draw_scaling(json.load(file)["benchmarks"], folder)
 
 
 if __name__ == "__main__":

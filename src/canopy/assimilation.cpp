@@ -15,8 +15,6 @@ namespace ideotype {
 
 namespace {
 
-constexpr double mol_per_umol = 1e-6;
-
 //! Sums of replicates, and what is left of them without one.
 //! @param values [replicate][place]
 std::vector<std::vector<double>> with_and_without(

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "ideotype/canopy/assimilation.hpp"
+#include "ideotype/canopy/exact_assimilation.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/light/device.hpp"
 #include "ideotype/light/sunlit.hpp"
@@ -80,7 +81,7 @@ class Evaluation {
     void trace(const Plant& plant) {
         const Mesh mesh = split(build_plant(plant, request_.tessellation));
         std::optional<Pieces> pieces;
-        if (request_.details.photosynthesis) pieces = cut_leaves(mesh);
+        if (needs_pieces()) pieces = cut_leaves(mesh);
         Accuracy accuracy = request_.accuracy;
         Randomness randomness = request_.randomness;
         const bool is_one = randomness.fields == Randomness::Fields::one;
@@ -103,8 +104,7 @@ class Evaluation {
         copy.mesh = split(std::move(copy.mesh));
         const std::vector<Group> groups = copy.mesh.groups;
         std::optional<Pieces> pieces;
-        if (request_.details.photosynthesis)
-            pieces = cut_leaves(copy.mesh, copy.face_plant);
+        if (needs_pieces()) pieces = cut_leaves(copy.mesh, copy.face_plant);
         trace(copy, groups, std::move(pieces), request_.accuracy,
               request_.randomness);
     }
@@ -129,6 +129,10 @@ class Evaluation {
     }
 
   private:
+    bool needs_pieces() const {
+        return request_.details.photosynthesis && !request_.details.exact;
+    }
+
     Mesh split(Mesh mesh) const {
         if (!request_.details.faces) return mesh;
         return with_a_group_per_face(std::move(mesh));
@@ -161,9 +165,12 @@ class Evaluation {
         Simulation found = simulate_to_tolerance(
             scene, mesh.groups, request_.scenario.optics, light, accuracy,
             randomness, layers, pieces ? Detail::leaf_light : Detail::sums);
+        if (pieces)
+            assimilate_in(scene, *pieces, groups, found.tallies);
+        else if (request_.details.photosynthesis)
+            assimilate_exactly_in(scene, mesh, accuracy, randomness);
         accuracy.paths = found.paths;
         result_.paths += accuracy.all_paths();
-        if (pieces) assimilate_in(scene, *pieces, groups, found.tallies);
         append(tallies_, std::move(found.tallies));
         result_.is_capped |= found.is_capped;
         if (request_.details.sunlit) {
@@ -181,18 +188,42 @@ class Evaluation {
     void assimilate_in(const Scene& scene, const Pieces& pieces,
                        const std::vector<Group>& groups,
                        std::vector<Tally>& tallies) {
-        const Photosynthesis& photosynthesis = *request_.details.photosynthesis;
-        leaf_area_index_.resize(groups.size());
         for (std::size_t v = 0; v < pieces.count; ++v)
-            leaf_area_index_[pieces.group[v]] +=
-                pieces.area[v] / result_.ground_area;
-        if (rates_.empty())
-            rates_ = rates_of_groups(photosynthesis, groups, leaf_area_index_);
+            add_leaf_area(groups.size(), pieces.group[v], pieces.area[v]);
         append(assimilation_,
                assimilate(tallies, scene, pieces, request_.scenario.optics,
-                          request_.scenario.light, photosynthesis, rates_,
+                          request_.scenario.light,
+                          *request_.details.photosynthesis, rates(groups),
                           result_.layers));
         add_up_pieces(tallies, pieces.group, groups.size());
+    }
+
+    void assimilate_exactly_in(const Scene& scene, const Mesh& mesh,
+                               const Accuracy& accuracy,
+                               const Randomness& randomness) {
+        const std::vector<double> areas = face_areas(mesh);
+        for (std::size_t f = 0; f < areas.size(); ++f)
+            if (mesh.groups[mesh.face_group[f]].tissue == Tissue::leaf)
+                add_leaf_area(mesh.groups.size(), mesh.face_group[f], areas[f]);
+        ExactAssimilation found = assimilate_exactly(
+            scene, mesh, request_.scenario.optics, request_.scenario.light,
+            *request_.details.photosynthesis, rates(mesh.groups),
+            result_.layers, accuracy, randomness);
+        append(assimilation_, std::move(found.tallies));
+        result_.is_capped |= found.is_capped;
+    }
+
+    void add_leaf_area(std::size_t groups, std::uint32_t group, double area) {
+        leaf_area_index_.resize(groups);
+        leaf_area_index_[group] += area / result_.ground_area;
+    }
+
+    //! The same in all fields.
+    const std::vector<LeafRates>& rates(const std::vector<Group>& groups) {
+        if (rates_.empty())
+            rates_ = rates_of_groups(*request_.details.photosynthesis, groups,
+                                     leaf_area_index_);
+        return rates_;
     }
 
     void add_areas(const Mesh& mesh) {

@@ -63,6 +63,10 @@ void add_light(CLI::App& verb, MeshOptions& options, CLI::Option* mesh) {
                     "FILE.toml with a [photosynthesis] table: assimilation of "
                     "the leaves")
         ->needs(mesh);
+    verb.add_flag("--exact", options.is_exact,
+                  "assimilation from random points of leaves and paths back "
+                  "from them, without bias, slowly: to check the usual way")
+        ->needs(mesh);
     verb.add_option_function<Three>(
             "--site",
             [&](const Three& site) {

@@ -103,6 +103,8 @@ void check_light(const MeshOptions& options) {
                 options.photosynthesis.empty(),
             "--photosynthesis needs how strong the light is: --beam-ppfd, "
             "--sky-ppfd, or a day with --site and --date");
+    require(!options.is_exact || !options.photosynthesis.empty(),
+            "--exact is a way to find assimilation; it needs --photosynthesis");
     for (const auto& [name, ppfd] :
          {std::pair("--beam-ppfd", options.beam_ppfd),
           std::pair("--sky-ppfd", options.sky_ppfd)})

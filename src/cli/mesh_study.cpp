@@ -117,7 +117,7 @@ Accuracy accuracy_of(const MeshOptions& options) {
 
 CanopyRequest to_request(const MeshOptions& options, Field field) {
     constexpr double north = 0;  // the mesh's y axis
-    Details details{.sunlit = true};
+    Details details{.sunlit = true, .exact = options.is_exact};
     if (!options.photosynthesis.empty()) {
         details.photosynthesis = read_photosynthesis(options.photosynthesis);
         if (!options.site) details.photosynthesis->photons = 1;

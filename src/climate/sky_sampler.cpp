@@ -149,4 +149,8 @@ double SkySampler::horizontal_irradiance() const {
     return radiance_.model == SkyModel::uniform ? pi : 7 * pi / 9;
 }
 
+double SkySampler::relative_brightness(const glm::dvec3& travel) const {
+    return relative_radiance(radiance_, travel) * pi / horizontal_irradiance();
+}
+
 }  // namespace ideotype

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <glm/geometric.hpp>
 
 #include "directions.hpp"
 
 namespace ideotype {
-
-namespace {}  // namespace
 
 Launcher::Launcher(const Scene& scene, const Source& source, double soil_albedo)
     : scene_(scene), source_(source) {
@@ -79,7 +76,7 @@ PhotonPacket Launcher::enter(const Portal& portal, PathSampler& sampler,
         d = lambertian(n, u, sampler.next());
         d.z = std::copysign(d.z, portal.from == From::soil ? 1.0 : -1.0);
         if (portal.from == From::source) {
-            energy *= relative_brightness(d);
+            energy *= source_.sky.relative_brightness(d);
         } else {
             const double t = p.z / d.z;
             if (!is_lit({p.x - t * d.x, p.y - t * d.y, 0}, sampler)) return {};
@@ -94,11 +91,6 @@ glm::dvec3 Launcher::from_above(PathSampler& sampler) const {
     if (source_.direction) return not_level(*source_.direction);
     const double u = sampler.next();
     return not_level(source_.sky.sample(u, sampler.next()));
-}
-
-double Launcher::relative_brightness(const glm::dvec3& direction) const {
-    return relative_radiance(source_.sky.radiance(), direction) *
-           std::numbers::pi / source_.sky.horizontal_irradiance();
 }
 
 bool Launcher::is_lit(const glm::dvec3& soil, PathSampler& sampler) const {

@@ -46,7 +46,6 @@ class Launcher {
     PhotonPacket enter(const Portal& portal, PathSampler& sampler,
                        double energy) const;
     glm::dvec3 from_above(PathSampler& sampler) const;
-    double relative_brightness(const glm::dvec3& direction) const;
     bool is_lit(const glm::dvec3& soil, PathSampler& sampler) const;
 
     const Scene& scene_;

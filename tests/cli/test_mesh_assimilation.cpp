@@ -114,6 +114,57 @@ TEST_F(MaizeAssimilation, IsThatOfEveryLeafPoint) {
         }
 }
 
+TEST_F(MaizeAssimilation, ExactlyIsThatOfEveryLeafPoint) {
+    MeshOptions options = mesh("maize1", {.76, .15});
+    options.photosynthesis = sets_[0];
+    options.soil_albedo = 0;
+    options.is_exact = true;
+    options.tolerance = 4e-3;
+    const Json& instant = maize().at("instants").at("sun30_az90");
+    set_light(options, instant.at("input"), "beam_horizontal_ppfd",
+              "sky_horizontal_ppfd");
+    const Rates found = rates(options);
+    expect_agreement(found.gross, instant.at("A_gross"), "gross");
+    EXPECT_LE(found.gross.standard_error, 4e-3 * found.gross.mean);
+    for (const Json& rank : instant.at("per_rank"))
+        expect_agreement(
+            found.groups.at(rank.at("rank").get<std::size_t>() - 1),
+            rank.at("A_gross"), rank.at("rank").dump());
+}
+
+//! Sun and sky on leaves that scatter most of their light.
+class ExactAssimilation : public testing::TestWithParam<Boundary> {};
+
+TEST_P(ExactAssimilation, AgreesWithPieces) {
+    MeshOptions options = mesh("maize1", {.76, .15});
+    if (GetParam() == Boundary::isolated) {
+        options.period.reset();
+        options.ground_area = .114;
+        options.boundary = Boundary::isolated;
+    }
+    options.photosynthesis = table("exact", "amax = 50\n");
+    options.leaf = {.45, .35};
+    options.soil_albedo = .3;
+    options.sun = {45, 120};
+    options.beam_ppfd = 900;
+    options.sky = SkyModel::clear;
+    options.sky_ppfd = 400;
+    options.tolerance = 2e-3;
+    const Estimate usual = rates(options).gross;
+    options.is_exact = true;
+    options.tolerance = 6e-3;
+    const Estimate exact = rates(options).gross;
+    // Pieces have a bias, of noise in their light and of its shape.
+    EXPECT_NEAR(usual.mean, exact.mean,
+                4 * std::hypot(usual.standard_error, exact.standard_error) +
+                    1e-3 * exact.mean);
+    EXPECT_LE(exact.standard_error, 6e-3 * exact.mean);
+}
+
+INSTANTIATE_TEST_SUITE_P(Boundaries, ExactAssimilation,
+                         testing::Values(Boundary::periodic,
+                                         Boundary::isolated));
+
 TEST_F(MaizeAssimilation, OfADayIsTheSumOfItsHours) {
     Estimate sum;
     for (const Json& hour : maize().at("hours")) {
@@ -198,6 +249,13 @@ TEST(Assimilation, NeedsToKnowHowStrongTheLightIs) {
     options.beam_ppfd = 1500;
     EXPECT_NO_THROW(check(options));
     options.sky_ppfd = 300;
+    EXPECT_THROW(check(options), Error);
+}
+
+TEST(Assimilation, IsExactOnlyIfAskedFor) {
+    MeshOptions options = mesh("maize1", {.76, .15});
+    options.sun = {30, 180};
+    options.is_exact = true;
     EXPECT_THROW(check(options), Error);
 }
 

@@ -13,6 +13,8 @@
 
 namespace ideotype {
 
+inline constexpr double mol_per_umol = 1e-6;
+
 //! Gross assimilation of CO2 per ground area in one randomisation.
 struct AssimilationTally {
     std::vector<double> groups;  //!< of the mesh that was cut [mol m-2]

@@ -13,7 +13,7 @@
 
 namespace ideotype {
 
-//! What is to be found out about a canopy besides where light goes. Neither
+//! What is to be found out about a canopy besides where light goes. None
 //! changes any fitness: histories go without.
 struct Details {
     bool sunlit = false;  //!< the sunlit leaf area, which costs more rays
@@ -21,6 +21,7 @@ struct Details {
     bool faces = false;
     //! What leaves make of the light.
     std::optional<Photosynthesis> photosynthesis{};
+    bool exact = false;  //!< that by assimilate_exactly(), for checks: slow
 };
 
 //! One evaluation of a canopy: all that its result is a function of.

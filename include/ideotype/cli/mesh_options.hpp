@@ -36,6 +36,7 @@ struct MeshOptions {
     //! is in this unit.
     std::optional<double> beam_ppfd, sky_ppfd;
     std::string photosynthesis;  //!< file with this table; "": none
+    bool is_exact = false;       //!< assimilation without bias, slowly
 
     Lambertian leaf{0.05, 0.05};
     Lambertian stalk{0.31, 0.12};

@@ -30,6 +30,10 @@ class SkySampler {
     //! Integral of relative_radiance() times cos z over the hemisphere.
     double horizontal_irradiance() const;
 
+    //! Radiance of the light that travels in a direction, over that of a
+    //! uniform sky with the same irradiance of level ground.
+    double relative_brightness(const glm::dvec3& travel) const;
+
   private:
     class ClearSky;
     SkyRadiance radiance_;

@@ -14,6 +14,7 @@ enum class Purpose : std::uint32_t {
     jitter = 5,
     scramble = 6,
     scattering = 7,
+    backward = 8,
 };
 
 //! Philox-4x32-10: four random words as a pure function of counter and key

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ideotype/light/scene.hpp"
+
+namespace ideotype {
+
+//! A point of a leaf.
+struct LeafPoint {
+    glm::dvec3 position;  //!< where the mesh has it [m]
+    glm::dvec3 normal;    //!< of the adaxial side, unit length
+    std::uint32_t group;  //!< of the mesh
+    //! Light does not come here: the point is below the soil, or of a face
+    //! with the same corners as an earlier one.
+    bool is_hidden;
+};
+
+//! The part of a point's leaf area that is not on another's.
+double own_part(const Scene& scene, const LeafPoint& point);
+
+//! All leaf surface, as the triangles that light meets, and points on it.
+class LeafPoints {
+  public:
+    explicit LeafPoints(const Mesh& mesh);
+
+    //! One-sided, of all leaves [m2].
+    double area() const { return ends_.empty() ? 0 : ends_.back(); }
+
+    //! Evenly spread over all leaves, of which there are some.
+    //! @param share,s,t uniform in [0, 1)
+    LeafPoint at(double share, double s, double t) const;
+
+  private:
+    //! A flat part of a leaf.
+    struct Triangle {
+        glm::dvec3 corner, u, v, normal;
+        std::uint32_t group;
+        bool is_repeated;
+    };
+
+    void add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
+             std::uint32_t group, bool is_repeated);
+
+    std::vector<Triangle> triangles_;
+    std::vector<double> ends_;  //!< summed area up to and with each [m2]
+};
+
+}  // namespace ideotype

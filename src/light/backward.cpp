@@ -1,0 +1,101 @@
+#include "ideotype/light/backward.hpp"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "directions.hpp"
+#include "travel.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! From a surface, on the side of a normal.
+bool sees_sky(const Scene& scene, const glm::dvec3& position,
+              const glm::dvec3& normal, const glm::dvec3& direction) {
+    return travel(scene, scene.offset_origin(position, normal), direction)
+               .group == Hit::sky;
+}
+
+glm::dvec3 on_side_of(const glm::dvec3& direction, const glm::dvec3& normal) {
+    return glm::dot(normal, direction) < 0 ? -normal : normal;
+}
+
+}  // namespace
+
+bool is_lit(const Scene& scene, const LeafPoint& point,
+            const glm::dvec3& travel) {
+    const glm::dvec3 sun = -not_level(travel);
+    return !point.is_hidden && sees_sky(scene, scene.placed(point.position),
+                                        on_side_of(sun, point.normal), sun);
+}
+
+BackwardLight::BackwardLight(const Scene& scene,
+                             const std::vector<Group>& groups,
+                             const Optics& optics,
+                             const std::vector<Source>& sources)
+    : scene_(scene),
+      groups_(groups),
+      sources_(sources),
+      optics_(optics),
+      soil_{optics.soil_albedo, 0} {}
+
+double BackwardLight::beam(const LeafPoint& point, std::size_t source) const {
+    const glm::dvec3 d = not_level(*sources_[source].direction);
+    return is_lit(scene_, point, d) ? std::abs(glm::dot(point.normal, d) / d.z)
+                                    : 0;
+}
+
+void BackwardLight::add_diffuse(const LeafPoint& point, RandomStream& random,
+                                std::vector<double>& light) const {
+    if (point.is_hidden) return;
+    for (const double side : {1., -1.})
+        follow(scene_.placed(point.position), side * point.normal, random,
+               light);
+}
+
+void BackwardLight::follow(glm::dvec3 position, glm::dvec3 normal,
+                           RandomStream& random,
+                           std::vector<double>& light) const {
+    // Directions by Lambert's law and ends with the right odds: what a path
+    // finds has a weight of one.
+    for (;;) {
+        const double u = random.uniform();
+        const glm::dvec3 d = lambertian(normal, u, random.uniform());
+        const Hit hit =
+            travel(scene_, scene_.offset_origin(position, normal), d);
+        if (hit.group == Hit::sky) {
+            for (std::size_t s = 0; s < sources_.size(); ++s)
+                if (!sources_[s].direction)
+                    light[s] += sources_[s].sky.relative_brightness(-d);
+            return;
+        }
+        const Lambertian& met = surface(hit.group);
+        if (met.scattered() == 0) return;
+        position = hit.position;
+        normal = on_side_of(-d, hit.normal);
+        add_beams(position, normal, met, light);
+        const double choice = random.uniform();
+        if (choice >= met.scattered()) return;
+        if (choice >= met.reflectance) normal = -normal;
+    }
+}
+
+void BackwardLight::add_beams(const glm::dvec3& position,
+                              const glm::dvec3& normal,
+                              const Lambertian& surface,
+                              std::vector<double>& light) const {
+    for (std::size_t s = 0; s < sources_.size(); ++s) {
+        if (!sources_[s].direction) continue;
+        const glm::dvec3 sun = -not_level(*sources_[s].direction);
+        const double cosine = glm::dot(normal, sun);
+        const double part =
+            cosine > 0 ? surface.reflectance : surface.transmittance;
+        if (part > 0 &&
+            sees_sky(scene_, position, on_side_of(sun, normal), sun))
+            light[s] += part * std::abs(cosine) / sun.z;
+    }
+}
+
+}  // namespace ideotype

@@ -41,6 +41,8 @@ Campaign complete(Draft& draft, const std::string& source,
         campaign.bounds.push_back(
             bounds_of(draft, numbers[i].trait, baseline[i]));
     campaign.reach = reach_of(campaign);
+    if (draft.has_photosynthesis)
+        campaign.photosynthesis = to_photosynthesis(draft.photosynthesis);
     std::erase_if(campaign.constraints.traits,
                   [](const TraitConstraint& x) { return !constrains(x); });
     campaign.source = source;
@@ -90,7 +92,7 @@ Photosynthesis read_photosynthesis(const std::string& path) {
     table.follows_weather = false;
     Report report;
     read_table(*text, path, one_table(photosynthesis_section(table)), report);
-    check_photosynthesis(table, report);
+    check_photosynthesis(table, 0, report);
     report.throw_if_any();
     return to_photosynthesis(table);
 }

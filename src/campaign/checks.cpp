@@ -158,6 +158,9 @@ void check_draft(Draft& draft, Report& report) {
     check_field(campaign.field, report);
     check_light(campaign, report);
     check_search(campaign, report);
+    check_photosynthesis(
+        draft.photosynthesis,
+        draft.is_crop_known ? campaign.crop.baseline.leaves.size() : 0, report);
     check_plant(draft, report);
     check_breeding(draft, report);
 }

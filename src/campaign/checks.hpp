@@ -24,4 +24,9 @@ void check_breeding(Draft& draft, Report& report);
 //! That part of it which concerns sites, days and the light of their cases.
 void check_sky(const Campaign& campaign, Report& report);
 
+//! Reports numbers of other models and lists that differ in length.
+//! @param leaves of the plant; 0: not known
+void check_photosynthesis(const PhotosynthesisTable& table, std::size_t leaves,
+                          Report& report);
+
 }  // namespace ideotype

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ideotype/campaign/campaign.hpp"
+#include "photosynthesis_table.hpp"
 
 namespace ideotype {
 
@@ -39,6 +40,8 @@ struct Draft {
     std::string rule = "traits";
     std::vector<Range> own_bounds;    //!< of each trait
     std::vector<std::string> organs;  //!< that plants have besides leaves
+    PhotosynthesisTable photosynthesis;
+    bool has_photosynthesis = false;  //!< leaves assimilate
     bool is_crop_known = true;        //!< no file is missing
     bool has_climate = false;         //!< instead of days
 };

@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "checks.hpp"
+#include "schema.hpp"
+
 namespace ideotype {
 
 namespace {
@@ -28,7 +31,7 @@ constexpr LeafKey leaf_keys[] = {
     {"k", &PhotosynthesisTable::k, false, true},
 };
 
-std::size_t leaves(const PhotosynthesisTable& table) {
+std::size_t leaves_of(const PhotosynthesisTable& table) {
     std::size_t most = 1;
     for (const LeafKey& key : leaf_keys)
         most = std::max(most, (table.*key.numbers).size());
@@ -58,7 +61,7 @@ Section photosynthesis_section(PhotosynthesisTable& table) {
          by_leaf("theta", table.theta, 0, 1, "",
                  "0.7 of the hyperbola, 0.83 by Collatz",
                  "curvature of the response to light"),
-         by_leaf("amax", table.amax, 0, 1e15, "umol m-2 s-1", "50",
+         by_leaf("amax", table.amax, 0, 1e9, "umol m-2 s-1", "50",
                  "gross assimilation of the hyperbola in saturating light, at "
                  "30 deg C"),
          by_leaf("rd", table.rd, 0, 1000, "umol m-2 s-1",
@@ -93,9 +96,16 @@ Section photosynthesis_section(PhotosynthesisTable& table) {
              .within(1, 1000, "day")}};
 }
 
-void check_photosynthesis(const PhotosynthesisTable& table, Report& report) {
+Table photosynthesis_table(Draft& draft) {
+    Table table = one_table(photosynthesis_section(draft.photosynthesis));
+    table.is_default = !draft.has_photosynthesis;
+    return table;
+}
+
+void check_photosynthesis(const PhotosynthesisTable& table, std::size_t leaves,
+                          Report& report) {
     const bool is_collatz = table.model == LeafModel::collatz;
-    const std::size_t count = leaves(table);
+    const std::size_t count = leaves > 0 ? leaves : leaves_of(table);
     for (const LeafKey& key : leaf_keys) {
         const std::vector<double>& numbers = table.*key.numbers;
         if (numbers.empty() || !report.usable({&numbers})) continue;
@@ -107,18 +117,19 @@ void check_photosynthesis(const PhotosynthesisTable& table, Report& report) {
                             key.name, is_collatz ? "collatz" : "hyperbola",
                             is_collatz ? "hyperbola" : "collatz"));
         else if (numbers.size() != 1 && numbers.size() != count)
-            report.add(&numbers,
-                       fmt::format("photosynthesis.{} has {} values (another "
-                                   "list has {}); give one number, or one for "
-                                   "each leaf",
-                                   key.name, numbers.size(), count));
+            report.add(
+                &numbers,
+                fmt::format("photosynthesis.{} has {} values ({} has "
+                            "{}); give one number, or one for each leaf",
+                            key.name, numbers.size(),
+                            leaves > 0 ? "the plant" : "another list", count));
     }
 }
 
 Photosynthesis to_photosynthesis(const PhotosynthesisTable& table) {
     Photosynthesis result;
     result.rates.clear();
-    for (std::size_t i = 0; i < leaves(table); ++i) {
+    for (std::size_t i = 0; i < leaves_of(table); ++i) {
         const auto take = [&](Numbers from, double& to) {
             const std::vector<double>& numbers = table.*from;
             if (!numbers.empty()) to = numbers[numbers.size() == 1 ? 0 : i];

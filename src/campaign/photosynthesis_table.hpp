@@ -3,8 +3,6 @@
 #include <vector>
 
 #include "ideotype/physiology/photosynthesis.hpp"
-#include "report.hpp"
-#include "schema.hpp"
 
 namespace ideotype {
 
@@ -23,11 +21,6 @@ struct PhotosynthesisTable {
     double building_days = Photosynthesis{}.building_days;
     double building_cost = 45;  //!< [g m-2 of leaf]
 };
-
-Section photosynthesis_section(PhotosynthesisTable& table);
-
-//! Reports numbers of other models and lists that differ in length.
-void check_photosynthesis(const PhotosynthesisTable& table, Report& report);
 
 //! @param table without problems
 Photosynthesis to_photosynthesis(const PhotosynthesisTable& table);

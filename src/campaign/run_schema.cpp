@@ -61,11 +61,20 @@ Section light_section(Campaign& campaign) {
 }
 
 Section objective_section(Campaign& campaign) {
-    return {"objective",
-            {Key("maximise", &campaign.objective,
-                 "light that leaves absorb in a day, per area of ground or of "
-                 "leaf")
-                 .one_of({"absorbed_par", "absorbed_par_per_leaf_area"})}};
+    return {
+        "objective",
+        {Key("maximise", &campaign.objective,
+             "on a mean day: light that leaves absorb, CO2 that they "
+             "assimilate (net of their respiration while there is light), "
+             "or carbon that is left (net of day and night, and of "
+             "building leaves); per area of ground or of leaf")
+             .one_of({"absorbed_par", "absorbed_par_per_leaf_area",
+                      "gross_assimilation", "net_assimilation",
+                      "net_assimilation_per_leaf_area", "carbon_balance"})}};
+}
+
+bool is_of_assimilation(const std::string& objective) {
+    return objective.rfind("absorbed_par", 0) != 0;
 }
 
 namespace {

@@ -295,6 +295,7 @@ std::vector<Table> campaign_tables(Draft& draft) {
             one_table(optics_section(campaign)),
             one_table(light_section(campaign)),
             one_table(objective_section(campaign)),
+            photosynthesis_table(draft),
             constraints_table(campaign.constraints),
             one_table(search_section(campaign.search)),
             one_table(stop_section(campaign.stop)),

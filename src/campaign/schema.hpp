@@ -172,6 +172,13 @@ std::vector<Table> plant_tables(Draft& draft);
 Table plant_table(Draft& draft);
 Section light_section(Campaign& campaign);
 Section objective_section(Campaign& campaign);
+Section photosynthesis_section(PhotosynthesisTable& table);
+//! Which campaigns without assimilation do not have.
+Table photosynthesis_table(Draft& draft);
+
+//! Whether an objective is of what leaves make of light.
+bool is_of_assimilation(const std::string& objective);
+
 //! With a table for each trait that there are constraints of.
 Table constraints_table(Constraints& constraints);
 Section search_section(SearchSettings& search);

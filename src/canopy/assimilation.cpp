@@ -128,6 +128,7 @@ class Assimilation {
     //! Adds a step of the day.
     void add(std::size_t i, const SunlitLeaves& sunlit) {
         const TimeStep& step = light_.series.steps[i];
+        if (!(step.par.beam + step.par.diffuse > 0)) return;
         const auto scale = [&](int source, double irradiance) {
             if (source < 0) return 0.;
             const auto s = static_cast<std::size_t>(source);
@@ -311,6 +312,32 @@ double AssimilationTally::gross() const {
 
 namespace {
 
+//! Steps and what each counts.
+using Part = std::vector<std::pair<std::size_t, double>>;
+
+std::vector<Part> parts_of_hours(const LightSeries& series) {
+    const std::vector<double> hours = series.hours();
+    std::vector<Part> parts(hours.size());
+    for (std::size_t i = 0; i < series.steps.size(); ++i) {
+        const auto found =
+            std::lower_bound(hours.begin(), hours.end(), series.steps[i].hour);
+        if (found != hours.end() && *found == series.steps[i].hour)
+            parts[static_cast<std::size_t>(found - hours.begin())].emplace_back(
+                i, 1. / series.days);
+    }
+    return parts;
+}
+
+std::vector<Part> parts_of_dates(const LightSeries& series) {
+    std::vector<Part> parts;
+    for (std::size_t i = 0; i < series.steps.size(); ++i) {
+        if (i == 0 || series.steps[i].date != series.steps[i - 1].date)
+            parts.emplace_back();
+        parts.back().emplace_back(i, mol_per_umol * series.steps[i].seconds);
+    }
+    return parts;
+}
+
 //! Of leaves in the dark, over a mean day.
 Respiration respiration(const LeafRates& rates, double leaf_area_index,
                         const LightSeries& series,
@@ -360,7 +387,20 @@ AssimilationReport report(std::vector<AssimilationTally> tallies,
     result.gross = over([](const AssimilationTally& t) { return t.gross(); });
     result.groups = each(&AssimilationTally::groups);
     result.layers = each(&AssimilationTally::layers);
-    result.steps = each(&AssimilationTally::steps);
+    const LightSeries& series = light.series;
+    const auto of_steps = [&](const std::vector<Part>& parts) {
+        std::vector<Estimate> all;
+        for (const Part& part : parts)
+            all.push_back(over([&](const AssimilationTally& t) {
+                double sum = 0;
+                for (const auto& [step, weight] : part)
+                    sum += weight * t.steps[step];
+                return sum;
+            }));
+        return all;
+    };
+    result.hours = of_steps(parts_of_hours(series));
+    if (series.days > 1) result.dates = of_steps(parts_of_dates(series));
     for (std::size_t g = 0; g < rates.size(); ++g)
         result.respiration.push_back(respiration(rates[g], leaf_area_index[g],
                                                  light.series, photosynthesis));

@@ -61,6 +61,53 @@ void add_up_pieces(std::vector<Tally>& tallies,
     }
 }
 
+//! Randomisations in one field that assimilation needs.
+constexpr int fewest_in_field = 4;
+
+//! Adds numbers of the same places, or makes them so many times as large.
+void add(std::vector<double>& all, const std::vector<double>& more) {
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] += more[i];
+}
+void scale(std::vector<double>& all, double by) {
+    for (double& x : all) x *= by;
+}
+
+AssimilationTally mean_of(const std::vector<AssimilationTally>& tallies) {
+    AssimilationTally mean = tallies.front();
+    for (auto part : {&AssimilationTally::groups, &AssimilationTally::layers,
+                      &AssimilationTally::steps}) {
+        for (std::size_t i = 1; i < tallies.size(); ++i)
+            add(mean.*part, tallies[i].*part);
+        scale(mean.*part, 1. / static_cast<double>(tallies.size()));
+    }
+    return mean;
+}
+
+Tally mean_of(const std::vector<Tally>& tallies) {
+    const auto n = static_cast<double>(tallies.size());
+    Tally mean = tallies.front();
+    for (std::size_t i = 1; i < tallies.size(); ++i) {
+        const Tally& more = tallies[i];
+        for (std::size_t s = 0; s < mean.sources.size(); ++s)
+            mean.sources[s] += more.sources[s];
+        add(mean.groups, more.groups);
+        add(mean.layers, more.layers);
+        mean.adaxial += more.adaxial;
+        mean.abaxial += more.abaxial;
+        mean.rays += more.rays;
+        mean.next_rays += more.next_rays;
+    }
+    for (Budget& budget : mean.sources) budget *= 1 / n;
+    scale(mean.groups, 1 / n);
+    scale(mean.layers, 1 / n);
+    mean.adaxial /= n;
+    mean.abaxial /= n;
+    Resolution resolution = *mean.resolution;
+    scale(resolution.path_energy, 1 / n);
+    mean.resolution = std::make_shared<const Resolution>(resolution);
+    return mean;
+}
+
 template <class All>
 void append(All& all, All more) {
     all.insert(all.end(), std::make_move_iterator(more.begin()),
@@ -74,6 +121,7 @@ class Evaluation {
                const Clock& clock)
         : request_(request), device_(device), clock_(clock), last_(time()) {
         result_.layers = request.layers;
+        result_.days = request.scenario.light.series.days;
     }
 
     //! Fields of plants that are drawn at random, each with its part of the
@@ -87,15 +135,26 @@ class Evaluation {
         const bool is_one = randomness.fields == Randomness::Fields::one;
         const int fields = is_one ? 1 : accuracy.randomisations;
         accuracy.randomisations /= fields;
+        // Assimilation in a field needs several, see assimilate().
+        if (pieces && accuracy.randomisations < fewest_in_field) {
+            accuracy.paths /= fewest_in_field;
+            accuracy.randomisations = fewest_in_field;
+        }
+        is_one_of_many_ = fields > 1 && accuracy.randomisations > 1;
+        Randomness of_light = randomness;
         for (int f = 0; f < fields; ++f, ++randomness.first_randomisation) {
+            of_light.first_randomisation =
+                randomness.first_randomisation *
+                static_cast<std::uint32_t>(
+                    is_one_of_many_ ? accuracy.randomisations : 1);
             Field field = draw_field(pieces ? pieces->mesh : mesh,
                                      request_.scenario.field, randomness);
             if (pieces)
                 trace(field, mesh.groups,
                       pieces_of_field(*pieces, field.mesh, field.face_plant),
-                      accuracy, randomness);
+                      accuracy, of_light);
             else
-                trace(field, mesh.groups, std::nullopt, accuracy, randomness);
+                trace(field, mesh.groups, std::nullopt, accuracy, of_light);
         }
     }
 
@@ -171,6 +230,7 @@ class Evaluation {
             assimilate_exactly_in(scene, mesh, accuracy, randomness);
         accuracy.paths = found.paths;
         result_.paths += accuracy.all_paths();
+        if (is_one_of_many_) found.tallies = {mean_of(found.tallies)};
         append(tallies_, std::move(found.tallies));
         result_.is_capped |= found.is_capped;
         if (request_.details.sunlit) {
@@ -190,11 +250,12 @@ class Evaluation {
                        std::vector<Tally>& tallies) {
         for (std::size_t v = 0; v < pieces.count; ++v)
             add_leaf_area(groups.size(), pieces.group[v], pieces.area[v]);
-        append(assimilation_,
-               assimilate(tallies, scene, pieces, request_.scenario.optics,
-                          request_.scenario.light,
-                          *request_.details.photosynthesis, rates(groups),
-                          result_.layers));
+        std::vector<AssimilationTally> found = assimilate(
+            tallies, scene, pieces, request_.scenario.optics,
+            request_.scenario.light, *request_.details.photosynthesis,
+            rates(groups), result_.layers);
+        if (is_one_of_many_) found = {mean_of(found)};
+        append(assimilation_, std::move(found));
         add_up_pieces(tallies, pieces.group, groups.size());
     }
 
@@ -255,6 +316,8 @@ class Evaluation {
     const Device& device_;
     const Clock& clock_;
     double last_;
+    //! Each field is one of many randomisations, with several of its own.
+    bool is_one_of_many_ = false;
     CanopyReport result_;
     std::vector<Tally> tallies_;
     SunlitFractions sunlit_;

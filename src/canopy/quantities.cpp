@@ -1,6 +1,7 @@
 #include "ideotype/canopy/quantities.hpp"
 
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -161,6 +162,156 @@ const std::vector<Declaration>& declarations() {
     return all;
 }
 
+constexpr auto daily_co2 = "mol m-2 day-1";
+
+//! Gross assimilation, by how much lower a figure is, and its scale.
+struct Carbon {
+    double loss = 0;
+    double scale = 1;
+
+    Values operator()(const CanopyReport& report) const {
+        const Estimate gross = report.assimilation->gross;
+        return {scaled({gross.mean - loss, gross.standard_error}, scale)};
+    }
+    std::vector<double> randomised(const CanopyReport& report) const {
+        std::vector<double> values;
+        for (const AssimilationTally& tally : report.assimilation->tallies)
+            values.push_back(scale * (tally.gross() - loss));
+        return values;
+    }
+};
+
+//! A figure that can be an objective.
+Declaration carbon(const Quantity& quantity,
+                   const std::function<Carbon(const CanopyReport&)>& of) {
+    return {quantity, [of](const CanopyReport& r) { return of(r)(r); },
+            [of](const CanopyReport& r) { return of(r).randomised(r); }};
+}
+
+Declaration carbon_part(
+    const Quantity& quantity,
+    const std::function<Values(const CanopyReport&)>& take) {
+    return {quantity, take};
+}
+
+//! The groups that are leaves, each lowered by its respiration in the light.
+Values net_by_leaf(const CanopyReport& report) {
+    Values leaves;
+    for (std::size_t g = 0; g < report.groups.size(); ++g) {
+        if (report.groups[g].tissue != Tissue::leaf) continue;
+        leaves.push_back(report.assimilation->groups[g]);
+        leaves.back().mean -= report.assimilation->respiration[g].in_light;
+    }
+    return leaves;
+}
+
+//! Of gross assimilation over absorbed light, to first order.
+Values light_use(const CanopyReport& report) {
+    constexpr double grams_of_carbon = 12.011;
+    const AssimilationReport& all = *report.assimilation;
+    const double light = report.light.day.leaves.mean / joule_per_megajoule;
+    if (!(light > 0)) return {{}};
+    const double ratio = grams_of_carbon * all.gross.mean / light;
+    std::vector<double> replicates;
+    for (std::size_t r = 0; r < all.tallies.size(); ++r)
+        replicates.push_back(
+            ratio +
+            (grams_of_carbon * all.tallies[r].gross() -
+             ratio * report.leaves_by_randomisation[r] / joule_per_megajoule) /
+                light);
+    return {{ratio, estimate(replicates).standard_error}};
+}
+
+const std::vector<Declaration>& assimilation_declarations() {
+    using Report = CanopyReport;
+    constexpr double grams_of_co2 = 44.0095;
+    // Of carbohydrate for each mol of carbon, on a hectare.
+    constexpr double tonnes = 30e-6 * 1e4;
+    static const std::vector<Declaration> all{
+        carbon({"gross_assimilation", daily_co2,
+                "CO2 that leaves take up per ground area"},
+               [](const Report&) { return Carbon{}; }),
+        carbon(
+            {"net_assimilation", daily_co2,
+             "the same less what they respire while there is light"},
+            [](const Report& r) { return Carbon{r.assimilation->net_loss()}; }),
+        carbon({"net_assimilation_per_leaf_area", daily_co2,
+                "net assimilation per one-sided leaf area"},
+               [](const Report& r) {
+                   return Carbon{r.assimilation->net_loss(), 1 / r.lai};
+               }),
+        carbon({"carbon_balance", daily_co2,
+                "gross assimilation less what leaves respire day and night "
+                "and the carbon that they are built of"},
+               [](const Report& r) {
+                   return Carbon{r.assimilation->carbon_loss()};
+               }),
+        carbon_part(
+            {"net_co2", "g m-2 day-1", "net assimilation"},
+            [](const Report& r) {
+                return Carbon{r.assimilation->net_loss(), grams_of_co2}(r);
+            }),
+        carbon_part({"dry_matter", "t ha-1",
+                     "carbon balance of all days as carbohydrate"},
+                    [](const Report& r) {
+                        return Carbon{r.assimilation->carbon_loss(),
+                                      tonnes * r.days}(r);
+                    }),
+        carbon_part(
+            {"respiration", daily_co2, "of leaves, day and night", {}, exact},
+            [](const Report& r) {
+                const Respiration sum = r.assimilation->all_respiration();
+                return Values{{sum.in_light + sum.at_night, 0}};
+            }),
+        carbon_part({"light_use_efficiency", "g MJ-1",
+                     "carbon of gross assimilation over absorbed PAR"},
+                    light_use),
+        carbon_part({"assimilation_by_leaf",
+                     daily_co2,
+                     "gross assimilation of each leaf",
+                     {"leaf"}},
+                    [](const Report& r) {
+                        Values leaves;
+                        for (std::size_t g = 0; g < r.groups.size(); ++g)
+                            if (r.groups[g].tissue == Tissue::leaf)
+                                leaves.push_back(r.assimilation->groups[g]);
+                        return leaves;
+                    }),
+        carbon_part({"net_assimilation_by_leaf",
+                     daily_co2,
+                     "net assimilation of each leaf",
+                     {"leaf"}},
+                    net_by_leaf),
+        carbon_part({"assimilation_by_layer",
+                     daily_co2,
+                     "gross assimilation of leaves in each layer",
+                     {"layer"}},
+                    [](const Report& r) { return r.assimilation->layers; }),
+        carbon_part({"assimilation_by_hour",
+                     "umol m-2 s-1",
+                     "gross assimilation at each instant",
+                     {"hour"}},
+                    [](const Report& r) { return r.assimilation->hours; }),
+        carbon_part({"assimilation_by_day",
+                     daily_co2,
+                     "gross assimilation on each day",
+                     {"day"}},
+                    [](const Report& r) { return r.assimilation->dates; }),
+    };
+    return all;
+}
+
+//! All that a report has.
+const std::vector<Declaration>& declared(bool with_assimilation) {
+    static const std::vector<Declaration> both = [] {
+        std::vector<Declaration> all = declarations();
+        const std::vector<Declaration>& more = assimilation_declarations();
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    }();
+    return with_assimilation ? both : declarations();
+}
+
 Axis layer_axis(const Layers& layers) {
     std::vector<double> middles;
     for (std::size_t l = 0; l < layers.count; ++l)
@@ -182,7 +333,8 @@ Axis day_axis(const LightSeries& series) {
 }  // namespace
 
 QuantitySet canopy_quantities(const Plant& plant, const Layers& layers,
-                              const LightSeries& series) {
+                              const LightSeries& series,
+                              bool with_assimilation) {
     using Names = std::vector<std::string>;
     QuantitySet set;
     Names organs = organ_names(plant);
@@ -198,7 +350,7 @@ QuantitySet canopy_quantities(const Plant& plant, const Layers& layers,
          Names{"adaxial", "abaxial"}}};
     const bool has_days = series.days > 1;
     if (has_days) set.axes.push_back(day_axis(series));
-    for (const Declaration& each : declarations())
+    for (const Declaration& each : declared(with_assimilation))
         if (has_days || each.quantity.axes != Names{"day"})
             set.quantities.push_back(each.quantity);
     return set;
@@ -206,14 +358,20 @@ QuantitySet canopy_quantities(const Plant& plant, const Layers& layers,
 
 std::vector<Estimate> measure(const CanopyReport& report) {
     Values all;
-    for (const Declaration& each : declarations())
+    for (const Declaration& each : declared(report.assimilation.has_value()))
         for (const Estimate& x : each.take(report)) all.push_back(x);
     return all;
 }
 
+std::string unit_of(const std::string& quantity) {
+    for (const Declaration& each : declared(true))
+        if (each.quantity.name == quantity) return each.quantity.unit;
+    throw std::out_of_range("no quantity " + quantity);
+}
+
 Randomised measure_objective(const std::string& name,
                              const CanopyReport& report) {
-    for (const Declaration& each : declarations())
+    for (const Declaration& each : declared(report.assimilation.has_value()))
         if (each.quantity.name == name && each.randomised)
             return {each.take(report).front(), each.randomised(report)};
     throw Error(name + " is no objective");

@@ -63,16 +63,16 @@ CanopyRequest request_of(const Task& task, const Campaign& campaign,
             canopy_layers(campaign),
             accuracy_of(task, campaign),
             randomness_of(task, chosen),
-            {},
+            {.photosynthesis = campaign.photosynthesis},
             campaign.tessellation};
 }
 
 OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
                              const Accuracy& accuracy) {
     OutcomeSchema schema;
-    schema.measured =
-        canopy_quantities(campaign.crop.baseline, canopy_layers(campaign),
-                          light_of(campaign, chosen));
+    schema.measured = canopy_quantities(
+        campaign.crop.baseline, canopy_layers(campaign),
+        light_of(campaign, chosen), campaign.photosynthesis.has_value());
     schema.randomisations = static_cast<std::size_t>(accuracy.randomisations);
     for (const Quantity& each : schema.measured.quantities)
         if (each.name == campaign.objective)

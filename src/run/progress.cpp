@@ -13,6 +13,8 @@
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 
+#include "ideotype/canopy/quantities.hpp"
+
 namespace ideotype {
 
 namespace {
@@ -23,8 +25,8 @@ constexpr double calm = 0.1;
 }  // namespace
 
 double now() {
-    using Clock = std::chrono::steady_clock;
-    return std::chrono::duration<double>(Clock::now().time_since_epoch())
+    using SteadyClock = std::chrono::steady_clock;
+    return std::chrono::duration<double>(SteadyClock::now().time_since_epoch())
         .count();
 }
 
@@ -109,10 +111,10 @@ class ProgressLog::CaseWatcher : public Watcher {
                        const GenerationSummary& summary) override {
         entry_.generation = generation;
         ++entry_.complete;
-        entry_.best =
-            fmt::format("{} MJ m-2 day-1 {}",
-                        format({summary.best, summary.best_standard_error}),
-                        not_evaluated_again(summary.violation));
+        entry_.best = fmt::format(
+            "{} {} {}", format({summary.best, summary.best_standard_error}),
+            unit_of(log_.campaign_.objective),
+            not_evaluated_again(summary.violation));
         to_evaluate_ = log_.all_after(generation + 1);
         std::string line = log_.text(entry_);
         if (summary.failures > 0)

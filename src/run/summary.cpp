@@ -62,7 +62,7 @@ std::string described(const History& history, const Row& row) {
 //! The mean of b - a over randomisations that both plants share, with units
 //! and relative to a. Each may be given per leaf area.
 std::string gain(const Outcome& a, double area_a, const Outcome& b,
-                 double area_b) {
+                 double area_b, const std::string& unit) {
     const auto per = [](Outcome outcome, double area) {
         for (Estimate& x : outcome.objectives) x = scaled(x, 1 / area);
         for (double& x : outcome.randomisations) x /= area;
@@ -71,12 +71,12 @@ std::string gain(const Outcome& a, double area_a, const Outcome& b,
     const Outcome before = per(a, area_a), after = per(b, area_b);
     const double reference = before.objectives.front().mean;
     const Estimate found = difference(before, after);
-    if (!(reference > 0)) return format(found) + " MJ m-2 day-1";
+    if (!(reference > 0)) return format(found) + " " + unit;
     // To first order, x / a - 1 has the error of (x - x / a * a) / a.
     const double ratio = after.objectives.front().mean / reference;
     const Estimate relative = difference(per(before, 1 / ratio), after);
     return fmt::format(
-        "{} MJ m-2 day-1 = {} %", format(found),
+        "{} {} = {} %", format(found), unit,
         format({100 * (ratio - 1), 100 * relative.standard_error / reference}));
 }
 
@@ -86,15 +86,17 @@ std::string gains(const History& history, const Row& baseline,
                   const Row& best) {
     const double lai_before = lai_of(history, baseline);
     const double lai_after = lai_of(history, best);
-    std::string text = fmt::format(
-        "  gain      {}, with LAI {:.2f} instead of {:.2f}\n",
-        gain(baseline.outcome, 1, best.outcome, 1), lai_after, lai_before);
+    const Objective& objective = history.header().schema.objectives.front();
+    std::string text =
+        fmt::format("  gain      {}, with LAI {:.2f} instead of {:.2f}\n",
+                    gain(baseline.outcome, 1, best.outcome, 1, objective.unit),
+                    lai_after, lai_before);
     const bool is_per_ground =
-        history.header().schema.objectives.front().name == "absorbed_par";
+        objective.name.find("leaf_area") == std::string::npos;
     if (is_per_ground && lai_before > 0 && lai_after > 0)
-        text += fmt::format(
-            "            {} per leaf area\n",
-            gain(baseline.outcome, lai_before, best.outcome, lai_after));
+        text += fmt::format("            {} per leaf area\n",
+                            gain(baseline.outcome, lai_before, best.outcome,
+                                 lai_after, objective.unit));
     return text;
 }
 
@@ -130,10 +132,12 @@ std::string final_summary(const History& history, const Campaign& campaign) {
         return "no finalist could be evaluated; see the messages of failed "
                "rows\n";
     return fmt::format(
-        "absorbed by leaves, {} of {} paths with a new field each:\n"
+        "{}, {} of {} paths with a new field each:\n"
         "  baseline  {}\n"
         "  best      {}\n"
         "{}{}",
+        campaign.objective == "absorbed_par" ? "absorbed by leaves"
+                                             : campaign.objective,
         campaign.final_rule.sampling.randomisations,
         campaign.final_rule.sampling.paths, described(history, finalists[0]),
         described(history, finalists[best]),

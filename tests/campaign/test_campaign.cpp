@@ -283,4 +283,29 @@ TEST(Campaign, BiologicalBoundsFollowEachLeaf) {
     EXPECT_DOUBLE_EQ(bounds("leaf10_length").upper, 1.35 * 0.50);
 }
 
+TEST(Campaign, LeavesAssimilateIfTheObjectiveOrATableSaysSo) {
+    EXPECT_FALSE(parse_campaign(sample_text(), "c").photosynthesis);
+    const std::string objective =
+        "[objective]\nmaximise = \"carbon_balance\"\n";
+    const Campaign campaign = parse_campaign(sample_text("", objective), "c");
+    ASSERT_TRUE(campaign.photosynthesis);
+    EXPECT_EQ(campaign.photosynthesis->profile, CapacityProfile::exponential);
+    EXPECT_NE(campaign.resolved.find("[photosynthesis]"), std::string::npos);
+    EXPECT_EQ(parse_campaign(campaign.resolved, "c").resolved,
+              campaign.resolved);
+
+    const std::string table =
+        "[photosynthesis]\nmodel = \"collatz\"\nvmax = [40]\nrd = 1\n"
+        "profile = \"nitrogen\"\nnitrogen = 5\nweather = false\n";
+    const Campaign other = parse_campaign(sample_text("", table), "c");
+    ASSERT_TRUE(other.photosynthesis);
+    const auto& leaf = std::get<CollatzLeaf>(other.photosynthesis->rates.at(0));
+    EXPECT_EQ(leaf.vmax, 40);
+    EXPECT_EQ(leaf.respiration, 1);
+    EXPECT_EQ(leaf.theta, CollatzLeaf{}.theta);
+    EXPECT_EQ(other.photosynthesis->nitrogen.total, 5);
+    EXPECT_FALSE(other.photosynthesis->follows_weather);
+    EXPECT_EQ(parse_campaign(other.resolved, "c").resolved, other.resolved);
+}
+
 }  // namespace ideotype

@@ -108,9 +108,15 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
     const std::string organ =
         "[[plant.baseline.organ]]\nname = \"ear\"\nlength = 0.2\n"
         "base_diameter = 0.05\n";
-    auto lines = differences(sample("", organ).resolved, "");
+    // Models of leaves have keys of their own.
+    const std::string hyperbola =
+        "[photosynthesis]\nphi = 0.05\ntheta = 0.8\namax = 40\nrd = 1\n";
+    const std::string collatz =
+        "[photosynthesis]\nmodel = \"collatz\"\nvmax = 30\nalpha = 0.06\n"
+        "beta = 0.9\nk = 0.6\n";
+    auto lines = differences(sample("", organ + hyperbola).resolved, "");
     // A campaign has days or climates.
-    const std::string text = with_climate(organ);
+    const std::string text = with_climate(organ + collatz);
     for (const std::string& line :
          differences(parse_campaign(text, "sample.toml").resolved, ""))
         lines.push_back(line);

@@ -181,7 +181,7 @@ TEST_F(MaizeAssimilation, OfADayIsTheSumOfItsHours) {
 
 TEST(Assimilation, OfALinearResponseIsAbsorbedLight) {
     MeshOptions options = mesh("maize1", {.76, .15});
-    options.photosynthesis = table("linear", "phi=0.06\ntheta=1\namax=1e12\n");
+    options.photosynthesis = table("linear", "phi=0.06\ntheta=1\namax = 1e9\n");
     options.sun = {60, 120};
     options.sky = SkyModel::uniform;
     options.beam_ppfd = 700;

@@ -123,6 +123,7 @@ struct Campaign {
     double reach = 0;  //!< no leaf within the bounds reaches higher [m]
     Tessellation tessellation;
     Optics optics;
+    std::optional<Photosynthesis> photosynthesis;  //!< if leaves assimilate
     double par_fraction = 0.45;
     SkyModel sky_model = SkyModel::uniform;  //!< of diffuse light
     //! Of a climate: the suns of so many dates stand for all. 0: without one.

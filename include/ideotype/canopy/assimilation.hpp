@@ -36,9 +36,11 @@ struct AssimilationReport {
     //! By randomisation: independent, see assimilate().
     std::vector<AssimilationTally> tallies;
     Estimate gross;
-    std::vector<Estimate> groups;          //!< gross, of each group of the mesh
-    std::vector<Estimate> layers;          //!< gross, lowest layer first
-    std::vector<Estimate> steps;           //!< gross [umol m-2 s-1]
+    std::vector<Estimate> groups;  //!< gross, of each group of the mesh
+    std::vector<Estimate> layers;  //!< gross, lowest layer first
+    //! Gross on a mean day, of LightSeries::hours() [umol m-2 s-1].
+    std::vector<Estimate> hours;
+    std::vector<Estimate> dates;           //!< gross on each, of several days
     std::vector<Respiration> respiration;  //!< of each group of the mesh
     double building = 0;                   //!< carbon that leaves are built of
 

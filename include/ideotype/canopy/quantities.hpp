@@ -12,10 +12,15 @@ namespace ideotype {
 //! along leaf, organ, layer, hour, light_source and leaf_side, and, of several
 //! days, day.
 QuantitySet canopy_quantities(const Plant& plant, const Layers& layers,
-                              const LightSeries& series);
+                              const LightSeries& series,
+                              bool with_assimilation = false);
 
 //! Their numbers in a report on such a canopy, in the same order.
 std::vector<Estimate> measure(const CanopyReport& report);
+
+//! The unit of a quantity.
+//! @throws std::out_of_range if there is none of this name.
+std::string unit_of(const std::string& quantity);
 
 //! A quantity that can be an objective.
 struct Randomised {

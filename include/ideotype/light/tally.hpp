@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -20,15 +21,22 @@ struct Budget {
     double sent_on = 0;      //!< scattered by what was met first
 
     Budget& operator+=(const Budget& more) {
-        for (double Budget::*part :
-             {&Budget::leaves, &Budget::stalks, &Budget::soil,
-              &Budget::reflected, &Budget::incident, &Budget::unscattered,
-              &Budget::sent_on})
-            this->*part += more.*part;
+        for (double Budget::*part : parts()) this->*part += more.*part;
+        return *this;
+    }
+    Budget& operator*=(double factor) {
+        for (double Budget::*part : parts()) this->*part *= factor;
         return *this;
     }
 
     double total() const { return leaves + stalks + soil + reflected; }
+
+  private:
+    static constexpr std::array<double Budget::*, 7> parts() {
+        return {&Budget::leaves,    &Budget::stalks,   &Budget::soil,
+                &Budget::reflected, &Budget::incident, &Budget::unscattered,
+                &Budget::sent_on};
+    }
 };
 
 //! What leaves absorb of one source, place by place [J m-2 of ground].

@@ -129,6 +129,8 @@ class Cutter {
     //! With the groups that are no leaves.
     Pieces result(const Mesh& mesh) {
         result_.count = result_.group.size();
+        result_.like.resize(result_.count);
+        std::iota(result_.like.begin(), result_.like.end(), 0u);
         std::vector<std::uint32_t> place(mesh.groups.size(), none);
         for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
             if (is_leaf(mesh, f)) continue;
@@ -201,6 +203,7 @@ Pieces pieces_of_field(const Pieces& plant, Mesh field,
                         groups.end());
     result.group.insert(result.group.end(), plant.group.begin() + count,
                         plant.group.end());
+    for (std::uint32_t v = 0; v < all; ++v) result.like.push_back(v % count);
     result.area.resize(all);
     result.height.resize(all);
     for (std::size_t f = 0; f < field.faces.size(); ++f) {

@@ -71,6 +71,20 @@ void gross(const LeafResponse& response, std::span<const double> absorbed,
         response);
 }
 
+void expand(const LeafResponse& response, std::span<const double> absorbed,
+            double* assimilation, double* slope, double* curvature) {
+    std::visit(
+        [&](const auto& each) {
+            for (std::size_t i = 0; i < absorbed.size(); ++i) {
+                const Expansion at = each.expand(absorbed[i]);
+                assimilation[i] = at.value;
+                slope[i] = at.slope;
+                curvature[i] = at.curvature;
+            }
+        },
+        response);
+}
+
 double slope(const LeafResponse& response, double absorbed) {
     return std::visit([&](const auto& each) { return each.slope(absorbed); },
                       response);

@@ -15,8 +15,10 @@ struct Pieces {
     Mesh mesh;
     std::size_t count = 0;             //!< pieces
     std::vector<std::uint32_t> group;  //!< of the mesh that was cut, per group
-    std::vector<double> area;          //!< one-sided, of each piece [m2]
-    std::vector<double> height;        //!< of the centre of each piece [m]
+    //! The first of pieces that are the same part of plants that are alike.
+    std::vector<std::uint32_t> like;
+    std::vector<double> area;    //!< one-sided, of each piece [m2]
+    std::vector<double> height;  //!< of the centre of each piece [m]
 };
 
 //! Pieces of a blade, at most; a blade of very many faces has more.

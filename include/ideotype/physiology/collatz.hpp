@@ -32,6 +32,17 @@ struct Collatz {
 
     //! Derivative of gross() [mol mol-1].
     double slope(double absorbed) const;
+
+    //! gross() with both derivatives.
+    Expansion expand(double absorbed) const {
+        const Expansion lit =
+            expand_smooth_minimum(theta, alpha * absorbed, vmax);
+        const Expansion of = expand_smooth_minimum(beta, lit.value, k * ci);
+        return {of.value, alpha * of.slope * lit.slope,
+                alpha * alpha *
+                    (of.curvature * lit.slope * lit.slope +
+                     of.slope * lit.curvature)};
+    }
 };
 
 //! Rates of a leaf at 25 deg C (of g(T), see collatz_at()).

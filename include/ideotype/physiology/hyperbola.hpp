@@ -25,6 +25,24 @@ inline double smooth_minimum(double curvature, double a, double b) {
 //! above 0, and 0 if a and b are 0.
 double smooth_minimum_slope(double curvature, double a, double b);
 
+//! A function at a point, with its first two derivatives.
+struct Expansion {
+    double value, slope, curvature;
+};
+
+//! smooth_minimum() with its derivatives with respect to a. Where two kinks
+//! meet (q is 1 and a is b) the slope is any from 0 to 1. From the equation:
+//! x' (2 q x - a - b) = x - b and x'' (2 q x - a - b) = 2 x' (1 - q x'), where
+//! the bracket is minus the root.
+inline Expansion expand_smooth_minimum(double curvature, double a, double b) {
+    constexpr double least = std::numeric_limits<double>::min();
+    const double root = discriminant_root(curvature, a, b);
+    const double x = 2 * a * b / std::max(a + b + root, least);
+    const double per_root = 1 / std::max(root, 1e-12 * (a + b) + least);
+    const double slope = std::clamp((b - x) * per_root, 0., 1.);
+    return {x, slope, -2 * slope * (1 - curvature * slope) * per_root};
+}
+
 //! Gross assimilation of a leaf by the non-rectangular hyperbola
 //!
 //!     f(I) = [phi I + A - sqrt((phi I + A)^2 - 4 theta phi I A)] / (2 theta)
@@ -51,6 +69,13 @@ struct Hyperbola {
 
     //! Derivative of gross() [mol mol-1].
     double slope(double absorbed) const;
+
+    //! gross() with both derivatives.
+    Expansion expand(double absorbed) const {
+        const auto [value, slope, curvature] =
+            expand_smooth_minimum(theta, phi * absorbed, amax);
+        return {value, phi * slope, phi * phi * curvature};
+    }
 };
 
 }  // namespace ideotype

@@ -49,6 +49,10 @@ LeafResponse response(const LeafRates& leaf, const Air& air);
 void gross(const LeafResponse& response, std::span<const double> absorbed,
            double* assimilation);
 
+//! The same with the first two derivatives.
+void expand(const LeafResponse& response, std::span<const double> absorbed,
+            double* assimilation, double* slope, double* curvature);
+
 //! Its derivative [mol mol-1].
 double slope(const LeafResponse& response, double absorbed);
 

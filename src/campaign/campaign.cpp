@@ -91,10 +91,30 @@ Photosynthesis read_photosynthesis(const std::string& path) {
     table.profile = CapacityProfile::none;
     table.follows_weather = false;
     Report report;
-    read_table(*text, path, one_table(photosynthesis_section(table)), report);
+    read_tables(*text, path, {one_table(photosynthesis_section(table))},
+                report);
     check_photosynthesis(table, 0, report);
     report.throw_if_any();
     return to_photosynthesis(table);
+}
+
+SeasonLight read_climate(const std::string& path) {
+    const std::optional<std::string> text = read_text(path);
+    if (!text) throw Error("cannot read " + path);
+    Draft draft;
+    Report report;
+    Campaign& campaign = draft.campaign;
+    campaign.sites.assign(1, {});
+    campaign.climates.assign(1, {});
+    // It has no [optics].
+    report.locate(&campaign.par_fraction, {path, 1, 1});
+    read_tables(*text, path, climate_file_tables(campaign), report);
+    read_weathers(path, PlantSource::file_or_table, draft, report);
+    report.throw_if_any();
+    Case chosen;
+    chosen.site = campaign.sites.front();
+    chosen.day_name = campaign.climates.front().name;
+    return {light_of(campaign, chosen), report.warnings()};
 }
 
 std::string crop_text(const Campaign& campaign, const Plant& baseline) {

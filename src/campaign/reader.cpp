@@ -219,19 +219,22 @@ void read_draft(const std::string& text, const std::string& file,
         DraftReader(file, source, draft, report).read(*table);
 }
 
-void read_table(const std::string& text, const std::string& file,
-                const Table& table, Report& report) {
+void read_tables(const std::string& text, const std::string& file,
+                 const std::vector<Table>& all, Report& report) {
     report.open(file);
     const auto top = parse_toml(text, file, report);
     if (!top) return;
     TableReader tables(file, report);
-    tables.read(*top, Section{file, {}}, {table});
-    if (!top->contains(table.name))
-        report.add(Location{file, 1, 1},
-                   fmt::format("there is no table [{0}] (this file is read "
-                               "for it); write [{0}] and its keys",
-                               table.name));
-    tables.read(*top, table);
+    tables.read(*top, Section{file, {}}, all);
+    for (const Table& table : all) {
+        if (!top->contains(table.name))
+            report.add(Location{file, 1, 1},
+                       fmt::format("there is no table [{0}] (this file is read "
+                                   "for it); write [{0}] and its keys",
+                                   table.name));
+        else
+            tables.read(*top, table);
+    }
 }
 
 bool read_plant_draft(const std::string& text, const std::string& file,

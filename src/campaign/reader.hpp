@@ -27,9 +27,9 @@ void read_draft(const std::string& text, const std::string& file,
 bool read_plant_draft(const std::string& text, const std::string& file,
                       Draft& draft, Report& report);
 
-//! Reads the text of a file that has this table and nothing else.
-void read_table(const std::string& text, const std::string& file,
-                const Table& table, Report& report);
+//! Reads the text of a file that has these tables and nothing else.
+void read_tables(const std::string& text, const std::string& file,
+                 const std::vector<Table>& all, Report& report);
 
 //! The crop file that a campaign names, as seen from here; "" if none.
 std::string plant_path(const toml::table& campaign, const std::string& file);

@@ -269,6 +269,16 @@ Section top_section(Campaign& campaign) {
                  .within(1, 1000)}};
 }
 
+std::vector<Table> climate_file_tables(Campaign& campaign) {
+    std::vector<Table> tables;
+    for (Section section : {site_section(campaign.sites.front()),
+                            climate_section(campaign.climates.front())}) {
+        section.keys.front().is_required = false;
+        tables.push_back(one_table(section));
+    }
+    return tables;
+}
+
 std::vector<Table> campaign_tables(Draft& draft) {
     Campaign& campaign = draft.campaign;
     Table days =

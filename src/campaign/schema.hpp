@@ -156,6 +156,10 @@ Table list_of_tables(const std::string& name,
 //! The keys before the first table.
 Section top_section(Campaign& campaign);
 
+//! [site] and [climate] of a file that has nothing else; names may be left
+//! out.
+std::vector<Table> climate_file_tables(Campaign& campaign);
+
 //! All tables of a campaign in the order of its resolved text.
 std::vector<Table> campaign_tables(Draft& draft);
 

@@ -15,6 +15,7 @@ const char* boundary_name(const MeshOptions& options) {
 }
 
 std::string light_name(const MeshOptions& options) {
+    if (!options.climate.empty()) return "mean day of " + options.climate;
     if (options.site)
         return fmt::format("clear day {:04}-{:02}-{:02} at {} N {} E, UTC {:+}",
                            options.date->year, options.date->month,
@@ -61,7 +62,7 @@ Json to_json(const Lambertian& surface) {
 }
 
 Span span_of(const MeshOptions& options) {
-    return options.site ? Span::day : Span::single;
+    return has_day(options) ? Span::day : Span::single;
 }
 
 Json to_json(const MeshReport& report, const MeshOptions& options) {

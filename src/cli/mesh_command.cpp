@@ -59,6 +59,10 @@ void add_light(CLI::App& verb, MeshOptions& options, CLI::Option* mesh) {
     verb.add_option("--sky-ppfd", options.sky_ppfd,
                     "light of --sky on level ground [umol m-2 s-1]")
         ->needs(mesh);
+    verb.add_option("--climate", options.climate,
+                    "FILE.toml with the tables [site] and [climate] of a "
+                    "campaign: the light of a season, as its mean day")
+        ->needs(mesh);
     verb.add_option("--photosynthesis", options.photosynthesis,
                     "FILE.toml with a [photosynthesis] table: assimilation of "
                     "the leaves")

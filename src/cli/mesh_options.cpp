@@ -81,8 +81,13 @@ void check_light(const MeshOptions& options) {
     const bool is_clear = options.sky == SkyModel::clear;
     require(options.site.has_value() == options.date.has_value(),
             "--site and --date belong together");
-    require(options.sun || options.sky || options.site,
-            "the light is missing: give --sun, --sky, or --site with --date");
+    require(options.sun || options.sky || has_day(options),
+            "the light is missing: give --sun, --sky, --site with --date, or "
+            "--climate");
+    require(options.climate.empty() || !(options.site || options.sun ||
+                                         options.beam_ppfd || options.sky_ppfd),
+            "--climate has all light of a season; leave out --site, --sun, "
+            "--beam-ppfd and --sky-ppfd");
     require(!options.site || !options.sun,
             "--sun and --site are two lights; give one");
     require(options.beam_ppfd.has_value() == options.sky_ppfd.has_value() ||
@@ -99,10 +104,10 @@ void check_light(const MeshOptions& options) {
             "--sun needs --beam-ppfd beside --sky-ppfd");
     require(!options.sky || !options.beam_ppfd || options.sky_ppfd,
             "--sky needs --sky-ppfd beside --beam-ppfd");
-    require((options.beam_ppfd || options.sky_ppfd) || options.site ||
+    require(options.beam_ppfd || options.sky_ppfd || has_day(options) ||
                 options.photosynthesis.empty(),
             "--photosynthesis needs how strong the light is: --beam-ppfd, "
-            "--sky-ppfd, or a day with --site and --date");
+            "--sky-ppfd, a day with --site and --date, or --climate");
     require(!options.is_exact || !options.photosynthesis.empty(),
             "--exact is a way to find assimilation; it needs --photosynthesis");
     for (const auto& [name, ppfd] :
@@ -116,7 +121,7 @@ void check_light(const MeshOptions& options) {
     require(!options.site || !(options.beam_ppfd || options.sky_ppfd),
             "--site has the light of a clear day; leave out --beam-ppfd and "
             "--sky-ppfd");
-    require(!is_clear || options.sun || options.site,
+    require(!is_clear || options.sun || has_day(options),
             "--sky clear needs the position of the sun: --sun");
     if (options.site) check_site(*options.site, *options.date);
     if (!options.sun) return;

@@ -32,6 +32,21 @@ LightSeries day_of(const MeshOptions& options) {
     return {{{0, 1, options.sun.value_or(SunPosition{}), one}}};
 }
 
+SeriesIllumination light_of(const MeshOptions& options,
+                            std::vector<std::string>& warnings) {
+    constexpr double north = 0;  // the mesh's y axis
+    //! Of a season: more than a campaign has, which only compares plants.
+    constexpr int dates = 6;
+    const SkyModel sky = options.sky.value_or(SkyModel::uniform);
+    if (options.climate.empty()) return illuminate(day_of(options), sky, north);
+    SeasonLight season = read_climate(options.climate);
+    for (const Problem& warning : season.warnings)
+        warnings.push_back(fmt::format("{}:{}: {}", warning.where.file,
+                                       warning.where.line, warning.what));
+    return illuminate(std::move(season.series), sky, north, Skies::shared,
+                      dates);
+}
+
 constexpr double most_faces = most_obj_faces;
 
 //! Crops are lower [m].
@@ -115,18 +130,17 @@ Accuracy accuracy_of(const MeshOptions& options) {
             options.paths ? 0 : options.tolerance};
 }
 
-CanopyRequest to_request(const MeshOptions& options, Field field) {
-    constexpr double north = 0;  // the mesh's y axis
+CanopyRequest to_request(const MeshOptions& options, Field field,
+                         std::vector<std::string>& warnings) {
     Details details{.sunlit = true, .exact = options.is_exact};
     if (!options.photosynthesis.empty()) {
         details.photosynthesis = read_photosynthesis(options.photosynthesis);
-        if (!options.site) details.photosynthesis->photons = 1;
+        if (!has_day(options)) details.photosynthesis->photons = 1;
     }
     return {
         std::move(field),
         {{},
-         illuminate(day_of(options), options.sky.value_or(SkyModel::uniform),
-                    north),
+         light_of(options, warnings),
          {options.leaf, options.stalk, options.soil_albedo, options.sheath}},
         {0, layers},
         accuracy_of(options),
@@ -153,8 +167,9 @@ MeshReport study(const MeshOptions& options) {
         check_images(field);
         check_height(field, top);
     }
-    result.canopy = evaluate(to_request(options, std::move(field)),
-                             Device(Device::supported_isas().back()));
+    result.canopy =
+        evaluate(to_request(options, std::move(field), result.warnings),
+                 Device(Device::supported_isas().back()));
     result.seconds = now() - began;
     return result;
 }

@@ -175,6 +175,18 @@ Plant read_plant(const std::string& path);
 //! @throws Error if the file cannot be read.
 Photosynthesis read_photosynthesis(const std::string& path);
 
+//! The light of a season, and what may be wrong with its file.
+struct SeasonLight {
+    LightSeries series;
+    std::vector<Problem> warnings;
+};
+
+//! Reads the tables [site] and [climate] of a file that has nothing else, and
+//! the weather that they name.
+//! @throws InputError with all problems.
+//! @throws Error if the file cannot be read.
+SeasonLight read_climate(const std::string& path);
+
 //! The text of a crop file with the traits of a campaign and another baseline.
 std::string crop_text(const Campaign& campaign, const Plant& baseline);
 

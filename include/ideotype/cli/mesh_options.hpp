@@ -35,6 +35,7 @@ struct MeshOptions {
     //! On level ground above the canopy [umol m-2 s-1]: with them all light
     //! is in this unit.
     std::optional<double> beam_ppfd, sky_ppfd;
+    std::string climate;         //!< file of a season's light; "": none
     std::string photosynthesis;  //!< file with this table; "": none
     bool is_exact = false;       //!< assimilation without bias, slowly
 
@@ -48,6 +49,11 @@ struct MeshOptions {
     std::uint64_t seed = 1;
     bool is_json = false;
 };
+
+//! Whether the light is that of a mean day, not a single one.
+inline bool has_day(const MeshOptions& options) {
+    return options.site || !options.climate.empty();
+}
 
 //! @throws Error of wrong usage: options that miss, contradict each other or
 //! have impossible values.

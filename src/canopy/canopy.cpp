@@ -149,12 +149,11 @@ class Evaluation {
                     is_one_of_many_ ? accuracy.randomisations : 1);
             Field field = draw_field(pieces ? pieces->mesh : mesh,
                                      request_.scenario.field, randomness);
+            std::optional<Pieces> of_field;
             if (pieces)
-                trace(field, mesh.groups,
-                      pieces_of_field(*pieces, field.mesh, field.face_plant),
-                      accuracy, of_light);
-            else
-                trace(field, mesh.groups, std::nullopt, accuracy, of_light);
+                of_field = pieces_of_field(*pieces, std::move(field.mesh),
+                                           field.face_plant);
+            trace(field, mesh.groups, std::move(of_field), accuracy, of_light);
         }
     }
 

@@ -100,10 +100,6 @@ void check_light(const MeshOptions& options) {
             "--beam-ppfd needs the position of the sun: --sun");
     require(!options.sky_ppfd || options.sky,
             "--sky-ppfd needs a sky: --sky uniform, overcast or clear");
-    require(!options.sun || is_clear || !options.sky_ppfd || options.beam_ppfd,
-            "--sun needs --beam-ppfd beside --sky-ppfd");
-    require(!options.sky || !options.beam_ppfd || options.sky_ppfd,
-            "--sky needs --sky-ppfd beside --beam-ppfd");
     require(options.beam_ppfd || options.sky_ppfd || has_day(options) ||
                 options.photosynthesis.empty(),
             "--photosynthesis needs how strong the light is: --beam-ppfd, "

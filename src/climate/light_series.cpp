@@ -1,5 +1,6 @@
 #include "ideotype/climate/light_series.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -61,6 +62,27 @@ std::vector<Date> LightSeries::dates() const {
         if (dates.empty() || dates.back() != step.date)
             dates.push_back(step.date);
     return dates;
+}
+
+std::vector<std::vector<std::size_t>> LightSeries::steps_of_hours() const {
+    const std::vector<double> all = hours();
+    std::vector<std::vector<std::size_t>> result(all.size());
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const auto found =
+            std::lower_bound(all.begin(), all.end(), steps[i].hour);
+        if (found != all.end() && *found == steps[i].hour)
+            result[static_cast<std::size_t>(found - all.begin())].push_back(i);
+    }
+    return result;
+}
+
+std::vector<std::vector<std::size_t>> LightSeries::steps_of_dates() const {
+    std::vector<std::vector<std::size_t>> result;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        if (i == 0 || steps[i].date != steps[i - 1].date) result.emplace_back();
+        result.back().push_back(i);
+    }
+    return result;
 }
 
 LightSeries clear_days(const Site& site, const DaySpan& span,

@@ -109,14 +109,6 @@ struct Part {
     double incident = 0;
 };
 
-//! Where a value is in a sorted list.
-std::optional<std::size_t> position_of(const std::vector<double>& sorted,
-                                       double value) {
-    const auto found = std::lower_bound(sorted.begin(), sorted.end(), value);
-    if (found == sorted.end() || *found != value) return std::nullopt;
-    return found - sorted.begin();
-}
-
 bool is_set(const std::vector<bool>& flags, std::size_t i) {
     return i < flags.size() && flags[i];
 }
@@ -152,27 +144,25 @@ DayReport report(const std::vector<Tally>& tallies,
                           [](const Tally& t) { return t.abaxial; });
 
     const std::vector<double> hours = series.hours();
-    std::vector<Part> of_hours(hours.size(), Part(sources.size()));
-    std::vector<Part> of_dates(series.dates().size(), Part(sources.size()));
-    std::size_t date = 0;
-    for (std::size_t i = 0; i < series.steps.size(); ++i) {
-        const TimeStep& step = series.steps[i];
-        if (i > 0 && step.date != series.steps[i - 1].date) ++date;
-        of_dates[date].add(illumination, i, step.seconds);
-        if (const auto hour = position_of(hours, step.hour))
-            of_hours[*hour].add(illumination, i, 1. / series.days);
+    const auto steps_of_hours = series.steps_of_hours();
+    for (std::size_t h = 0; h < hours.size(); ++h) {
+        Part part(sources.size());
+        for (const std::size_t i : steps_of_hours[h])
+            part.add(illumination, i, 1. / series.days);
+        result.steps.push_back({hours[h],
+                                weighted_budget(tallies, resolution, sources,
+                                                part.weights, part.incident),
+                                std::nullopt});
     }
-    for (std::size_t h = 0; h < hours.size(); ++h)
-        result.steps.push_back(
-            {hours[h],
-             weighted_budget(tallies, resolution, sources, of_hours[h].weights,
-                             of_hours[h].incident),
-             std::nullopt});
     if (series.days > 1)
-        for (const Part& each : of_dates)
+        for (const std::vector<std::size_t>& steps : series.steps_of_dates()) {
+            Part part(sources.size());
+            for (const std::size_t i : steps)
+                part.add(illumination, i, series.steps[i].seconds);
             result.dates.push_back(
-                weighted(tallies, resolution, each.weights, resolution.leaves,
+                weighted(tallies, resolution, part.weights, resolution.leaves,
                          [](const Budget& budget) { return budget.leaves; }));
+        }
     for (const Tally& tally : tallies)
         result.balance_error =
             std::max(result.balance_error, balance_error(tally));
@@ -197,19 +187,20 @@ Estimate absorbed_by_leaves(const std::vector<Tally>& tallies) {
 void add_sunlit(DayReport& report, const SunlitFractions& sunlit,
                 const SeriesIllumination& illumination) {
     const LightSeries& series = illumination.series;
-    for (StepReport& step : report.steps) {
+    const auto steps_of_hours = series.steps_of_hours();
+    for (std::size_t h = 0; h < report.steps.size(); ++h) {
         std::vector<double> replicates(sunlit.fractions.size());
         bool has_sun = false;
-        for (std::size_t i = 0; i < series.steps.size(); ++i) {
+        for (const std::size_t i : steps_of_hours[h]) {
             const int beam = illumination.beam_of[i];
-            if (series.steps[i].hour != step.hour || beam < 0) continue;
+            if (beam < 0) continue;
             has_sun = true;
             for (std::size_t r = 0; r < replicates.size(); ++r)
                 replicates[r] +=
                     sunlit.fractions[r][static_cast<std::size_t>(beam)] /
                     series.days;
         }
-        step.sunlit =
+        report.steps[h].sunlit =
             has_sun
                 ? at_least(estimate(replicates),
                            sunlit.step / static_cast<double>(replicates.size()))

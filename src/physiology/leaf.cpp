@@ -85,11 +85,6 @@ void expand(const LeafResponse& response, std::span<const double> absorbed,
         response);
 }
 
-double slope(const LeafResponse& response, double absorbed) {
-    return std::visit([&](const auto& each) { return each.slope(absorbed); },
-                      response);
-}
-
 double leaf_building_cost(double grams_per_area, double carbohydrate_per_gram) {
     return grams_per_area * carbohydrate_per_gram / 30;
 }

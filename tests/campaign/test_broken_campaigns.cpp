@@ -46,15 +46,6 @@ std::set<fs::path> broken_files() {
     return files;
 }
 
-std::string problem_of(const std::string& text) {
-    try {
-        parse_campaign(text, "sample.toml");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
-}
-
 }  // namespace
 
 TEST(BrokenCampaign, EveryProblemIsReportedInOnePass) {

@@ -25,15 +25,6 @@ std::string with(std::string text, const std::string& what,
     return text.replace(text.find(what), what.size(), other);
 }
 
-std::string problem_of(const std::string& text) {
-    try {
-        parse_campaign(text, "sample.toml");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
-}
-
 void expect_same(const LightSeries& a, const LightSeries& b) {
     EXPECT_EQ(a.days, b.days);
     ASSERT_EQ(a.steps.size(), b.steps.size());

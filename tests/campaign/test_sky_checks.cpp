@@ -16,15 +16,6 @@ std::string with(const std::string& line, const std::string& other) {
     return text.replace(text.find(line), line.size(), other);
 }
 
-std::string problem_of(const std::string& text) {
-    try {
-        parse_campaign(text, "sample.toml");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
-}
-
 std::string warnings_of(const std::string& text) {
     std::string all;
     for (const Problem& warning : parse_campaign(text, "sample.toml").warnings)

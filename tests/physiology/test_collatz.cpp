@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "derivatives.hpp"
 #include "ideotype/physiology/collatz.hpp"
 #include "ideotype/physiology/temperature.hpp"
 
@@ -81,17 +82,7 @@ TEST(Collatz, HasNoCo2InVeryDryAir) {
 }
 
 TEST(Collatz, ExpandsToItsDerivatives) {
-    const Collatz f = collatz_at({}, 25, 160);
-    EXPECT_EQ(f.expand(0).value, 0);
-    for (double light = 5; light < 3000; light += 5) {
-        const double h = 1e-2;
-        const Expansion at = f.expand(light);
-        EXPECT_EQ(at.value, f.gross(light));
-        EXPECT_NEAR(at.slope, f.slope(light), 1e-14);
-        EXPECT_NEAR(at.curvature,
-                    (f.slope(light + h) - f.slope(light - h)) / (2 * h), 1e-9);
-        EXPECT_LT(at.curvature, 0);
-    }
+    expect_derivatives(collatz_at({}, 25, 160));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "derivatives.hpp"
 #include "ideotype/physiology/hyperbola.hpp"
 
 namespace ideotype {
@@ -76,17 +77,7 @@ TEST(Hyperbola, SlopeIsTheDerivativeAndFalls) {
 }
 
 TEST(Hyperbola, ExpandsToItsDerivatives) {
-    const Hyperbola f = Hyperbola{};
-    EXPECT_EQ(f.expand(0).value, 0);
-    for (double light = 5; light < 3000; light += 5) {
-        const double h = 1e-2;
-        const Expansion at = f.expand(light);
-        EXPECT_EQ(at.value, f.gross(light));
-        EXPECT_NEAR(at.slope, f.slope(light), 1e-14);
-        EXPECT_NEAR(at.curvature,
-                    (f.slope(light + h) - f.slope(light - h)) / (2 * h), 1e-9);
-        EXPECT_LT(at.curvature, 0);
-    }
+    expect_derivatives(Hyperbola{});
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -43,6 +44,10 @@ struct LightSeries {
     std::vector<double> hours() const;
 
     std::vector<Date> dates() const;  //!< with any step, in order
+
+    //! The steps at each of hours(), and on each of dates(), by number.
+    std::vector<std::vector<std::size_t>> steps_of_hours() const;
+    std::vector<std::vector<std::size_t>> steps_of_dates() const;
 };
 
 //! Clear days of a site by the trapezoidal rule: the first and last instants

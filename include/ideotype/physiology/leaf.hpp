@@ -53,9 +53,6 @@ void gross(const LeafResponse& response, std::span<const double> absorbed,
 void expand(const LeafResponse& response, std::span<const double> absorbed,
             double* assimilation, double* slope, double* curvature);
 
-//! Its derivative [mol mol-1].
-double slope(const LeafResponse& response, double absorbed);
-
 //! Carbon that building a leaf costs, once [mol m-2 of leaf]: 45 g m-2 (of 29
 //! to 62 in WOFOST) of 1.39 g of CH2O each, at 30 g mol-1.
 double leaf_building_cost(double grams_per_area = 45,

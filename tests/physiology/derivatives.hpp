@@ -1,0 +1,25 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "ideotype/physiology/hyperbola.hpp"
+
+namespace ideotype {
+
+//! An expansion has the values of the response, its slope, and the curvature
+//! that its slope has.
+template <class Response>
+void expect_derivatives(const Response& f) {
+    EXPECT_EQ(f.expand(0).value, 0);
+    for (double light = 5; light < 3000; light += 5) {
+        const double h = 1e-2;
+        const Expansion at = f.expand(light);
+        EXPECT_EQ(at.value, f.gross(light));
+        EXPECT_NEAR(at.slope, f.slope(light), 1e-14);
+        EXPECT_NEAR(at.curvature,
+                    (f.slope(light + h) - f.slope(light - h)) / (2 * h), 1e-9);
+        EXPECT_LT(at.curvature, 0);
+    }
+}
+
+}  // namespace ideotype

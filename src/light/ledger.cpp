@@ -1,14 +1,27 @@
 #include "ledger.hpp"
 
+#include <utility>
+
 namespace ideotype {
 
+void SparseSums::drain(std::vector<LeafLight::Part>& parts) {
+    parts.reserve(parts.size() + places_.size());
+    for (const std::uint32_t place : places_)
+        parts.push_back({place, std::exchange(sums_[place], 0.)});
+    places_.clear();
+}
+
 Ledger::Ledger(const Counted& counted, std::uint32_t source, bool is_beam,
-               Tally& tally)
+               Tally& tally, LeafSums& leaf_sums)
     : counted_(counted), tally_(tally), budget_(tally.sources[source]) {
     if (tally.leaf_light.empty()) return;
     leaf_light_ = &tally.leaf_light[source];
-    leaf_light_->diffuse.resize(counted.groups.size());
-    if (is_beam) beam_.resize(counted.scene.surfaces().normals.size());
+    leaf_sums.diffuse.resize(tally.sources.size());
+    diffuse_ = &leaf_sums.diffuse[source];
+    diffuse_->resize(counted.groups.size());
+    if (!is_beam) return;
+    beam_ = &leaf_sums.beam;
+    beam_->resize(counted.scene.surfaces().normals.size());
 }
 
 void Ledger::arrive(const FirstHit& hit, double sent_on) {
@@ -27,9 +40,8 @@ void Ledger::keep(const Hit& hit, bool is_adaxial, double energy) {
 const Budget& Ledger::close() {
     budget_ += part_;
     part_ = {};
-    for (std::uint32_t t = 0; t < beam_.size(); ++t)
-        if (beam_[t] > 0) leaf_light_->beam.push_back({t, beam_[t]});
-    beam_.clear();
+    if (leaf_light_) diffuse_->drain(leaf_light_->diffuse);
+    if (beam_) beam_->drain(leaf_light_->beam);
     return budget_;
 }
 
@@ -53,10 +65,10 @@ void Ledger::keep(std::uint32_t group, double height, bool is_adaxial,
     tally_.layers[counted_.layers.at(height)] += energy;
     (is_adaxial ? tally_.adaxial : tally_.abaxial) += energy;
     if (!leaf_light_) return;
-    if (direct && !beam_.empty())
-        beam_[direct->triangle] += energy;
+    if (direct && beam_)
+        beam_->add(direct->triangle, energy);
     else
-        leaf_light_->diffuse[group] += energy;
+        diffuse_->add(group, energy);
 }
 
 Budget& Ledger::next() {

@@ -9,6 +9,31 @@
 
 namespace ideotype {
 
+//! Sums by place, of which most have none.
+class SparseSums {
+  public:
+    void resize(std::size_t places) { sums_.resize(places); }
+
+    void add(std::uint32_t place, double energy) {
+        if (!(energy > 0)) return;
+        if (sums_[place] == 0) places_.push_back(place);
+        sums_[place] += energy;
+    }
+
+    //! Appends them and begins again.
+    void drain(std::vector<LeafLight::Part>& parts);
+
+  private:
+    std::vector<double> sums_;
+    std::vector<std::uint32_t> places_;  //!< in the order of coming
+};
+
+//! The light of leaves of one randomisation, place by place.
+struct LeafSums {
+    SparseSums beam;
+    std::vector<SparseSums> diffuse;  //!< by source
+};
+
 //! What tallies count by, besides sources.
 struct Counted {
     const Scene& scene;
@@ -20,9 +45,9 @@ struct Counted {
 //! are added up in two steps, so that their rounding does not add up.
 class Ledger {
   public:
-    //! @param counted,tally must outlive it
+    //! @param counted,tally,leaf_sums must outlive it
     Ledger(const Counted& counted, std::uint32_t source, bool is_beam,
-           Tally& tally);
+           Tally& tally, LeafSums& leaf_sums);
 
     //! Light that arrives for the first time, part of which is sent on.
     void arrive(const FirstHit& hit, double sent_on);
@@ -41,8 +66,9 @@ class Ledger {
     const Counted& counted_;
     Tally& tally_;
     Budget& budget_;
-    LeafLight* leaf_light_ = nullptr;
-    std::vector<double> beam_;  //!< of triangles, if asked for
+    LeafLight* leaf_light_ = nullptr;  //!< if asked for
+    SparseSums* beam_ = nullptr;
+    SparseSums* diffuse_ = nullptr;
     Budget part_;
     int count_ = 0;
 };

@@ -45,7 +45,8 @@ Tracer::Tracer(const Counted& counted, const Optics& optics)
 
 void Tracer::arrive(const FirstHits& hits, std::uint32_t source, bool is_beam,
                     double start, double path_energy, Tally& tally,
-                    std::vector<ScatteredPath>& paths) const {
+                    std::vector<ScatteredPath>& paths,
+                    LeafSums& leaf_sums) const {
     std::vector<double> sent_on;
     sent_on.reserve(hits.size());
     double whole = 0;
@@ -61,7 +62,7 @@ void Tracer::arrive(const FirstHits& hits, std::uint32_t source, bool is_beam,
             passed -= part;
         }
     }
-    Ledger ledger(counted_, source, is_beam, tally);
+    Ledger ledger(counted_, source, is_beam, tally, leaf_sums);
     for (std::size_t i = 0; i < hits.size(); ++i) {
         sent_on[i] *= hits[i].energy;
         ledger.arrive(hits[i], sent_on[i]);
@@ -85,11 +86,11 @@ void Tracer::arrive(const FirstHits& hits, std::uint32_t source, bool is_beam,
 
 void Tracer::follow(std::vector<ScatteredPath>& paths,
                     const Randomness& randomness, std::uint32_t net,
-                    Tally& tally) const {
+                    Tally& tally, LeafSums& leaf_sums) const {
     const auto sources = static_cast<std::uint32_t>(tally.sources.size());
     std::vector<Ledger> ledgers;
     for (std::uint32_t s = 0; s < sources; ++s)
-        ledgers.emplace_back(counted_, s, false, tally);
+        ledgers.emplace_back(counted_, s, false, tally, leaf_sums);
     std::vector<ScatteredPath> next;
     for (; !paths.empty(); net += sources) {
         PathSampler numbers(randomness.seed, randomness.generation,

@@ -34,7 +34,7 @@ class Tracer {
     //! @param start uniform in [0, 1)
     void arrive(const FirstHits& hits, std::uint32_t source, bool is_beam,
                 double start, double path_energy, Tally& tally,
-                std::vector<ScatteredPath>& paths) const;
+                std::vector<ScatteredPath>& paths, LeafSums& leaf_sums) const;
 
     //! Until surfaces have absorbed all paths or they have left upwards; none
     //! is left. From surface to surface they go on together, each time ordered
@@ -44,7 +44,7 @@ class Tracer {
     //! @param randomness of the randomisation
     //! @param net that no other paths of it have
     void follow(std::vector<ScatteredPath>& paths, const Randomness& randomness,
-                std::uint32_t net, Tally& tally) const;
+                std::uint32_t net, Tally& tally, LeafSums& leaf_sums) const;
 
   private:
     //! What light meets: soil is a surface too, and the sky is a black one.

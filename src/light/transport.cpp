@@ -128,6 +128,7 @@ std::vector<Tally> simulate(
         largest.push_back(std::max(of_hit, std::min(of_path[s], scattered)));
         if (work.first_hits[s] > 0) most_paths += scattered / of_path[s];
     }
+    LeafSums leaf_sums;
     // So many randomisations at a time as memory is reasonable for.
     constexpr std::size_t room = 1 << 18;
     const auto together = static_cast<std::size_t>(
@@ -140,7 +141,7 @@ std::vector<Tally> simulate(
             numbers.first_randomisation += static_cast<std::uint32_t>(r);
             tracer.follow(paths[r - first], numbers,
                           static_cast<std::uint32_t>(sources.size()) + source,
-                          tallies[r]);
+                          tallies[r], leaf_sums);
         };
         for (std::uint32_t s = 0; s < sources.size(); ++s) {
             const std::uint32_t hits = work.first_hits[s];
@@ -151,7 +152,8 @@ std::vector<Tally> simulate(
                       [&](std::size_t r, const FirstHits& found, double start) {
                           if (!found.are_drawn()) tallies[r].rays += hits;
                           tracer.arrive(found, s, is_beam, start, of_path[s],
-                                        tallies[r], paths[r - first]);
+                                        tallies[r], paths[r - first],
+                                        leaf_sums);
                           if (paths[r - first].size() > room) follow(r, s);
                       });
         }

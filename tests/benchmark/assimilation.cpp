@@ -74,23 +74,15 @@ class Canopy {
     //! Of the mean light, with what its noise does.
     double plain(const std::vector<Tally>& tallies) const {
         Tally mean = tallies.front();
+        for (LeafLight& light : mean.leaf_light) light = {};
         const double part = 1. / static_cast<double>(tallies.size());
-        for (std::size_t s = 0; s < mean.leaf_light.size(); ++s) {
-            LeafLight& light = mean.leaf_light[s];
-            std::vector<double> beam(2 * scene_->surfaces().faces.size());
-            std::fill(light.diffuse.begin(), light.diffuse.end(), 0);
-            light.diffuse.resize(pieces_.mesh.groups.size());
-            for (const Tally& tally : tallies) {
-                const LeafLight& one = tally.leaf_light[s];
-                for (const LeafLight::Beam& hit : one.beam)
-                    beam[hit.triangle] += part * hit.energy;
-                for (std::size_t v = 0; v < one.diffuse.size(); ++v)
-                    light.diffuse[v] += part * one.diffuse[v];
-            }
-            light.beam.clear();
-            for (std::uint32_t t = 0; t < beam.size(); ++t)
-                if (beam[t] > 0) light.beam.push_back({t, beam[t]});
-        }
+        for (const Tally& tally : tallies)
+            for (std::size_t s = 0; s < mean.leaf_light.size(); ++s)
+                for (auto which : {&LeafLight::beam, &LeafLight::diffuse})
+                    for (const auto& [place, energy] :
+                         tally.leaf_light[s].*which)
+                        (mean.leaf_light[s].*which)
+                            .push_back({place, part * energy});
         return gross({mean}).mean;
     }
 

@@ -83,14 +83,15 @@ Air air_of(const TimeStep& step, const Photosynthesis& photosynthesis);
 //!
 //! where w is the light that a hit absorbs: w / b is sunlit leaf area. f is
 //! concave, so noise in D lowers A, by several per cent where few paths meet a
-//! piece. So f is expanded to second order about the mean light of the same
-//! pieces of all plants that are alike, joined to neighbours until it is well
-//! known: how a part of a plant differs from that enters as D - c and
-//! (D - c)^2, of which a jackknife over randomisations is without bias. The
-//! tallies that come back are its pseudo-values, whose scatter gives the error
-//! (Quenouille 1956, doi:10.1093/biomet/43.3-4.353; Tukey 1958,
-//! doi:10.1214/aoms/1177706647). What remains is the bias of third order and
-//! that of parts where paths are few: see tests/benchmark/README.md.
+//! piece. So f is expanded to second order about an expected D: the mean light
+//! of the same piece in all plants that are alike, joined to its neighbours
+//! until that is well known. How a piece differs from it enters as D - c and
+//! (D - c)^2, whose estimates have no bias however few paths meet the piece,
+//! see PairLight; nor does noise in c matter to second order. Steps of one sun
+//! are sums of the same numbers, so that many cost little. The tallies that
+//! come back are pseudo-values of a jackknife over randomisations, whose
+//! scatter gives the error. What remains is the bias of third order: see
+//! tests/benchmark/README.md.
 //!
 //! @param tallies with leaf light, of independent randomisations of one field;
 //! a single one is not corrected

@@ -41,14 +41,15 @@ struct Budget {
 
 //! What leaves absorb of one source, place by place [J m-2 of ground].
 struct LeafLight {
-    //! Straight from a sun, of a triangle of the scene's surfaces.
-    struct Beam {
-        std::uint32_t triangle;
+    struct Part {
+        std::uint32_t place;
         double energy;
     };
 
-    std::vector<Beam> beam;       //!< in order; triangles without are left out
-    std::vector<double> diffuse;  //!< all other light, by group of the mesh
+    //! Straight from a sun, by triangle of the scene's surfaces.
+    std::vector<Part> beam;
+    //! All other light, by group of the mesh; a group may have several parts.
+    std::vector<Part> diffuse;
 };
 
 //! Whether a tally has the light of leaves place by place.

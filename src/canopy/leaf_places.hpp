@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ideotype/canopy/pieces.hpp"
+#include "ideotype/light/tally.hpp"
+
+namespace ideotype {
+
+//! Where leaves absorb light: pieces, and places, which are the pieces that
+//! are the same part of plants that are alike.
+struct LeafPlaces {
+    //! @param is_each whether each piece is a place of its own
+    LeafPlaces(const Pieces& pieces, double ground_area, bool is_each);
+
+    std::size_t count() const { return index.size(); }
+    std::size_t pieces() const { return of.size(); }
+
+    std::vector<std::uint32_t> of;     //!< the place of each piece
+    std::vector<double> per_index;     //!< 1 / leaf area index, of pieces
+    std::vector<double> index;         //!< leaf area index, of places
+    std::vector<std::uint32_t> group;  //!< of places, each in a run
+    std::vector<double> height;        //!< of places [m]
+};
+
+//! Diffuse light of one source [J m-2 of ground].
+struct DiffuseLight {
+    //! @param source -1: none
+    DiffuseLight(const std::vector<Tally>& tallies, int source,
+                 std::size_t pieces);
+
+    //! In each randomisation, of pieces that have any, once each.
+    std::vector<std::vector<LeafLight::Part>> parts;
+    std::vector<double> sum;  //!< over randomisations, of pieces
+};
+
+//! What diffuse light is compared with.
+class ExpectedLight {
+  public:
+    //! The mean of each place, joined to so many of its neighbours that this
+    //! is well known.
+    ExpectedLight(const LeafPlaces& places, const std::vector<Tally>& tallies);
+
+    //! By place, per area of leaf [J m-2].
+    std::vector<double> of(const DiffuseLight& light) const;
+
+  private:
+    const LeafPlaces& places_;
+    std::vector<std::uint32_t> first_;  //!< that each place is joined to
+    std::vector<double> scale_;         //!< of sums of first places
+};
+
+}  // namespace ideotype

@@ -1,0 +1,250 @@
+#include "pair_light.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numeric>
+
+#include <glm/geometric.hpp>
+
+namespace ideotype {
+
+void Moments::add(const Moments& more, double times) {
+    one += times * more.one;
+    sun += times * more.sun;
+    sky += times * more.sky;
+    sun2 += times * more.sun2;
+    sun_sky += times * more.sun_sky;
+    sky2 += times * more.sky2;
+}
+
+double Moments::dot(const Moments& other) const {
+    return one * other.one + sun * other.sun + sky * other.sky +
+           sun2 * other.sun2 + sun_sky * other.sun_sky + sky2 * other.sky2;
+}
+
+SkyLight::SkyLight(const std::vector<Tally>& tallies, int number,
+                   const LeafPlaces& places, const ExpectedLight& expectation)
+    : source(number),
+      light(tallies, number, places.pieces()),
+      expected(expectation.of(light)),
+      by_piece(tallies.size() * places.pieces()),
+      by_place(tallies.size() * places.count()),
+      squares(places.pieces()),
+      weight(places.pieces()),
+      weight_of_square(places.pieces()) {
+    for (std::size_t r = 0; r < tallies.size(); ++r)
+        for (const auto& [v, energy] : light.parts[r]) {
+            by_piece[r * places.pieces() + v] = energy;
+            by_place[r * places.count() + places.of[v]] += energy;
+            squares[v] += energy * energy;
+        }
+}
+
+PairLight::PairLight(const std::vector<Tally>& tallies, const Scene& scene,
+                     const Illumination& light, const LeafPlaces& places,
+                     const ExpectedLight& expectation, int beam, SkyLight& sky)
+    : tallies_(tallies),
+      n_(static_cast<double>(tallies.size())),
+      places_(places),
+      beam_(beam),
+      sky_(sky),
+      sun_(tallies, beam, places.pieces()),
+      expected_(expectation.of(sun_)),
+      moments_(places.count()),
+      differ_(places.pieces()) {
+    compare();
+    if (beam < 0) return;
+    find_hits(scene, light.sources[static_cast<std::size_t>(beam)]);
+    sort_hits();
+}
+
+//! Of the mean of x and that of y, from their sums and that of their products.
+//! A single randomisation is taken as it is.
+double PairLight::product(double x, double y, double sum) const {
+    return n_ > 1 ? (x * y - sum) / (n_ * (n_ - 1)) : x * y;
+}
+
+//! Diffuse light with what is expected.
+void PairLight::compare() {
+    std::vector<double> squares(places_.pieces()), products(places_.pieces());
+    for (std::size_t r = 0; r < tallies_.size(); ++r)
+        for (const auto& [v, energy] : sun_.parts[r]) {
+            squares[v] += energy * energy;
+            products[v] += energy * sky_.in(r, v);
+        }
+    for (std::size_t p = 0; p < places_.count(); ++p)
+        moments_[p].one = places_.index[p];
+    for (std::size_t v = 0; v < places_.pieces(); ++v) {
+        const double per = places_.per_index[v];
+        if (!(per > 0)) continue;
+        const double sun = expected_[places_.of[v]];
+        const double sky = sky_.expected[places_.of[v]];
+        const double from_sun = sun_.sum[v], from_sky = sky_.light.sum[v];
+        Moments& d = differ_[v];
+        d.sun = per * from_sun / n_ - sun;
+        d.sky = per * from_sky / n_ - sky;
+        d.sun2 = per * per * product(from_sun, from_sun, squares[v]) -
+                 sun * (2 * d.sun + sun);
+        d.sun_sky = per * per * product(from_sun, from_sky, products[v]) -
+                    sun * (d.sky + sky) - sky * d.sun;
+        d.sky2 = per * per * product(from_sky, from_sky, sky_.squares[v]) -
+                 sky * (2 * d.sky + sky);
+        moments_[places_.of[v]].add(d, 1 / per);
+    }
+}
+
+void PairLight::find_hits(const Scene& scene, const Source& source) {
+    const Surfaces& all = scene.surfaces();
+    const glm::dvec3 direction = *source.direction;
+    hit_.resize(all.normals.size());
+    std::vector<double> sun(places_.pieces());
+    for (std::size_t r = 0; r < tallies_.size(); ++r) {
+        for (const auto& [v, energy] : sun_.parts[r]) sun[v] = energy;
+        for (const auto& [t, energy] :
+             tallies_[r].leaf_light[static_cast<std::size_t>(beam_)].beam) {
+            if (hit_[t] == 0) {
+                hits_.push_back({all.face_group[t / 2],
+                                 std::abs(glm::dot(all.normals[t], direction) /
+                                          direction.z)});
+                hit_[t] = static_cast<std::uint32_t>(hits_.size());
+            }
+            Hit& hit = hits_[hit_[t] - 1];
+            hit.energy += energy;
+            hit.with_sun += energy * sun[hit.piece];
+            hit.with_sky += energy * sky_.in(r, hit.piece);
+        }
+        for (const auto& [v, energy] : sun_.parts[r]) sun[v] = 0;
+    }
+}
+
+namespace {
+
+//! Steps of 1/16 of a power of two: beams that differ by less have the effect
+//! of their mean. Light below the least does next to nothing.
+std::uint32_t step_of(double cosine) {
+    constexpr int dropped_bits = 19;
+    constexpr float least = 1 / 64.f;
+    return std::bit_cast<std::uint32_t>(
+               std::max(static_cast<float>(cosine), least)) >>
+           dropped_bits;
+}
+
+}  // namespace
+
+//! Into bins.
+void PairLight::sort_hits() {
+    std::vector<std::size_t> end(places_.count() + 1);
+    for (const Hit& hit : hits_) ++end[places_.of[hit.piece] + 1];
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    std::vector<Hit*> order(hits_.size());
+    for (Hit& hit : hits_) order[end[places_.of[hit.piece]]++] = &hit;
+    std::vector<std::uint32_t> steps;  // of the bins of a place
+    std::size_t i = 0;
+    for (std::uint32_t p = 0; p < places_.count(); ++p) {
+        const std::size_t first = bins_.size();
+        steps.clear();
+        for (; i < end[p]; ++i) {
+            const auto found = std::find(steps.begin(), steps.end(),
+                                         step_of(order[i]->cosine));
+            order[i]->bin = static_cast<std::uint32_t>(
+                first + static_cast<std::size_t>(found - steps.begin()));
+            if (found == steps.end()) {
+                steps.push_back(step_of(order[i]->cosine));
+                bins_.push_back({p});
+            }
+            add(*order[i], bins_[order[i]->bin]);
+        }
+    }
+    for (Bin& bin : bins_) bin.cosine /= bin.moments.one;
+}
+
+void PairLight::add(const Hit& hit, Bin& bin) const {
+    const std::size_t v = hit.piece;
+    const double per = places_.per_index[v];
+    const double energy = hit.energy / n_;
+    Moments moments = differ_[v];
+    moments.one = 1;
+    // Light differs in what the beam meets.
+    moments.sun =
+        per * product(hit.energy, sun_.sum[v], hit.with_sun) / energy -
+        expected_[bin.place];
+    moments.sky =
+        per * product(hit.energy, sky_.light.sum[v], hit.with_sky) / energy -
+        sky_.expected[bin.place];
+    bin.moments.add(moments, energy);
+    bin.cosine += energy * hit.cosine;
+}
+
+//! Of light itself in a randomisation, and of squares and products, where
+//! moments have weights of what differs in the mean. Without what is of a hit
+//! alone.
+std::vector<Moments> PairLight::weights_of_pieces(
+    const std::vector<Moments>& weights) {
+    std::vector<Moments> of_pieces(places_.pieces());
+    for (std::size_t v = 0; v < places_.pieces(); ++v)
+        if (places_.per_index[v] > 0)
+            of_pieces[v].add(weights[places_.of[v]], 1 / places_.per_index[v]);
+    for (const Hit& hit : hits_) {
+        Moments of_bin = bins_[hit.bin].weights;
+        // Its products with light count by randomisation.
+        of_bin.sun *= n_ / (n_ - 2);
+        of_bin.sky *= n_ / (n_ - 2);
+        of_pieces[hit.piece].add(of_bin, hit.energy / n_);
+    }
+    for (std::size_t v = 0; v < places_.pieces(); ++v) {
+        const double per = places_.per_index[v];
+        const double sun = expected_[places_.of[v]];
+        const double sky = sky_.expected[places_.of[v]];
+        Moments& w = of_pieces[v];
+        w.sun = per * (w.sun - 2 * sun * w.sun2 - sky * w.sun_sky);
+        w.sky = per * (w.sky - 2 * sky * w.sky2 - sun * w.sun_sky);
+        for (double* of_product : {&w.sun2, &w.sun_sky, &w.sky2})
+            *of_product *= per * per / (n_ - 2);
+        w.sun += 2 * w.sun2 * sun_.sum[v] + w.sun_sky * sky_.light.sum[v];
+        w.sky += 2 * w.sky2 * sky_.light.sum[v] + w.sun_sky * sun_.sum[v];
+        sky_.weight[v] += w.sky;
+        sky_.weight_of_square[v] -= 2 * w.sky2;
+    }
+    return of_pieces;
+}
+
+std::vector<double> PairLight::scatter(
+    const std::vector<Moments>& weights,
+    std::vector<std::vector<double>>& differences) {
+    const std::vector<Moments> of_pieces = weights_of_pieces(weights);
+    std::vector<double> sums(tallies_.size()), sun(places_.pieces());
+    for (std::size_t r = 0; r < tallies_.size(); ++r) {
+        const auto add = [&](std::size_t v, double amount) {
+            differences[r][places_.of[v]] += amount;
+            sums[r] += amount;
+        };
+        for (const auto& [v, x] : sun_.parts[r]) {
+            sun[v] = x;
+            const Moments& w = of_pieces[v];
+            add(v, x * (w.sun - 2 * (w.sun2 * x + w.sun_sky * sky_.in(r, v))));
+        }
+        if (beam_ >= 0)
+            for (const auto& [t, energy] :
+                 tallies_[r].leaf_light[static_cast<std::size_t>(beam_)].beam) {
+                const Hit& hit = hits_[hit_[t] - 1];
+                const std::size_t v = hit.piece;
+                const Bin& bin = bins_[hit.bin];
+                const double per = places_.per_index[v] / (n_ - 2);
+                const double sun_differs =
+                    per * (sun_.sum[v] - 2 * sun[v]) - expected_[bin.place];
+                const double sky_differs =
+                    per * (sky_.light.sum[v] - 2 * sky_.in(r, v)) -
+                    sky_.expected[bin.place];
+                add(v,
+                    energy * (bin.weights.one + bin.weights.sun * sun_differs +
+                              bin.weights.sky * sky_differs));
+            }
+        for (const auto& [v, x] : sun_.parts[r]) sun[v] = 0;
+        for (std::size_t p = 0; p < places_.count(); ++p)
+            sums[r] += weights[p].sky * sky_.by_place[r * places_.count() + p];
+    }
+    return sums;
+}
+
+}  // namespace ideotype

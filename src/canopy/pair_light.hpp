@@ -1,0 +1,102 @@
+#pragma once
+
+#include "ideotype/light/illumination.hpp"
+#include "ideotype/light/scene.hpp"
+#include "leaf_places.hpp"
+
+namespace ideotype {
+
+//! A function of diffuse light, expanded to second order about the light that
+//! is expected: what differs from that in the light of a sun and in that of a
+//! sky, and products, summed over pieces or hits; or how much each counts.
+struct Moments {
+    double one = 0, sun = 0, sky = 0, sun2 = 0, sun_sky = 0, sky2 = 0;
+
+    void add(const Moments& more, double times);
+    double dot(const Moments& other) const;
+};
+
+//! Diffuse light of a sky, and what it counts for.
+struct SkyLight {
+    SkyLight(const std::vector<Tally>& tallies, int source,
+             const LeafPlaces& places, const ExpectedLight& expectation);
+
+    double in(std::size_t r, std::size_t piece) const {
+        return by_piece[r * light.sum.size() + piece];
+    }
+
+    int source;  //!< -1: none
+    DiffuseLight light;
+    std::vector<double> expected;  //!< by place, per area of leaf [J m-2]
+    std::vector<double> by_piece;  //!< [randomisation][piece]
+    std::vector<double> by_place;  //!< [randomisation][place]
+    std::vector<double> squares;   //!< sums over randomisations, by piece
+    //! By piece: of the light in a randomisation, and of its square.
+    std::vector<double> weight, weight_of_square;
+};
+
+//! The light of a sun and a sky that some steps share, over all randomisations:
+//! numbers of which those of any step are sums. No product of two numbers has a
+//! bias by their noise: each is the mean product of those of two different
+//! randomisations (a U-statistic, Hoeffding 1948, doi:10.1214/aoms/1177730196).
+class PairLight {
+  public:
+    //! Hits of beams at one place that have about the same cosine: beam on the
+    //! leaf over that on level ground.
+    struct Bin {
+        std::uint32_t place = 0;
+        double cosine = 0;
+        Moments moments{}, weights{};
+    };
+
+    //! @param beam source; -1: none
+    PairLight(const std::vector<Tally>& tallies, const Scene& scene,
+              const Illumination& light, const LeafPlaces& places,
+              const ExpectedLight& expectation, int beam, SkyLight& sky);
+
+    const std::vector<double>& expected() const { return expected_; }
+    const std::vector<Moments>& moments() const { return moments_; }
+
+    //! In the order of places; weights are for the caller to set.
+    std::vector<Bin>& bins() { return bins_; }
+
+    //! How the sum of all moments by their weights differs in the pseudo-values
+    //! of a jackknife (Quenouille 1956, doi:10.1093/biomet/43.3-4.353; Tukey
+    //! 1958, doi:10.1214/aoms/1177706647), but for what all share: adds to
+    //! [randomisation][place], without the light of the sky, whose weights it
+    //! raises.
+    //! @param weights of moments()
+    //! @return sums, by randomisation, with the sky to first order
+    std::vector<double> scatter(const std::vector<Moments>& weights,
+                                std::vector<std::vector<double>>& differences);
+
+  private:
+    struct Hit {
+        std::uint32_t piece;
+        double cosine;
+        double energy = 0, with_sun = 0, with_sky = 0;  //!< sums of products
+        std::uint32_t bin = 0;
+    };
+
+    double product(double x, double y, double sum) const;
+    void compare();
+    void find_hits(const Scene& scene, const Source& source);
+    void sort_hits();
+    void add(const Hit& hit, Bin& bin) const;
+    std::vector<Moments> weights_of_pieces(const std::vector<Moments>& weights);
+
+    const std::vector<Tally>& tallies_;
+    double n_;
+    const LeafPlaces& places_;
+    int beam_;
+    SkyLight& sky_;
+    DiffuseLight sun_;
+    std::vector<double> expected_;    //!< of the sun
+    std::vector<Moments> moments_;    //!< by place, times leaf area index
+    std::vector<Moments> differ_;     //!< by piece
+    std::vector<std::uint32_t> hit_;  //!< of triangles, from 1
+    std::vector<Hit> hits_;
+    std::vector<Bin> bins_;
+};
+
+}  // namespace ideotype

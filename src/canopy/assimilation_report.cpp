@@ -98,7 +98,7 @@ Respiration respiration(const LeafRates& rates, double leaf_area_index,
         const double amount =
             scale * step.seconds *
             dark_respiration(rates, air_of(step, photosynthesis).temperature);
-        if (step.par.beam + step.par.diffuse > 0)
+        if (step.is_lit())
             result.in_light += amount;
         else
             result.at_night += amount;

@@ -72,14 +72,23 @@ void scale(std::vector<double>& all, double by) {
     for (double& x : all) x *= by;
 }
 
-AssimilationTally mean_of(const std::vector<AssimilationTally>& tallies) {
-    AssimilationTally mean = tallies.front();
-    for (auto part : {&AssimilationTally::groups, &AssimilationTally::layers,
-                      &AssimilationTally::steps}) {
-        for (std::size_t i = 1; i < tallies.size(); ++i)
-            add(mean.*part, tallies[i].*part);
-        scale(mean.*part, 1. / static_cast<double>(tallies.size()));
-    }
+//! Of these parts.
+template <class Item, class... Parts>
+Item mean_of(const std::vector<Item>& all, Parts... parts) {
+    Item mean = all.front();
+    const auto take = [&](auto part) {
+        for (std::size_t i = 1; i < all.size(); ++i)
+            add(mean.*part, all[i].*part);
+        scale(mean.*part, 1. / static_cast<double>(all.size()));
+    };
+    (take(parts), ...);
+    return mean;
+}
+
+std::vector<double> mean_of(const std::vector<std::vector<double>>& all) {
+    std::vector<double> mean = all.front();
+    for (std::size_t i = 1; i < all.size(); ++i) add(mean, all[i]);
+    scale(mean, 1. / static_cast<double>(all.size()));
     return mean;
 }
 
@@ -112,6 +121,11 @@ template <class All>
 void append(All& all, All more) {
     all.insert(all.end(), std::make_move_iterator(more.begin()),
                std::make_move_iterator(more.end()));
+}
+
+void append(SunlitFractions& all, SunlitFractions more) {
+    append(all.fractions, std::move(more.fractions));
+    all.steps = std::move(more.steps);
 }
 
 //! One request on its way to its report.
@@ -172,13 +186,21 @@ class Evaluation {
         for (const Tally& tally : tallies_)
             result_.leaves_by_randomisation.push_back(tally.leaves());
         result_.light = ideotype::report(tallies_, light);
-        if (request_.details.sunlit) add_sunlit(result_.light, sunlit_, light);
+        if (request_.details.sunlit) {
+            const SunlitReport sunlit = ideotype::report(sunlit_, light);
+            for (std::size_t h = 0; h < sunlit.hours.size(); ++h)
+                result_.light.steps[h].sunlit = sunlit.hours[h];
+        }
         if (request_.details.faces) result_.faces = per_area();
         if (request_.details.photosynthesis) {
             for (double& area : leaf_area_index_) area /= fields_;
             result_.assimilation = ideotype::report(
                 std::move(assimilation_), rates_, leaf_area_index_, light,
                 *request_.details.photosynthesis);
+            if (needs_pieces())
+                result_.hit_by_sun = ideotype::report(hit_by_sun_, light);
+            if (!light_classes_.empty())
+                result_.light_classes = ideotype::report(light_classes_);
         }
         if (!(result_.light.balance_error < balance_tolerance))
             throw Error(fmt::format("the energy balance is off by {:.3g}",
@@ -234,10 +256,8 @@ class Evaluation {
         result_.is_capped |= found.is_capped;
         if (request_.details.sunlit) {
             accuracy.paths = std::min(accuracy.paths, most_sunlit_points);
-            SunlitFractions sunlit =
-                sunlit_fractions(scene, mesh, light, accuracy, randomness);
-            append(sunlit_.fractions, std::move(sunlit.fractions));
-            sunlit_.step = std::max(sunlit_.step, sunlit.step);
+            append(sunlit_,
+                   sunlit_fractions(scene, mesh, light, accuracy, randomness));
         }
         take(result_.seconds.light);
     }
@@ -249,12 +269,32 @@ class Evaluation {
                        std::vector<Tally>& tallies) {
         for (std::size_t v = 0; v < pieces.count; ++v)
             add_leaf_area(groups.size(), pieces.group[v], pieces.area[v]);
+        const SeriesIllumination& light = request_.scenario.light;
+        const Optics& optics = request_.scenario.optics;
+        const double absorptance = 1 - optics.leaf.scattered();
         std::vector<AssimilationTally> found = assimilate(
-            tallies, scene, pieces, request_.scenario.optics,
-            request_.scenario.light, *request_.details.photosynthesis,
-            rates(groups), result_.layers);
-        if (is_one_of_many_) found = {mean_of(found)};
+            tallies, scene, pieces, optics, light,
+            *request_.details.photosynthesis, rates(groups), result_.layers);
+        SunlitFractions sunlit =
+            sunlit_fractions(tallies, scene, light.light, absorptance,
+                             result_.lai * result_.ground_area);
+        std::vector<LightClasses> classes;
+        if (request_.details.sunlit && absorptance > 0)
+            classes =
+                leaf_area_by_light(tallies, scene, pieces, light, absorptance,
+                                   request_.details.photosynthesis->photons);
+        if (is_one_of_many_) {
+            found = {mean_of(found, &AssimilationTally::groups,
+                             &AssimilationTally::layers,
+                             &AssimilationTally::steps)};
+            sunlit.fractions = {mean_of(sunlit.fractions)};
+            if (!classes.empty())
+                classes = {mean_of(classes, &LightClasses::sunlit,
+                                   &LightClasses::shaded)};
+        }
         append(assimilation_, std::move(found));
+        append(hit_by_sun_, std::move(sunlit));
+        append(light_classes_, std::move(classes));
         add_up_pieces(tallies, pieces.group, groups.size());
     }
 
@@ -319,7 +359,9 @@ class Evaluation {
     bool is_one_of_many_ = false;
     CanopyReport result_;
     std::vector<Tally> tallies_;
-    SunlitFractions sunlit_;
+    SunlitFractions sunlit_;      //!< by points of leaves
+    SunlitFractions hit_by_sun_;  //!< by first hits
+    std::vector<LightClasses> light_classes_;
     std::vector<AssimilationTally> assimilation_;
     std::vector<LeafRates> rates_;         //!< of each group
     std::vector<double> leaf_area_index_;  //!< of each group, of all fields

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include <glm/geometric.hpp>
+#include "ideotype/light/sunlit.hpp"
 
 namespace ideotype {
 
@@ -104,9 +104,8 @@ void PairLight::find_hits(const Scene& scene, const Source& source) {
         for (const auto& [t, energy] :
              tallies_[r].leaf_light[static_cast<std::size_t>(beam_)].beam) {
             if (hit_[t] == 0) {
-                hits_.push_back({all.face_group[t / 2],
-                                 std::abs(glm::dot(all.normals[t], direction) /
-                                          direction.z)});
+                hits_.push_back(
+                    {all.face_group[t / 2], beam_cosine(scene, t, direction)});
                 hit_[t] = static_cast<std::uint32_t>(hits_.size());
             }
             Hit& hit = hits_[hit_[t] - 1];

@@ -1,5 +1,7 @@
 #include "ideotype/canopy/quantities.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -40,6 +42,21 @@ std::vector<double> leaves_in_mj(const CanopyReport& report, double area) {
 Values fraction(const CanopyReport& report, Estimate BudgetEstimate::*part) {
     const BudgetEstimate& day = report.light.day;
     return {scaled(day.*part, day.incident > 0 ? 1 / day.incident : 0)};
+}
+
+constexpr auto extinction = "extinction_coefficient";
+
+//! -ln(1 - fAPAR) / LAI by the delta method. What is left of the light is
+//! taken as at least its standard error. A plot alone has none: light enters
+//! from its sides.
+Values extinction_coefficient(const CanopyReport& report) {
+    if (report.boundary == Boundary::isolated) return {};
+    const Estimate absorbed = fraction(report, &BudgetEstimate::plants)[0];
+    constexpr double least = 1e-9;
+    const double left =
+        std::max({1 - absorbed.mean, absorbed.standard_error, least});
+    return {{-std::log(left) / report.lai,
+             absorbed.standard_error / left / report.lai}};
 }
 
 Values by_leaf(const CanopyReport& report) {
@@ -83,12 +100,19 @@ const std::vector<Declaration>& declarations() {
          [](const Report& r) {
              return to_mj({{r.light.day.incident, 0}});
          }},
-        {{"absorbed_fraction", "1", "absorbed by leaves over incident PAR"},
+        {{"absorbed_fraction", "1",
+          "fAPAR of leaves alone: absorbed by them over incident PAR"},
          [](const Report& r) { return fraction(r, &BudgetEstimate::leaves); }},
         {{"stalk_fraction", "1",
           "absorbed by stalks, sheaths and all other organs but leaves over "
           "incident PAR"},
          [](const Report& r) { return fraction(r, &BudgetEstimate::stalks); }},
+        {{"fapar", "1",
+          "absorbed by leaves and all other organs over incident PAR"},
+         [](const Report& r) { return fraction(r, &BudgetEstimate::plants); }},
+        {{extinction, "1",
+          "of the day's light by leaf area index: -ln(1 - fapar) / lai"},
+         extinction_coefficient},
         {{"soil_fraction", "1", "absorbed by the soil over incident PAR"},
          [](const Report& r) { return fraction(r, &BudgetEstimate::soil); }},
         {{"reflected_fraction", "1", "sent back to the sky over incident PAR"},
@@ -263,6 +287,25 @@ const std::vector<Declaration>& assimilation_declarations() {
                 const Respiration sum = r.assimilation->all_respiration();
                 return Values{{sum.in_light + sum.at_night, 0}};
             }),
+        carbon_part({"sunlit_lai", "m2 m-2",
+                     "leaf area index that the sun shines on, a mean over the "
+                     "time with any light"},
+                    [](const Report& r) {
+                        Values mean;
+                        if (r.hit_by_sun)
+                            mean.push_back(scaled(r.hit_by_sun->mean, r.lai));
+                        return mean;
+                    }),
+        carbon_part({"sunlit_lai_by_hour",
+                     "m2 m-2",
+                     "leaf area index that the sun shines on at each instant",
+                     {"hour"}},
+                    [](const Report& r) {
+                        Values hours;
+                        for (const Estimate& x : r.hit_by_sun->hours)
+                            hours.push_back(scaled(x, r.lai));
+                        return hours;
+                    }),
         carbon_part({"light_use_efficiency", "g MJ-1",
                      "carbon of gross assimilation over absorbed PAR"},
                     light_use),
@@ -333,7 +376,7 @@ Axis day_axis(const LightSeries& series) {
 }  // namespace
 
 QuantitySet canopy_quantities(const Plant& plant, const Layers& layers,
-                              const LightSeries& series,
+                              const LightSeries& series, Boundary boundary,
                               bool with_assimilation) {
     using Names = std::vector<std::string>;
     QuantitySet set;
@@ -351,7 +394,9 @@ QuantitySet canopy_quantities(const Plant& plant, const Layers& layers,
     const bool has_days = series.days > 1;
     if (has_days) set.axes.push_back(day_axis(series));
     for (const Declaration& each : declared(with_assimilation))
-        if (has_days || each.quantity.axes != Names{"day"})
+        if ((has_days || each.quantity.axes != Names{"day"}) &&
+            (boundary == Boundary::periodic ||
+             each.quantity.name != extinction))
             set.quantities.push_back(each.quantity);
     return set;
 }
@@ -360,6 +405,15 @@ std::vector<Estimate> measure(const CanopyReport& report) {
     Values all;
     for (const Declaration& each : declared(report.assimilation.has_value()))
         for (const Estimate& x : each.take(report)) all.push_back(x);
+    return all;
+}
+
+std::vector<Measured> measure_numbers(const CanopyReport& report) {
+    std::vector<Measured> all;
+    for (const Declaration& each : declared(report.assimilation.has_value()))
+        if (each.quantity.axes.empty())
+            for (const Estimate& x : each.take(report))
+                all.push_back({each.quantity, x});
     return all;
 }
 

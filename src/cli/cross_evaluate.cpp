@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/canopy/quantities.hpp"
 #include "ideotype/cli/choose_row.hpp"
 #include "ideotype/cli/ranks.hpp"
 #include "ideotype/cli/verbs.hpp"
@@ -58,7 +59,7 @@ struct Cross {
     Campaign under;
     std::vector<NamedPlant> plants;
     std::vector<Column> columns;
-    OutcomeSchema schema;  //!< objectives alone
+    OutcomeSchema schema;  //!< of quantities only single numbers
 
     std::size_t size() const { return plants.size() * columns.size(); }
 };
@@ -70,7 +71,9 @@ Cross read(const CrossOptions& options) {
     cross.columns = columns(cross.under);
     cross.schema = outcome_schema(cross.under, cross.columns[0].chosen,
                                   cross.under.final_rule.sampling);
-    cross.schema.measured = {};
+    cross.schema.measured.axes.clear();
+    std::erase_if(cross.schema.measured.quantities,
+                  [](const Quantity& each) { return !each.axes.empty(); });
     return cross;
 }
 
@@ -91,12 +94,14 @@ class CrossEvaluator : public Evaluator {
         shared.case_index = task.case_index;
         shared.is_final = true;
         const Plant& plant = cross_.plants.at(task.slot).plant;
-        Outcome outcome = to_outcome(
-            cross_.under, plant,
+        const CanopyReport report =
             ideotype::evaluate(request_of(shared, cross_.under, column.chosen,
                                           column.scenario, plant),
-                               device_));
+                               device_);
+        Outcome outcome = to_outcome(cross_.under, plant, report);
         outcome.quantities.clear();
+        for (const Measured& each : measure_numbers(report))
+            outcome.quantities.push_back(each.estimate);
         return outcome;
     }
 
@@ -141,18 +146,23 @@ class Matrix : public Director {
             json["plants"].push_back(plant.name);
         for (const Column& column : cross_.columns)
             json["cases"].push_back(light_name(column.chosen));
+        add_matrix(json, [](const Outcome& outcome) {
+            return outcome.objectives.front();
+        });
         for (const auto& row : rows_) {
-            Json means = Json::array(), errors = Json::array(),
-                 randomisations = Json::array();
-            for (const Outcome& outcome : row) {
-                means.push_back(outcome.objectives.front().mean);
-                errors.push_back(outcome.objectives.front().standard_error);
+            Json randomisations = Json::array();
+            for (const Outcome& outcome : row)
                 randomisations.push_back(outcome.randomisations);
-            }
-            json["mean"].push_back(means);
-            json["standard_error"].push_back(errors);
             // Common to all plants of a case: differences are paired.
             json["by_randomisation"].push_back(randomisations);
+        }
+        const auto& quantities = cross_.schema.measured.quantities;
+        for (std::size_t q = 0; q < quantities.size(); ++q) {
+            Json& one = json["quantities"][quantities[q].name];
+            one["unit"] = quantities[q].unit;
+            add_matrix(one, [q](const Outcome& outcome) {
+                return outcome.quantities[q];
+            });
         }
         return json;
     }
@@ -171,6 +181,19 @@ class Matrix : public Director {
     }
 
   private:
+    //! Of a figure, a row per plant.
+    void add_matrix(Json& json, const auto& figure) const {
+        for (const auto& row : rows_) {
+            Json means = Json::array(), errors = Json::array();
+            for (const Outcome& outcome : row) {
+                means.push_back(figure(outcome).mean);
+                errors.push_back(figure(outcome).standard_error);
+            }
+            json["mean"].push_back(means);
+            json["standard_error"].push_back(errors);
+        }
+    }
+
     Routine<bool> fill_column(std::size_t c) {
         std::vector<Work> work;
         for (std::size_t p = 0; p < cross_.plants.size(); ++p) {

@@ -70,11 +70,8 @@ Json to_json(const MeshReport& report, const MeshOptions& options) {
               {"boundary", boundary_name(options)},
               {"light", light_name(options)}};
     json.update(to_json(report.canopy, span_of(options)));
-    if (report.canopy.assimilation) {
-        Json& assimilation = json["assimilation"];
-        assimilation = assimilation_json(report.canopy, span_of(options));
-        assimilation["method"] = options.is_exact ? "exact" : "pieces";
-    }
+    if (report.canopy.assimilation)
+        json["assimilation"]["method"] = options.is_exact ? "exact" : "pieces";
     json["optics"] = {{"leaf", to_json(options.leaf)},
                       {"stalk", to_json(options.stalk)},
                       {"sheath", to_json(options.sheath)},

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/clock.hpp"
 #include "ideotype/run/progress.hpp"
 #include "ideotype/run/summary.hpp"
@@ -131,6 +132,14 @@ void print_assimilation(const CanopyReport& report, Span span) {
         if (report.groups[g].tissue == Tissue::leaf)
             line("  " + report.groups[g].name, all.groups[g],
                  all.respiration[g].in_light);
+    if (!report.light_classes) return;
+    const auto& [sunlit, shaded] = *report.light_classes;
+    fmt::print("\n{:<20} {:>24} {:>24}\n", "absorbed PPFD", "sunlit leaf area",
+               "shaded [m2 m-2]");
+    for (std::size_t c = 0; c < ppfd_classes; ++c)
+        fmt::print("{:<20} {:>24} {:>24}\n",
+                   fmt::format("from {} umol m-2 s-1", class_begin(c)),
+                   format(sunlit[c]), format(shaded[c]));
 }
 
 void print_hours(const CanopyReport& report) {
@@ -150,7 +159,30 @@ void print_hours(const CanopyReport& report) {
     }
 }
 
-}  // namespace
+//! Leaf area by the light that it absorbs.
+Json light_classes_json(const LightClassReport& classes) {
+    Json json{{"ppfd_unit", "umol m-2 s-1"}, {"unit", "m2 m-2"}};
+    for (std::size_t c = 0; c < ppfd_classes; ++c) {
+        Json one{{"from", class_begin(c)}};
+        if (c + 1 < ppfd_classes) one["to"] = class_begin(c + 1);
+        one["sunlit"] = to_json(classes.sunlit[c]);
+        one["shaded"] = to_json(classes.shaded[c]);
+        json["classes"].push_back(std::move(one));
+    }
+    return json;
+}
+
+//! By the names of a history; those of a single light that are no rates.
+Json quantities_json(const CanopyReport& report, Span span) {
+    Json json = Json::object();
+    for (const auto& [quantity, estimate] : measure_numbers(report)) {
+        const std::string& unit = quantity.unit;
+        if (span == Span::single && unit != "1" && unit != "m2 m-2") continue;
+        json[quantity.name] = to_json(estimate);
+        json[quantity.name]["unit"] = unit;
+    }
+    return json;
+}
 
 Json assimilation_json(const CanopyReport& report, Span span) {
     const AssimilationReport& all = *report.assimilation;
@@ -174,8 +206,13 @@ Json assimilation_json(const CanopyReport& report, Span span) {
                 report.groups[g].name,
                 both(all.groups[g], all.respiration[g].in_light));
     json["groups"] = std::move(groups);
+    if (report.light_classes)
+        json["leaf_area_by_absorbed_ppfd"] =
+            light_classes_json(*report.light_classes);
     return json;
 }
+
+}  // namespace
 
 Json to_json(const CanopyReport& report, Span span) {
     const DayReport& light = report.light;
@@ -217,6 +254,9 @@ Json to_json(const CanopyReport& report, Span span) {
         else if (has_sun(step))
             json["sunlit_leaf_area"] = hour["sunlit_leaf_area"];
     }
+    json["quantities"] = quantities_json(report, span);
+    if (report.assimilation)
+        json["assimilation"] = assimilation_json(report, span);
     return json;
 }
 

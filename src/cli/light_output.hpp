@@ -9,12 +9,10 @@ namespace ideotype {
 //! one, of which level ground receives 1.
 enum class Span { day, single };
 
-//! `assimilation` of leaves per ground area: a rate of a single light, else
-//! that of a mean day. All of it has the standard error of `gross`.
-Json assimilation_json(const CanopyReport& report, Span span);
-
 //! `incident` and, as fractions of it, what became of it: in all, by group,
-//! by layer, by hour.
+//! by layer, by hour; `quantities` that are single numbers; and `assimilation`
+//! of leaves per ground area: a rate of a single light, else that of a mean
+//! day. All of it has the standard error of `gross`.
 Json to_json(const CanopyReport& report, Span span);
 
 //! The same as tables.

@@ -48,11 +48,17 @@ double LightSeries::incident() const {
     return beam() + diffuse();
 }
 
+double LightSeries::lit_seconds() const {
+    double sum = 0;
+    for (const TimeStep& step : steps)
+        if (step.is_lit()) sum += step.seconds;
+    return sum;
+}
+
 std::vector<double> LightSeries::hours() const {
     std::set<double> hours;
     for (const TimeStep& step : steps)
-        if (step.sun.zenith < 90 || step.par.beam + step.par.diffuse > 0)
-            hours.insert(step.hour);
+        if (step.sun.zenith < 90 || step.is_lit()) hours.insert(step.hour);
     return {hours.begin(), hours.end()};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 
 namespace ideotype {
 
@@ -79,6 +80,9 @@ BudgetEstimate weighted_budget(const std::vector<Tally>& tallies,
             part(false, &Budget::incident),
             part(resolution.leaves, &Budget::leaves),
             part(resolution.stalks, &Budget::stalks),
+            weighted(tallies, resolution, weights,
+                     resolution.leaves || resolution.stalks,
+                     [](const Budget& b) { return b.leaves + b.stalks; }),
             part(resolution.soil, &Budget::soil),
             part(resolution.reflected, &Budget::reflected),
             unscattered(of_beams),
@@ -184,28 +188,39 @@ Estimate absorbed_by_leaves(const std::vector<Tally>& tallies) {
                 [](const Tally& t) { return t.leaves(); });
 }
 
-void add_sunlit(DayReport& report, const SunlitFractions& sunlit,
-                const SeriesIllumination& illumination) {
+SunlitReport report(const SunlitFractions& sunlit,
+                    const SeriesIllumination& illumination) {
     const LightSeries& series = illumination.series;
-    const auto steps_of_hours = series.steps_of_hours();
-    for (std::size_t h = 0; h < report.steps.size(); ++h) {
+    // A weighted mean over steps; certain without any sun.
+    const auto mean = [&](const std::vector<std::size_t>& steps,
+                          const auto& weight) {
         std::vector<double> replicates(sunlit.fractions.size());
         bool has_sun = false;
-        for (const std::size_t i : steps_of_hours[h]) {
-            const int beam = illumination.beam_of[i];
-            if (beam < 0) continue;
+        double least = 0;
+        for (const std::size_t i : steps) {
+            if (illumination.beam_of[i] < 0) continue;
             has_sun = true;
+            const auto beam = static_cast<std::size_t>(illumination.beam_of[i]);
+            const double part = weight(series.steps[i]);
+            least = std::max(least, part * sunlit.steps[beam]);
             for (std::size_t r = 0; r < replicates.size(); ++r)
-                replicates[r] +=
-                    sunlit.fractions[r][static_cast<std::size_t>(beam)] /
-                    series.days;
+                replicates[r] += part * sunlit.fractions[r][beam];
         }
-        report.steps[h].sunlit =
-            has_sun
-                ? at_least(estimate(replicates),
-                           sunlit.step / static_cast<double>(replicates.size()))
-                : Estimate{};
-    }
+        return has_sun
+                   ? at_least(estimate(replicates),
+                              least / static_cast<double>(replicates.size()))
+                   : Estimate{};
+    };
+    SunlitReport result;
+    for (const std::vector<std::size_t>& steps : series.steps_of_hours())
+        result.hours.push_back(
+            mean(steps, [&](const TimeStep&) { return 1. / series.days; }));
+    const double lit = series.lit_seconds();
+    std::vector<std::size_t> all(series.steps.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    result.mean =
+        mean(all, [&](const TimeStep& step) { return step.seconds / lit; });
+    return result;
 }
 
 }  // namespace ideotype

@@ -1,5 +1,9 @@
 #include "ideotype/light/sunlit.hpp"
 
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
 #include "ideotype/light/backward.hpp"
 #include "ideotype/light/leaf_points.hpp"
 #include "ideotype/light/sampler.hpp"
@@ -16,8 +20,10 @@ SunlitFractions sunlit_fractions(const Scene& scene, const Mesh& mesh,
     SunlitFractions result;
     result.fractions.assign(static_cast<std::size_t>(accuracy.randomisations),
                             std::vector<double>(sources.size()));
+    result.steps.resize(sources.size());
     if (!(leaves.area() > 0)) return result;
-    result.step = 1. / points;
+    const double step = 1. / points;
+    result.steps.assign(sources.size(), step);
     auto randomisation = randomness.first_randomisation;
     for (std::vector<double>& fractions : result.fractions) {
         PathSampler sampler(randomness.seed, randomness.generation,
@@ -31,11 +37,42 @@ SunlitFractions sunlit_fractions(const Scene& scene, const Mesh& mesh,
             for (std::size_t k = 0; k < sources.size(); ++k) {
                 const auto& beam = sources[k].direction;
                 if (beam && part > 0 && is_lit(scene, point, *beam))
-                    fractions[k] += part * result.step;
+                    fractions[k] += part * step;
             }
         }
     }
     return result;
+}
+
+SunlitFractions sunlit_fractions(const std::vector<Tally>& tallies,
+                                 const Scene& scene,
+                                 const Illumination& illumination,
+                                 double absorptance, double leaf_area) {
+    const std::vector<Source>& sources = illumination.sources;
+    SunlitFractions result;
+    result.fractions.assign(tallies.size(),
+                            std::vector<double>(sources.size()));
+    result.steps.resize(sources.size());
+    if (!(leaf_area > 0 && absorptance > 0)) return result;
+    for (std::size_t s = 0; s < sources.size(); ++s) {
+        const auto& sun = sources[s].direction;
+        if (!sun || !(sources[s].energy > 0)) continue;
+        const double share =
+            scene.ground_area() / (leaf_area * sources[s].energy);
+        for (std::size_t r = 0; r < tallies.size(); ++r)
+            for (const auto& [triangle, energy] : tallies[r].leaf_light[s].beam)
+                result.fractions[r][s] +=
+                    share * energy /
+                    (absorptance * beam_cosine(scene, triangle, *sun));
+        result.steps[s] = share * tallies.front().resolution->path_energy[s];
+    }
+    return result;
+}
+
+double beam_cosine(const Scene& scene, std::uint32_t triangle,
+                   const glm::dvec3& direction) {
+    return std::abs(glm::dot(scene.surfaces().normals[triangle], direction) /
+                    direction.z);
 }
 
 }  // namespace ideotype

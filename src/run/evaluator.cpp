@@ -70,9 +70,10 @@ CanopyRequest request_of(const Task& task, const Campaign& campaign,
 OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
                              const Accuracy& accuracy) {
     OutcomeSchema schema;
-    schema.measured = canopy_quantities(
-        campaign.crop.baseline, canopy_layers(campaign),
-        light_of(campaign, chosen), campaign.photosynthesis.has_value());
+    schema.measured =
+        canopy_quantities(campaign.crop.baseline, canopy_layers(campaign),
+                          light_of(campaign, chosen), campaign.field.boundary,
+                          campaign.photosynthesis.has_value());
     schema.randomisations = static_cast<std::size_t>(accuracy.randomisations);
     for (const Quantity& each : schema.measured.quantities)
         if (each.name == campaign.objective)

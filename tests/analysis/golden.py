@@ -97,7 +97,8 @@ def _mesh_figures(options: list[str]) -> dict[str, np.ndarray]:
     )
     _flatten("", report, found)
     found.pop("seconds")
-    return found
+    # What came later.
+    return {k: v for k, v in found.items() if not k.startswith("quantities.")}
 
 
 def _flatten(name: str, value: object, found: dict[str, np.ndarray]) -> None:

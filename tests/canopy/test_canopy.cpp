@@ -119,6 +119,52 @@ TEST_F(TwoLeaves, TheSunlitLeafAreaIsToldOnlyOnDemand) {
     EXPECT_EQ(with.leaves_by_randomisation, without.leaves_by_randomisation);
 }
 
+TEST_F(TwoLeaves, FirstHitsTellTheSunlitLeafAreaToo) {
+    request = two_leaves({4096, 16});
+    request.details = {.sunlit = true, .photosynthesis = Photosynthesis{}};
+    for (const auto fields : {Fields::one, Fields::each}) {
+        const CanopyReport report = evaluated(fields);
+        const auto& steps = request.scenario.light.series.steps;
+        double mean = 0, seconds = 0;
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            const Estimate hits = report.hit_by_sun->hours.at(i);
+            const Estimate points = *report.light.steps[i].sunlit;
+            EXPECT_NEAR(
+                hits.mean, points.mean,
+                4 * std::hypot(hits.standard_error, points.standard_error))
+                << i;
+            mean += steps[i].seconds * hits.mean;
+            seconds += steps[i].seconds;
+        }
+        EXPECT_NEAR(report.hit_by_sun->mean.mean, mean / seconds, 1e-12);
+        EXPECT_LT(report.hit_by_sun->mean.standard_error, .02);
+    }
+}
+
+TEST_F(TwoLeaves, LeafAreaByLightSumsToAllLeafArea) {
+    request.details.photosynthesis.emplace();
+    EXPECT_FALSE(evaluated().light_classes);
+    request.details.sunlit = true;
+    for (const auto fields : {Fields::one, Fields::each}) {
+        const CanopyReport report = evaluated(fields);
+        const LightClassReport& all = report.light_classes.value();
+        double sunlit = 0, shaded = 0, absorbed = 0;
+        for (std::size_t c = 0; c < ppfd_classes; ++c) {
+            sunlit += all.sunlit[c].mean;
+            shaded += all.shaded[c].mean;
+            absorbed += (all.sunlit[c].mean + all.shaded[c].mean) *
+                        (class_begin(c) + (c < 2 ? 25 : 50));
+        }
+        EXPECT_NEAR((sunlit + shaded) / report.lai, 1, 1e-12);
+        EXPECT_NEAR(sunlit / (report.hit_by_sun->mean.mean * report.lai), 1,
+                    1e-12);
+        // The middles of classes tell the light that leaves absorb.
+        const double light = 4.57 * report.light.day.leaves.mean /
+                             request.scenario.light.series.lit_seconds();
+        EXPECT_NEAR(absorbed / light, 1, .05);
+    }
+}
+
 TEST_F(TwoLeaves, AClockTimesGeometrySceneAndLightApart) {
     // Each look at it is a second later than the one before.
     double now = 100;

@@ -195,7 +195,9 @@ awk -F, 'NF != '"$(wc -l <heads)"' { exit 1 }' all.csv || fail "uneven lines"
 expect 0 "$ideotype" export "$history" --best --to bred.toml
 expect 0 "$ideotype" evaluate "$history" bred.toml \
     --under campaigns/verbs.toml --json
-mean=$(sed -n '/"mean"/,/"standard_error"/s/^ *\([0-9.]*[0-9]\)$/\1/p' out.log)
+says '"extinction_coefficient": {'
+mean=$(sed '/"quantities"/,$d' out.log |
+    sed -n '/"mean"/,/"standard_error"/s/^ *\([0-9.]*[0-9]\)$/\1/p')
 [ "$(wc -l <<<"$mean")" -eq 2 ] || fail "not two plants"
 [ "$(uniq <<<"$mean" | wc -l)" -eq 1 ] || fail "a plant file changes the plant"
 sed 's/^width = /wdith = /' bred.toml >typo_plant.toml

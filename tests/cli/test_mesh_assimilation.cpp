@@ -212,6 +212,27 @@ TEST(Assimilation, OfSheetsIsExact) {
     EXPECT_LT(five.standard_error, .02);
 }
 
+TEST(Assimilation, ASheetInTheSunIsInOneClassOfLight) {
+    MeshOptions options = mesh("sheets1", {1, 1});
+    options.photosynthesis = table("sheet", "amax = 50\n");
+    options.soil_albedo = .2;
+    options.sun = {30, 90};
+    options.beam_ppfd = 1010;
+    const LightClassReport report = *study(options).canopy.light_classes;
+    // 0.9 of the beam, and 0.9 of the 10.1 that the soil sends back.
+    const std::size_t lit = class_of(918), dark = class_of(9);
+    for (std::size_t c = 0; c < ppfd_classes; ++c) {
+        EXPECT_NEAR(report.sunlit[c].mean, c == lit, 1e-9) << c;
+        EXPECT_NEAR(report.shaded[c].mean, 0, 1e-9) << c;
+    }
+    options.sun.reset();
+    options.beam_ppfd.reset();
+    options.sky = SkyModel::uniform;
+    options.sky_ppfd = 10;
+    EXPECT_NEAR(study(options).canopy.light_classes->shaded[dark].mean, 1,
+                1e-12);
+}
+
 TEST(Assimilation, OfBlackSphericalLeavesIsExact) {
     constexpr double normal = 1800;
     for (const auto& [elevation, exact] :

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ideotype/canopy/quantities.hpp"
 #include "ideotype/cli/mesh_study.hpp"
 
 namespace ideotype {
@@ -66,6 +67,22 @@ TEST(MeshStudy, OneSheetOverSoilIsExact) {
     expect(day.leaves, .9090909);
     expect(day.soil, .0404040);
     expect(day.reflected, .0505051);
+}
+
+TEST(MeshStudy, ExtinctionOfBlackHorizontalLeavesIsThatOfBeersLaw) {
+    MeshOptions options = reference("poisson_horizontal_L3", {1, 1});
+    options.leaf = {0, 0};
+    options.soil_albedo = 0;
+    options.sky = SkyModel::uniform;
+    for (const Measured& each : measure_numbers(study(options).canopy))
+        if (each.quantity.name == "extinction_coefficient") {
+            // The mesh is finite.
+            EXPECT_NEAR(each.estimate.mean, 1,
+                        4 * each.estimate.standard_error + .01);
+            EXPECT_LT(each.estimate.standard_error, .01);
+            return;
+        }
+    FAIL();
 }
 
 TEST(MeshStudy, StalksAreNoLeavesAndHaveTheirOwnOptics) {

@@ -24,9 +24,9 @@ DayReport report_of(const Mesh& mesh, Period period, const Optics& optics,
     DayReport result = report(simulate(scene, mesh.groups, optics, light.light,
                                        accuracy, {1, 0, 0}, layers),
                               light);
-    add_sunlit(result,
-               sunlit_fractions(scene, mesh, light.light, accuracy, {2, 0, 0}),
-               light);
+    const SunlitReport sunlit = report(
+        sunlit_fractions(scene, mesh, light.light, accuracy, {2, 0, 0}), light);
+    result.steps[0].sunlit = sunlit.hours[0];
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ideotype/canopy/assimilation.hpp"
+#include "ideotype/canopy/light_classes.hpp"
 #include "ideotype/canopy/request.hpp"
 #include "ideotype/light/report.hpp"
 #include "ideotype/light/scene.hpp"
@@ -35,6 +36,10 @@ struct CanopyReport {
     //! some are only there in part.
     std::vector<Estimate> faces;
     std::optional<AssimilationReport> assimilation;  //!< if asked for
+    //! Sunlit leaf area by the first hits that assimilation is made of, in
+    //! pieces of leaves.
+    std::optional<SunlitReport> hit_by_sun;
+    std::optional<LightClassReport> light_classes;  //!< if asked for as well
     std::uint64_t paths = 0;    //!< that the light is the mean of
     bool is_capped = false;     //!< more would be needed to meet the tolerance
     std::vector<Group> groups;  //!< that light was counted for

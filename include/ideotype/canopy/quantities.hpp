@@ -10,13 +10,22 @@ namespace ideotype {
 
 //! All that is measured of a canopy of plants with these leaves and organs,
 //! along leaf, organ, layer, hour, light_source and leaf_side, and, of several
-//! days, day.
+//! days, day. A plot alone has no extinction coefficient.
 QuantitySet canopy_quantities(const Plant& plant, const Layers& layers,
-                              const LightSeries& series,
+                              const LightSeries& series, Boundary boundary,
                               bool with_assimilation = false);
 
 //! Their numbers in a report on such a canopy, in the same order.
 std::vector<Estimate> measure(const CanopyReport& report);
+
+//! A quantity without axes.
+struct Measured {
+    Quantity quantity;
+    Estimate estimate;
+};
+
+//! All of them that a report has.
+std::vector<Measured> measure_numbers(const CanopyReport& report);
 
 //! The unit of a quantity.
 //! @throws std::out_of_range if there is none of this name.

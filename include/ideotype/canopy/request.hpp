@@ -16,7 +16,9 @@ namespace ideotype {
 //! What is to be found out about a canopy besides where light goes. None
 //! changes any fitness: histories go without.
 struct Details {
-    bool sunlit = false;  //!< the sunlit leaf area, which costs more rays
+    //! The sunlit leaf area, which costs more rays, and, where leaves
+    //! assimilate, leaf area by the light that it absorbs.
+    bool sunlit = false;
     //! The light on each face: groups are then faces, not organs.
     bool faces = false;
     //! What leaves make of the light.

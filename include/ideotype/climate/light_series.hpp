@@ -27,6 +27,8 @@ struct TimeStep {
     Date date{};
     std::optional<double> temperature{};  //!< of the air [deg C]
     std::optional<double> humidity{};     //!< relative, 0 to 1
+
+    bool is_lit() const { return par.beam + par.diffuse > 0; }
 };
 
 //! The light of one or more days as weighted instants, in order. Those
@@ -38,6 +40,8 @@ struct LightSeries {
     double beam() const;      //!< PAR on a mean day [J m-2 day-1]
     double diffuse() const;   //!< PAR on a mean day [J m-2 day-1]
     double incident() const;  //!< beam + diffuse [J m-2 day-1]
+
+    double lit_seconds() const;  //!< of all steps with any light [s]
 
     //! The hours of the day with the sun up or light on any day, from the
     //! first to the last [h].

@@ -18,6 +18,7 @@ struct BudgetEstimate {
     Estimate entered;
     Estimate leaves;
     Estimate stalks;  //!< and sheaths and all other organs
+    Estimate plants;  //!< both
     Estimate soil;
     Estimate reflected;
 
@@ -67,8 +68,13 @@ std::vector<Estimate> absorbed_by_group(const std::vector<Tally>& tallies);
 //! standard error as above.
 Estimate absorbed_by_leaves(const std::vector<Tally>& tallies);
 
-//! Adds the sunlit leaf area to each instant; none without a sun.
-void add_sunlit(DayReport& report, const SunlitFractions& sunlit,
-                const SeriesIllumination& illumination);
+//! The part of the one-sided leaf area that the sun shines on.
+struct SunlitReport {
+    Estimate mean;                //!< over the time with any light
+    std::vector<Estimate> hours;  //!< LightSeries::hours(); 0 without a sun
+};
+
+SunlitReport report(const SunlitFractions& sunlit,
+                    const SeriesIllumination& illumination);
 
 }  // namespace ideotype

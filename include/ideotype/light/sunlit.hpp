@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "ideotype/core/mesh.hpp"
 #include "ideotype/light/illumination.hpp"
 #include "ideotype/light/optics.hpp"
 #include "ideotype/light/scene.hpp"
+#include "ideotype/light/tally.hpp"
 #include "ideotype/light/transport.hpp"
 
 namespace ideotype {
@@ -14,9 +16,9 @@ namespace ideotype {
 struct SunlitFractions {
     //! [randomisation][source]; 0 for skies.
     std::vector<std::vector<double>> fractions;
-    //! Of one point in one randomisation: what its points can tell; 0 where
-    //! there are no leaves.
-    double step = 0;
+    //! Of one point or path of each source in one randomisation: what they can
+    //! tell; 0 where there are no leaves.
+    std::vector<double> steps;
 };
 
 //! The part of the leaf area from which the sun can be seen, one-sided; for
@@ -30,5 +32,17 @@ SunlitFractions sunlit_fractions(const Scene& scene, const Mesh& mesh,
                                  const Illumination& illumination,
                                  const Accuracy& accuracy,
                                  const Randomness& randomness);
+
+//! The same from first hits that are known anyway, by what they absorb.
+//! @param tallies with the light of leaves
+//! @param absorptance of leaves; where that is 0 nothing is known, and told
+SunlitFractions sunlit_fractions(const std::vector<Tally>& tallies,
+                                 const Scene& scene,
+                                 const Illumination& illumination,
+                                 double absorptance, double leaf_area);
+
+//! Beam on a triangle of the scene's surfaces over that on level ground.
+double beam_cosine(const Scene& scene, std::uint32_t triangle,
+                   const glm::dvec3& direction);
 
 }  // namespace ideotype

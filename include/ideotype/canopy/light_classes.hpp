@@ -1,0 +1,55 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "ideotype/canopy/pieces.hpp"
+#include "ideotype/core/estimate.hpp"
+#include "ideotype/light/illumination.hpp"
+#include "ideotype/light/scene.hpp"
+#include "ideotype/light/tally.hpp"
+
+namespace ideotype {
+
+//! Classes of absorbed PPFD: 0 to 50, 50 to 100, then each 100 wide up to
+//! 2000, and all that is more [umol m-2 s-1].
+inline constexpr std::size_t ppfd_classes = 22;
+
+//! Where a class begins; the last one has no end.
+inline double class_begin(std::size_t number) {
+    return number < 2 ? 50. * static_cast<double>(number)
+                      : 100. * static_cast<double>(number - 1);
+}
+
+inline std::size_t class_of(double ppfd) {
+    if (!(ppfd >= 50)) return 0;
+    return std::min(1 + static_cast<std::size_t>(ppfd / 100), ppfd_classes - 1);
+}
+
+//! Leaf area by the PPFD that it absorbs [m2 m-2 of ground], per class.
+struct LightClasses {
+    std::vector<double> sunlit, shaded;
+
+    explicit LightClasses(std::size_t classes)
+        : sunlit(classes), shaded(classes) {}
+};
+
+//! Leaf area in one field by the light that it absorbs, a mean over the time
+//! with any light, by randomisation; sums to the leaf area index. Diffuse light
+//! is that of assimilate(), in the mean of plants alike.
+//! @param tallies with leaf light
+//! @param scene of pieces.mesh
+//! @param absorptance of leaves, above 0
+//! @param photons in the unit of irradiance [umol J-1]
+std::vector<LightClasses> leaf_area_by_light(
+    const std::vector<Tally>& tallies, const Scene& scene, const Pieces& pieces,
+    const SeriesIllumination& light, double absorptance, double photons);
+
+struct LightClassReport {
+    std::vector<Estimate> sunlit, shaded;
+};
+
+LightClassReport report(const std::vector<LightClasses>& replicates);
+
+}  // namespace ideotype

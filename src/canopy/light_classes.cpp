@@ -1,0 +1,195 @@
+#include "ideotype/canopy/light_classes.hpp"
+
+#include <utility>
+
+#include "ideotype/light/sunlit.hpp"
+#include "leaf_places.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! Spread evenly over 20 umol m-2 s-1 around its light: so the classes change
+//! smoothly with light that is known only so well.
+void add(std::vector<double>& classes, double ppfd, double area) {
+    constexpr double reach = 10;
+    const std::size_t upper = class_of(ppfd + reach);
+    const std::size_t lower = class_of(ppfd - reach);
+    const double above =
+        upper == lower ? 1 : (ppfd + reach - class_begin(upper)) / (2 * reach);
+    classes[upper] += above * area;
+    classes[lower] += (1 - above) * area;
+}
+
+//! A triangle that a beam meets.
+struct Hit {
+    std::uint32_t place;
+    double cosine;
+    std::vector<double> area;  //!< all, and without each [m2 m-2]
+};
+
+//! Numbers of randomisations: the mean of all, and that without each.
+std::vector<double> all_and_without(const std::vector<double>& values) {
+    const auto n = static_cast<double>(values.size());
+    double sum = 0;
+    for (const double x : values) sum += x;
+    std::vector<double> means{sum / n};
+    for (const double x : values)
+        means.push_back(n > 1 ? (sum - x) / (n - 1) : sum);
+    return means;
+}
+
+class Classification {
+  public:
+    Classification(const std::vector<Tally>& tallies, const Scene& scene,
+                   const Pieces& pieces, const SeriesIllumination& light,
+                   double absorptance, double photons)
+        : tallies_(tallies),
+          scene_(scene),
+          light_(light),
+          absorptance_(absorptance),
+          photons_(photons),
+          places_(pieces, scene.ground_area(), tallies.size() == 1),
+          expectation_(places_, tallies),
+          classes_(tallies.size() + 1, LightClasses(ppfd_classes)) {
+        for (std::size_t s = 0; s < light.light.sources.size(); ++s)
+            diffuse_.push_back(diffuse_of(static_cast<int>(s)));
+    }
+
+    std::vector<LightClasses> result() {
+        const LightSeries& series = light_.series;
+        const double lit = series.lit_seconds();
+        for (int beam = -1;
+             beam < static_cast<int>(light_.light.sources.size()); ++beam) {
+            const std::vector<Hit> hits = hits_of(beam);
+            for (std::size_t i = 0; i < series.steps.size(); ++i)
+                if (light_.beam_of[i] == beam && series.steps[i].is_lit())
+                    add_step(i, series.steps[i].seconds / lit, hits);
+        }
+        return values();
+    }
+
+  private:
+    //! Of all and without each, by place, per area of leaf [J m-2].
+    std::vector<std::vector<double>> diffuse_of(int source) const {
+        DiffuseLight all(tallies_, source, places_.pieces());
+        std::vector<std::vector<double>> result{expectation_.of(all)};
+        const auto n = static_cast<double>(tallies_.size());
+        const double scale = n > 1 ? n / (n - 1) : 1;
+        for (const auto& parts : all.parts) {
+            DiffuseLight without = all;
+            if (n > 1)
+                for (const auto& [v, energy] : parts) without.sum[v] -= energy;
+            for (double& sum : without.sum) sum *= scale;
+            result.push_back(expectation_.of(without));
+        }
+        return result;
+    }
+
+    std::vector<Hit> hits_of(int beam) const {
+        std::vector<Hit> hits;
+        if (beam < 0) return hits;
+        const auto s = static_cast<std::size_t>(beam);
+        const Source& source = light_.light.sources[s];
+        if (!source.direction) return hits;
+        std::vector<std::size_t> number(scene_.surfaces().normals.size());
+        for (std::size_t r = 0; r < tallies_.size(); ++r)
+            for (const auto& [t, energy] : tallies_[r].leaf_light[s].beam) {
+                const double cosine = beam_cosine(scene_, t, *source.direction);
+                if (!(cosine > 0)) continue;
+                if (number[t] == 0) {
+                    hits.push_back(
+                        {places_.of[scene_.surfaces().face_group[t / 2]],
+                         cosine, std::vector<double>(tallies_.size())});
+                    number[t] = hits.size();
+                }
+                hits[number[t] - 1].area[r] +=
+                    energy / (source.energy * absorptance_ * cosine);
+            }
+        for (Hit& hit : hits) hit.area = all_and_without(hit.area);
+        return hits;
+    }
+
+    void add_step(std::size_t i, double weight, const std::vector<Hit>& hits) {
+        const Irradiance& par = light_.series.steps[i].par;
+        const double on_leaf = absorptance_ * par.beam * photons_;
+        for (std::size_t r = 0; r < classes_.size(); ++r) {
+            std::vector<double> shaded(places_.count());
+            const auto add_source = [&](int source, double irradiance) {
+                if (source < 0) return;
+                const auto s = static_cast<std::size_t>(source);
+                const double scale =
+                    irradiance * photons_ / light_.light.sources[s].energy;
+                for (std::size_t p = 0; p < shaded.size(); ++p)
+                    shaded[p] += scale * diffuse_[s][r][p];
+            };
+            add_source(light_.beam_of[i], par.beam);
+            add_source(light_.sky_of[i], par.diffuse);
+            LightClasses& classes = classes_[r];
+            for (std::size_t p = 0; p < shaded.size(); ++p)
+                add(classes.shaded, shaded[p], weight * places_.index[p]);
+            for (const Hit& hit : hits) {
+                const double area = weight * hit.area[r];
+                add(classes.shaded, shaded[hit.place], -area);
+                add(classes.sunlit, shaded[hit.place] + on_leaf * hit.cosine,
+                    area);
+            }
+        }
+    }
+
+    //! By randomisation: the mean is that of all, the scatter that of the
+    //! pseudo-values of a jackknife.
+    std::vector<LightClasses> values() const {
+        const auto n = static_cast<double>(tallies_.size());
+        std::vector<LightClasses> result(tallies_.size(),
+                                         LightClasses(ppfd_classes));
+        for (auto part : {&LightClasses::sunlit, &LightClasses::shaded})
+            for (std::size_t c = 0; c < ppfd_classes; ++c) {
+                double without = 0;
+                for (std::size_t r = 1; r < classes_.size(); ++r)
+                    without += (classes_[r].*part)[c] / n;
+                for (std::size_t r = 0; r < result.size(); ++r)
+                    (result[r].*part)[c] =
+                        (classes_[0].*part)[c] +
+                        (n - 1) * (without - (classes_[r + 1].*part)[c]);
+            }
+        return result;
+    }
+
+    const std::vector<Tally>& tallies_;
+    const Scene& scene_;
+    const SeriesIllumination& light_;
+    double absorptance_, photons_;
+    LeafPlaces places_;
+    ExpectedLight expectation_;
+    //! [source][all and without each][place]
+    std::vector<std::vector<std::vector<double>>> diffuse_;
+    std::vector<LightClasses> classes_;  //!< of all and without each
+};
+
+}  // namespace
+
+std::vector<LightClasses> leaf_area_by_light(
+    const std::vector<Tally>& tallies, const Scene& scene, const Pieces& pieces,
+    const SeriesIllumination& light, double absorptance, double photons) {
+    return Classification(tallies, scene, pieces, light, absorptance, photons)
+        .result();
+}
+
+LightClassReport report(const std::vector<LightClasses>& replicates) {
+    LightClassReport result;
+    const auto take = [&](std::vector<double> LightClasses::*part,
+                          std::vector<Estimate>& to) {
+        for (std::size_t c = 0; c < ppfd_classes; ++c) {
+            std::vector<double> values;
+            for (const LightClasses& each : replicates)
+                values.push_back((each.*part)[c]);
+            to.push_back(estimate(values));
+        }
+    };
+    take(&LightClasses::sunlit, result.sunlit);
+    take(&LightClasses::shaded, result.shaded);
+    return result;
+}
+
+}  // namespace ideotype

@@ -1,6 +1,7 @@
 #include "ideotype/campaign/campaign.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "checks.hpp"
@@ -29,6 +30,20 @@ double reach_of(const Campaign& campaign) {
     return top;
 }
 
+//! What Hansen (arXiv:1604.00772) advises for the most genes of any trait set.
+int usual_population(const Campaign& campaign) {
+    std::size_t most = 1;
+    for (const Named<TraitSet>& set : campaign.trait_sets) {
+        std::size_t genes = 0;
+        for (const TraitNumber& number : trait_numbers(campaign.crop))
+            genes += static_cast<std::size_t>(
+                std::count(set.value.begin(), set.value.end(),
+                           campaign.crop.traits[number.trait].name));
+        most = std::max(most, genes);
+    }
+    return 4 + static_cast<int>(3 * std::log(static_cast<double>(most)));
+}
+
 Campaign complete(Draft& draft, const std::string& source,
                   const Report& report) {
     Campaign campaign = draft.campaign;
@@ -41,6 +56,10 @@ Campaign complete(Draft& draft, const std::string& source,
         campaign.bounds.push_back(
             bounds_of(draft, numbers[i].trait, baseline[i]));
     campaign.reach = reach_of(campaign);
+    if (campaign.search.optimizer == OptimizerKind::cma_es &&
+        !draft.has_population)
+        draft.campaign.search.population = campaign.search.population =
+            usual_population(campaign);
     if (draft.has_photosynthesis)
         campaign.photosynthesis = to_photosynthesis(draft.photosynthesis);
     std::erase_if(campaign.constraints.traits,
@@ -54,10 +73,11 @@ Campaign complete(Draft& draft, const std::string& source,
 }
 
 Campaign parse(const std::string& text, const std::string& file,
-               PlantSource source) {
+               PlantSource source,
+               const std::vector<std::string>& settings = {}) {
     Draft draft;
     Report report;
-    read_draft(text, file, source, draft, report);
+    read_draft(text, file, source, settings, draft, report);
     read_weathers(file, source, draft, report);
     check_draft(draft, report);
     report.throw_if_any();
@@ -66,10 +86,11 @@ Campaign parse(const std::string& text, const std::string& file,
 
 }  // namespace
 
-Campaign read_campaign(const std::string& path) {
+Campaign read_campaign(const std::string& path,
+                       const std::vector<std::string>& settings) {
     const std::optional<std::string> text = read_text(path);
     if (!text) throw Error("cannot read " + path);
-    return parse(*text, path, PlantSource::file_or_table);
+    return parse(*text, path, PlantSource::file_or_table, settings);
 }
 
 Plant read_plant(const std::string& path) {
@@ -120,7 +141,7 @@ SeasonLight read_climate(const std::string& path) {
 std::string crop_text(const Campaign& campaign, const Plant& baseline) {
     Draft draft;
     Report report;
-    read_draft(campaign.resolved, campaign.name, PlantSource::table, draft,
+    read_draft(campaign.resolved, campaign.name, PlantSource::table, {}, draft,
                report);
     draft.campaign.crop.baseline = baseline;
     return resolved_plant_text(draft);

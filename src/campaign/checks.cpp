@@ -95,6 +95,13 @@ void check_search(const Campaign& campaign, Report& report) {
                                    "or fewer",
                                    name, value, population, most));
     };
+    constexpr int fewest = 4;
+    if (campaign.search.optimizer == OptimizerKind::cma_es &&
+        report.usable({&population}) && population < fewest)
+        report.add(&population,
+                   fmt::format("search.population is {} (CMA-ES ranks at least "
+                               "{} plants); use {} or more, or leave it out",
+                               population, fewest, fewest));
     at_most("search.elites", campaign.search.ga.elites, population - 1);
     at_most("search.tournament", campaign.search.ga.tournament, population);
     at_most("final.candidates", campaign.final_rule.candidates, population);

@@ -44,6 +44,7 @@ struct Draft {
     bool has_photosynthesis = false;  //!< leaves assimilate
     bool is_crop_known = true;        //!< no file is missing
     bool has_climate = false;         //!< instead of days
+    bool has_population = false;      //!< none that the optimizer chooses
 };
 
 //! The names that campaigns may choose bounds by.

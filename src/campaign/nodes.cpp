@@ -21,6 +21,8 @@ bool is_allowed(char c) {
 }  // namespace
 
 Location location(const toml::source_region& source, const std::string& file) {
+    if (source.path && source.path->starts_with(command_line_mark))
+        return {*source.path};
     // The table of a whole file has no place of its own.
     return {file, std::max(1, static_cast<int>(source.begin.line)),
             std::max(1, static_cast<int>(source.begin.column))};

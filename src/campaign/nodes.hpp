@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include <toml++/toml.h>
 
@@ -8,7 +9,10 @@
 
 namespace ideotype {
 
-//! Where a node or key begins.
+//! What the name of a source begins with that is no file.
+inline constexpr std::string_view command_line_mark = "--set ";
+
+//! Where a node or key begins: in a file, or on the command line.
 Location location(const toml::source_region& source, const std::string& file);
 
 //! The kind of a node in words: "an integer", "a table", ...

@@ -11,6 +11,7 @@
 
 #include "nodes.hpp"
 #include "old_names.hpp"
+#include "settings.hpp"
 #include "syntax.hpp"
 #include "tables.hpp"
 
@@ -90,6 +91,7 @@ class DraftReader {
         for (const Table& table : tables) tables_.read(top, table);
         draft_.has_photosynthesis = top.contains("photosynthesis") ||
                                     is_of_assimilation(campaign.objective);
+        draft_.has_population = top["search"]["population"].node() != nullptr;
         choose_organs();
         for (auto& [name, free] : campaign.trait_sets) sort_traits(free);
         // A number of paths alone means all of them.
@@ -208,8 +210,10 @@ class DraftReader {
 }  // namespace
 
 void read_draft(const std::string& text, const std::string& file,
-                PlantSource source, Draft& draft, Report& report) {
-    const auto table = parse(text, file, report);
+                PlantSource source, const std::vector<std::string>& settings,
+                Draft& draft, Report& report) {
+    auto table = parse(text, file, report);
+    if (table) apply_settings(settings, *table, report);
     if (table && is_plant(*table))
         report.add(Location{file, 1, 1},
                    "this is a crop file (it has leaves, but no site to "

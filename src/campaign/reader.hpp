@@ -19,8 +19,10 @@ enum class PlantSource {
 
 //! Reads the text of a campaign, and the crop file that it names, into a
 //! draft: everything but the checks of values against each other.
+//! @param settings from the command line, see apply_settings()
 void read_draft(const std::string& text, const std::string& file,
-                PlantSource source, Draft& draft, Report& report);
+                PlantSource source, const std::vector<std::string>& settings,
+                Draft& draft, Report& report);
 
 //! Reads the text of a crop file into a draft, in which all else stays as it
 //! is. Returns false if it is the text of something else.

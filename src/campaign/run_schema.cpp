@@ -113,13 +113,16 @@ Table constraints_table(Constraints& constraints) {
 
 Section search_section(SearchSettings& search) {
     GaSettings& ga = search.ga;
+    CmaSettings& cma = search.cma;
     return {
         "search",
         {Key("optimizer", choice(search.optimizer),
-             "what proposes the candidates: ga, the genetic algorithm")
-             .one_of({"ga"}),
+             "what proposes the candidates: the genetic algorithm, CMA-ES, "
+             "or chance")
+             .one_of({"ga", "cma_es", "random"}),
          Key("population", &search.population, "plants per generation")
-             .within(2, 100000),
+             .within(2, 100000)
+             .set(&Key::initial, "100; of CMA-ES 4 + 3 ln(free genes)"),
          Key("elites", &ga.elites,
              "best plants carried over and evaluated again; fewer than "
              "the population")
@@ -138,7 +141,21 @@ Section search_section(SearchSettings& search) {
              .within(0, 160),
          Key("mutation_index", &ga.mutation_index,
              "of polynomial mutation; larger: smaller changes")
-             .within(0, 1000)}};
+             .within(0, 1000),
+         Key("step", &cma.step,
+             "of CMA-ES: standard deviation around the baseline at the "
+             "beginning, relative to the range of a gene")
+             .within(1e-6, 1),
+         Key("smallest_step", &cma.smallest_step,
+             "of CMA-ES: along all axes, at which it has converged")
+             .within(1e-12, 1),
+         Key("restarts", &cma.restarts,
+             "of CMA-ES: begins anew with twice the population when it has "
+             "converged")
+             .within(0, 20),
+         Key("adapts_learning_rates", &cma.adapts_learning_rates,
+             "of CMA-ES: whether it learns more slowly where its steps are "
+             "mostly noise")}};
 }
 
 Section stop_section(StopRules& stop) {

@@ -107,7 +107,8 @@ ExitCode list_left(const PlanOptions& options, const Campaign& campaign) {
 }  // namespace
 
 ExitCode check(const CheckOptions& options) {
-    const Campaign campaign = read_campaign(options.campaign_path);
+    const Campaign campaign =
+        read_campaign(options.campaign_path, options.settings);
     print_warnings(campaign);
     const std::vector<Case> all = cases(campaign);
     require_names_fit(campaign, all, options.out);
@@ -168,7 +169,8 @@ ExitCode check(const CheckOptions& options) {
 }
 
 ExitCode plan(const PlanOptions& options) {
-    const Campaign campaign = read_campaign(options.campaign_path);
+    const Campaign campaign =
+        read_campaign(options.campaign_path, options.settings);
     if (options.only_left) return list_left(options, campaign);
     const std::vector<Case> all = cases(campaign);
     if (options.only_count) {

@@ -65,7 +65,7 @@ struct Cross {
 };
 
 Cross read(const CrossOptions& options) {
-    Cross cross{read_campaign(options.under), {}, {}, {}};
+    Cross cross{read_campaign(options.under, options.settings), {}, {}, {}};
     for (const std::string& path : options.plants)
         cross.plants.push_back(named_plant(path));
     cross.columns = columns(cross.under);

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "campaign_argument.hpp"
 #include "ideotype/cli/mesh_study.hpp"
 #include "ideotype/cli/verbs.hpp"
 #include "mesh_command.hpp"
@@ -26,15 +27,14 @@ void declare_row(CLI::App& verb, RowChoice& row) {
 }
 
 void declare_check(CLI::App& verb, CheckOptions& options) {
-    verb.add_option("campaign", options.campaign_path, "campaign file (TOML)")
-        ->required();
+    add_campaign(verb, options.campaign_path, options.settings);
     verb.add_option("--out", options.out,
                     "folder that the histories will be in")
         ->capture_default_str();
 }
 
 void declare_plan(CLI::App& verb, PlanOptions& options) {
-    verb.add_option("campaign", options.campaign_path)->required();
+    add_campaign(verb, options.campaign_path, options.settings);
     verb.add_flag("--count", options.only_count,
                   "print only how many cases there are");
     verb.add_flag("--left", options.only_left,
@@ -71,6 +71,7 @@ void declare_evaluate(CLI::App& verb, AnyEvaluate& options) {
         "campaign in whose cases all plants are evaluated, the best of each "
         "history");
     under->needs(files);
+    add_settings(verb, one.settings)->needs(files);
     verb.add_option("--case", one.case_index, "case of the campaign")
         ->capture_default_str();
     declare_row(verb, one.row);
@@ -93,6 +94,7 @@ void declare_evaluate(CLI::App& verb, AnyEvaluate& options) {
 ExitCode evaluate_any(const AnyEvaluate& options) {
     auto [one, cross, mesh] = options;
     mesh.is_json = cross.is_json = one.is_json;
+    cross.settings = one.settings;
     mesh.tolerance = one.tolerance.value_or(mesh.tolerance);
     if (!mesh.path.empty()) return evaluate_mesh(mesh);
     if (!cross.under.empty()) return cross_evaluate(cross);
@@ -104,7 +106,7 @@ ExitCode evaluate_any(const AnyEvaluate& options) {
 }
 
 void declare_fidelity(CLI::App& verb, FidelityOptions& options) {
-    verb.add_option("campaign", options.campaign_path)->required();
+    add_campaign(verb, options.campaign_path, options.settings);
     verb.add_option("--case", options.case_index)->capture_default_str();
     verb.add_option("--tolerance", options.tolerance,
                     "relative error of one evaluation that will do")

@@ -87,7 +87,7 @@ CanopyRequest request_of(const ChosenRow& row) {
 }
 
 ExitCode evaluate_baseline(const EvaluateOptions& options) {
-    const Campaign campaign = read_campaign(options.path);
+    const Campaign campaign = read_campaign(options.path, options.settings);
     if (options.tolerance)
         throw Error(
             "evaluate: --tolerance is for meshes and for rows of a "
@@ -193,6 +193,11 @@ ExitCode evaluate(const EvaluateOptions& options) {
     if (options.path.empty())
         throw Error("evaluate: name a campaign, a history or --mesh FILE.obj",
                     ExitCode::usage);
+    if (is_history(options.path) && !options.settings.empty())
+        throw Error(
+            "evaluate: --set is for campaigns; a row of a history is "
+            "evaluated as it was",
+            ExitCode::usage);
     return is_history(options.path) ? evaluate_row(options)
                                     : evaluate_baseline(options);
 }

@@ -58,7 +58,8 @@ void write(const Json& json, const std::string& path) {
 
 ExitCode fidelity(const FidelityOptions& options) {
     const double began = now();
-    const Campaign campaign = read_campaign(options.campaign_path);
+    const Campaign campaign =
+        read_campaign(options.campaign_path, options.settings);
     const Case chosen =
         case_at(campaign, options.case_index, options.campaign_path);
     const Device device(Device::supported_isas().back());

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "campaign_argument.hpp"
 #include "ideotype/cli/ranks.hpp"
 #include "ideotype/core/clock.hpp"
 #include "ideotype/run/way_on.hpp"
@@ -52,8 +53,7 @@ ExitCode run_with_session(const RunOptions& options) {
 
 void declare_run(CLI::App& verb, RunCommand& command) {
     RunOptions& options = command.options;
-    verb.add_option("campaign", options.campaign_path, "campaign file (TOML)")
-        ->required();
+    add_campaign(verb, options.campaign_path, options.settings);
     verb.add_option("--ranks", command.ranks,
                     "start this many ranks under MPI; auto: as many as keep "
                     "all cores busy");

@@ -26,6 +26,8 @@ const char* name(Origin origin) {
             return "elite";
         case Origin::child:
             return "child";
+        case Origin::sample:
+            return "sample";
     }
     return "unknown";
 }

@@ -43,7 +43,8 @@ Handle origin_type() {
                                               {"baseline", Origin::baseline},
                                               {"random", Origin::random},
                                               {"elite", Origin::elite},
-                                              {"child", Origin::child}});
+                                              {"child", Origin::child},
+                                              {"sample", Origin::sample}});
 }
 
 Handle bool_type() {

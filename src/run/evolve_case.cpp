@@ -75,12 +75,9 @@ Routine<bool> evaluate_finalists(const Evolution& evolution, History& history) {
         search_space(evolution.campaign, evolution.chosen);
     const auto count =
         static_cast<std::size_t>(evolution.campaign.final_rule.candidates);
-    const Population last = history.last_committed();
     std::vector<Candidate> finalists{{space.baseline, Origin::baseline}};
-    for (const std::uint32_t slot : best_distinct(last, count, space.sense))
-        finalists.push_back({last[slot].candidate.genome,
-                             Origin::elite,
-                             {static_cast<std::int32_t>(slot), no_parent}});
+    for (Candidate& each : evolution.optimizer.best(count))
+        finalists.push_back(std::move(each));
     history.propose_final(finalists);
     std::vector<Work> work;
     for (const std::uint32_t slot : history.pending_final()) {

@@ -143,7 +143,7 @@ ExitCode run_on(const Machine& own, const RunOptions& options,
     // Rank 0 alone looks at files. An empty text tells the others to leave.
     std::exception_ptr failure;
     if (session.rank() == 0) try {
-            campaign = read_campaign(options.campaign_path);
+            campaign = read_campaign(options.campaign_path, options.settings);
             print_warnings(*campaign);
             start = prepare(options, *campaign, machines);
         } catch (...) {

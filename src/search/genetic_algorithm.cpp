@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "ideotype/search/order.hpp"
+#include "ideotype/search/random_search.hpp"
 #include "variation.hpp"
 
 namespace ideotype {
@@ -14,15 +15,8 @@ GeneticAlgorithm::GeneticAlgorithm(const SearchSettings& settings,
 
 std::vector<Candidate> GeneticAlgorithm::ask() const {
     if (generation_ == 0) return first_generation();
-    std::vector<Candidate> candidates;
-    for (const std::uint32_t slot :
-         best_distinct(parents_, static_cast<std::size_t>(settings_.ga.elites),
-                       space_.sense)) {
-        const auto parent = static_cast<std::int32_t>(slot);
-        candidates.push_back({parents_[slot].candidate.genome,
-                              Origin::elite,
-                              {parent, no_parent}});
-    }
+    std::vector<Candidate> candidates =
+        best(static_cast<std::size_t>(settings_.ga.elites));
     const auto size = static_cast<std::size_t>(settings_.population);
     while (candidates.size() < size) {
         auto [first, second] =
@@ -39,22 +33,17 @@ void GeneticAlgorithm::tell(Population evaluated) {
     ++generation_;
 }
 
+std::vector<Candidate> GeneticAlgorithm::best(std::size_t count) const {
+    return best_of(parents_, count, space_.sense);
+}
+
 std::vector<Candidate> GeneticAlgorithm::first_generation() const {
     std::vector<Candidate> candidates{{space_.baseline, Origin::baseline}};
     const auto size = static_cast<std::uint32_t>(settings_.population);
     for (std::uint32_t slot = 1; slot < size; ++slot)
-        candidates.push_back({random_genome(slot), Origin::random});
+        candidates.push_back(
+            {random_genome(space_, seed_, generation_, slot), Origin::random});
     return candidates;
-}
-
-Genome GeneticAlgorithm::random_genome(std::uint32_t slot) const {
-    RandomStream stream(seed_, Purpose::initial_population, generation_, slot);
-    Genome genome = space_.baseline;
-    for (std::size_t i = 0; i < genome.size(); ++i) {
-        const Gene& gene = space_.genes[i];
-        if (gene.is_free) genome[i] = stream.uniform(gene.lower, gene.upper);
-    }
-    return genome;
 }
 
 //! The children of one couple, for this slot and the next.

@@ -38,4 +38,14 @@ std::vector<std::uint32_t> best_distinct(const Population& population,
     return best;
 }
 
+std::vector<Candidate> best_of(const Population& population, std::size_t count,
+                               Sense sense) {
+    std::vector<Candidate> best;
+    for (const std::uint32_t slot : best_distinct(population, count, sense))
+        best.push_back({population[slot].candidate.genome,
+                        Origin::elite,
+                        {static_cast<std::int32_t>(slot), no_parent}});
+    return best;
+}
+
 }  // namespace ideotype

@@ -91,7 +91,8 @@ std::string type_name(hid_t type) {
     const int members = H5Tget_nmembers(type);
     for (int i = 0; i < members; ++i) {
         char* member = H5Tget_member_name(type, static_cast<unsigned>(i));
-        name += std::string(" ") + member;
+        // Where genomes come from has grown since the sample.
+        if (member != std::string("sample")) name += std::string(" ") + member;
         H5free_memory(member);
     }
     return name;

@@ -83,7 +83,7 @@ std::vector<Candidate> children(const Gene& gene, GaSettings ga,
                                 const std::vector<double>& parents) {
     ga.elites = 0;
     ga.tournament = 1;
-    GeneticAlgorithm optimizer({.population = 200000, .ga = ga},
+    GeneticAlgorithm optimizer({.population = 200000, .ga = ga, .cma = {}},
                                {{gene}, {parents[0]}}, 7);
     Population population;
     for (const double parent : parents)

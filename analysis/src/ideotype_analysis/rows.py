@@ -32,6 +32,7 @@ class Origin(IntEnum):
     RANDOM = 2
     ELITE = 3
     CHILD = 4
+    SAMPLE = 5
 
 
 @dataclass(frozen=True)

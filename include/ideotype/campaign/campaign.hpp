@@ -154,9 +154,11 @@ struct Case {
 };
 
 //! Reads and checks a campaign file and the crop file that it names.
+//! @param settings "table.key=value", in the place of what the file says
 //! @throws InputError with all problems of both files.
 //! @throws Error if a file cannot be read.
-Campaign read_campaign(const std::string& path);
+Campaign read_campaign(const std::string& path,
+                       const std::vector<std::string>& settings = {});
 
 //! Parses the text of a resolved campaign; file is used in messages.
 //! parse_campaign(c.resolved, f).resolved == c.resolved.

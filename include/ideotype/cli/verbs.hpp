@@ -15,6 +15,7 @@ namespace ideotype {
 //! whether the names of its files fit into the folder out.
 struct CheckOptions {
     std::string campaign_path;
+    std::vector<std::string> settings;  //!< "table.key=value"
     std::string out = "results";
 };
 ExitCode check(const CheckOptions& options);
@@ -23,6 +24,7 @@ ExitCode check(const CheckOptions& options);
 //! that are left to do.
 struct PlanOptions {
     std::string campaign_path;
+    std::vector<std::string> settings;  //!< "table.key=value"
     bool only_count = false;
     bool only_left = false;  //!< the cases that are not finished in `out`
     std::string out = "results";
@@ -52,7 +54,8 @@ struct RowChoice {
 //! `evaluate FILE --generation G --slot S`: recomputes a row, or, with a
 //! tolerance, tells how far off it is.
 struct EvaluateOptions {
-    std::string path;  //!< a campaign or a history
+    std::string path;                   //!< a campaign or a history
+    std::vector<std::string> settings;  //!< of a campaign: "table.key=value"
     int case_index = 0;
     RowChoice row;
     std::optional<double> tolerance;  //!< relative standard error
@@ -68,6 +71,7 @@ struct CrossOptions {
     //! crop files.
     std::vector<std::string> plants;
     std::string under;
+    std::vector<std::string> settings;  //!< of that: "table.key=value"
     bool is_json = false;
 };
 ExitCode cross_evaluate(const CrossOptions& options);
@@ -75,6 +79,7 @@ ExitCode cross_evaluate(const CrossOptions& options);
 //! `fidelity CAMPAIGN`: measures what accuracy costs.
 struct FidelityOptions {
     std::string campaign_path;
+    std::vector<std::string> settings;  //!< "table.key=value"
     int case_index = 0;
     double tolerance = 1e-3;  //!< of one evaluation, relative
     double seconds = 80;      //!< to measure, about

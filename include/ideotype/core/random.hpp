@@ -15,6 +15,7 @@ enum class Purpose : std::uint32_t {
     scramble = 6,
     scattering = 7,
     backward = 8,
+    sample = 9,
 };
 
 //! Philox-4x32-10: four random words as a pure function of counter and key

@@ -18,6 +18,7 @@ std::string path_of(const std::string& out, const Campaign& campaign,
 //! `run CAMPAIGN`: evolves one case, or all of them in one job.
 struct RunOptions {
     std::string campaign_path;
+    std::vector<std::string> settings;  //!< "table.key=value"
     std::optional<int> case_index;
     bool is_resumed = false;
     std::string out = "results";

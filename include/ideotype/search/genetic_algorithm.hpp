@@ -26,10 +26,11 @@ class GeneticAlgorithm : public Optimizer {
 
     std::vector<Candidate> ask() const override;
     void tell(Population evaluated) override;
+    //! The best distinct of the last generation.
+    std::vector<Candidate> best(std::size_t count) const override;
 
   private:
     std::vector<Candidate> first_generation() const;
-    Genome random_genome(std::uint32_t slot) const;
     std::pair<Candidate, Candidate> children(std::uint32_t slot) const;
     std::int32_t tournament(RandomStream& stream) const;
     void mutate_genome(Genome& genome, std::uint32_t slot) const;

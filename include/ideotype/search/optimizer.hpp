@@ -32,6 +32,10 @@ class Optimizer {
 
     //! Takes the evaluated candidates of that generation, by slot.
     virtual void tell(Population evaluated) = 0;
+
+    //! What to evaluate again at the end, best first; after a generation that
+    //! was told. Parents are slots of that.
+    virtual std::vector<Candidate> best(std::size_t count) const = 0;
 };
 
 //! The optimizer that the settings name, before the first generation.

@@ -23,4 +23,8 @@ bool is_better(const Individual& a, const Individual& b, Sense sense);
 std::vector<std::uint32_t> best_distinct(const Population& population,
                                          std::size_t count, Sense sense);
 
+//! The same as candidates whose parents they are.
+std::vector<Candidate> best_of(const Population& population, std::size_t count,
+                               Sense sense);
+
 }  // namespace ideotype

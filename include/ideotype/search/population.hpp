@@ -19,6 +19,7 @@ enum class Origin : std::uint8_t {
     random = 2,
     elite = 3,  //!< a parent evaluated again under new random numbers
     child = 4,
+    sample = 5,  //!< drawn from a distribution that the search adapts
 };
 
 //! A genome and its descent.

@@ -3,7 +3,7 @@
 namespace ideotype {
 
 //! Which optimizer searches.
-enum class OptimizerKind { ga };
+enum class OptimizerKind { ga, cma_es, random };
 
 //! Settings of the genetic algorithm.
 struct GaSettings {
@@ -16,11 +16,24 @@ struct GaSettings {
     double mutation_index = 20;  //!< of polynomial mutation
 };
 
+//! Settings of CMA-ES.
+struct CmaSettings {
+    //! Standard deviation at the beginning, relative to the range of a gene.
+    double step = 0.2;
+    //! Below this, relative to the range, along all axes, it has converged.
+    double smallest_step = 1e-4;
+    //! Searches that begin anew with twice the population after that.
+    int restarts = 0;
+    //! Whether learning rates follow the signal in its steps.
+    bool adapts_learning_rates = false;
+};
+
 //! How a case is searched.
 struct SearchSettings {
     OptimizerKind optimizer = OptimizerKind::ga;
     int population = 100;  //!< candidates that a generation usually has
     GaSettings ga;
+    CmaSettings cma;
 };
 
 }  // namespace ideotype

@@ -1,0 +1,105 @@
+#include "settings.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "nodes.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! TOML recurses by the parts of a key; those of a campaign have at most 4.
+constexpr auto most_dots = 8;
+
+std::optional<toml::table> parsed(const std::string& text,
+                                  const std::string& name) {
+    try {
+        return toml::parse(text, name);
+    } catch (const toml::parse_error&) {
+        return std::nullopt;
+    }
+}
+
+//! The table with one key that a setting stands for.
+std::optional<toml::table> read(const std::string& setting,
+                                const std::string& name) {
+    const std::size_t end = setting.find('=');
+    if (end == std::string::npos) return std::nullopt;
+    const std::string key = setting.substr(0, end);
+    const std::string value = setting.substr(end + 1);
+    if (std::count(key.begin(), key.end(), '.') > most_dots ||
+        setting.find('\n') != std::string::npos)
+        return std::nullopt;
+    if (auto table = parsed(key + " = " + value, name)) return table;
+    std::string quoted;
+    for (const char c : value) {
+        if (c == '"' || c == '\\') quoted += '\\';
+        quoted += c;
+    }
+    return parsed(key + " = \"" + quoted + '"', name);
+}
+
+class Merger {
+  public:
+    Merger(const std::string& name, Report& report)
+        : name_(name), report_(report) {}
+
+    void merge(toml::table& into, toml::table& from, const std::string& path) {
+        for (auto&& [key, node] : from) {
+            const std::string name =
+                path.empty() ? std::string(key.str())
+                             : fmt::format("{}.{}", path, key.str());
+            toml::table* const given = node.as_table();
+            toml::table* const known =
+                given ? table_at(into[key.str()].node(), name) : nullptr;
+            if (known)
+                merge(*known, *given, name);
+            else if (!is_refused_)
+                // A moved node keeps the place that it was read from.
+                node.visit([&, at = key](auto& value) {
+                    into.insert_or_assign(at, std::move(value));
+                });
+        }
+    }
+
+  private:
+    //! The table itself, or the only one of a list.
+    toml::table* table_at(toml::node* node, const std::string& name) {
+        if (!node) return nullptr;
+        if (toml::table* const table = node->as_table()) return table;
+        toml::array* const list = node->as_array();
+        if (!list || !list->is_homogeneous<toml::table>()) return nullptr;
+        if (list->size() == 1) return list->front().as_table();
+        is_refused_ = true;
+        report_.add(Location{name_},
+                    fmt::format("there are {} tables [[{}]] (it is not clear "
+                                "which is meant); change the file",
+                                list->size(), name));
+        return nullptr;
+    }
+
+    const std::string& name_;
+    Report& report_;
+    bool is_refused_ = false;
+};
+
+}  // namespace
+
+void apply_settings(const std::vector<std::string>& settings,
+                    toml::table& campaign, Report& report) {
+    for (const std::string& setting : settings) {
+        const std::string name = std::string(command_line_mark) + setting;
+        report.open(name);
+        if (auto table = read(setting, name))
+            Merger(name, report).merge(campaign, *table, "");
+        else
+            report.add(Location{name},
+                       "not a key and its value (as in a campaign file); write "
+                       "for example --set search.optimizer=random");
+    }
+}
+
+}  // namespace ideotype

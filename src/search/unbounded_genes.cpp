@@ -1,0 +1,67 @@
+#include "ideotype/search/unbounded_genes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ideotype {
+
+namespace {
+
+constexpr double margin = 0.05;  //!< beside a bound, relative to the range
+
+//! The share of the range that a coordinate stands for. Bounds are those of
+//! parabolas that begin with the slope of the line between them.
+double folded(double coordinate) {
+    // It comes back after a way to and fro.
+    constexpr double period = 2 * (1 + 2 * margin);
+    double x = std::remainder(coordinate + margin, period);
+    x = std::abs(x) - margin;  // [-margin, 1 + margin]
+    if (x < margin) return (x + margin) * (x + margin) / (4 * margin);
+    if (x > 1 - margin)
+        return 1 - (1 + margin - x) * (1 + margin - x) / (4 * margin);
+    return x;
+}
+
+double unfolded(double share) {
+    if (share < margin) return 2 * std::sqrt(margin * share) - margin;
+    if (share > 1 - margin)
+        return 1 + margin - 2 * std::sqrt(margin * (1 - share));
+    return share;
+}
+
+}  // namespace
+
+UnboundedGenes::UnboundedGenes(const GeneSpace& genes) : genes_(genes) {
+    for (std::size_t i = 0; i < genes.size(); ++i)
+        if (genes[i].is_free && genes[i].upper > genes[i].lower)
+            free_.push_back(i);
+}
+
+std::vector<double> UnboundedGenes::of(const Genome& genome) const {
+    std::vector<double> coordinates;
+    for (const std::size_t i : free_) {
+        const Gene& gene = genes_[i];
+        const double share =
+            (genome[i] - gene.lower) / (gene.upper - gene.lower);
+        coordinates.push_back(
+            gene.is_circular ? share : unfolded(std::clamp(share, 0.0, 1.0)));
+    }
+    return coordinates;
+}
+
+Genome UnboundedGenes::genome(const std::vector<double>& coordinates,
+                           Genome original) const {
+    for (std::size_t k = 0; k < free_.size(); ++k) {
+        const Gene& gene = genes_[free_[k]];
+        const double range = gene.upper - gene.lower;
+        const double x = coordinates[k];
+        original[free_[k]] =
+            gene.is_circular
+                ? wrapped(gene, gene.lower + (x - std::floor(x)) * range)
+                : std::clamp(gene.lower + folded(x) * range, gene.lower,
+                             gene.upper);
+    }
+    return original;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,70 @@
+#include <gtest/gtest.h>
+
+#include "sample_campaign.hpp"
+
+namespace ideotype {
+namespace {
+
+const std::string ames = IDEOTYPE_CAMPAIGNS "/ames.toml";
+
+TEST(Settings, StandInThePlaceOfWhatAFileSays) {
+    const Campaign campaign = read_campaign(
+        ames, {"search.optimizer=random", "search.population = 12",
+               "traits=[{name = \"turn\", free = [\"azimuth\"]}]",
+               "spacing.plant=0.0762", "day.date=2025-06-21", "name=other",
+               "constraints.lai=[3.4, 3.5]"});
+    EXPECT_EQ(campaign.search.optimizer, OptimizerKind::random);
+    EXPECT_EQ(campaign.search.population, 12);
+    EXPECT_EQ(campaign.spacings.at(0).value.plant, 0.0762);
+    EXPECT_EQ(campaign.spacings.at(0).value.row, 0.762);
+    EXPECT_EQ(campaign.days.at(0).name, "0621");
+    EXPECT_EQ(campaign.name, "other");
+    EXPECT_EQ(campaign.constraints.lai.lower, 3.4);
+    EXPECT_EQ(parse_campaign(campaign.resolved, "c").resolved,
+              campaign.resolved);
+}
+
+TEST(Settings, TheLastOfAKeyCounts) {
+    EXPECT_EQ(read_campaign(ames, {"seed=4", "seed=5"}).seed, 5U);
+}
+
+TEST(Settings, AreCheckedLikeTheFileAllInOnePass) {
+    try {
+        read_campaign(ames, {"search.optimizer=randum", "site.latitud=3",
+                             "seed", "seed=\"a", "a.b.c.d.e.f.g.h.i.j.k=1"});
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        const std::string all = error.what();
+        for (const char* each :
+             {"--set search.optimizer=randum: search.optimizer is \"randum\" "
+              "(not one of its values); use \"ga\"",
+              "--set site.latitud=3: unknown key 'latitud'",
+              "--set seed: not a key and its value",
+              "--set seed=\"a: seed is a text (expected: ",
+              "--set a.b.c.d.e.f.g.h.i.j.k=1: not a key and its value"})
+            EXPECT_NE(all.find(each), std::string::npos) << each << "\n" << all;
+    }
+}
+
+TEST(Settings, DoNotGuessWhichOfSeveralTablesIsMeant) {
+    try {
+        read_campaign(IDEOTYPE_CAMPAIGNS "/spacings.toml", {"spacing.row=1"});
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("tables [[spacing]]"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
+TEST(Settings, CmaEsChoosesItsPopulationByTheGenesUnlessToldOne) {
+    const std::string cma = "search.optimizer=cma_es";
+    EXPECT_EQ(read_campaign(ames, {cma}).search.population, 15);
+    EXPECT_EQ(
+        read_campaign(ames, {cma, "search.population=30"}).search.population,
+        30);
+    EXPECT_THROW(read_campaign(ames, {cma, "search.population=3"}), InputError);
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -1,0 +1,226 @@
+#!/usr/bin/env python3
+"""What evolves for light, for assimilation, and for the carbon balance of a season.
+
+objectives.py FOLDER [--only OBJECTIVE...] [--figure FILE.png] [--generations N]
+              [--seeds N]
+
+Breeds crops/maize.toml by CMA-ES for five objectives at two spacings, evaluates the best
+plant of each seed again beside the baseline and plants/elite.toml, with the same random
+numbers, and prints gains, leaf area and insertion angles. ± of gains is the standard
+error over seeds, or of the evaluations where that is larger. Cases that are in FOLDER
+already are not bred again; interrupted ones go on. The figure shows insertion angles.
+IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+from statistics import fmean, stdev
+
+from ideotype_analysis.style import new_figure
+from what_pays import ideotype, leaves
+
+HERE = Path(__file__).parent
+DAY, SEASON = HERE / "ames.toml", HERE / "bondville.toml"
+CARBON = "objective.maximise=carbon_balance"
+PLANT_AREA = 0.3991
+"""Leaf area of the baseline [m2]."""
+
+
+@dataclass(frozen=True)
+class Objective:
+    title: str
+    campaign: Path
+    settings: tuple[str, ...]
+    has_fixed_area: bool = False
+
+
+@dataclass(frozen=True)
+class Spacing:
+    name: str
+    row: float
+    plant: float
+
+    def table(self) -> str:
+        return (
+            f'[{{name = "{self.name}", row = {self.row}, '
+            f"plant = {self.plant}, row_direction = 90}}]"
+        )
+
+
+OBJECTIVES = {
+    "par": Objective("absorbed PAR, clear day", DAY, ()),
+    "net": Objective(
+        "net assimilation, clear day",
+        DAY,
+        ("objective.maximise=net_assimilation",),
+    ),
+    "carbon": Objective("carbon balance, season", SEASON, (CARBON,)),
+    "area": Objective("the same, fixed leaf area", SEASON, (CARBON,), True),
+    "nitrogen": Objective(
+        "the same, fixed nitrogen",
+        SEASON,
+        (CARBON, "photosynthesis.profile=nitrogen"),
+    ),
+}
+SPACINGS = (
+    Spacing("30x6", 0.762, 0.1524),
+    Spacing("15x3", 0.381, 0.0762),
+)
+
+
+@dataclass(frozen=True)
+class Result:
+    """Of one objective at one spacing; gains in % with their errors."""
+
+    over_baseline: tuple[float, float]
+    over_elite: tuple[float, float]
+    by_seed: list[float]
+    lai: list[float]
+    angles: list[list[float]]  # of each seed, the lowest leaf first [deg]
+
+
+def settings(name: str, spacing: Spacing) -> list[str]:
+    objective = OBJECTIVES[name]
+    keys = [
+        f"name={name}_{spacing.name}",
+        f"spacing={spacing.table()}",
+        *objective.settings,
+    ]
+    if objective.has_fixed_area:
+        lai = PLANT_AREA / spacing.row / spacing.plant
+        keys.append(f"constraints.lai=[{0.985 * lai:.4f}, {1.015 * lai:.4f}]")
+    return [word for key in keys for word in ("--set", key)]
+
+
+def breed(name: str, spacing: Spacing, out: Path, search: list[str]) -> list[Path]:
+    """The histories of all seeds."""
+    campaign = OBJECTIVES[name].campaign
+    print(f"breeding for {name} at {spacing.name}", file=sys.stderr, flush=True)
+    ideotype(
+        "run", campaign, *settings(name, spacing), *search,
+        "--ranks", "auto", "--out", out, "--resume",
+    )  # fmt: skip
+    return sorted((out / f"{name}_{spacing.name}").glob("*.h5"))
+
+
+def compare(name: str, spacing: Spacing, histories: list[Path]) -> Result:
+    with tempfile.TemporaryDirectory() as folder:
+        plants = [HERE / "crops" / "maize.toml", HERE / "plants" / "elite.toml"]
+        for i, history in enumerate(histories):
+            plants.append(Path(folder) / f"best{i}.toml")
+            ideotype("export", history, "--best", "--to", plants[-1])
+        found = json.loads(
+            ideotype(
+                "evaluate", *plants, "--json",
+                "--under", OBJECTIVES[name].campaign, *settings(name, spacing),
+            )
+        )  # fmt: skip
+        bred = [leaves(path) for path in plants[2:]]
+    values = [case[0] for case in found["by_randomisation"]]
+    baseline, elite, *best = values
+    per_area = PLANT_AREA / size(leaves(plants[0])) / spacing.row / spacing.plant
+    return Result(
+        over_baseline=gain(baseline, best),
+        over_elite=gain(elite, best),
+        by_seed=[100 * (fmean(x) / fmean(baseline) - 1) for x in best],
+        lai=[per_area * size(plant) for plant in bred],
+        angles=[[x["insertion_angle"] for x in plant] for plant in bred],
+    )
+
+
+def size(plant: list[dict[str, float]]) -> float:
+    """Proportional to the leaf area, since all blades have the same outline."""
+    return sum(leaf["length"] * leaf["width"] for leaf in plant)
+
+
+def gain(of: list[float], best: list[list[float]]) -> tuple[float, float]:
+    """Mean over seeds and its standard error [%], relative to a plant."""
+    means, errors = [], []
+    for one in best:
+        differences = [b - a for a, b in zip(of, one, strict=True)]
+        means.append(100 * fmean(differences) / fmean(of))
+        error = stdev(differences) / math.sqrt(len(differences))
+        errors.append(100 * error / fmean(of))
+    error = math.hypot(*errors) / len(errors)
+    if len(means) > 1:
+        error = max(error, stdev(means) / math.sqrt(len(means)))
+    return fmean(means), error
+
+
+def print_table(results: dict[tuple[str, str], Result]) -> None:
+    print(
+        "| bred for | inches | over baseline [%] | by seed | over elite [%] "
+        "| LAI | insertion angle of leaves 7 to 10 [deg] | of leaves 1 to 4 |"
+    )
+    print("|---|---|---|---|---|---|---|---|")
+    for (name, spacing), each in results.items():
+        top = ", ".join(f"{fmean(x[6:]):.0f}" for x in each.angles)
+        low = ", ".join(f"{fmean(x[:4]):.0f}" for x in each.angles)
+        print(
+            f"| {OBJECTIVES[name].title} | {spacing} "
+            f"| {each.over_baseline[0]:.2f} ± {each.over_baseline[1]:.2f} "
+            f"| {', '.join(f'{x:.2f}' for x in each.by_seed)} "
+            f"| {each.over_elite[0]:.2f} ± {each.over_elite[1]:.2f} "
+            f"| {min(each.lai):.1f} to {max(each.lai):.1f} | {top} | {low} |"
+        )
+
+
+def draw(results: dict[tuple[str, str], Result], path: Path) -> None:
+    own = [x["insertion_angle"] for x in leaves(HERE / "crops" / "maize.toml")]
+    ranks = range(1, len(own) + 1)
+    figure = new_figure(10, 3.2 * len(SPACINGS))
+    axes = figure.subplots(
+        len(SPACINGS), len(OBJECTIVES), sharex=True, sharey=True, squeeze=False
+    )
+    for (name, spacing), each in results.items():
+        row = [x.name for x in SPACINGS].index(spacing)
+        axis = axes[row][list(OBJECTIVES).index(name)]
+        axis.plot(own, ranks, color="#999999", label="baseline")
+        for angles in each.angles:
+            axis.plot(angles, ranks, marker="o", color="#4E9A3A", alpha=0.7)
+        axis.set_title(
+            f"{OBJECTIVES[name].title}\n{spacing} inches", fontsize=8
+        )
+    for row in axes:
+        row[0].set_ylabel("leaf, from the lowest")
+    for axis in axes[-1]:
+        axis.set_xlabel("insertion angle [deg]")
+    figure.savefig(path, dpi=110)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--only", nargs="+", choices=OBJECTIVES, metavar="OBJECTIVE")
+    parser.add_argument("--figure", type=Path)
+    parser.add_argument("--generations", type=int, default=200)
+    parser.add_argument("--seeds", type=int, default=3)
+    options = parser.parse_args()
+    search = [
+        "--set", "search.optimizer=cma_es",
+        "--set", f"stop.generations={options.generations}",
+        "--set", f"replicates={options.seeds}",
+    ]  # fmt: skip
+    results = {}
+    for spacing in SPACINGS:
+        for name in options.only or OBJECTIVES:
+            histories = breed(name, spacing, options.folder, search)
+            results[name, spacing.name] = compare(name, spacing, histories)
+    print_table(results)
+    if options.figure:
+        draw(results, options.figure)
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except subprocess.CalledProcessError as error:
+        sys.exit(error.stderr.strip())

@@ -180,9 +180,6 @@ Section photosynthesis_section(PhotosynthesisTable& table);
 //! Which campaigns without assimilation do not have.
 Table photosynthesis_table(Draft& draft);
 
-//! Whether an objective is of what leaves make of light.
-bool is_of_assimilation(const std::string& objective);
-
 //! With a table for each trait that there are constraints of.
 Table constraints_table(Constraints& constraints);
 Section search_section(SearchSettings& search);

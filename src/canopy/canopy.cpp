@@ -143,7 +143,8 @@ class Evaluation {
     void trace(const Plant& plant) {
         const Mesh mesh = split(build_plant(plant, request_.tessellation));
         std::optional<Pieces> pieces;
-        if (needs_pieces()) pieces = cut_leaves(mesh);
+        if (needs_pieces())
+            pieces = cut_leaves(mesh, {}, request_.details.pieces);
         Accuracy accuracy = request_.accuracy;
         Randomness randomness = request_.randomness;
         const bool is_one = randomness.fields == Randomness::Fields::one;
@@ -176,7 +177,9 @@ class Evaluation {
         copy.mesh = split(std::move(copy.mesh));
         const std::vector<Group> groups = copy.mesh.groups;
         std::optional<Pieces> pieces;
-        if (needs_pieces()) pieces = cut_leaves(copy.mesh, copy.face_plant);
+        if (needs_pieces())
+            pieces =
+                cut_leaves(copy.mesh, copy.face_plant, request_.details.pieces);
         trace(copy, groups, std::move(pieces), request_.accuracy,
               request_.randomness);
     }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/canopy/quantities.hpp"
 #include "ideotype/run/progress.hpp"
 
 namespace ideotype {
@@ -97,13 +98,13 @@ Json to_json(const Combination& combination, const Trade& trade) {
 void print_trade(const Trade& trade) {
     const Campaign& campaign = trade.own.campaign;
     fmt::print(
-        "baseline: leaves absorb {} MJ m-2 day-1; the other plant {} more\n\n"
+        "baseline: {} {} {}; the other plant {} more\n\n"
         "In % of that: bias against the converged value (>), and standard "
         "error of one\nevaluation with {} x {} paths in one field; ms of the "
         "processor (*: the campaign).\n\n{:<13} {:<22} {:>16} {:>6} {:>17} "
         "{:>6} {:>6} {:>6} {:>6} {:>6}\n",
-        format(scaled(trade.value, 1e-6)),
-        format(scaled(trade.difference, 1e-6)), campaign.sampling.paths,
+        campaign.objective, format(trade.value), unit_of(campaign.objective),
+        format(trade.difference), campaign.sampling.paths,
         campaign.sampling.randomisations, "parameter", "value", "bias", "s.e.",
         "bias of a diff.", "s.e.", "geom.", "scene", "light", "all");
     for (std::size_t k = 0; k < trade.parameters.size(); ++k) {
@@ -183,7 +184,8 @@ Json to_json(const Trade& trade, const std::vector<Choice>& choices) {
               {"case", case_of(trade.own, trade.case_index).name},
               {"paths", campaign.sampling.paths},
               {"randomisations", campaign.sampling.randomisations},
-              {"unit", "J m-2 day-1"},
+              {"objective", campaign.objective},
+              {"unit", unit_of(campaign.objective)},
               {"value", to_json(trade.value)},
               {"difference", to_json(trade.difference)}};
     for (std::size_t k = 0; k < trade.parameters.size(); ++k) {

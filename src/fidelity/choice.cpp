@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/hash.hpp"
 #include "ideotype/run/evaluator.hpp"
 #include "ideotype/run/progress.hpp"
@@ -112,12 +114,24 @@ Model model_of(const Trade& trade, const std::vector<std::size_t>& values,
     return model;
 }
 
+//! Of the most paths that were measured and are not more than these.
+Estimate bias_of_paths(const MeasuredParameter& paths, int most, Goal goal) {
+    if (!paths.parameter.may_be_biased()) return {};
+    std::size_t found = 0;
+    for (std::size_t v = 1; v < paths.points.size(); ++v)
+        if (paths_of(paths, v) <= most) found = v;
+    return paths.points[found].of(goal).bias;
+}
+
 Combination sampled(const Model& model, const PathLaw& law,
-                    const Accuracy& accuracy, Randomness::Fields fields) {
+                    const Accuracy& accuracy, Randomness::Fields fields,
+                    const Estimate& bias_of_paths) {
     Combination result;
     result.accuracy = accuracy;
     result.fields = fields;
-    result.bias = model.bias;
+    result.bias = {
+        model.bias.mean + std::abs(bias_of_paths.mean),
+        std::hypot(model.bias.standard_error, bias_of_paths.standard_error)};
     const int n = accuracy.randomisations;
     const int drawn = fields == Randomness::Fields::each ? n : 1;
     result.standard_error =
@@ -148,29 +162,35 @@ double Combination::error() const {
 Combination combine(const Trade& trade, const std::vector<std::size_t>& values,
                     const Accuracy& accuracy, Randomness::Fields fields,
                     Goal goal) {
+    const MeasuredParameter& paths = trade.parameter("paths");
     Combination result =
-        sampled(model_of(trade, values, goal),
-                PathLaw(trade.parameter("paths"), goal), accuracy, fields);
+        sampled(model_of(trade, values, goal), PathLaw(paths, goal), accuracy,
+                fields, bias_of_paths(paths, accuracy.paths, goal));
     result.values = values;
     return result;
 }
 
 std::vector<Combination> pareto_front(const Trade& trade, Goal goal,
                                       Randomness::Fields fields) {
-    const PathLaw law(trade.parameter("paths"), goal);
+    const MeasuredParameter& of_paths = trade.parameter("paths");
+    const PathLaw law(of_paths, goal);
     std::vector<std::size_t> values;
     for (const MeasuredParameter& each : trade.parameters)
         values.push_back(may_turn(each) ? 0 : each.parameter.own);
     std::vector<Combination> all;
     do {
         const Model model = model_of(trade, values, goal);
-        for (int paths = paths_of(trade.parameter("paths"), 0);
-             paths <= most_paths; paths *= 2)
+        for (int paths = static_cast<int>(
+                 std::bit_ceil(static_cast<unsigned>(paths_of(of_paths, 0))));
+             paths <= most_paths; paths *= 2) {
+            const Estimate bias = bias_of_paths(of_paths, paths, goal);
             for (const int n : randomisations) {
-                Combination next = sampled(model, law, {paths, n}, fields);
+                Combination next =
+                    sampled(model, law, {paths, n}, fields, bias);
                 next.values = values;
                 all.push_back(std::move(next));
             }
+        }
     } while (advance(trade, values));
     std::stable_sort(all.begin(), all.end(),
                      [](const Combination& a, const Combination& b) {
@@ -255,20 +275,21 @@ Check check_combination(const Trade& trade, const Combination& combination,
     while (found.size() < least || (found.size() < most && now() < until)) {
         request.randomness.generation =
             static_cast<std::uint32_t>(found.size());
-        const auto leaves = [&](const Genome& genome) {
+        const auto objective = [&](const Genome& genome) {
             request.stand = grow(crop, genome);
             const CanopyReport report =
                 evaluate(request, device, processor_seconds);
             seconds.push_back(report.seconds.total());
-            return report.light.day.leaves.mean;
+            return measure_objective(trade.own.campaign.objective, report)
+                .estimate.mean;
         };
-        const double value = leaves(trade.rivals[0]);
-        found.push_back(goal == Goal::value ? value
-                                            : leaves(trade.rivals[1]) - value);
+        const double value = objective(trade.rivals[0]);
+        found.push_back(
+            goal == Goal::value ? value : objective(trade.rivals[1]) - value);
     }
     const Estimate& truth =
         goal == Goal::value ? trade.value : trade.difference;
-    const double scale = 1 / trade.value.mean;
+    const double scale = 1 / std::abs(trade.value.mean);
     const auto n = static_cast<double>(found.size());
     const Estimate mean = estimate(found);
     const double deviation = mean.standard_error * std::sqrt(n);

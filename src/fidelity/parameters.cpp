@@ -20,6 +20,7 @@ constexpr std::array plants{1, 2, 3, 4, 6};
 constexpr std::array step_minutes{15.0, 30.0, 60.0, 120.0, 240.0};
 constexpr std::array sun_dates{1, 2, 3, 4, 6, 12};
 constexpr std::array paths{256, 1024, 4096, 16384};
+constexpr std::array<std::size_t, 4> pieces{12, 24, 48, 96};
 
 //! Paths of one randomisation where they are not what is compared: few, since
 //! a draw of a new field tells more than more paths through the same one. Only
@@ -78,6 +79,23 @@ Parameter step_parameter(const DaySpan& span) {
         [](Variant& variant, double x) {
             for (auto& day : variant.campaign.days) day.value.step_minutes = -x;
         });
+}
+
+//! Control volumes of a campaign: pieces are no smaller than faces, of which
+//! blades have two across.
+std::size_t own_pieces(const Campaign& campaign) {
+    return std::min(
+        pieces_of_blade,
+        2 * static_cast<std::size_t>(campaign.tessellation.cells_along));
+}
+
+Parameter pieces_parameter(const Campaign& campaign) {
+    Parameter parameter = ladder(
+        "pieces", pieces, own_pieces(campaign),
+        [](std::size_t n) { return fmt::format("{}", n); },
+        [](Variant& variant, std::size_t n) { variant.pieces = n; });
+    parameter.kind = Parameter::Kind::omission;
+    return parameter;
 }
 
 bool is_black(const Lambertian& surface) {
@@ -183,6 +201,11 @@ Variant Parameter::at(std::size_t value) const {
     return variant;
 }
 
+bool Parameter::may_be_biased() const {
+    if (kind == Kind::paths) return is_of_assimilation(base.campaign.objective);
+    return kind != Kind::arrangement;
+}
+
 Case case_of(const Variant& variant, std::size_t case_index) {
     return cases(variant.campaign).at(case_index);
 }
@@ -198,6 +221,7 @@ CanopyRequest request_of(const Variant& variant, std::size_t case_index,
     light = illuminate(light.series, campaign.sky_model,
                        chosen.spacing.row_direction, variant.skies,
                        campaign.sun_dates);
+    request.details.pieces = variant.pieces;
     for (Source& source : light.light.sources)
         if (!source.direction) source.effort = variant.sky_effort;
     return request;
@@ -222,6 +246,8 @@ std::vector<Parameter> parameters(const Campaign& campaign,
                              }));
     const Parameter instants = instants_parameter(campaign, span);
     all.push_back(instants);
+    const bool assimilates = is_of_assimilation(campaign.objective);
+    if (assimilates) all.push_back(pieces_parameter(campaign));
     Parameter scattering = scattering_parameter(campaign.optics, plant);
     if (scattering.values.size() > 1) all.push_back(std::move(scattering));
     Parameter organs = organs_parameter(plant);
@@ -232,6 +258,8 @@ std::vector<Parameter> parameters(const Campaign& campaign,
     Variant own{campaign};
     own.campaign.first_tolerance = own.campaign.sampling.tolerance = 0;
     own.campaign.sampling.paths = fewest_paths(instants, own, case_index);
+    // A jackknife needs several.
+    if (assimilates) own.randomisations = 4;
     Variant fine = own;
     for (const Parameter& parameter : all)
         if (parameter.kind != Parameter::Kind::arrangement)
@@ -240,6 +268,10 @@ std::vector<Parameter> parameters(const Campaign& campaign,
     for (Parameter& parameter : all)
         parameter.base =
             parameter.kind == Parameter::Kind::arrangement ? own : fine;
+    // Noise in their light falls faster with paths than that of the sum.
+    for (Parameter& parameter : all)
+        if (parameter.name == "pieces")
+            parameter.base.campaign.sampling.paths *= 4;
 
     all.push_back(cell_parameter(campaign));
     all.back().base = own;
@@ -248,8 +280,15 @@ std::vector<Parameter> parameters(const Campaign& campaign,
     for (const int n : paths)
         if (n * usual_paths >= paths.front() * own.campaign.sampling.paths)
             enough.push_back(n);
+    int own_paths = own.campaign.sampling.paths;
+    if (assimilates) {
+        // The campaign's own have a bias that many more do not have.
+        own_paths = campaign.sampling.paths;
+        if (enough.back() < 4 * own_paths) enough.push_back(4 * own_paths);
+        own.randomisations = campaign.sampling.randomisations;
+    }
     all.push_back(ladder(
-        "paths", enough, own.campaign.sampling.paths, number_name,
+        "paths", enough, own_paths, number_name,
         [](Variant& variant, int n) { variant.campaign.sampling.paths = n; }));
     all.back().kind = Parameter::Kind::paths;
     all.back().base = own;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/hash.hpp"
 #include "ideotype/run/evaluator.hpp"
 
@@ -51,16 +52,17 @@ Rivals rivals(const Campaign& campaign, const Case& chosen) {
 
 Probe::Probe(const Variant& variant, std::size_t case_index,
              const Device& device, const Rivals& plants)
-    : request_(request_of(variant, case_index, plants[0])),
+    : objective_(variant.campaign.objective),
+      request_(request_of(variant, case_index, plants[0])),
       crop_(variant.campaign.crop),
       device_(device),
       rivals_(plants) {
-    request_.accuracy = {request_.accuracy.paths, 2};
+    request_.accuracy = {request_.accuracy.paths, variant.randomisations};
     request_.randomness.seed =
         derive_seed(request_.randomness.seed, "fidelity");
 }
 
-Probe::Randomised Probe::evaluate(const Genome& genome, std::uint32_t draw) {
+std::vector<double> Probe::evaluate(const Genome& genome, std::uint32_t draw) {
     request_.stand = grow(crop_, genome);
     request_.randomness.generation = draw;
     const CanopyReport report =
@@ -72,32 +74,36 @@ Probe::Randomised Probe::evaluate(const Genome& genome, std::uint32_t draw) {
     path_.push_back(seconds.light / paths);
     paths_traced_.push_back(paths);
     seconds_ += seconds.total();
-    const std::vector<double>& leaves = report.leaves_by_randomisation;
-    return {leaves.front(), leaves.back()};
+    return measure_objective(objective_, report).by_randomisation;
 }
 
 void Probe::draw() {
     const auto draw = static_cast<std::uint32_t>(draws());
-    const Randomised a = evaluate(rivals_[0], draw);
-    const Randomised b = evaluate(rivals_[1], draw);
-    const auto append = [this](Goal goal, Randomised x) {
-        means_[index(goal)].push_back((x.first + x.second) / 2);
-        const double apart = x.first - x.second;
-        squares_[index(goal)].push_back(apart * apart / 2);
-    };
+    const std::vector<double> a = evaluate(rivals_[0], draw);
+    std::vector<double> b = evaluate(rivals_[1], draw);
+    for (std::size_t r = 0; r < a.size(); ++r) b[r] -= a[r];
     append(Goal::value, a);
-    append(Goal::difference, {b.first - a.first, b.second - a.second});
+    append(Goal::difference, b);
+}
+
+void Probe::append(Goal goal, const std::vector<double>& values) {
+    const Estimate found = estimate(values);
+    means_[index(goal)].push_back(found.mean);
+    variances_[index(goal)].push_back(found.standard_error *
+                                      found.standard_error *
+                                      static_cast<double>(values.size()));
 }
 
 Scatter Probe::scatter(Goal goal) const {
     const auto n = static_cast<double>(draws());
-    const Estimate within = estimate(squares_[index(goal)]);
+    const Estimate within = estimate(variances_[index(goal)]);
+    const int r = request_.accuracy.randomisations;
     const double error = estimate(means_[index(goal)]).standard_error;
-    // Of the means of two randomisations: both kinds of scatter.
+    // Of the means of randomisations: both kinds of scatter.
     const double between = error * error * n;
-    return {root(between - within.mean / 2,
+    return {root(between - within.mean / r,
                  std::hypot(between * std::sqrt(2 / (n - 1)),
-                            within.standard_error / 2)),
+                            within.standard_error / r)),
             root(within.mean, within.standard_error)};
 }
 

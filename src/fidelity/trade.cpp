@@ -65,7 +65,8 @@ class ParameterProbes {
         if (value == parameter_.reference) return 0;
         const Probe& probe = probes_[value];
         const Probe& reference = probes_[parameter_.reference];
-        const double scale = estimate(reference.means(Goal::value)).mean;
+        const double scale =
+            std::abs(estimate(reference.means(Goal::value)).mean);
         const Estimate light = paired(probe, reference, Goal::value);
         const Estimate difference = paired(probe, reference, Goal::difference);
         const double error =
@@ -83,7 +84,8 @@ class ParameterProbes {
     MeasuredParameter measured() const {
         MeasuredParameter result{parameter_, {}};
         const Probe& reference = probes_[parameter_.reference];
-        const double scale = 1 / estimate(reference.means(Goal::value)).mean;
+        const double scale =
+            1 / std::abs(estimate(reference.means(Goal::value)).mean);
         for (std::size_t v = 0; v < size(); ++v) {
             const Probe& probe = probes_[v];
             ParameterPoint point;
@@ -162,9 +164,7 @@ class Survey {
         std::size_t value = 0;
         for (ParameterProbes& probes : all_) {
             // What has no bias is known well enough.
-            if (probes.parameter().kind == Parameter::Kind::paths ||
-                probes.parameter().kind == Parameter::Kind::arrangement)
-                continue;
+            if (!probes.parameter().may_be_biased()) continue;
             for (std::size_t v = 0; v < probes.size(); ++v) {
                 if (probes.draws(v) >= effort_.most_draws) continue;
                 const double worth = probes.worth(v);
@@ -222,10 +222,12 @@ Trade measure_trade(const Campaign& campaign, std::size_t case_index,
             needed_paths(campaign, chosen, device, trade.rivals[0]);
     Survey survey(effort, on_progress);
     Variant converged = trade.own;
-    for (const Parameter& parameter : parameters(campaign, case_index)) {
+    for (const Parameter& parameter :
+         parameters(trade.own.campaign, case_index)) {
         survey.add({parameter, case_index, device, trade.rivals});
         if (parameter.kind == Parameter::Kind::arrangement) continue;
         parameter.values[parameter.reference].apply(converged);
+        converged.randomisations = parameter.base.randomisations;
     }
     survey.run();
     Probe probe(converged, case_index, device, trade.rivals);

@@ -1,8 +1,12 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 
 #include <gtest/gtest.h>
 
+#include "ideotype/canopy/quantities.hpp"
 #include "ideotype/fidelity/choice.hpp"
 
 namespace ideotype {
@@ -159,6 +163,128 @@ TEST_F(Fidelity, PastedKeysMakeTheChosenCampaign) {
               chosen.days[0].value.step_minutes);
     EXPECT_EQ(pasted.sampling.paths, chosen.sampling.paths);
     EXPECT_EQ(pasted.sampling.randomisations, chosen.sampling.randomisations);
+}
+
+Campaign assimilating(Campaign campaign) {
+    campaign.objective = "net_assimilation";
+    campaign.photosynthesis = Photosynthesis{};
+    return campaign;
+}
+
+const Parameter& named(const std::vector<Parameter>& all,
+                       const std::string& name) {
+    return *std::find_if(all.begin(), all.end(), [&](const Parameter& each) {
+        return each.name == name;
+    });
+}
+
+//! Of the baseline, relative to another variant with the same draws.
+Estimate bias(const Campaign& campaign, const Variant& variant,
+              const Variant& reference, std::size_t draws) {
+    const Device device(Device::supported_isas().back());
+    const Rivals plants = rivals(campaign, cases(campaign).front());
+    Probe a(variant, 0, device, plants), b(reference, 0, device, plants);
+    std::vector<double> apart;
+    while (apart.size() < draws) {
+        a.draw();
+        b.draw();
+        apart.push_back(
+            a.means(Goal::value).back() / b.means(Goal::value).back() - 1);
+    }
+    return estimate(apart);
+}
+
+TEST(FidelityOfAssimilation, ControlVolumesAreTradedButNeverChosen) {
+    const Campaign campaign = assimilating(small());
+    const std::vector<Parameter> all = parameters(campaign, 0);
+    const Parameter& pieces = named(all, "pieces");
+    EXPECT_EQ(pieces.kind, Parameter::Kind::omission);
+    EXPECT_EQ(pieces.values.at(pieces.own).name, "16");  // faces of 8 cells
+    EXPECT_EQ(pieces.values.back().name, "96");
+    EXPECT_EQ(pieces.at(0).pieces, 12u);
+    for (const Parameter& each : parameters(small(), 0))
+        EXPECT_NE(each.name, "pieces");
+    // Light that is taken as even over whole leaves is worth more.
+    Variant fine = pieces.at(pieces.reference);
+    fine.campaign.sampling.paths = 1 << 15;
+    Variant coarse = fine;
+    coarse.pieces = 1;
+    const Estimate found = bias(campaign, coarse, fine, 12);
+    EXPECT_GT(found.mean, 4 * found.standard_error);
+    EXPECT_GT(found.mean, 2e-4);
+    EXPECT_LT(found.mean, .02);
+}
+
+TEST(FidelityOfAssimilation, PathsAreComparedWithManyMore) {
+    Campaign campaign = assimilating(small());
+    campaign.sampling = {8192, 8};
+    const std::vector<Parameter> all = parameters(campaign, 0);
+    const Parameter& paths = named(all, "paths");
+    EXPECT_TRUE(paths.may_be_biased());
+    EXPECT_EQ(paths.values.at(paths.own).name, "8192");
+    EXPECT_EQ(paths.values.at(paths.reference).name, "32768");
+    EXPECT_EQ(paths.base.randomisations, 8);
+    const std::vector<Parameter> of_light = parameters(small(), 0);
+    EXPECT_FALSE(named(of_light, "paths").may_be_biased());
+}
+
+TEST(FidelityOfAssimilation, WhatFewPathsAreOffByIsPartOfTheBias) {
+    const Campaign campaign = assimilating(small());
+    const Trade trade = measured(campaign, 3);
+    const MeasuredParameter& paths = trade.parameter("paths");
+    std::vector<std::size_t> own;
+    for (const MeasuredParameter& each : trade.parameters)
+        own.push_back(each.parameter.own);
+    const auto bias = [&](int number) {
+        return combine(trade, own, {number, 8}, Randomness::Fields::one,
+                       Goal::value)
+            .bias;
+    };
+    const Estimate many = bias(1 << 14), few = bias(256);
+    const Estimate of_few = paths.points.front().of(Goal::value).bias;
+    EXPECT_EQ(paths.points.front().name, "256");
+    EXPECT_NE(of_few.mean, 0);
+    EXPECT_NEAR(few.mean - many.mean, std::abs(of_few.mean), 1e-12);
+    EXPECT_GT(few.standard_error, many.standard_error);
+    const Device device(Device::supported_isas().back());
+    const double net =
+        measure_objective(
+            "net_assimilation",
+            evaluate(request_of(trade.own, 0, trade.rivals[0]), device))
+            .estimate.mean;
+    EXPECT_NEAR(trade.value.mean, net, .1 * net);
+}
+
+TEST(FidelityOfAssimilation, DatesOfASeasonAreTradedForTheObjective) {
+    const std::string folder = IDEOTYPE_CAMPAIGNS;
+    std::ifstream file(folder + "/bondville.toml");
+    std::string text{std::istreambuf_iterator<char>(file), {}};
+    const auto replace = [&](const std::string& was, const std::string& is) {
+        text.replace(text.find(was), was.size(), is);
+    };
+    replace("to = 2011-09-20", "to = 2011-07-24");
+    replace("\"weather/", '"' + folder + "/weather/");
+    replace("\"crops/", '"' + folder + "/crops/");
+    const std::string path = testing::TempDir() + "fidelity_season.toml";
+    std::ofstream(path) << text
+                        << "\n[objective]\nmaximise = \"carbon_balance\"\n";
+    Campaign campaign = read_campaign(path);
+    campaign.tessellation = {8, 6};
+    const std::vector<Parameter> all = parameters(campaign, 0);
+    const Parameter& dates = named(all, "dates");
+    EXPECT_EQ(dates.values.at(dates.own).name, "3");
+    const Device device(Device::supported_isas().back());
+    const Rivals plants = rivals(campaign, cases(campaign).front());
+    Probe probe(dates.at(0), 0, device, plants);
+    probe.draw();
+    CanopyRequest request = request_of(dates.at(0), 0, plants[0]);
+    request.accuracy.randomisations = 4;
+    const double carbon =
+        measure_objective("carbon_balance", evaluate(request, device))
+            .estimate.mean;
+    EXPECT_NEAR(probe.means(Goal::value).front(), carbon, .1 * carbon);
+    EXPECT_GT(carbon, .1);
+    EXPECT_LT(carbon, 3);
 }
 
 TEST(FidelityParameters, BlackCanopiesHaveNoScatteringToTrade) {

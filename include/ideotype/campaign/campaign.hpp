@@ -138,6 +138,9 @@ struct Campaign {
     AnswerLimits answer_limits;
 };
 
+//! Whether an objective is of what leaves make of light.
+bool is_of_assimilation(const std::string& objective);
+
 //! One point of the sweep: a single evolution with its own history.
 struct Case {
     int index = 0;

@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "ideotype/canopy/pieces.hpp"
 #include "ideotype/canopy/scenario.hpp"
 #include "ideotype/core/randomness.hpp"
 #include "ideotype/crop/plant.hpp"
@@ -23,6 +24,8 @@ struct Details {
     bool faces = false;
     //! What leaves make of the light.
     std::optional<Photosynthesis> photosynthesis{};
+    //! Of a blade, over each of which diffuse light is taken as even.
+    std::size_t pieces = pieces_of_blade;
     bool exact = false;  //!< that by assimilate_exactly(), for checks: slow
 };
 

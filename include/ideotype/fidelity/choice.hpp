@@ -9,8 +9,7 @@
 namespace ideotype {
 
 //! A value for every parameter that may be turned, and what an evaluation
-//! should then be like. Errors are relative to the light that the baseline's
-//! leaves absorb.
+//! should then be like. Errors are relative to the baseline's objective.
 struct Combination {
     std::vector<std::size_t> values;  //!< by parameter of the trade
     Accuracy accuracy;
@@ -57,7 +56,7 @@ std::vector<PastedKey> keys_of(const Campaign& campaign);
 //! What a combination is really like: evaluations as campaigns make them, each
 //! with fresh random numbers, against the trade's converged figures.
 struct Check {
-    Estimate bias;            //!< relative to the baseline's light
+    Estimate bias;            //!< relative to the baseline's objective
     Estimate standard_error;  //!< of one evaluation, from their spread
     double seconds = 0;       //!< of one evaluation, as cost, median
 };

@@ -17,6 +17,8 @@ struct Variant {
     Skies skies = Skies::shared;
     //! Paths of skies for their energy, relative to those of the sun.
     double sky_effort = 1;
+    std::size_t pieces = pieces_of_blade;  //!< where leaves assimilate
+    int randomisations = 2;                //!< of a draw
 };
 
 //! One position of a parameter.
@@ -27,8 +29,8 @@ struct ParameterValue {
 
 //! One thing that trades speed for accuracy.
 struct Parameter {
-    //! How finely the same is computed; what is left out; how often it is
-    //! sampled; how the same work is arranged.
+    //! How finely the same is computed; what is left out, or is no key of a
+    //! campaign; how often it is sampled; how the same work is arranged.
     enum class Kind { fineness, omission, paths, arrangement };
 
     std::string name;
@@ -38,6 +40,10 @@ struct Parameter {
     std::size_t own = 0;        //!< the campaign's value
     //! In what surroundings the values are compared.
     Variant base;
+
+    //! Whether its values may give different means. Noise in the light of
+    //! few paths lowers assimilation, and nothing else.
+    bool may_be_biased() const;
 
     //! The surroundings with one of the values.
     Variant at(std::size_t value) const;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "ideotype/canopy/canopy.hpp"
@@ -27,15 +28,15 @@ struct Scatter {
     Estimate path;
 };
 
-//! Two plants whose light is compared, as selection does.
+//! Two plants that are compared, as selection does.
 using Rivals = std::array<Genome, 2>;
 
 //! The baseline, and a plant as far from it as candidates are from each
 //! other: every free gene is moved by a tenth of its range.
 Rivals rivals(const Campaign& campaign, const Case& chosen);
 
-//! What is estimated of two plants: the light that the first one's leaves
-//! absorb, and by how much the second's absorb more [J m-2 day-1].
+//! What is estimated of two plants, in the unit of the campaign's objective:
+//! that of the first, and how much more the second has.
 enum class Goal { value, difference };
 
 //! Time of the processor that this process has used [s]; unlike that of a
@@ -54,7 +55,7 @@ class Probe {
     Probe(const Variant& variant, std::size_t case_index, const Device& device,
           const Rivals& rivals);
 
-    //! Makes the next draw: a field, two randomisations.
+    //! Makes the next draw: a field with some randomisations.
     void draw();
 
     std::size_t draws() const { return means_[0].size(); }
@@ -73,19 +74,18 @@ class Probe {
     double seconds() const { return seconds_; }
 
   private:
-    struct Randomised {
-        double first, second;
-    };
-
     static std::size_t index(Goal goal) { return goal == Goal::value ? 0 : 1; }
-    Randomised evaluate(const Genome& genome, std::uint32_t draw);
+    //! The objective by randomisation.
+    std::vector<double> evaluate(const Genome& genome, std::uint32_t draw);
+    void append(Goal goal, const std::vector<double>& values);
 
+    std::string objective_;
     CanopyRequest request_;
     Crop crop_;
     const Device& device_;
     Rivals rivals_;
     std::array<std::vector<double>, 2> means_;
-    std::array<std::vector<double>, 2> squares_;  //!< within draws
+    std::array<std::vector<double>, 2> variances_;  //!< within draws
     std::vector<double> geometry_, scene_, path_, paths_traced_;
     double seconds_ = 0;
 };

@@ -8,9 +8,9 @@
 
 namespace ideotype {
 
-//! What is wrong with an estimate, relative to the light that the baseline's
-//! leaves absorb, also for differences: selection asks which of two plants
-//! absorbs more of the same light.
+//! What is wrong with an estimate, relative to the baseline's objective, also
+//! for differences: selection asks which of two plants has more in the same
+//! light.
 struct Inaccuracy {
     Estimate bias;    //!< against the reference
     Scatter scatter;  //!< of one field, and of one randomisation in it
@@ -42,8 +42,8 @@ struct Trade {
     std::size_t case_index = 0;
     Rivals rivals;
     std::vector<MeasuredParameter> parameters;
-    Estimate value;       //!< converged, of the baseline [J m-2 day-1]
-    Estimate difference;  //!< converged, between the rivals [J m-2 day-1]
+    Estimate value;  //!< converged, of the baseline, in the objective's unit
+    Estimate difference;  //!< converged, between the rivals
 
     const MeasuredParameter& parameter(const std::string& name) const;
 };

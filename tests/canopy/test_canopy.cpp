@@ -1,6 +1,8 @@
 #include <cmath>
+#include <fstream>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "ideotype/canopy/canopy.hpp"
 #include "ideotype/core/error.hpp"
@@ -220,6 +222,73 @@ TEST_F(TwoLeaves, PartsOfAssimilationSumToTheWhole) {
         EXPECT_NEAR(hours / all.gross.mean, 1, 1e-12);
         EXPECT_LT(all.carbon_loss(), all.gross.mean);
         EXPECT_GT(all.carbon_loss(), all.net_loss());
+    }
+}
+
+TEST_F(TwoLeaves, AssimilationOfDaysAndHoursSumsToThatOfTheMeanDay) {
+    request.details.photosynthesis.emplace();
+    request.scenario.light = illuminate(
+        clear_days({"ames", 42, -93.6, -5},
+                   {{{2025, 7, 7}, {2025, 8, 7}, {2025, 9, 20}}, 7, 20, 60},
+                   .45),
+        SkyModel::uniform, 90, Skies::shared, 2);
+    const AssimilationReport all = *evaluated().assimilation;
+    const LightSeries& series = request.scenario.light.series;
+    ASSERT_EQ(all.dates.size(), 3u);
+    double days = 0, hours = 0;
+    for (const Estimate& date : all.dates) days += date.mean / 3;
+    const auto steps = series.steps_of_hours();
+    for (std::size_t h = 0; h < steps.size(); ++h)
+        hours +=
+            1e-6 * series.steps[steps[h].front()].seconds * all.hours[h].mean;
+    EXPECT_NEAR(days / all.gross.mean, 1, 1e-12);
+    EXPECT_NEAR(hours / all.gross.mean, 1, 1e-12);
+    EXPECT_GT(all.dates[0].mean, all.dates[2].mean);
+}
+
+//! A horizontal black leaf over all of the ground, in so many instants.
+CanopyRequest black_sheet(const std::vector<TimeStep>& steps) {
+    Field field;
+    field.mesh.vertices = {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+    field.mesh.faces = {{0, 1, 2, 3}};
+    field.mesh.face_group = {0};
+    field.mesh.groups = {{"leaf01", Tissue::leaf}};
+    field.period_x = field.period_y = field.ground_area = 1;
+    CanopyRequest request = two_leaves({64, 8});
+    request.stand = field;
+    request.scenario.light = illuminate({steps}, SkyModel::uniform, 90);
+    request.scenario.optics = {};
+    Photosynthesis& leaves = request.details.photosynthesis.emplace();
+    leaves.rates = {CollatzLeaf{}};
+    leaves.profile = CapacityProfile::none;
+    leaves.photons = 1;
+    return request;
+}
+
+TEST(BlackSheet, AssimilatesAsCollatzSaysInEachInstantsAir) {
+    std::ifstream file(IDEOTYPE_TEST_DATA "/physiology/collatz.json");
+    const nlohmann::json values = nlohmann::json::parse(file).at("fixed_ci");
+    const Device device(Device::supported_isas().back());
+    for (const bool is_beam : {true, false}) {
+        std::vector<TimeStep> steps;
+        double respired = 0;
+        for (const nlohmann::json& each : values) {
+            TimeStep step;
+            step.hour = static_cast<double>(steps.size());
+            step.seconds = 3600;
+            step.sun = {40, 120};
+            (is_beam ? step.par.beam : step.par.diffuse) = each.at("Q");
+            step.temperature = each.at("T");
+            step.humidity = each.at("vpd_rh");
+            respired += 3600e-6 * each.at("Rd").get<double>();
+            steps.push_back(step);
+        }
+        const AssimilationReport report =
+            *evaluate(black_sheet(steps), device).assimilation;
+        for (std::size_t i = 0; i < values.size(); ++i)
+            EXPECT_NEAR(report.hours.at(i).mean, values[i].at("gross"), 1e-6)
+                << i;
+        EXPECT_NEAR(report.net_loss(), respired, 1e-12);
     }
 }
 

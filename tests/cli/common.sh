@@ -72,6 +72,27 @@ randomisations = 4
 TOML
 }
 
+# Ten days of weather instead of the clear day of a campaign. $1 its name
+give_season() {
+    cp -r "$project/campaigns/weather" campaigns
+    sed -i -e '/^\[day\]/,/^\[spacing\]/{/^\[spacing\]/!d}' \
+        -e 's/42\.0/40.05/; s/-93\.6/-88.37/' \
+        -e 's/utc_offset = -5/utc_offset = -6/' "campaigns/$1.toml"
+    cat >>"campaigns/$1.toml" <<'TOML'
+[climate]
+name = "july"
+file = "weather/bondville_2011_0721_0920.csv"
+from = 2011-07-21
+to = 2011-07-30
+time = ["time"]
+stamp = "middle"
+global = ["ppfd_umol", "umol/m2/s"]
+diffuse_fraction = ["diffuse_fraction_erbs", "1"]
+temperature = ["temp_c", "C"]
+humidity = ["rh", "1"]
+TOML
+}
+
 # $1 and $2 histories, $3 a group, the rest datasets that may differ
 same_group() {
     # The same data at other places in the file: scales refer to them.

@@ -262,18 +262,46 @@ TEST(Assimilation, OfWeakLeavesCountsThoseInTheSun) {
                 4 * std::hypot(found.standard_error, .00025));
 }
 
-TEST(Assimilation, OfASeasonIsThatOfItsHours) {
-    const auto path = std::filesystem::path(testing::TempDir()) / "season.toml";
+//! The weather of Bondville to a day.
+std::string season(const std::string& to) {
+    const auto path =
+        std::filesystem::path(testing::TempDir()) / ("to_" + to + ".toml");
     std::ofstream(path) << fmt::format(
         "[site]\nlatitude = 40.05\nlongitude = -88.37\nutc_offset = -6\n"
         "elevation = 213\n[climate]\nfile = \"{}/weather/"
         "bondville_2011_0721_0920.csv\"\nfrom = 2011-07-21\n"
-        "to = 2011-09-20\ntime = [\"time\"]\nstamp = \"middle\"\n"
+        "to = {}\ntime = [\"time\"]\nstamp = \"middle\"\n"
         "global = [\"ppfd_umol\", \"umol/m2/s\"]\n"
-        "diffuse_fraction = [\"diffuse_fraction_erbs\", \"1\"]\n",
-        IDEOTYPE_CAMPAIGNS);
+        "diffuse_fraction = [\"diffuse_fraction_erbs\", \"1\"]\n"
+        "temperature = [\"temp_c\", \"C\"]\nhumidity = [\"rh\", \"1\"]\n",
+        IDEOTYPE_CAMPAIGNS, to);
+    return path.string();
+}
+
+TEST(Assimilation, ByCollatzFollowsTheWeather) {
     MeshOptions options = mesh("maize1", {.76, .15});
-    options.climate = path.string();
+    options.climate = season("2011-07-23");
+    options.tolerance = 3e-3;
+    // Only if asked for: else a mesh has the response of the table.
+    options.photosynthesis = table("still", "model = 'collatz'\n");
+    const CanopyReport still = study(options).canopy;
+    options.photosynthesis =
+        table("air", "model = 'collatz'\nweather = true\n");
+    const CanopyReport moved = study(options).canopy;
+    const double linear = .067 * 4.57e-6 * moved.light.day.leaves.mean;
+    EXPECT_LT(moved.assimilation->gross.mean, .9 * linear);
+    EXPECT_GT(moved.assimilation->gross.mean, .4 * linear);
+    // In the same light: a night below 30 deg C costs less, the day gives less.
+    EXPECT_LT(moved.assimilation->all_respiration().at_night,
+              .9 * still.assimilation->all_respiration().at_night);
+    EXPECT_GT(std::abs(moved.assimilation->gross.mean -
+                       still.assimilation->gross.mean),
+              .003 * still.assimilation->gross.mean);
+}
+
+TEST(Assimilation, OfASeasonIsThatOfItsHours) {
+    MeshOptions options = mesh("maize1", {.76, .15});
+    options.climate = season("2011-09-20");
     options.photosynthesis = table("leaves", "amax = 50\nrd = 2\n");
     options.soil_albedo = 0;
     options.tolerance = 2e-3;
@@ -286,6 +314,57 @@ TEST(Assimilation, OfASeasonIsThatOfItsHours) {
                 4 * std::hypot(gross.standard_error, .0009) + .002 * 1.5318);
     options.sun = {30, 180};
     EXPECT_THROW(check(options), Error);
+}
+
+//! Two sheets over half of the ground each, side by side, in these groups.
+MeshOptions halves(const std::string& first, const std::string& second) {
+    MeshOptions options = mesh("sheets1", {1, 1});
+    options.path = testing::TempDir() + "two_groups.obj";
+    std::ofstream(options.path)
+        << "v 0 0 1\nv .5 0 1\nv .5 1 1\nv 0 1 1\nv 1 0 1\nv 1 1 1\n"
+        << "g " << first << "\nf 1 2 3 4\ng " << second << "\nf 2 5 6 3\n";
+    options.leaf = {0, 0};
+    options.soil_albedo = 0;
+    options.sun = {30, 90};
+    options.beam_ppfd = 1000;
+    options.tolerance = .01;
+    return options;
+}
+
+TEST(Assimilation, OfGroupsGoesByTheNumbersOfLeavesOfAnyMesh) {
+    const auto response = [](double amax) {
+        return Hyperbola{.06, .7, amax}.gross(1000) / 2;
+    };
+    MeshOptions options = halves("leaf02", "wheat_leaf01");
+    options.photosynthesis = table("ranks", "amax = [30, 50]\n");
+    const Rates ranked = rates(options);
+    for (const auto& [group, amax] : {std::pair(0u, 50.), {1u, 30.}})
+        EXPECT_NEAR(ranked.groups[group].mean, response(amax),
+                    4 * ranked.groups[group].standard_error + 1e-6);
+    EXPECT_NEAR(ranked.net.mean, ranked.gross.mean - .04 * (30 + 50) / 2, 1e-9);
+
+    options = halves("left", "right");
+    options.photosynthesis = table("one", "amax = 40\n");
+    EXPECT_NEAR(rates(options).gross.mean, 2 * response(40), 1e-6);
+    options.photosynthesis = table("ranks", "amax = [30, 50]\n");
+    try {
+        study(options);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("as in leaf01"),
+                  std::string::npos);
+    }
+}
+
+TEST(Assimilation, OfASingleLeafIsThatOfItsLight) {
+    MeshOptions options = halves("leaf", "stalk");
+    options.photosynthesis = table("one", "amax = 40\n");
+    options.stalk = {0, 0};
+    const Rates found = rates(options);
+    const Hyperbola response{.06, .7, 40};
+    EXPECT_NEAR(found.gross.mean, response.gross(1000) / 2,
+                4 * found.gross.standard_error + 1e-6);
+    EXPECT_LT(found.gross.standard_error, .2);
 }
 
 TEST(Assimilation, NeedsToKnowHowStrongTheLightIs) {

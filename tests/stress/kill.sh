@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # Kills runs at random times, looks at what is left, resumes, and compares with
 # an uninterrupted run bit for bit: see README.md.
-# kill.sh IDEOTYPE [KILLS] [SEED]
+# kill.sh IDEOTYPE [KILLS] [SEED] [season]
 ideotype=$(readlink -f "$1")
 kills=${2:-100}
 seed=${3:-1}
+light=${4:-day}
 here=$(readlink -f "$(dirname "$0")")
 project=$(readlink -f "$here/../..")
 work=$(mktemp -d)
@@ -131,14 +132,23 @@ end_round() {
     rounds=$((rounds + 1))
     rm -rf "round$round"
     round=$((round + 1))
-    history=$(history_of "round$round" stress)
+    history=$(history_of "round$round" stress $name)
 }
 
+name=0807
+lag=400
+[ "$light" = season ] && generations=$((generations / 4))
 write_campaign stress $population "$generations"
+if [ "$light" = season ]; then
+    give_season stress
+    printf '[objective]\nmaximise = "carbon_balance"\n' >>campaigns/stress.toml
+    name=july
+    lag=1000  # weather is read first
+fi
 "$ideotype" run campaigns/stress.toml --out whole >/dev/null
-whole=$(history_of whole stress)
+whole=$(history_of whole stress $name)
 round=0
-history=$(history_of round0 stress)
+history=$(history_of round0 stress $name)
 targets=(rank0 worker mpirun all)
 declare -A hits=([rank0]=0 [worker]=0 [mpirun]=0 [all]=0)
 declare -A places=([start]=0 [resume]=0 [generations]=0 [finals]=0)
@@ -149,7 +159,7 @@ while [ $done_kills -lt "$kills" ]; do
     before=$(committed "$history")
     target=${targets[RANDOM % 4]}
     # [ms]; one in three while the ranks start and open the file.
-    delay=$((RANDOM % 3 == 0 ? 150 + RANDOM % 350 : 400 + RANDOM % 1000))
+    delay=$((RANDOM % 3 == 0 ? 150 + RANDOM % 350 : lag + RANDOM % 1000))
     start $done_kills
     sleep "$(printf '%d.%03d' $((delay / 1000)) $((delay % 1000)))"
     mapfile -t ranks < <(pgrep -P $job || true)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "ideotype/light/sunlit.hpp"
@@ -175,6 +176,10 @@ void PairLight::add(const Hit& hit, Bin& bin) const {
     bin.cosine += energy * hit.cosine;
 }
 
+//! The variance of a product of noise is half of what a jackknife tells
+//! (Efron and Stein 1981, doi:10.1214/aos/1176345462).
+constexpr double of_products = std::numbers::sqrt2 / 2;
+
 //! Of light itself in a randomisation, and of squares and products, where
 //! moments have weights of what differs in the mean. Without what is of a hit
 //! alone.
@@ -202,6 +207,11 @@ std::vector<Moments> PairLight::weights_of_pieces(
             *of_product *= per * per / (n_ - 2);
         w.sun += 2 * w.sun2 * sun_.sum[v] + w.sun_sky * sky_.light.sum[v];
         w.sky += 2 * w.sky2 * sky_.light.sum[v] + w.sun_sky * sun_.sum[v];
+        const Moments& first_order = weights[places_.of[v]];
+        w.sun = first_order.sun + of_products * (w.sun - first_order.sun);
+        w.sky = first_order.sky + of_products * (w.sky - first_order.sky);
+        for (double* of_product : {&w.sun2, &w.sun_sky, &w.sky2})
+            *of_product *= of_products;
         sky_.weight[v] += w.sky;
         sky_.weight_of_square[v] -= 2 * w.sky2;
     }
@@ -236,8 +246,9 @@ std::vector<double> PairLight::scatter(
                     per * (sky_.light.sum[v] - 2 * sky_.in(r, v)) -
                     sky_.expected[bin.place];
                 add(v,
-                    energy * (bin.weights.one + bin.weights.sun * sun_differs +
-                              bin.weights.sky * sky_differs));
+                    energy * (bin.weights.one +
+                              of_products * (bin.weights.sun * sun_differs +
+                                             bin.weights.sky * sky_differs)));
             }
         for (const auto& [v, x] : sun_.parts[r]) sun[v] = 0;
         for (std::size_t p = 0; p < places_.count(); ++p)

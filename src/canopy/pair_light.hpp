@@ -62,7 +62,8 @@ class PairLight {
 
     //! How the sum of all moments by their weights differs in the pseudo-values
     //! of a jackknife (Quenouille 1956, doi:10.1093/biomet/43.3-4.353; Tukey
-    //! 1958, doi:10.1214/aoms/1177706647), but for what all share: adds to
+    //! 1958, doi:10.1214/aoms/1177706647), products by as much as makes their
+    //! scatter right, but for what all share: adds to
     //! [randomisation][place], without the light of the sky, whose weights it
     //! raises.
     //! @param weights of moments()

@@ -31,6 +31,15 @@ constexpr std::size_t trial_suns = 4;
 //! which a trial replaces.
 constexpr double even_for_lattices = 30;
 
+//! How many times as much a variance counts if leaves are to be known piece by
+//! piece, for what they make of their light: that of diffuse light, most of
+//! which falls on shaded leaves, is worth more. See tests/benchmark/README.md.
+constexpr ByOrigin<double> worth_to_leaves{1.2, 2, 2};
+
+//! Hits of diffuse light per piece at least, in all randomisations together:
+//! with fewer the scatter of products would exceed that of the light itself.
+constexpr double hits_of_piece = 1.5;
+
 //! A trial that underestimates the error leads to too few paths. The expected
 //! error stays within the tolerance if all estimates are multiplied by the
 //! mean of sqrt(v / X), X from a chi-square distribution with v degrees of
@@ -47,19 +56,20 @@ double squared(double x) {
 class Search {
   public:
     Search(const Subject& subject, const Accuracy& accuracy,
-           const Randomness& randomness)
+           const Randomness& randomness, Detail detail)
         : subject_(subject),
+          detail_(detail),
           light_(subject.light),
           accuracy_(accuracy),
           randomness_(randomness),
           energy_(light_.energy()),
           trials_(std::max(trial_randomisations, accuracy.randomisations)) {}
 
-    Simulation result(Detail detail) {
+    Simulation result() {
         Workload work = enough();
         Simulation found;
         found.tallies = subject_.simulate(work, accuracy_.randomisations,
-                                          randomness_, detail);
+                                          randomness_, detail_);
         for (const std::uint32_t hits : work.first_hits)
             found.paths += static_cast<int>(hits);
         found.work = std::move(work);
@@ -162,6 +172,9 @@ class Search {
         numbers.first_randomisation += ++trial_ * first_of_trials;
         const Findings last = found_;
         found_ = ideotype::try_out(subject_, work, trials_, numbers, is_drawn);
+        if (detail_ == Detail::leaf_light)
+            for (std::size_t o = 0; o < origins; ++o)
+                found_.laws[o].variance *= worth_to_leaves[o];
         if (!found_.is_whole) {
             found_.mean = last.mean;
             found_.is_open = last.is_open;
@@ -235,10 +248,34 @@ class Search {
             std::max(amounts[LightOrigin::scattered], coarsest);
         for (std::size_t o = 0; o < origins; ++o)
             amounts[o] = std::max(amounts[o], least[o]);
+        if (detail_ == Detail::leaf_light) {
+            const double more = for_pieces(amounts);
+            amounts[LightOrigin::skies] *= more;
+            amounts[LightOrigin::scattered] *= more;
+        }
         return amounts;
     }
 
+    //! How many times as much light that is no beam meets enough pieces, within
+    //! reason: there may be next to none, or very many pieces.
+    double for_pieces(const Amounts& amounts) const {
+        constexpr double most_times = 16;
+        const double skies = amounts[LightOrigin::skies];
+        const double hits =
+            accuracy_.randomisations *
+            (skies + found_.rays_per_unit * amounts[LightOrigin::scattered]);
+        if (!(hits > 0)) return 1;
+        double times = std::min(
+            hits_of_piece * static_cast<double>(subject_.groups.size()) / hits,
+            most_times);
+        if (skies > 0)
+            times =
+                std::min(times, (most() - amounts[LightOrigin::beams]) / skies);
+        return std::max(times, 1.);
+    }
+
     Subject subject_;
+    Detail detail_;
     const Illumination& light_;
     const Accuracy& accuracy_;
     const Randomness& randomness_;
@@ -258,8 +295,8 @@ Simulation simulate_to_tolerance(
     const Randomness& randomness, const Layers& layers, Detail detail) {
     if (accuracy.tolerance > 0 && !illumination.sources.empty())
         return Search({scene, groups, optics, illumination, layers}, accuracy,
-                      randomness)
-            .result(detail);
+                      randomness, detail)
+            .result();
     return {simulate(scene, groups, optics, illumination, accuracy, randomness,
                      layers, detail),
             accuracy.paths,

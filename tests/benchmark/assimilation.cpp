@@ -4,17 +4,20 @@
 //!
 //!     assimilation bias SEEDS
 //!     assimilation pieces
-//!     assimilation time
+//!     assimilation cost REPEATS
 #include "ideotype/canopy/assimilation.hpp"
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <numeric>
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "ideotype/canopy/exact_assimilation.hpp"
 #include "ideotype/light/tolerance.hpp"
 #include "stand.hpp"
 
@@ -22,23 +25,31 @@ namespace ideotype {
 
 namespace {
 
-//! b73_v01 at Ames, 30 x 6 inches, 14 instants of a clear day; its leaves
-//! along the row or across it.
-struct Layout {
-    int plants;  //!< rows, and plants of each
-    bool is_across;
+//! A case of campaigns/NAME.toml with its baseline, or another plant.
+struct Stands {
+    const char* name;
+    const char* campaign = "ames";
+    int plants = 0;  //!< rows, and plants of each; 0: of the campaign
+    const char* plant = nullptr;
+    std::optional<double> azimuth{};  //!< of the leaves [deg]
+    std::optional<Spacing> spacing{};
 };
 
+//! Under 14 instants of a clear day, or a season.
 class Canopy {
   public:
-    explicit Canopy(const Layout& which,
+    explicit Canopy(const Stands& which,
                     std::size_t per_blade = pieces_of_blade,
                     int cells_along = 12)
-        : stand_(ames(which.plants)) {
-        Plant plant = read_plant(IDEOTYPE_CAMPAIGNS "/plants/b73_v01.toml");
-        for (std::size_t i = 0; i < plant.leaves.size(); ++i)
-            plant.leaves[i].azimuth =
-                (i % 2 == 0 ? 0 : 180) + (which.is_across ? 90 : 0);
+        : stand_(campaign(which)) {
+        Plant plant = stand_.campaign.crop.baseline;
+        if (which.plant)
+            plant = read_plant(fmt::format("{}/plants/{}.toml",
+                                           IDEOTYPE_CAMPAIGNS, which.plant));
+        if (which.azimuth)
+            for (std::size_t i = 0; i < plant.leaves.size(); ++i)
+                plant.leaves[i].azimuth =
+                    *which.azimuth + (i % 2 == 0 ? 0 : 180);
         const Mesh mesh = build_plant(plant, {cells_along});
         const Pieces pieces = cut_leaves(mesh, {}, per_blade);
         field_ = draw_field(pieces.mesh, stand_.request.scenario.field, {1});
@@ -71,6 +82,21 @@ class Canopy {
                                  : Estimate{values.front(), 0};
     }
 
+    //! The same without pieces.
+    Estimate exact(double tolerance) const {
+        std::vector<LeafRates> of_pieces;
+        for (const std::uint32_t group : pieces_.group)
+            of_pieces.push_back(rates_[group]);
+        std::vector<double> values;
+        for (const AssimilationTally& tally :
+             assimilate_exactly(*scene_, field_.mesh, scenario().optics,
+                                scenario().light, photosynthesis_, of_pieces,
+                                {}, {1 << 22, 16, tolerance}, {1})
+                 .tallies)
+            values.push_back(tally.gross());
+        return estimate(values);
+    }
+
     //! Of the mean light, with what its noise does.
     double plain(const std::vector<Tally>& tallies) const {
         Tally mean = tallies.front();
@@ -87,10 +113,13 @@ class Canopy {
     }
 
   private:
-    static Campaign ames(int plants) {
-        Campaign campaign = Stand::ames();
-        campaign.days[0].value.step_minutes = 60;
-        campaign.field.rows = campaign.field.plants = plants;
+    static Campaign campaign(const Stands& which) {
+        Campaign campaign = read_campaign(
+            fmt::format("{}/{}.toml", IDEOTYPE_CAMPAIGNS, which.campaign));
+        for (auto& day : campaign.days) day.value.step_minutes = 60;
+        if (which.plants > 0)
+            campaign.field.rows = campaign.field.plants = which.plants;
+        if (which.spacing) campaign.spacings[0].value = *which.spacing;
         return campaign;
     }
 
@@ -104,24 +133,32 @@ class Canopy {
     std::vector<LeafRates> rates_;
 };
 
-std::string name(const Layout& which) {
-    return fmt::format("{0} x {0}, leaves {1}", which.plants,
-                       which.is_across ? "across" : "along");
-}
+constexpr double along = 0, across = 90;
+const Stands stands[] = {
+    {"2 x 2, leaves along", "ames", 2, "b73_v01", along, {}},
+    {"2 x 2, leaves across", "ames", 2, "b73_v01", across, {}},
+    {"6 x 6, leaves along", "ames", 6, "b73_v01", along, {}},
+    {"6 x 6, leaves across", "ames", 6, "b73_v01", across, {}},
+    {"ames.toml"},
+    {"ames.toml, 15 x 3 inches",
+     "ames",
+     0,
+     nullptr,
+     {},
+     Spacing{.381, .0762, 90}},
+    {"ames.toml, elite", "ames", 0, "elite", {}, {}},
+    {"bondville.toml", "bondville"}};
 
-constexpr Layout layouts[] = {{2, false}, {2, true}, {6, false}, {6, true}};
-
-double seconds() {
-    return std::chrono::duration<double>(
-               std::chrono::steady_clock::now().time_since_epoch())
-        .count();
+//! Of this program [ms].
+double processor_time() {
+    return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 void print_bias(int seeds) {
     fmt::print(
         "| stand | tolerance | without correction % | corrected % | "
         "beyond 2 s.e. | scatter / s.e. |\n|---|---|---|---|---|---|\n");
-    for (const Layout& which : layouts) {
+    for (const Stands& which : stands) {
         const Canopy canopy(which);
         const Estimate truth = canopy.gross(canopy.light(5e-4, 999));
         for (const double tolerance : {.008, .003}) {
@@ -146,7 +183,7 @@ void print_bias(int seeds) {
                         std::hypot(mean.standard_error, truth.standard_error) /
                         truth.mean);
             };
-            fmt::print("| {} | {} | {} | {} | {:.3f} | {:.2f} |\n", name(which),
+            fmt::print("| {} | {} | {} | {} | {:.3f} | {:.2f} |\n", which.name,
                        tolerance, against(plain), against(corrected), beyond,
                        estimate(corrected).standard_error *
                            std::sqrt(seeds / variance));
@@ -156,37 +193,96 @@ void print_bias(int seeds) {
 }
 
 void print_pieces() {
-    fmt::print("| stand | 12 | 24 | 48 | 96 |\n|---|---|---|---|---|\n");
-    constexpr int fine = 48;
-    for (const bool is_across : {false, true}) {
-        const Layout which{2, is_across};
-        fmt::print("| {} ", name(which));
-        for (const std::size_t pieces : {12, 24, 48, 96}) {
-            const Canopy canopy(which, pieces, fine);
-            const Estimate gross = canopy.gross(canopy.light(5e-4, 1));
-            fmt::print("| {:.5f} +- {:.5f} ", gross.mean, gross.standard_error);
+    fmt::print(
+        "| stand | cells along | 12 | 24 | 48 | 96 | without pieces |\n"
+        "|---|---|---|---|---|---|---|\n");
+    constexpr double tolerance = 5e-4;
+    for (const Stands& which : {stands[0], stands[1], stands[4]})
+        for (const int cells : {12, 48}) {
+            fmt::print("| {} | {} ", which.name, cells);
+            for (const std::size_t pieces : {12, 24, 48, 96}) {
+                if (pieces > 2 * static_cast<std::size_t>(cells)) {
+                    fmt::print("| ");
+                    continue;
+                }
+                const Canopy canopy(which, pieces, cells);
+                const Estimate gross = canopy.gross(canopy.light(tolerance, 1));
+                fmt::print("| {:.5f} +- {:.5f} ", gross.mean,
+                           gross.standard_error);
+                std::fflush(stdout);
+            }
+            const Estimate exact = Canopy(which, 12, cells).exact(tolerance);
+            fmt::print("| {:.5f} +- {:.5f} |\n", exact.mean,
+                       exact.standard_error);
             std::fflush(stdout);
         }
-        fmt::print("|\n");
-    }
 }
 
-void print_time() {
+//! Whole evaluations of a campaign's baseline in turn, of light alone and of
+//! gross assimilation.
+class Costs {
+  public:
+    Costs(const Stand& stand, double tolerance, int repeats) {
+        CanopyRequest request = stand.request;
+        request.accuracy = {1 << 22, 16, tolerance};
+        for (int i = 1; i <= repeats; ++i) {
+            request.randomness.seed = static_cast<std::uint64_t>(i);
+            request.details.photosynthesis.reset();
+            add(light_, request, stand.device);
+            request.details.photosynthesis.emplace();
+            add(assimilation_, request, stand.device);
+        }
+    }
+
+    //! Of time, and of time for the same error if that falls with its root.
+    std::string line() const {
+        const double ratio = time(assimilation_) / time(light_);
+        return fmt::format(
+            "{:.1f} | {:.3f} | {:.1f} | {:.3f} | {:.2f} | {:.2f}", time(light_),
+            error(light_), time(assimilation_), error(assimilation_), ratio,
+            ratio * std::pow(error(assimilation_) / error(light_), 2));
+    }
+
+  private:
+    struct Runs {
+        std::vector<double> times, errors;
+    };
+
+    static void add(Runs& runs, const CanopyRequest& request,
+                    const Device& device) {
+        const double began = processor_time();
+        const CanopyReport report = evaluate(request, device);
+        runs.times.push_back(processor_time() - began);
+        const Estimate& found = report.assimilation ? report.assimilation->gross
+                                                    : report.light.day.leaves;
+        runs.errors.push_back(100 * found.standard_error / found.mean);
+    }
+
+    static double time(Runs runs) {
+        std::sort(runs.times.begin(), runs.times.end());
+        return runs.times[runs.times.size() / 2];
+    }
+
+    static double error(const Runs& runs) {
+        double squares = 0;
+        for (const double each : runs.errors) squares += each * each;
+        return std::sqrt(squares / static_cast<double>(runs.errors.size()));
+    }
+
+    Runs light_, assimilation_;
+};
+
+void print_cost(int repeats) {
     fmt::print(
-        "| stand | tolerance | light ms | light of leaves ms | assimilation "
-        "ms |\n|---|---|---|---|---|\n");
-    for (const Layout& which : {layouts[0], layouts[2]}) {
-        const Canopy canopy(which);
-        for (const double tolerance : {.008, .001}) {
-            const double began = seconds();
-            canopy.light(tolerance, 1, Detail::sums);
-            const double sums = seconds();
-            const std::vector<Tally> light = canopy.light(tolerance, 1);
-            const double lit = seconds();
-            canopy.gross(light);
-            fmt::print("| {} | {} | {:.1f} | {:.1f} | {:.1f} |\n", name(which),
-                       tolerance, 1e3 * (sums - began), 1e3 * (lit - sums),
-                       1e3 * (seconds() - lit));
+        "| campaign | tolerance | light ms | error % | assimilation ms | "
+        "error % | ratio | at equal error "
+        "|\n|---|---|---|---|---|---|---|---|\n");
+    for (const char* name : {"ames", "bondville"}) {
+        const Stand stand(
+            read_campaign(fmt::format("{}/{}.toml", IDEOTYPE_CAMPAIGNS, name)));
+        for (const double tolerance : {.008, .003, .001}) {
+            fmt::print("| {} | {} | {} |\n", name, tolerance,
+                       Costs(stand, tolerance, repeats).line());
             std::fflush(stdout);
         }
     }
@@ -202,8 +298,8 @@ int main(int argc, char** argv) {
         ideotype::print_bias(std::atoi(argv[2]));
     else if (what == "pieces")
         ideotype::print_pieces();
-    else if (what == "time")
-        ideotype::print_time();
+    else if (what == "cost" && argc > 2)
+        ideotype::print_cost(std::atoi(argv[2]));
     else
         return 2;
 }

@@ -28,6 +28,10 @@ inline constexpr int fewest_paths = 32;
 //! beams, skies and scattered light: each gets first hits or paths so that the
 //! whole costs least. With equal work two scenes share all random numbers, and
 //! the result is that of simulate() with this work.
+//!
+//! With leaf light there is more work, especially for diffuse light: so much
+//! that the relative error of what leaves make of it by a concave response is
+//! near the tolerance too, and each group of the mesh is met more than once.
 Simulation simulate_to_tolerance(
     const Scene& scene, const std::vector<Group>& groups, const Optics& optics,
     const Illumination& illumination, const Accuracy& accuracy,

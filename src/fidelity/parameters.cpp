@@ -268,10 +268,17 @@ std::vector<Parameter> parameters(const Campaign& campaign,
     for (Parameter& parameter : all)
         parameter.base =
             parameter.kind == Parameter::Kind::arrangement ? own : fine;
-    // Noise in their light falls faster with paths than that of the sum.
-    for (Parameter& parameter : all)
-        if (parameter.name == "pieces")
-            parameter.base.campaign.sampling.paths *= 4;
+    // Few paths have biases of their own, the more pieces and suns share them.
+    for (Parameter& parameter : all) {
+        if (!assimilates) break;
+        if (parameter.name == instants.name)
+            parameter.effort = campaign.climates.empty() ? 32 : 128;
+        if (parameter.name == "pieces") {
+            parameter.effort = 16;
+            instants.values[instants.own].apply(parameter.base);
+        }
+        parameter.base.campaign.sampling.paths *= parameter.effort;
+    }
 
     all.push_back(cell_parameter(campaign));
     all.back().base = own;

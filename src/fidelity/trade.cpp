@@ -121,7 +121,8 @@ class Survey {
         for (std::size_t n = 1; n <= least; ++n)
             for (ParameterProbes& probes : all_)
                 for (std::size_t v = 0; v < probes.size(); ++v)
-                    while (probes.draws(v) < n) step(probes, v);
+                    while (probes.draws(v) < std::min(n, least_of(probes)))
+                        step(probes, v);
         const double until = effort_.seconds * (1 - for_converged);
         while (elapsed() < until && refine()) {
         }
@@ -145,6 +146,12 @@ class Survey {
     }
 
   private:
+    //! Draws with many paths scatter less.
+    std::size_t least_of(const ParameterProbes& probes) const {
+        const auto effort = static_cast<std::size_t>(probes.parameter().effort);
+        return std::max(effort_.least_draws / effort, batch);
+    }
+
     double elapsed() const { return now() - began_; }
 
     void tell(const std::string& what) const {

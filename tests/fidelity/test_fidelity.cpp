@@ -202,6 +202,9 @@ TEST(FidelityOfAssimilation, ControlVolumesAreTradedButNeverChosen) {
     EXPECT_EQ(pieces.values.at(pieces.own).name, "16");  // faces of 8 cells
     EXPECT_EQ(pieces.values.back().name, "96");
     EXPECT_EQ(pieces.at(0).pieces, 12u);
+    // Few paths have biases of their own.
+    EXPECT_EQ(pieces.base.campaign.sampling.paths,
+              16 * named(all, "cells_along").base.campaign.sampling.paths);
     for (const Parameter& each : parameters(small(), 0))
         EXPECT_NE(each.name, "pieces");
     // Light that is taken as even over whole leaves is worth more.

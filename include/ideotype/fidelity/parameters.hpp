@@ -38,6 +38,7 @@ struct Parameter {
     std::vector<ParameterValue> values;
     std::size_t reference = 0;  //!< the value that counts as converged
     std::size_t own = 0;        //!< the campaign's value
+    int effort = 1;  //!< paths of a draw, relative to those of others
     //! In what surroundings the values are compared.
     Variant base;
 

@@ -138,6 +138,15 @@ SeasonLight read_climate(const std::string& path) {
     return {light_of(campaign, chosen), report.warnings()};
 }
 
+std::vector<Aim> aims(const Campaign& campaign) {
+    std::vector<Aim> all;
+    for (const std::string& each : campaign.maximised)
+        all.push_back({each, Sense::maximise});
+    for (const std::string& each : campaign.minimised)
+        all.push_back({each, Sense::minimise});
+    return all;
+}
+
 std::string crop_text(const Campaign& campaign, const Plant& baseline) {
     Draft draft;
     Report report;

@@ -85,6 +85,34 @@ void check_surface(const std::string& name, const Lambertian& surface,
                            1 - surface.reflectance));
 }
 
+void check_objectives(const Campaign& campaign, Report& report) {
+    if (!report.usable({&campaign.maximised, &campaign.minimised})) return;
+    const std::size_t count = aims(campaign).size();
+    for (const std::string& each : campaign.minimised)
+        if (std::count(campaign.maximised.begin(), campaign.maximised.end(),
+                       each) > 0)
+            report.add(&campaign.minimised,
+                       fmt::format("objective.minimise has {} (which is "
+                                   "maximised too); remove one of the two",
+                                   each));
+    const bool is_pareto = campaign.search.optimizer == OptimizerKind::nsga2;
+    if (count == 0)
+        report.add(&campaign.maximised,
+                   "objective.maximise is empty (nothing would be searched "
+                   "for); name a quantity");
+    else if (is_pareto && count == 1)
+        report.add(&campaign.search.optimizer,
+                   "search.optimizer is \"nsga2\" (which finds a front of "
+                   "several objectives); name another in objective.minimise, "
+                   "or use \"cma_es\"");
+    else if (!is_pareto && count > 1)
+        report.add(&campaign.minimised,
+                   fmt::format("there are {} objectives (only nsga2 finds a "
+                               "front of several); use one, or "
+                               "search.optimizer = \"nsga2\"",
+                               count));
+}
+
 void check_search(const Campaign& campaign, Report& report) {
     const int& population = campaign.search.population;
     const auto at_most = [&](const std::string& name, const int& value,
@@ -95,6 +123,7 @@ void check_search(const Campaign& campaign, Report& report) {
                                    "or fewer",
                                    name, value, population, most));
     };
+    check_objectives(campaign, report);
     constexpr int fewest = 4;
     if (campaign.search.optimizer == OptimizerKind::cma_es &&
         report.usable({&population}) && population < fewest)

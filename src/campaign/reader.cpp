@@ -89,8 +89,8 @@ class DraftReader {
         const std::vector<Table> tables = campaign_tables(draft_);
         tables_.read(top, top_section(campaign), tables);
         for (const Table& table : tables) tables_.read(top, table);
-        draft_.has_photosynthesis = top.contains("photosynthesis") ||
-                                    is_of_assimilation(campaign.objective);
+        draft_.has_photosynthesis =
+            top.contains("photosynthesis") || asks_for_assimilation(campaign);
         draft_.has_population = top["search"]["population"].node() != nullptr;
         choose_organs();
         for (auto& [name, free] : campaign.trait_sets) sort_traits(free);

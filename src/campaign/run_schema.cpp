@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "schema.hpp"
 
 namespace ideotype {
@@ -61,20 +63,35 @@ Section light_section(Campaign& campaign) {
 }
 
 Section objective_section(Campaign& campaign) {
-    return {
-        "objective",
-        {Key("maximise", &campaign.objective,
-             "on a mean day: light that leaves absorb, CO2 that they "
-             "assimilate (net of their respiration while there is light), "
-             "or carbon that is left (net of day and night, and of "
-             "building leaves); per area of ground or of leaf")
-             .one_of({"absorbed_par", "absorbed_par_per_leaf_area",
-                      "gross_assimilation", "net_assimilation",
-                      "net_assimilation_per_leaf_area", "carbon_balance"})}};
+    const std::vector<std::string> names{"absorbed_par",
+                                         "absorbed_par_per_leaf_area",
+                                         "gross_assimilation",
+                                         "net_assimilation",
+                                         "net_assimilation_per_leaf_area",
+                                         "carbon_balance",
+                                         "lai"};
+    return {"objective",
+            {Key("maximise", &campaign.maximised,
+                 "on a mean day: light that leaves absorb, CO2 that they "
+                 "assimilate (net of their respiration while there is light), "
+                 "or carbon that is left (net of day and night, and of "
+                 "building leaves); per area of ground or of leaf; or leaf "
+                 "area")
+                 .set(&Key::count, any_count)
+                 .one_of(names),
+             Key("minimise", &campaign.minimised,
+                 "any of the same; several objectives are for nsga2")
+                 .set(&Key::count, any_count)
+                 .set(&Key::initial, "[]")
+                 .one_of(names)}};
 }
 
-bool is_of_assimilation(const std::string& objective) {
-    return objective.rfind("absorbed_par", 0) != 0;
+bool asks_for_assimilation(const Campaign& campaign) {
+    const std::vector<Aim> all = aims(campaign);
+    return std::any_of(all.begin(), all.end(), [](const Aim& aim) {
+        return aim.quantity != "lai" &&
+               !aim.quantity.starts_with("absorbed_par");
+    });
 }
 
 namespace {
@@ -118,8 +135,8 @@ Section search_section(SearchSettings& search) {
         "search",
         {Key("optimizer", choice(search.optimizer),
              "what proposes the candidates: the genetic algorithm, CMA-ES, "
-             "or chance")
-             .one_of({"ga", "cma_es", "random"}),
+             "NSGA-II for several objectives, or chance")
+             .one_of({"ga", "cma_es", "nsga2", "random"}),
          Key("population", &search.population, "plants per generation")
              .within(2, 100000)
              .set(&Key::initial, "100; of CMA-ES 4 + 3 ln(free genes)"),

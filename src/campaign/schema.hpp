@@ -55,7 +55,7 @@ struct MistakenUnit {
     double value;
 };
 
-//! Of a list: one number, or a list of any length.
+//! Of a list: one number or text, or a list of any length.
 inline constexpr std::size_t any_count = ~std::size_t{0};
 
 //! One key, bound to the place of its value. This is the only declaration of

@@ -66,6 +66,8 @@ struct Writer {
     }
     std::string operator()(const std::vector<std::string>* texts) const {
         if (texts->empty()) return "[]";
+        if (key.count == any_count && texts->size() == 1)
+            return quoted(texts->front());
         std::vector<std::string> all;
         for (const std::string& text : *texts) all.push_back(quoted(text));
         return fmt::format("[{}]", fmt::join(all, ", "));
@@ -108,7 +110,8 @@ struct TypeName {
                               : fmt::format("list of {} numbers", key.count);
     }
     std::string operator()(const std::vector<std::string>*) const {
-        return "list of texts";
+        return key.count == any_count ? "text or list of texts"
+                                      : "list of texts";
     }
     std::string operator()(const Choice&) const { return "text"; }
     template <class Integer>

@@ -309,8 +309,13 @@ struct Reader {
 
     void operator()(std::vector<std::string>* value) const {
         const toml::array* array = node.as_array();
-        if (!array) return fail_type(node);
         std::vector<std::string> texts;
+        if (!array && key.count == any_count && node.is_string()) {
+            add(node, texts);
+            *value = texts;
+            return;
+        }
+        if (!array) return fail_type(node);
         for (const toml::node& element : *array) add(element, texts);
         if (array->empty() && key.is_required)
             fail(

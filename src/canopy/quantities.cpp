@@ -143,6 +143,10 @@ const std::vector<Declaration>& declarations() {
         {{"lai", "m2 m-2", "one-sided leaf area per ground area", {}, exact},
          [](const Report& r) {
              return Values{{r.lai, 0}};
+         },
+         [](const Report& r) {
+             return std::vector<double>(r.leaves_by_randomisation.size(),
+                                        r.lai);
          }},
         {{"absorbed_by_leaf", daily, "PAR that each leaf absorbs", {"leaf"}},
          [](const Report& r) { return to_mj(by_leaf(r)); }},

@@ -103,10 +103,11 @@ void print_trade(const Trade& trade) {
         "error of one\nevaluation with {} x {} paths in one field; ms of the "
         "processor (*: the campaign).\n\n{:<13} {:<22} {:>16} {:>6} {:>17} "
         "{:>6} {:>6} {:>6} {:>6} {:>6}\n",
-        campaign.objective, format(trade.value), unit_of(campaign.objective),
-        format(trade.difference), campaign.sampling.paths,
-        campaign.sampling.randomisations, "parameter", "value", "bias", "s.e.",
-        "bias of a diff.", "s.e.", "geom.", "scene", "light", "all");
+        aims(campaign).front().quantity, format(trade.value),
+        unit_of(aims(campaign).front().quantity), format(trade.difference),
+        campaign.sampling.paths, campaign.sampling.randomisations, "parameter",
+        "value", "bias", "s.e.", "bias of a diff.", "s.e.", "geom.", "scene",
+        "light", "all");
     for (std::size_t k = 0; k < trade.parameters.size(); ++k) {
         const MeasuredParameter& each = trade.parameters[k];
         for (std::size_t v = 0; v < each.points.size(); ++v) {
@@ -184,8 +185,8 @@ Json to_json(const Trade& trade, const std::vector<Choice>& choices) {
               {"case", case_of(trade.own, trade.case_index).name},
               {"paths", campaign.sampling.paths},
               {"randomisations", campaign.sampling.randomisations},
-              {"objective", campaign.objective},
-              {"unit", unit_of(campaign.objective)},
+              {"objective", aims(campaign).front().quantity},
+              {"unit", unit_of(aims(campaign).front().quantity)},
               {"value", to_json(trade.value)},
               {"difference", to_json(trade.difference)}};
     for (std::size_t k = 0; k < trade.parameters.size(); ++k) {

@@ -280,7 +280,8 @@ Check check_combination(const Trade& trade, const Combination& combination,
             const CanopyReport report =
                 evaluate(request, device, processor_seconds);
             seconds.push_back(report.seconds.total());
-            return measure_objective(trade.own.campaign.objective, report)
+            return measure_objective(aims(trade.own.campaign).front().quantity,
+                                     report)
                 .estimate.mean;
         };
         const double value = objective(trade.rivals[0]);

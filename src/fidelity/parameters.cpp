@@ -202,7 +202,7 @@ Variant Parameter::at(std::size_t value) const {
 }
 
 bool Parameter::may_be_biased() const {
-    if (kind == Kind::paths) return is_of_assimilation(base.campaign.objective);
+    if (kind == Kind::paths) return asks_for_assimilation(base.campaign);
     return kind != Kind::arrangement;
 }
 
@@ -246,7 +246,7 @@ std::vector<Parameter> parameters(const Campaign& campaign,
                              }));
     const Parameter instants = instants_parameter(campaign, span);
     all.push_back(instants);
-    const bool assimilates = is_of_assimilation(campaign.objective);
+    const bool assimilates = asks_for_assimilation(campaign);
     if (assimilates) all.push_back(pieces_parameter(campaign));
     Parameter scattering = scattering_parameter(campaign.optics, plant);
     if (scattering.values.size() > 1) all.push_back(std::move(scattering));

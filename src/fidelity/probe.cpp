@@ -52,7 +52,7 @@ Rivals rivals(const Campaign& campaign, const Case& chosen) {
 
 Probe::Probe(const Variant& variant, std::size_t case_index,
              const Device& device, const Rivals& plants)
-    : objective_(variant.campaign.objective),
+    : objective_(aims(variant.campaign).front().quantity),
       request_(request_of(variant, case_index, plants[0])),
       crop_(variant.campaign.crop),
       device_(device),

@@ -75,20 +75,22 @@ OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
                           light_of(campaign, chosen), campaign.field.boundary,
                           campaign.photosynthesis.has_value());
     schema.randomisations = static_cast<std::size_t>(accuracy.randomisations);
-    for (const Quantity& each : schema.measured.quantities)
-        if (each.name == campaign.objective)
-            schema.objectives.push_back({each.name, each.unit});
+    for (const Aim& aim : aims(campaign))
+        schema.objectives.push_back(
+            {aim.quantity, unit_of(aim.quantity), aim.sense});
     return schema;
 }
 
 Outcome to_outcome(const Campaign& campaign, const Plant& plant,
                    const CanopyReport& report) {
-    auto [objective, randomisations] =
-        measure_objective(campaign.objective, report);
     Outcome outcome;
     outcome.status = Status::done;
-    outcome.objectives = {objective};
-    outcome.randomisations = std::move(randomisations);
+    for (const Aim& aim : aims(campaign)) {
+        const auto [mean, values] = measure_objective(aim.quantity, report);
+        outcome.objectives.push_back(mean);
+        outcome.randomisations.insert(outcome.randomisations.end(),
+                                      values.begin(), values.end());
+    }
     outcome.violation = violation(campaign.constraints, campaign.crop.traits,
                                   plant, report.lai);
     outcome.quantities = measure(report);

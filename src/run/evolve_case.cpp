@@ -97,8 +97,10 @@ Routine<bool> evaluate_finalists(const Evolution& evolution, History& history) {
 }  // namespace
 
 SearchSpace search_space(const Campaign& campaign, const Case& chosen) {
-    return {gene_space(campaign, chosen), baseline_numbers(campaign.crop),
-            Sense::maximise};
+    SearchSpace space{
+        gene_space(campaign, chosen), baseline_numbers(campaign.crop), {}};
+    for (const Aim& aim : aims(campaign)) space.senses.push_back(aim.sense);
+    return space;
 }
 
 Routine<Ending> evolve_case(Evolution evolution, History& history) {
@@ -112,10 +114,11 @@ Routine<Ending> evolve_case(Evolution evolution, History& history) {
         const Population rows = history.generation(g);
         optimizer.tell(rows);
         progress.generations.push_back(
-            summarize(rows, space.genes, space.sense));
+            summarize(rows, space.genes, space.senses.front()));
     }
     std::optional<std::string> reason;
-    while (!(reason = finished(campaign.stop, progress, space.sense))) {
+    while (
+        !(reason = finished(campaign.stop, progress, space.senses.front()))) {
         const std::uint32_t g = history.next_generation();
         const std::vector<Candidate> candidates = optimizer.ask();
         history.propose(g, candidates);
@@ -127,7 +130,8 @@ Routine<Ending> evolve_case(Evolution evolution, History& history) {
         const Population rows = history.generation(g);
         require_few_failures(evolution, history, g, rows);
         optimizer.tell(rows);
-        GenerationSummary summary = summarize(rows, space.genes, space.sense);
+        GenerationSummary summary =
+            summarize(rows, space.genes, space.senses.front());
         summary.wall_time = history.wall_time();
         history.commit(g, summary);
         watcher.on_generation(g, summary);

@@ -113,7 +113,7 @@ class ProgressLog::CaseWatcher : public Watcher {
         ++entry_.complete;
         entry_.best = fmt::format(
             "{} {} {}", format({summary.best, summary.best_standard_error}),
-            unit_of(log_.campaign_.objective),
+            unit_of(aims(log_.campaign_).front().quantity),
             not_evaluated_again(summary.violation));
         to_evaluate_ = log_.all_after(generation + 1);
         std::string line = log_.text(entry_);

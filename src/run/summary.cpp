@@ -7,6 +7,7 @@
 #include "ideotype/core/units.hpp"
 #include "ideotype/run/progress.hpp"
 #include "ideotype/search/order.hpp"
+#include "ideotype/search/pareto.hpp"
 
 namespace ideotype {
 
@@ -103,7 +104,7 @@ std::string gains(const History& history, const Row& baseline,
 //! Plain absorption in an endless stand has a ceiling: a word of warning.
 std::string left_to_gain(const History& history, const Campaign& campaign,
                          const Row& best) {
-    if (campaign.objective != "absorbed_par" ||
+    if (aims(campaign).front().quantity != "absorbed_par" ||
         campaign.field.boundary != Boundary::periodic)
         return "";
     const Estimate stalks = quantity(history, best, "stalk_fraction");
@@ -121,26 +122,61 @@ std::string left_to_gain(const History& history, const Campaign& campaign,
                      : ", which other organs and soil take");
 }
 
+//! Every member of a front; which of them another dominates when all have been
+//! evaluated again is told.
+std::string front(const History& history, const std::vector<Row>& finalists) {
+    std::vector<Sense> senses;
+    std::string text = "  ";
+    for (const Objective& each : history.header().schema.objectives) {
+        senses.push_back(each.sense);
+        text += fmt::format("{:>30}", each.name + " [" + each.unit + "]");
+    }
+    Population members;
+    for (const auto& [candidate, outcome, attempt] : finalists)
+        members.push_back(
+            {candidate, outcome.status, outcome.objectives, outcome.violation});
+    members.erase(members.begin());  // the baseline
+    const std::vector<std::size_t> level = fronts(members, senses);
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        text += "\n  ";
+        for (const Estimate& each : members[i].objectives)
+            text += fmt::format("{:>30}", format(each));
+        const bool is_in_front =
+            level[i] == 0 && members[i].status == Status::done;
+        if (is_in_front)
+            ++left;
+        else
+            text += "  not in the front any more";
+    }
+    return fmt::format("{}\n  {} of {} are still in the front\n", text, left,
+                       members.size());
+}
+
 }  // namespace
 
 std::string final_summary(const History& history, const Campaign& campaign) {
     const std::vector<Row> finalists = history.finalists();
-    const std::size_t best = best_finalist(
-        finalists, history.header().schema.objectives.front().sense);
+    const auto& objectives = history.header().schema.objectives;
+    const std::size_t best = best_finalist(finalists, objectives.front().sense);
     if (finalists.empty() || finalists[0].outcome.status != Status::done ||
         best == 0)
         return "no finalist could be evaluated; see the messages of failed "
                "rows\n";
+    const Accuracy& sampling = campaign.final_rule.sampling;
+    const std::string how =
+        fmt::format("{} of {} paths with a new field each",
+                    sampling.randomisations, sampling.paths);
+    if (objectives.size() > 1)
+        return fmt::format("front, {}:\n{}", how, front(history, finalists));
+    const std::string& name = objectives.front().name;
     return fmt::format(
-        "{}, {} of {} paths with a new field each:\n"
+        "{}, {}:\n"
         "  baseline  {}\n"
         "  best      {}\n"
         "{}{}",
-        campaign.objective == "absorbed_par" ? "absorbed by leaves"
-                                             : campaign.objective,
-        campaign.final_rule.sampling.randomisations,
-        campaign.final_rule.sampling.paths, described(history, finalists[0]),
-        described(history, finalists[best]),
+        name == "absorbed_par" ? "absorbed by leaves" : name, how,
+        described(history, finalists[0]), described(history, finalists[best]),
         gains(history, finalists[0], finalists[best]),
         left_to_gain(history, campaign, finalists[best]));
 }

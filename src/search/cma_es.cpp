@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "cma.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/random.hpp"
 #include "ideotype/search/order.hpp"
+#include "ideotype/search/pareto.hpp"
 
 namespace ideotype {
 
@@ -64,12 +64,7 @@ std::vector<Candidate> CmaEs::ask() const {
 }
 
 void CmaEs::tell(Population evaluated) {
-    std::vector<std::uint32_t> order(evaluated.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(
-        order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return is_better(evaluated[a], evaluated[b], space_.sense);
-        });
+    const std::vector<std::uint32_t> order = ranking(evaluated, space_.senses);
     Eigen::MatrixXd ranked(coordinates_.size(), order.size());
     for (std::size_t i = 0; i < order.size(); ++i)
         ranked.col(static_cast<Eigen::Index>(i)) = to_vector(point(order[i]));
@@ -99,7 +94,7 @@ std::vector<Candidate> CmaEs::best(std::size_t count) const {
     std::vector<Candidate> candidates{
         {coordinates_.genome({mean.begin(), mean.end()}, space_.baseline),
          Origin::sample}};
-    for (const Candidate& each : best_of(last_, count - 1, space_.sense))
+    for (const Candidate& each : best_of(last_, count - 1, space_.senses))
         candidates.push_back(each);
     return candidates;
 }

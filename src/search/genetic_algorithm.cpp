@@ -1,9 +1,11 @@
 #include "ideotype/search/genetic_algorithm.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 #include "ideotype/search/order.hpp"
+#include "ideotype/search/pareto.hpp"
 #include "ideotype/search/random_search.hpp"
 #include "variation.hpp"
 
@@ -15,8 +17,7 @@ GeneticAlgorithm::GeneticAlgorithm(const SearchSettings& settings,
 
 std::vector<Candidate> GeneticAlgorithm::ask() const {
     if (generation_ == 0) return first_generation();
-    std::vector<Candidate> candidates =
-        best(static_cast<std::size_t>(settings_.ga.elites));
+    std::vector<Candidate> candidates = best(elites());
     const auto size = static_cast<std::size_t>(settings_.population);
     while (candidates.size() < size) {
         auto [first, second] =
@@ -30,11 +31,26 @@ std::vector<Candidate> GeneticAlgorithm::ask() const {
 
 void GeneticAlgorithm::tell(Population evaluated) {
     parents_ = std::move(evaluated);
+    places_ = places(parents_, space_.senses);
+    if (is_pareto()) mates_ = best_distinct(parents_, elites(), space_.senses);
+    if (!is_pareto() || mates_.empty()) {
+        mates_.resize(parents_.size());
+        std::iota(mates_.begin(), mates_.end(), 0u);
+    }
     ++generation_;
 }
 
+bool GeneticAlgorithm::is_pareto() const {
+    return settings_.optimizer == OptimizerKind::nsga2;
+}
+
+std::size_t GeneticAlgorithm::elites() const {
+    return static_cast<std::size_t>(is_pareto() ? settings_.population / 2
+                                                : settings_.ga.elites);
+}
+
 std::vector<Candidate> GeneticAlgorithm::best(std::size_t count) const {
-    return best_of(parents_, count, space_.sense);
+    return best_of(parents_, count, space_.senses);
 }
 
 std::vector<Candidate> GeneticAlgorithm::first_generation() const {
@@ -64,10 +80,12 @@ std::pair<Candidate, Candidate> GeneticAlgorithm::children(
         for (std::size_t i = 0; i < space_.genes.size(); ++i) {
             const bool is_crossed = crossover.uniform() < 0.5;
             const double u = crossover.uniform();
-            if (space_.genes[i].is_free && is_crossed)
-                std::tie(first.genome[i], second.genome[i]) =
-                    cross(space_.genes[i], first.genome[i], second.genome[i], u,
-                          settings_.ga.crossover_index);
+            const bool is_swapped = crossover.uniform() < 0.5;
+            if (!space_.genes[i].is_free || !is_crossed) continue;
+            std::tie(first.genome[i], second.genome[i]) =
+                cross(space_.genes[i], first.genome[i], second.genome[i], u,
+                      settings_.ga.crossover_index);
+            if (is_swapped) std::swap(first.genome[i], second.genome[i]);
         }
     mutate_genome(first.genome, slot);
     mutate_genome(second.genome, slot + 1);
@@ -76,12 +94,11 @@ std::pair<Candidate, Candidate> GeneticAlgorithm::children(
 
 //! The slot of the best of some parents chosen at random.
 std::int32_t GeneticAlgorithm::tournament(RandomStream& stream) const {
-    const auto size = static_cast<std::uint32_t>(parents_.size());
-    std::uint32_t winner = stream.below(size);
+    const auto size = static_cast<std::uint32_t>(mates_.size());
+    std::uint32_t winner = mates_[stream.below(size)];
     for (int i = 1; i < settings_.ga.tournament; ++i) {
-        const std::uint32_t rival = stream.below(size);
-        if (is_better(parents_[rival], parents_[winner], space_.sense))
-            winner = rival;
+        const std::uint32_t rival = mates_[stream.below(size)];
+        if (places_[rival] < places_[winner]) winner = rival;
     }
     return static_cast<std::int32_t>(winner);
 }

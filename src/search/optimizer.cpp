@@ -11,6 +11,7 @@ std::unique_ptr<Optimizer> make_optimizer(const SearchSettings& settings,
                                           std::uint64_t seed) {
     switch (settings.optimizer) {
         case OptimizerKind::ga:
+        case OptimizerKind::nsga2:
             break;
         case OptimizerKind::cma_es:
             return std::make_unique<CmaEs>(settings, space, seed);

@@ -1,8 +1,8 @@
 #include "ideotype/search/order.hpp"
 
-#include <algorithm>
-#include <numeric>
 #include <set>
+
+#include "ideotype/search/pareto.hpp"
 
 namespace ideotype {
 
@@ -19,16 +19,11 @@ bool is_better(const Individual& a, const Individual& b, Sense sense) {
 }
 
 std::vector<std::uint32_t> best_distinct(const Population& population,
-                                         std::size_t count, Sense sense) {
-    std::vector<std::uint32_t> order(population.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) {
-                         return is_better(population[a], population[b], sense);
-                     });
+                                         std::size_t count,
+                                         const std::vector<Sense>& senses) {
     std::vector<std::uint32_t> best;
     std::set<Genome> seen;
-    for (const std::uint32_t slot : order) {
+    for (const std::uint32_t slot : ranking(population, senses)) {
         if (best.size() == count) break;
         const Individual& individual = population[slot];
         if (individual.status == Status::failed) break;
@@ -39,9 +34,9 @@ std::vector<std::uint32_t> best_distinct(const Population& population,
 }
 
 std::vector<Candidate> best_of(const Population& population, std::size_t count,
-                               Sense sense) {
+                               const std::vector<Sense>& senses) {
     std::vector<Candidate> best;
-    for (const std::uint32_t slot : best_distinct(population, count, sense))
+    for (const std::uint32_t slot : best_distinct(population, count, senses))
         best.push_back({population[slot].candidate.genome,
                         Origin::elite,
                         {static_cast<std::int32_t>(slot), no_parent}});

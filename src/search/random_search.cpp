@@ -26,13 +26,13 @@ void RandomSearch::tell(Population evaluated) {
     constexpr std::size_t most = 1000;
     for (Individual& each : evaluated) best_.push_back(std::move(each));
     Population best;
-    for (const std::uint32_t i : best_distinct(best_, most, space_.sense))
+    for (const std::uint32_t i : best_distinct(best_, most, space_.senses))
         best.push_back(std::move(best_[i]));
     best_ = std::move(best);
 }
 
 std::vector<Candidate> RandomSearch::best(std::size_t count) const {
-    std::vector<Candidate> best = best_of(best_, count, space_.sense);
+    std::vector<Candidate> best = best_of(best_, count, space_.senses);
     for (Candidate& each : best) each.parents = {no_parent, no_parent};
     return best;
 }

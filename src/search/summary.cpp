@@ -62,7 +62,7 @@ GenerationSummary summarize(const Population& population,
             summary.spread = summary.diversity = none;
         return summary;
     }
-    summary.best_slot = best_distinct(population, 1, sense).front();
+    summary.best_slot = best_distinct(population, 1, {sense}).front();
     const Individual& best = population[summary.best_slot];
     summary.best = best.objectives.front().mean;
     summary.best_standard_error = best.objectives.front().standard_error;

@@ -89,7 +89,7 @@ Parts measure(Campaign campaign, int population, int generations,
         const Population rows = history.generation(g);
         parts.read += watch.lap();
         optimizer->tell(rows);
-        const auto summary = summarize(rows, space.genes, space.sense);
+        const auto summary = summarize(rows, space.genes, space.senses.front());
         parts.tell += watch.lap();
         history.commit(g, summary);
         parts.commit += watch.lap();

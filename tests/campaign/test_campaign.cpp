@@ -209,7 +209,8 @@ TEST(Campaign, ResolvedTextKeepsUnusualValues) {
     EXPECT_EQ(again.constraints.lai.lower, 0.1);
     ASSERT_EQ(again.constraints.traits.size(), 1u);
     EXPECT_TRUE(again.constraints.traits[0].is_falling);
-    EXPECT_EQ(again.objective, "absorbed_par_per_leaf_area");
+    EXPECT_EQ(again.maximised,
+              std::vector<std::string>{"absorbed_par_per_leaf_area"});
     EXPECT_EQ(again.trait_sets[0].value, (TraitSet{"length", "azimuth"}));
     EXPECT_EQ(again.bounds[0].lower, 0.1);
     EXPECT_EQ(again.bounds[3].upper, 360);

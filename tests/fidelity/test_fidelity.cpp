@@ -166,7 +166,7 @@ TEST_F(Fidelity, PastedKeysMakeTheChosenCampaign) {
 }
 
 Campaign assimilating(Campaign campaign) {
-    campaign.objective = "net_assimilation";
+    campaign.maximised = {"net_assimilation"};
     campaign.photosynthesis = Photosynthesis{};
     return campaign;
 }

@@ -179,7 +179,7 @@ TEST_F(Ames, ViolationsAreKeptApartFromTheObjective) {
 
 TEST_F(Ames, LightPerLeafAreaIsThatOfTheGroundOverLai) {
     Campaign thrifty = campaign;
-    thrifty.objective = "absorbed_par_per_leaf_area";
+    thrifty.maximised = {"absorbed_par_per_leaf_area"};
     CanopyEvaluator other(thrifty, Device::supported_isas().back());
     const Outcome a = evaluator.evaluate({}, baseline);
     const Outcome b = other.evaluate({}, baseline);

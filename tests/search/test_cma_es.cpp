@@ -38,7 +38,7 @@ std::size_t evaluations(const Function& f, std::size_t dimension, double target,
     settings.cma.smallest_step = 1e-11;
     settings.cma.restarts = restarts;
     const auto optimizer = make_optimizer(
-        settings, {genes(dimension), Genome(dimension, 3), Sense::minimise},
+        settings, {genes(dimension), Genome(dimension, 3), {Sense::minimise}},
         seed);
     std::size_t count = 0;
     constexpr std::size_t most = 1000000;
@@ -100,7 +100,7 @@ TEST(CmaEs, ComesNearTheMinimumUnderNoise) {
     settings.optimizer = OptimizerKind::cma_es;
     settings.population = 14;
     const auto optimizer = make_optimizer(
-        settings, {genes(10), Genome(10, 3), Sense::minimise}, 4);
+        settings, {genes(10), Genome(10, 3), {Sense::minimise}}, 4);
     RandomStream noise(5, Purpose::jitter);
     for (int g = 0; g < 200; ++g)
         optimizer->tell(evaluated(optimizer->ask(), [&](const Genome& x) {
@@ -124,7 +124,7 @@ SearchSettings small() {
 }
 
 TEST(CmaEs, ContinuesWithTheSameBitsFromWhatItWasTold) {
-    const SearchSpace space{genes(5), Genome(5, 1), Sense::minimise};
+    const SearchSpace space{genes(5), Genome(5, 1), {Sense::minimise}};
     CmaEs whole(small(), space, 3), again(small(), space, 3);
     for (int g = 0; g < 20; ++g) {
         const Population rows = evaluated(whole.ask(), rosenbrock);
@@ -161,7 +161,7 @@ TEST(CmaEs, MovesSmoothlyAcrossTheSeamOfACircle) {
     GeneSpace circle(3, {"azimuth", "deg", 0, 360, true, true});
     SearchSettings settings = small();
     settings.cma.step = 0.05;
-    CmaEs search(settings, {circle, {20, 340, 350}, Sense::minimise}, 1);
+    CmaEs search(settings, {circle, {20, 340, 350}, {Sense::minimise}}, 1);
     Genome before{20, 340, 350};
     for (int g = 0; g < 150; ++g) {
         search.tell(evaluated(search.ask(), [](const Genome& x) {
@@ -181,7 +181,7 @@ TEST(CmaEs, MovesSmoothlyAcrossTheSeamOfACircle) {
 }
 
 TEST(CmaEs, PutsFeasiblePlantsFirst) {
-    CmaEs search(small(), {genes(4), Genome(4, 2), Sense::minimise}, 2);
+    CmaEs search(small(), {genes(4), Genome(4, 2), {Sense::minimise}}, 2);
     for (int g = 0; g < 150; ++g) {
         Population rows = evaluated(search.ask(), sphere);
         // All four have to sum to at least 2: then each is .5.
@@ -200,7 +200,7 @@ TEST(CmaEs, PutsFeasiblePlantsFirst) {
 }
 
 TEST(CmaEs, SurvivesAGenerationThatFailed) {
-    CmaEs search(small(), {genes(4), Genome(4, 2), Sense::minimise}, 2);
+    CmaEs search(small(), {genes(4), Genome(4, 2), {Sense::minimise}}, 2);
     for (int g = 0; g < 30; ++g) {
         Population rows = evaluated(search.ask(), sphere);
         if (g % 3 == 0)
@@ -215,7 +215,7 @@ TEST(CmaEs, RestartsWithTwiceThePopulation) {
     SearchSettings settings = small();
     settings.cma.smallest_step = 1e-2;
     settings.cma.restarts = 2;
-    CmaEs search(settings, {genes(4), Genome(4, 2), Sense::minimise}, 2);
+    CmaEs search(settings, {genes(4), Genome(4, 2), {Sense::minimise}}, 2);
     std::vector<std::size_t> sizes;
     for (int g = 0; g < 300; ++g) {
         const Population rows = evaluated(search.ask(), sphere);
@@ -229,8 +229,8 @@ TEST(CmaEs, RestartsWithTwiceThePopulation) {
 TEST(RandomSearch, OffersTheBestOfAllGenerations) {
     SearchSettings settings = small();
     settings.optimizer = OptimizerKind::random;
-    const auto search =
-        make_optimizer(settings, {genes(3), Genome(3, 2), Sense::minimise}, 2);
+    const auto search = make_optimizer(
+        settings, {genes(3), Genome(3, 2), {Sense::minimise}}, 2);
     std::vector<double> values;
     for (int g = 0; g < 10; ++g) {
         const Population rows = evaluated(search->ask(), sphere);

@@ -35,9 +35,10 @@ TEST_P(Order, EqualViolationsAreEquallyGood) {
 }
 
 TEST_P(Order, BestDistinctIsBestFirstWithoutFailures) {
-    EXPECT_EQ(best_distinct(worst_first(GetParam()), 4, GetParam()),
+    EXPECT_EQ(best_distinct(worst_first(GetParam()), 4, {GetParam()}),
               (std::vector<std::uint32_t>{5, 4, 3, 2}));
-    EXPECT_EQ(best_distinct(worst_first(GetParam()), 9, GetParam()).size(), 5u);
+    EXPECT_EQ(best_distinct(worst_first(GetParam()), 9, {GetParam()}).size(),
+              5u);
 }
 
 INSTANTIATE_TEST_SUITE_P(BothSenses, Order,
@@ -47,7 +48,7 @@ TEST(BestDistinct, SkipsDuplicatesAndKeepsTheOrderOfEquals) {
     const Population population{individual({1}, 5), individual({2}, 7),
                                 individual({2}, 7), individual({3}, 7),
                                 individual({4}, 6)};
-    EXPECT_EQ(best_distinct(population, 3, Sense::maximise),
+    EXPECT_EQ(best_distinct(population, 3, {Sense::maximise}),
               (std::vector<std::uint32_t>{1, 3, 4}));
 }
 

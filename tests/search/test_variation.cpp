@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ideotype/core/random.hpp"
 #include "ideotype/search/genetic_algorithm.hpp"
 
 // How far children are from their parents, against the densities that were
@@ -100,6 +101,14 @@ struct Spreads {
     std::vector<double> below, above;
 };
 
+//! Whether the crossed gene of a couple went to the other child each.
+bool is_swapped(std::uint32_t slot) {
+    RandomStream stream(7, Purpose::crossover, 1, slot);
+    // Whether the couple is crossed, whether the gene is, and how far.
+    for (int i = 0; i < 3; ++i) stream.uniform();
+    return stream.uniform() < 0.5;
+}
+
 Spreads crossed(const Gene& gene, double index, double low, double high) {
     GaSettings ga;
     ga.crossover_probability = 1;
@@ -110,10 +119,12 @@ Spreads crossed(const Gene& gene, double index, double low, double high) {
     Spreads spreads;
     for (std::size_t i = 0; i < all.size(); i += 2) {
         if (all[i].parents[0] == all[i].parents[1]) continue;
-        const bool is_turned = all[i].parents[0] == 1;
+        const bool is_turned =
+            (all[i].parents[0] == 1) != is_swapped(static_cast<unsigned>(i));
         const double first = all[is_turned ? i + 1 : i].genome[0];
         const double second = all[is_turned ? i : i + 1].genome[0];
-        if (first == low && second == high) continue;  // not crossed
+        // Not crossed, and then not swapped.
+        if (std::minmax(first, second) == std::minmax(low, high)) continue;
         spreads.below.push_back(difference(gene, first, low + half) / half);
         spreads.above.push_back(difference(gene, low + half, second) / half);
     }
@@ -124,6 +135,21 @@ TEST(Crossover, HalfOfTheGenesOfUnlikeParentsAreCrossed) {
     // Of 100000 couples half have unlike parents: binomial(100000, 1/4).
     const auto n = crossed(length, 15, 0.7, 0.8).above.size();
     EXPECT_NEAR(static_cast<double>(n), 25000, 4 * std::sqrt(1e5 * 3 / 16));
+}
+
+TEST(Crossover, CrossedGenesGoToEitherChild) {
+    GaSettings ga;
+    ga.crossover_probability = 1;
+    ga.mutations_per_child = 0;
+    const auto all = children(length, ga, {0.7, 0.8});
+    int own = 0, other = 0;
+    for (const Candidate& each : all) {
+        if (each.parents[0] == each.parents[1]) continue;
+        const bool is_near_high = each.genome[0] > 0.75;
+        ++(is_near_high == (each.parents[0] == 1) ? own : other);
+    }
+    // Half of the genes are crossed, and half of those swapped.
+    EXPECT_NEAR(other / static_cast<double>(own + other), 0.25, 0.01);
 }
 
 TEST(Crossover, SpreadsAsPublishedFarFromBounds) {

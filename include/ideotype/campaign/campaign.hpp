@@ -18,6 +18,7 @@
 #include "ideotype/light/optics.hpp"
 #include "ideotype/physiology/photosynthesis.hpp"
 #include "ideotype/search/genome.hpp"
+#include "ideotype/search/outcome.hpp"
 #include "ideotype/search/settings.hpp"
 #include "ideotype/search/stop_rules.hpp"
 
@@ -130,7 +131,8 @@ struct Campaign {
     int sun_dates = 3;
     Accuracy sampling;           //!< of an evaluation during evolution
     double first_tolerance = 0;  //!< of the first generation; 0: as all others
-    std::string objective = "absorbed_par";  //!< a quantity, maximised
+    //! Quantities that are searched for, in this order.
+    std::vector<std::string> maximised{"absorbed_par"}, minimised;
     Constraints constraints;
     SearchSettings search;
     StopRules stop;
@@ -138,8 +140,17 @@ struct Campaign {
     AnswerLimits answer_limits;
 };
 
+//! An objective as a campaign asks for it.
+struct Aim {
+    std::string quantity;
+    Sense sense = Sense::maximise;
+};
+
+//! What a campaign searches for, at least one.
+std::vector<Aim> aims(const Campaign& campaign);
+
 //! Whether an objective is of what leaves make of light.
-bool is_of_assimilation(const std::string& objective);
+bool asks_for_assimilation(const Campaign& campaign);
 
 //! One point of the sweep: a single evolution with its own history.
 struct Case {

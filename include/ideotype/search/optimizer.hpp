@@ -13,8 +13,8 @@ namespace ideotype {
 //! What is searched for the best plant.
 struct SearchSpace {
     GeneSpace genes;
-    Genome baseline;                //!< where the search begins
-    Sense sense = Sense::maximise;  //!< of objective 0
+    Genome baseline;                             //!< where the search begins
+    std::vector<Sense> senses{Sense::maximise};  //!< of the objectives
 };
 
 //! Proposes candidates generation by generation. What it proposes depends on

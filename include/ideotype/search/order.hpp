@@ -18,13 +18,15 @@ bool is_better(double a, double b, Sense sense);
 //! @param sense of objective 0
 bool is_better(const Individual& a, const Individual& b, Sense sense);
 
-//! Slots of the best individuals that did not fail, best first, each genome
-//! once; fewer than `count` if there are not so many. Equals keep their order.
+//! Slots of the best individuals that did not fail, as places() has them, best
+//! first, each genome once; fewer than `count` if there are not so many. Equals
+//! keep their order.
 std::vector<std::uint32_t> best_distinct(const Population& population,
-                                         std::size_t count, Sense sense);
+                                         std::size_t count,
+                                         const std::vector<Sense>& senses);
 
 //! The same as candidates whose parents they are.
 std::vector<Candidate> best_of(const Population& population, std::size_t count,
-                               Sense sense);
+                               const std::vector<Sense>& senses);
 
 }  // namespace ideotype

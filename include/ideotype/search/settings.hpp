@@ -3,7 +3,7 @@
 namespace ideotype {
 
 //! Which optimizer searches.
-enum class OptimizerKind { ga, cma_es, random };
+enum class OptimizerKind { ga, cma_es, nsga2, random };
 
 //! Settings of the genetic algorithm.
 struct GaSettings {

@@ -1,0 +1,69 @@
+"""NSGA-II against a published implementation."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from pymoo.algorithms.moo.nsga2 import NSGA2
+from pymoo.indicators.hv import HV
+from pymoo.operators.survival.rank_and_crowding.metrics import (
+    calc_crowding_distance,
+)
+from pymoo.optimize import minimize
+from pymoo.problems import get_problem
+from pymoo.util.nds.non_dominated_sorting import NonDominatedSorting
+
+
+def replay(*words: object, text: str = "") -> NDArray[np.float64]:
+    build = Path(os.environ["IDEOTYPE_EXECUTABLE"]).parents[1]
+    done = subprocess.run(
+        [build / "tests" / "search" / "replay_nsga2", *map(str, words)],
+        input=text,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return np.array([line.split() for line in done.stdout.splitlines()], float)
+
+
+@pytest.mark.parametrize("objectives", [2, 3])
+def test_same_fronts_and_crowding(objectives: int) -> None:
+    points = np.random.default_rng(objectives).random((150, objectives))
+    numbers = " ".join(map(repr, points.ravel().tolist()))
+    found = replay("sort", text=f"{len(points)} {objectives} {numbers}")
+    for level, members in enumerate(NonDominatedSorting().do(points)):
+        assert set(np.flatnonzero(found[:, 0] == level)) == set(members)
+        if len(members) < 3:
+            continue
+        np.testing.assert_allclose(
+            found[members, 1], calc_crowding_distance(points[members]), 1e-12
+        )
+
+
+@pytest.mark.parametrize(
+    "problem, size", [("zdt1", 2), ("zdt2", 2), ("dtlz2", 3)]
+)
+def test_as_large_a_hypervolume_in_as_many_generations(
+    problem: str, size: int
+) -> None:
+    generations, parents = 150, 60
+    volume = HV(ref_point=np.full(size, 1.1))
+    words = (problem, 2 * parents, generations)
+    ours = [volume(replay("search", *words, seed)) for seed in (1, 2, 3)]
+    published = [
+        volume(
+            minimize(
+                get_problem(problem, n_var=12 if size == 3 else 30),
+                NSGA2(pop_size=parents),
+                ("n_gen", generations),
+                seed=seed,
+            ).F
+        )
+        for seed in (1, 2, 3)
+    ]
+    assert np.median(ours) > 0.99 * np.median(published)

@@ -1,0 +1,106 @@
+// `sort`: reads the number of points, that of objectives, and the points, which
+// are minimised; prints the front of each and its crowding distance in there.
+// `search PROBLEM POPULATION GENERATIONS SEED`: prints the objectives of the
+// first front that NSGA-II finds on zdt1, zdt2 or dtlz2 (three objectives).
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <numbers>
+#include <string>
+
+#include "ideotype/search/optimizer.hpp"
+#include "ideotype/search/pareto.hpp"
+
+namespace {
+
+using namespace ideotype;
+
+Individual individual(Candidate candidate, const std::vector<double>& values) {
+    Individual result{std::move(candidate), Status::done, {}, 0};
+    for (const double x : values) result.objectives.push_back({x, 0});
+    return result;
+}
+
+std::vector<Sense> minimised(std::size_t count) {
+    return std::vector<Sense>(count, Sense::minimise);
+}
+
+int sort() {
+    std::size_t count = 0, objectives = 0;
+    std::cin >> count >> objectives;
+    Population population;
+    for (std::size_t i = 0; i < count; ++i) {
+        std::vector<double> values(objectives);
+        for (double& x : values) std::cin >> x;
+        population.push_back(individual({}, values));
+    }
+    const auto front = fronts(population, minimised(objectives));
+    for (std::size_t i = 0; i < count; ++i) {
+        std::vector<std::size_t> members;
+        std::size_t own = 0;
+        for (std::size_t j = 0; j < count; ++j) {
+            if (front[j] != front[i]) continue;
+            if (j == i) own = members.size();
+            members.push_back(j);
+        }
+        std::printf("%zu %.17g\n", front[i],
+                    crowding(population, members, objectives)[own]);
+    }
+    return std::cin ? 0 : 1;
+}
+
+std::vector<double> values(const std::string& problem, const Genome& x) {
+    double g = 0;
+    if (problem == "dtlz2") {
+        for (std::size_t i = 2; i < x.size(); ++i) g += std::pow(x[i] - 0.5, 2);
+        const double a = x[0] * std::numbers::pi / 2;
+        const double b = x[1] * std::numbers::pi / 2;
+        return {(1 + g) * std::cos(a) * std::cos(b),
+                (1 + g) * std::cos(a) * std::sin(b), (1 + g) * std::sin(a)};
+    }
+    for (std::size_t i = 1; i < x.size(); ++i) g += x[i];
+    g = 1 + 9 * g / static_cast<double>(x.size() - 1);
+    const double share = x[0] / g;
+    return {x[0],
+            g * (problem == "zdt1" ? 1 - std::sqrt(share) : 1 - share * share)};
+}
+
+int search(const std::string& problem, int population, int generations,
+           std::uint64_t seed) {
+    const std::size_t objectives = problem == "dtlz2" ? 3 : 2;
+    const std::size_t dimension = problem == "dtlz2" ? 12 : 30;
+    SearchSettings settings;
+    settings.optimizer = OptimizerKind::nsga2;
+    settings.population = population;
+    const auto optimizer =
+        make_optimizer(settings,
+                       {GeneSpace(dimension, {"x", "1", 0, 1, false, true}),
+                        Genome(dimension, 0.5), minimised(objectives)},
+                       seed);
+    Population rows;
+    for (int g = 0; g < generations; ++g) {
+        rows.clear();
+        for (const Candidate& each : optimizer->ask())
+            rows.push_back(individual(each, values(problem, each.genome)));
+        optimizer->tell(rows);
+    }
+    const auto front = fronts(rows, minimised(objectives));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (front[i] != 0) continue;
+        for (const Estimate& each : rows[i].objectives)
+            std::printf("%.17g ", each.mean);
+        std::printf("\n");
+    }
+    return 0;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    if (count == 2 && words[1] == std::string("sort")) return sort();
+    if (count != 6) return 1;
+    return search(words[2], std::atoi(words[3]), std::atoi(words[4]),
+                  std::strtoull(words[5], nullptr, 10));
+}

@@ -4,11 +4,12 @@
 objectives.py FOLDER [--only OBJECTIVE...] [--figure FILE.png] [--generations N]
               [--seeds N]
 
-Breeds crops/maize.toml by CMA-ES for five objectives at two spacings, evaluates the best
-plant of each seed again beside the baseline and plants/elite.toml, with the same random
-numbers, and prints gains, leaf area and insertion angles. ± of gains is the standard
-error over seeds, or of the evaluations where that is larger. Cases that are in FOLDER
-already are not bred again; interrupted ones go on. The figure shows insertion angles.
+Breeds crops/maize.toml by CMA-ES for five objectives at two spacings (where leaf area is
+fixed, angles and azimuths alone), evaluates the best plant of each seed again beside the
+baseline and plants/elite.toml, with the same random numbers, and prints gains, leaf area
+and insertion angles. ± of gains is the standard error over seeds, or of the evaluations
+where that is larger. Cases that are in FOLDER already are not bred again; interrupted
+ones go on. The figure shows insertion angles.
 IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
 """
 
@@ -39,7 +40,6 @@ class Objective:
     title: str
     campaign: Path
     settings: tuple[str, ...]
-    has_fixed_area: bool = False
 
 
 @dataclass(frozen=True)
@@ -63,7 +63,11 @@ OBJECTIVES = {
         ("objective.maximise=net_assimilation",),
     ),
     "carbon": Objective("carbon balance, season", SEASON, (CARBON,)),
-    "area": Objective("the same, fixed leaf area", SEASON, (CARBON,), True),
+    "area": Objective(
+        "the same, fixed leaf area",
+        SEASON,
+        (CARBON, 'traits=[{name = "turns", free = ["insertion_angle", "azimuth"]}]'),
+    ),
     "nitrogen": Objective(
         "the same, fixed nitrogen",
         SEASON,
@@ -94,9 +98,6 @@ def settings(name: str, spacing: Spacing) -> list[str]:
         f"spacing={spacing.table()}",
         *objective.settings,
     ]
-    if objective.has_fixed_area:
-        lai = PLANT_AREA / spacing.row / spacing.plant
-        keys.append(f"constraints.lai=[{0.985 * lai:.4f}, {1.015 * lai:.4f}]")
     return [word for key in keys for word in ("--set", key)]
 
 

@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # Kills runs at random times, looks at what is left, resumes, and compares with
 # an uninterrupted run bit for bit: see README.md.
-# kill.sh IDEOTYPE [KILLS] [SEED] [season]
+# kill.sh IDEOTYPE [KILLS] [SEED] [day|season] [KEY=VALUE...]
 ideotype=$(readlink -f "$1")
 kills=${2:-100}
 seed=${3:-1}
 light=${4:-day}
+settings=()
+for setting in "${@:5}"; do settings+=(--set "$setting"); done
 here=$(readlink -f "$(dirname "$0")")
 project=$(readlink -f "$here/../..")
 work=$(mktemp -d)
@@ -42,7 +44,7 @@ done
 # Starts a run; sets job and log.
 start() {
     log=run.$1.log
-    mpirun -n 3 "$ideotype" run campaigns/stress.toml --resume \
+    mpirun -n 3 "$ideotype" run campaigns/stress.toml "${settings[@]}" --resume \
         --out "round$round" >"$log" 2>&1 &
     job=$!
     disown $job  # no word of the shell about its end
@@ -145,7 +147,7 @@ if [ "$light" = season ]; then
     name=july
     lag=1000  # weather is read first
 fi
-"$ideotype" run campaigns/stress.toml --out whole >/dev/null
+"$ideotype" run campaigns/stress.toml "${settings[@]}" --out whole >/dev/null
 whole=$(history_of whole stress $name)
 round=0
 history=$(history_of round0 stress $name)
@@ -195,7 +197,7 @@ while [ $done_kills -lt "$kills" ]; do
     rm -f "$log"
 done
 if ! finished; then
-    mpirun -n 3 "$ideotype" run campaigns/stress.toml --resume \
+    mpirun -n 3 "$ideotype" run campaigns/stress.toml "${settings[@]}" --resume \
         --out "round$round" >last.log 2>&1 ||
         fail "the last resume failed: $(cat last.log)"
 fi

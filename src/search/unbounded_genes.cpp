@@ -50,7 +50,7 @@ std::vector<double> UnboundedGenes::of(const Genome& genome) const {
 }
 
 Genome UnboundedGenes::genome(const std::vector<double>& coordinates,
-                           Genome original) const {
+                              Genome original) const {
     for (std::size_t k = 0; k < free_.size(); ++k) {
         const Gene& gene = genes_[free_[k]];
         const double range = gene.upper - gene.lower;

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <memory>
 
-#include "ideotype/search/unbounded_genes.hpp"
 #include "ideotype/search/optimizer.hpp"
+#include "ideotype/search/unbounded_genes.hpp"
 
 namespace ideotype {
 

@@ -15,11 +15,11 @@ namespace ideotype {
 //! bounds in all others. Every later generation begins with the elites, the
 //! best distinct genomes of the parents, which are evaluated again; the rest
 //! are children of couples chosen by tournament, recombined by simulated
-//! binary crossover (Deb and Agrawal 1995), after which each crossed gene goes to
-//! either child (Deb et al. 2002), and varied by polynomial mutation
-//! (Deb and Goyal 1996). On circular genes both act along the shorter arc.
-//! Genes that are not free always keep the baseline's value. Of the past it
-//! needs only the last generation.
+//! binary crossover (Deb and Agrawal 1995), after which each crossed gene goes
+//! to either child (Deb et al. 2002), and varied by polynomial mutation (Deb
+//! and Goyal 1996). On circular genes both act along the shorter arc. Genes
+//! that are not free always keep the baseline's value. Of the past it needs
+//! only the last generation.
 //!
 //! As NSGA-II (Deb et al. 2002, doi:10.1109/4235.996017) half of the population
 //! are elites, by front and crowding, and they alone are parents. Since they

@@ -6,10 +6,11 @@
 
 namespace ideotype {
 
-//! Free genes that have a range as coordinates without bounds, in units of their range. Circular
-//! genes are unwrapped: all whole turns are the same value. Other genes follow
-//! their coordinate, but for 5 % of the range beside each bound, where they
-//! approach it smoothly and turn back: neither a value nor a slope jumps.
+//! Free genes that have a range as coordinates without bounds, in units of
+//! their range. Circular genes are unwrapped: all whole turns are the same
+//! value. Other genes follow their coordinate, but for 5 % of the range beside
+//! each bound, where they approach it smoothly and turn back: neither a value
+//! nor a slope jumps.
 class UnboundedGenes {
   public:
     explicit UnboundedGenes(const GeneSpace& genes);

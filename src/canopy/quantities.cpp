@@ -274,6 +274,10 @@ const std::vector<Declaration>& assimilation_declarations() {
                [](const Report& r) {
                    return Carbon{r.assimilation->carbon_loss()};
                }),
+        carbon_part({"gross_co2", "g m-2 day-1", "gross assimilation"},
+                    [](const Report& r) {
+                        return Carbon{0, grams_of_co2}(r);
+                    }),
         carbon_part(
             {"net_co2", "g m-2 day-1", "net assimilation"},
             [](const Report& r) {

@@ -189,6 +189,32 @@ TEST_F(Ames, LightPerLeafAreaIsThatOfTheGroundOverLai) {
               "absorbed_par_per_leaf_area");
 }
 
+TEST_F(Ames, AssimilationIsToldInMolAndInGramsAndPerLeafArea) {
+    Campaign net = campaign;
+    net.maximised = {"net_assimilation"};
+    net.photosynthesis = Photosynthesis{};
+    CanopyEvaluator other(net, Device::supported_isas().back());
+    const Outcome outcome = other.evaluate({}, baseline);
+    ASSERT_EQ(outcome.status, Status::done) << outcome.message;
+    const OutcomeSchema told = outcome_schema(net, all[0], net.sampling);
+    const auto value = [&](const char* name) {
+        return find(told, outcome, name).value();
+    };
+    constexpr double grams_of_co2 = 44.0095;
+    for (const std::string of : {"gross", "net"}) {
+        const Estimate mol = value((of + "_assimilation").c_str());
+        const Estimate grams = value((of + "_co2").c_str());
+        EXPECT_GT(mol.mean, 0.5);
+        EXPECT_NEAR(grams.mean / mol.mean, grams_of_co2, 1e-9);
+        EXPECT_NEAR(grams.standard_error / mol.standard_error, grams_of_co2,
+                    1e-9);
+    }
+    EXPECT_LT(value("net_co2").mean, value("gross_co2").mean);
+    EXPECT_NEAR(
+        value("net_assimilation_per_leaf_area").mean * value("lai").mean,
+        value("net_assimilation").mean, 1e-12);
+}
+
 TEST_F(Ames, APlotAloneTakesMoreThanItsGroundReceives) {
     Campaign alone = campaign;
     alone.field.boundary = Boundary::isolated;

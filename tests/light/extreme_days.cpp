@@ -131,7 +131,7 @@ void last_paths_of_the_largest_net(Findings& findings) {
     constexpr std::uint32_t some = 1 << 16;
     PathSampler sampler(1, 0, 0, paths);
     for (const std::uint32_t begin : {std::uint32_t{0}, paths - some}) {
-        std::vector<double> sums(sobol_dimensions + 4, 0.);
+        std::vector<double> sums(path_dimensions + 4, 0.);
         for (std::uint32_t p = begin; p < begin + some; ++p) {
             sampler.begin(p);
             for (double& sum : sums) {

@@ -16,6 +16,7 @@ enum class Purpose : std::uint32_t {
     scattering = 7,
     backward = 8,
     sample = 9,
+    sequence = 10,
 };
 
 //! Philox-4x32-10: four random words as a pure function of counter and key

@@ -8,19 +8,9 @@
 
 namespace ideotype {
 
-//! Dimensions of the low-discrepancy sequence; beyond them numbers are
-//! independent.
-inline constexpr std::size_t sobol_dimensions = 16;
-
-//! The unscrambled Sobol' point of an index as 32-bit fractions, with the
-//! direction numbers of Joe and Kuo (2008, doi:10.1137/070709359).
-std::uint32_t sobol(std::uint32_t index, std::size_t dimension);
-
-//! A random permutation of [0, 2^32) that keeps every dyadic interval whole:
-//! nested uniform scrambling by hashing (Owen 1995,
-//! doi:10.1007/978-1-4612-2552-2_19; Laine and Karras 2011,
-//! doi:10.1111/j.1467-8659.2011.02000.x; constants of Vegdahl 2021).
-std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed);
+//! Numbers of a path that are of a low-discrepancy sequence; beyond them they
+//! are independent.
+inline constexpr std::size_t path_dimensions = 16;
 
 //! Uniform numbers for the paths of one source in one randomisation: a
 //! scrambled Sobol' sequence, as long as is asked for. Those of other sources
@@ -38,7 +28,7 @@ class PathSampler {
 
   private:
     std::uint32_t generation_;
-    std::array<std::uint32_t, sobol_dimensions> scramble_seeds_;
+    std::array<std::uint32_t, path_dimensions> scramble_seeds_;
     std::uint64_t tail_seed_;
     std::uint32_t path_ = 0;
     std::size_t dimension_ = 0;

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace ideotype {
+
+//! Points of a unit cube that fill it evenly: Owen's nested scrambling of the
+//! Sobol' sequence. Any 2^m points that begin at a multiple of 2^m are a net.
+//! Coordinates beyond sobol_dimensions are independent random numbers. Each is
+//! a pure function of (seed, point, dimension).
+class SobolSequence {
+  public:
+    SobolSequence(std::uint64_t seed, std::size_t dimensions);
+
+    //! One coordinate of a point, uniform in [0, 1).
+    double at(std::uint32_t point, std::size_t dimension) const;
+
+    //! All coordinates of a point.
+    std::vector<double> point(std::uint32_t index) const;
+
+  private:
+    std::uint64_t seed_;
+    std::vector<std::uint32_t> scramble_seeds_;  //!< of each dimension
+};
+
+}  // namespace ideotype

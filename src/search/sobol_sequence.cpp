@@ -1,0 +1,30 @@
+#include "ideotype/search/sobol_sequence.hpp"
+
+#include "ideotype/core/random.hpp"
+#include "ideotype/core/sobol.hpp"
+
+namespace ideotype {
+
+SobolSequence::SobolSequence(std::uint64_t seed, std::size_t dimensions)
+    : seed_(seed) {
+    RandomStream stream(seed, Purpose::sequence);
+    while (scramble_seeds_.size() < dimensions)
+        scramble_seeds_.push_back(stream.bits());
+}
+
+double SobolSequence::at(std::uint32_t point, std::size_t dimension) const {
+    if (dimension >= sobol_dimensions)
+        return RandomStream(seed_, Purpose::sequence,
+                            static_cast<std::uint32_t>(dimension), point)
+            .uniform();
+    return scrambled(sobol(point, dimension), scramble_seeds_.at(dimension)) *
+           0x1p-32;
+}
+
+std::vector<double> SobolSequence::point(std::uint32_t index) const {
+    std::vector<double> x;
+    while (x.size() < scramble_seeds_.size()) x.push_back(at(index, x.size()));
+    return x;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,58 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/core/estimate.hpp"
+#include "ideotype/core/sobol.hpp"
+#include "ideotype/search/sobol_sequence.hpp"
+
+namespace ideotype {
+namespace {
+
+constexpr std::size_t dimensions = sobol_dimensions + 4;
+
+//! Means over 1024 points, of as many scrambled sequences as there are seeds.
+Estimate mean_over_seeds(double (*function)(double, double)) {
+    constexpr std::uint32_t points = 1024;
+    std::vector<double> means;
+    for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+        const SobolSequence sequence(seed, dimensions);
+        double sum = 0;
+        for (std::uint32_t i = 0; i < points; ++i)
+            sum += function(sequence.at(i, 40), sequence.at(i, 200));
+        means.push_back(sum / points);
+    }
+    return estimate(means);
+}
+
+TEST(SobolSequence, IntegratesBetterThanRandomNumbers) {
+    const Estimate found = mean_over_seeds(
+        [](double x, double y) { return std::sin(3 * x) * std::exp(y); });
+    const double exact = (1 - std::cos(3)) / 3 * (std::exp(1) - 1);
+    // Random numbers would have a standard error of 0.005 with as many points.
+    EXPECT_LT(found.standard_error, 1e-4);
+    EXPECT_NEAR(found.mean, exact, 4 * found.standard_error);
+}
+
+TEST(SobolSequence, GoesOnWithRandomNumbersBeyondItsDimensions) {
+    const SobolSequence sequence(3, dimensions);
+    double sum = 0;
+    constexpr std::uint32_t points = 4096;
+    for (std::uint32_t i = 0; i < points; ++i) {
+        const std::vector<double> x = sequence.point(i);
+        ASSERT_EQ(x.size(), dimensions);
+        for (std::size_t d = 0; d < dimensions; ++d)
+            ASSERT_EQ(x[d], sequence.at(i, d));
+        ASSERT_NE(x[dimensions - 1], x[dimensions - 2]);
+        sum += x.back();
+    }
+    EXPECT_NEAR(sum / points, 0.5, 4 * std::sqrt(1. / 12 / points));
+}
+
+TEST(SobolSequence, OtherSeedsGiveOtherPoints) {
+    EXPECT_NE(SobolSequence(1, dimensions).point(5),
+              SobolSequence(2, dimensions).point(5));
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/canopy/quantities.hpp"
 #include "schema.hpp"
 
 namespace ideotype {
@@ -95,6 +96,14 @@ void check_objectives(const Campaign& campaign, Report& report) {
                        fmt::format("objective.minimise has {} (which is "
                                    "maximised too); remove one of the two",
                                    each));
+    if (campaign.field.boundary == Boundary::isolated)
+        for (const auto* list : {&campaign.maximised, &campaign.minimised})
+            if (std::count(list->begin(), list->end(), extinction) > 0)
+                report.add(list,
+                           fmt::format("the objective {} needs plants without "
+                                       "end (light enters a plot from its "
+                                       "sides); use \"fapar\"",
+                                       extinction));
     const bool is_pareto = campaign.search.optimizer == OptimizerKind::nsga2;
     if (count == 0)
         report.add(&campaign.maximised,

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "ideotype/canopy/quantities.hpp"
 #include "schema.hpp"
 
 namespace ideotype {
@@ -63,34 +64,28 @@ Section light_section(Campaign& campaign) {
 }
 
 Section objective_section(Campaign& campaign) {
-    const std::vector<std::string> names{"absorbed_par",
-                                         "absorbed_par_per_leaf_area",
-                                         "gross_assimilation",
-                                         "net_assimilation",
-                                         "net_assimilation_per_leaf_area",
-                                         "carbon_balance",
-                                         "lai"};
+    const std::vector<std::string> names = number_names();
     return {"objective",
             {Key("maximise", &campaign.maximised,
-                 "on a mean day: light that leaves absorb, CO2 that they "
-                 "assimilate (net of their respiration while there is light), "
-                 "or carbon that is left (net of day and night, and of "
-                 "building leaves); per area of ground or of leaf; or leaf "
-                 "area")
+                 "any single number of the canopy: on a mean day light that "
+                 "leaves absorb, CO2 that they assimilate (net of their "
+                 "respiration while there is light) or carbon that is left "
+                 "(net of day and night, and of building leaves), per area of "
+                 "ground or of leaf; parts of the light; leaf area")
                  .set(&Key::count, any_count)
                  .one_of(names),
              Key("minimise", &campaign.minimised,
-                 "any of the same; several objectives are for nsga2")
+                 "the same; several objectives are for nsga2")
                  .set(&Key::count, any_count)
                  .set(&Key::initial, "[]")
+                 .set(&Key::range, "as maximise")
                  .one_of(names)}};
 }
 
 bool asks_for_assimilation(const Campaign& campaign) {
     const std::vector<Aim> all = aims(campaign);
     return std::any_of(all.begin(), all.end(), [](const Aim& aim) {
-        return aim.quantity != "lai" &&
-               !aim.quantity.starts_with("absorbed_par");
+        return is_of_assimilation(aim.quantity);
     });
 }
 

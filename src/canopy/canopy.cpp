@@ -187,7 +187,7 @@ class Evaluation {
     CanopyReport report() {
         const SeriesIllumination& light = request_.scenario.light;
         for (const Tally& tally : tallies_)
-            result_.leaves_by_randomisation.push_back(tally.leaves());
+            result_.budget_by_randomisation.push_back(tally.budget());
         result_.light = ideotype::report(tallies_, light);
         if (request_.details.sunlit) {
             const SunlitReport sunlit = ideotype::report(sunlit_, light);

@@ -191,10 +191,10 @@ Estimate absorbed_by_leaves(const std::vector<Tally>& tallies) {
 SunlitReport report(const SunlitFractions& sunlit,
                     const SeriesIllumination& illumination) {
     const LightSeries& series = illumination.series;
-    // A weighted mean over steps; certain without any sun.
+    // A weighted mean over steps by randomisation; certain without any sun.
     const auto mean = [&](const std::vector<std::size_t>& steps,
-                          const auto& weight) {
-        std::vector<double> replicates(sunlit.fractions.size());
+                          const auto& weight, std::vector<double>& replicates) {
+        replicates.assign(sunlit.fractions.size(), 0);
         bool has_sun = false;
         double least = 0;
         for (const std::size_t i : steps) {
@@ -212,14 +212,16 @@ SunlitReport report(const SunlitFractions& sunlit,
                    : Estimate{};
     };
     SunlitReport result;
+    std::vector<double> of_hour;
     for (const std::vector<std::size_t>& steps : series.steps_of_hours())
-        result.hours.push_back(
-            mean(steps, [&](const TimeStep&) { return 1. / series.days; }));
+        result.hours.push_back(mean(
+            steps, [&](const TimeStep&) { return 1. / series.days; }, of_hour));
     const double lit = series.lit_seconds();
     std::vector<std::size_t> all(series.steps.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    result.mean =
-        mean(all, [&](const TimeStep& step) { return step.seconds / lit; });
+    result.mean = mean(
+        all, [&](const TimeStep& step) { return step.seconds / lit; },
+        result.mean_by_randomisation);
     return result;
 }
 

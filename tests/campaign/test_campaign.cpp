@@ -309,4 +309,33 @@ TEST(Campaign, LeavesAssimilateIfTheObjectiveOrATableSaysSo) {
     EXPECT_EQ(parse_campaign(other.resolved, "c").resolved, other.resolved);
 }
 
+TEST(Campaign, AnySingleNumberOfTheCanopyMayBeAnObjective) {
+    const auto parse = [](const std::string& quantity,
+                          const std::string& more = "") {
+        return parse_campaign(sample_text("", "[objective]\nmaximise = \"" +
+                                                  quantity + "\"\n" + more),
+                              "c");
+    };
+    EXPECT_FALSE(parse("fapar").photosynthesis);
+    EXPECT_TRUE(parse("sunlit_lai").photosynthesis);
+    EXPECT_NO_THROW(parse("extinction_coefficient"));
+    const auto message = [&](const std::string& quantity,
+                             const std::string& more = "") -> std::string {
+        try {
+            parse(quantity, more);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_NE(message("fparr").find("did you mean \"fapar\"?"),
+              std::string::npos);
+    EXPECT_NE(message("absorbed_by_leaf").find("not one of absorbed_par, "),
+              std::string::npos);
+    EXPECT_NE(
+        message("extinction_coefficient", "[field]\nboundary = \"isolated\"\n")
+            .find("light enters a plot"),
+        std::string::npos);
+}
+
 }  // namespace ideotype

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ideotype/canopy/canopy.hpp"
+#include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/light/device.hpp"
 #include "two_leaves.hpp"
@@ -48,15 +49,35 @@ TEST_F(TwoLeaves, AFieldForEachRandomisationAgreesWithOne) {
     EXPECT_NEAR(one.mean / each.mean, 1, .05);
 }
 
-TEST_F(TwoLeaves, LeavesAreKnownByRandomisation) {
+TEST_F(TwoLeaves, EveryNumberIsKnownByRandomisation) {
+    request.details.photosynthesis.emplace();
     for (const auto fields : {Fields::one, Fields::each}) {
         const CanopyReport report = evaluated(fields);
-        ASSERT_EQ(report.leaves_by_randomisation.size(), 8u);
-        const Estimate all = estimate(report.leaves_by_randomisation);
-        const Estimate& leaves = report.light.day.leaves;
-        EXPECT_NEAR(all.mean / leaves.mean, 1, 1e-12);
-        EXPECT_NEAR(all.standard_error / leaves.standard_error, 1, 1e-9);
+        ASSERT_EQ(measure_numbers(report).size(), number_names().size());
+        for (const auto& [quantity, estimated] : measure_numbers(report)) {
+            const auto [same, values] =
+                measure_objective(quantity.name, report);
+            EXPECT_EQ(same.mean, estimated.mean);
+            EXPECT_EQ(same.standard_error, estimated.standard_error);
+            ASSERT_EQ(values.size(), 8u) << quantity.name;
+            const auto [mean, error] = estimate(values);
+            const double scale = std::abs(estimated.mean);
+            EXPECT_NEAR(mean, estimated.mean, 1e-12 * scale) << quantity.name;
+            EXPECT_NEAR(error, estimated.standard_error, 1e-9 * scale)
+                << quantity.name;
+            EXPECT_EQ(error > 1e-9 * scale,
+                      quantity.certainty == Certainty::estimated)
+                << quantity.name;
+        }
     }
+}
+
+TEST_F(TwoLeaves, SaysWhichNumbersItDoesNotHave) {
+    const CanopyReport dark = evaluated();
+    EXPECT_THROW(measure_objective("sunlit_lai", dark), Error);
+    EXPECT_THROW(measure_objective("absorbed_by_leaf", dark), Error);
+    EXPECT_TRUE(is_of_assimilation("sunlit_lai"));
+    EXPECT_FALSE(is_of_assimilation("fapar"));
 }
 
 TEST_F(TwoLeaves, WithoutSunAllFiguresAreZero) {
@@ -97,8 +118,8 @@ TEST_F(TwoLeaves, AReadyFieldHasTheLightOfItsPlants) {
     request.stand = draw_field(build_plant(std::get<Plant>(request.stand), {}),
                                request.scenario.field, request.randomness);
     for (const Fields fields : {Fields::one, Fields::each})
-        EXPECT_EQ(evaluated(fields).leaves_by_randomisation,
-                  drawn.leaves_by_randomisation);
+        EXPECT_EQ(evaluated(fields).budget_by_randomisation,
+                  drawn.budget_by_randomisation);
 }
 
 TEST_F(TwoLeaves, LayersWithoutAThicknessReachTheTop) {
@@ -118,7 +139,7 @@ TEST_F(TwoLeaves, TheSunlitLeafAreaIsToldOnlyOnDemand) {
     const CanopyReport with = evaluated();
     ASSERT_TRUE(with.light.steps[6].sunlit);
     EXPECT_GT(with.light.steps[6].sunlit->mean, .3);
-    EXPECT_EQ(with.leaves_by_randomisation, without.leaves_by_randomisation);
+    EXPECT_EQ(with.budget_by_randomisation, without.budget_by_randomisation);
 }
 
 TEST_F(TwoLeaves, FirstHitsTellTheSunlitLeafAreaToo) {
@@ -296,7 +317,7 @@ TEST_F(TwoLeaves, LightDoesNotDependOnWhetherLeavesAssimilate) {
     const CanopyReport dark = evaluated();
     request.details.photosynthesis.emplace();
     const CanopyReport report = evaluated();
-    EXPECT_EQ(report.leaves_by_randomisation, dark.leaves_by_randomisation);
+    EXPECT_EQ(report.budget_by_randomisation, dark.budget_by_randomisation);
     ASSERT_EQ(report.groups.size(), dark.groups.size());
     for (std::size_t g = 0; g < dark.groups.size(); ++g) {
         EXPECT_NEAR(report.light.groups[g].mean, dark.light.groups[g].mean,

@@ -27,9 +27,9 @@ struct Timing {
 //! What light does in one canopy.
 struct CanopyReport {
     DayReport light;
-    //! What all leaves absorb, by independent randomisation
-    //! [J m-2 of ground]: light.day.leaves is its mean.
-    std::vector<double> leaves_by_randomisation;
+    //! All sources together by independent randomisation [J m-2 of ground]:
+    //! light.day has their means.
+    std::vector<Budget> budget_by_randomisation;
     //! If asked for, by face of the plant or of the field that was ready: what
     //! both sides absorb, for the one-sided area of the face [J m-2 day-1].
     //! That of a plant is a mean over all its copies; in a plot that is cut

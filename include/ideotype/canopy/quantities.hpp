@@ -8,9 +8,12 @@
 
 namespace ideotype {
 
+//! Which a plot alone does not have.
+inline constexpr auto extinction = "extinction_coefficient";
+
 //! All that is measured of a canopy of plants with these leaves and organs,
 //! along leaf, organ, layer, hour, light_source and leaf_side, and, of several
-//! days, day. A plot alone has no extinction coefficient.
+//! days, day.
 QuantitySet canopy_quantities(const Plant& plant, const Layers& layers,
                               const LightSeries& series, Boundary boundary,
                               bool with_assimilation = false);
@@ -27,17 +30,25 @@ struct Measured {
 //! All of them that a report has.
 std::vector<Measured> measure_numbers(const CanopyReport& report);
 
+//! The names of all quantities without axes that a report may have: each can
+//! be an objective.
+std::vector<std::string> number_names();
+
+//! Whether only reports with assimilation have it.
+bool is_of_assimilation(const std::string& quantity);
+
 //! The unit of a quantity.
 //! @throws std::out_of_range if there is none of this name.
 std::string unit_of(const std::string& quantity);
 
-//! A quantity that can be an objective.
+//! A number and what each of independent randomisations says of it.
 struct Randomised {
     Estimate estimate;
-    std::vector<double> by_randomisation;  //!< independent
+    std::vector<double> by_randomisation;
 };
 
-//! @throws Error if there is no such quantity.
+//! A quantity without axes.
+//! @throws Error if the report has none of this name.
 Randomised measure_objective(const std::string& name,
                              const CanopyReport& report);
 

@@ -29,6 +29,8 @@ struct Budget {
         return *this;
     }
 
+    bool operator==(const Budget&) const = default;
+
     double total() const { return leaves + stalks + soil + reflected; }
 
   private:
@@ -70,12 +72,15 @@ struct Tally {
     //! What its paths can tell; shared by all randomisations of a simulation.
     std::shared_ptr<const Resolution> resolution{};
 
-    //! Absorbed by leaves, from all sources.
-    double leaves() const {
-        double sum = 0;
-        for (const Budget& budget : sources) sum += budget.leaves;
+    //! Of all sources together.
+    Budget budget() const {
+        Budget sum;
+        for (const Budget& budget : sources) sum += budget;
         return sum;
     }
+
+    //! Absorbed by leaves, from all sources.
+    double leaves() const { return budget().leaves; }
 };
 
 }  // namespace ideotype

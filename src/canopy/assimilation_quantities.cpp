@@ -1,0 +1,143 @@
+#include "declaration.hpp"
+#include "ideotype/core/units.hpp"
+
+namespace ideotype {
+
+namespace {
+
+using Values = std::vector<Estimate>;
+
+constexpr auto daily = "mol m-2 day-1";
+constexpr double grams_of_carbon = 12.011, grams_of_co2 = 44.0095;
+//! Of carbohydrate for each mol of carbon, on a hectare.
+constexpr double tonnes = 30e-6 * 1e4;
+
+//! Gross assimilation, by how much lower the figure is, and its scale.
+Randomised carbon(const CanopyReport& report, double loss = 0,
+                  double scale = 1) {
+    const Estimate gross = report.assimilation->gross;
+    Randomised result{{gross.mean - loss, gross.standard_error}, {}};
+    for (const AssimilationTally& tally : report.assimilation->tallies)
+        result.by_randomisation.push_back(tally.gross() - loss);
+    return scaled(std::move(result), scale);
+}
+
+Randomised net(const CanopyReport& report, double scale = 1) {
+    return carbon(report, report.assimilation->net_loss(), scale);
+}
+
+Randomised balance(const CanopyReport& report, double scale = 1) {
+    return carbon(report, report.assimilation->carbon_loss(), scale);
+}
+
+//! Each leaf lowered by its respiration in the light.
+Values net_by_leaf(const CanopyReport& report) {
+    Values groups = report.assimilation->groups;
+    for (std::size_t g = 0; g < groups.size(); ++g)
+        groups[g].mean -= report.assimilation->respiration[g].in_light;
+    return of_leaves(report, groups);
+}
+
+//! Of gross assimilation over absorbed light, to first order.
+Randomised light_use(const CanopyReport& report) {
+    const AssimilationReport& all = *report.assimilation;
+    const double light = report.light.day.leaves.mean / joule_per_megajoule;
+    if (!(light > 0)) return certain(report, 0);
+    const double ratio = grams_of_carbon * all.gross.mean / light;
+    Randomised result{{ratio, 0}, {}};
+    for (std::size_t r = 0; r < all.tallies.size(); ++r)
+        result.by_randomisation.push_back(
+            ratio + (grams_of_carbon * all.tallies[r].gross() -
+                     ratio * report.budget_by_randomisation[r].leaves /
+                         joule_per_megajoule) /
+                        light);
+    result.estimate.standard_error =
+        estimate(result.by_randomisation).standard_error;
+    return result;
+}
+
+std::optional<Randomised> sunlit_lai(const CanopyReport& report) {
+    if (!report.hit_by_sun) return std::nullopt;
+    return scaled(Randomised{report.hit_by_sun->mean,
+                             report.hit_by_sun->mean_by_randomisation},
+                  report.lai);
+}
+
+}  // namespace
+
+std::vector<Declaration> assimilation_quantities() {
+    using Report = CanopyReport;
+    return {
+        {{"gross_assimilation", daily,
+          "CO2 that leaves take up per ground area"},
+         [](const Report& r) { return carbon(r); }},
+        {{"net_assimilation", daily,
+          "the same less what they respire while there is light"},
+         [](const Report& r) { return net(r); }},
+        {{"net_assimilation_per_leaf_area", daily,
+          "net assimilation per one-sided leaf area"},
+         [](const Report& r) { return net(r, 1 / r.lai); }},
+        {{"carbon_balance", daily,
+          "gross assimilation less what leaves respire day and night and the "
+          "carbon that they are built of"},
+         [](const Report& r) { return balance(r); }},
+        {{"gross_co2", "g m-2 day-1", "gross assimilation"},
+         [](const Report& r) { return carbon(r, 0, grams_of_co2); }},
+        {{"net_co2", "g m-2 day-1", "net assimilation"},
+         [](const Report& r) { return net(r, grams_of_co2); }},
+        {{"dry_matter", "t ha-1", "carbon balance of all days as carbohydrate"},
+         [](const Report& r) { return balance(r, tonnes * r.days); }},
+        {{"respiration",
+          daily,
+          "of leaves, day and night",
+          {},
+          Certainty::exact},
+         [](const Report& r) {
+             const Respiration sum = r.assimilation->all_respiration();
+             return certain(r, sum.in_light + sum.at_night);
+         }},
+        {{"sunlit_lai", "m2 m-2",
+          "leaf area index that the sun shines on, a mean over the time with "
+          "any light"},
+         sunlit_lai},
+        {{"sunlit_lai_by_hour",
+          "m2 m-2",
+          "leaf area index that the sun shines on at each instant",
+          {"hour"}},
+         [](const Report& r) {
+             Values hours = r.hit_by_sun->hours;
+             for (Estimate& x : hours) x = scaled(x, r.lai);
+             return hours;
+         }},
+        {{"light_use_efficiency", "g MJ-1",
+          "carbon of gross assimilation over absorbed PAR"},
+         light_use},
+        {{"assimilation_by_leaf",
+          daily,
+          "gross assimilation of each leaf",
+          {"leaf"}},
+         [](const Report& r) { return of_leaves(r, r.assimilation->groups); }},
+        {{"net_assimilation_by_leaf",
+          daily,
+          "net assimilation of each leaf",
+          {"leaf"}},
+         net_by_leaf},
+        {{"assimilation_by_layer",
+          daily,
+          "gross assimilation of leaves in each layer",
+          {"layer"}},
+         [](const Report& r) { return r.assimilation->layers; }},
+        {{"assimilation_by_hour",
+          "umol m-2 s-1",
+          "gross assimilation at each instant",
+          {"hour"}},
+         [](const Report& r) { return r.assimilation->hours; }},
+        {{"assimilation_by_day",
+          daily,
+          "gross assimilation on each day",
+          {"day"}},
+         [](const Report& r) { return r.assimilation->dates; }},
+    };
+}
+
+}  // namespace ideotype

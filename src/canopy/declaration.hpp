@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "ideotype/canopy/quantities.hpp"
+
+namespace ideotype {
+
+//! Takes a single number from a report; none where there is no such thing.
+using TakeNumber =
+    std::function<std::optional<Randomised>(const CanopyReport&)>;
+
+//! Takes the numbers of a quantity that has axes.
+using TakeNumbers = std::function<std::vector<Estimate>(const CanopyReport&)>;
+
+//! What is measured, and how it is taken from a report.
+struct Declaration {
+    Quantity quantity;
+    std::variant<TakeNumber, TakeNumbers> take;
+};
+
+//! In the order of their columns.
+std::vector<Declaration> light_quantities();
+
+//! Of reports with assimilation, after those of light.
+std::vector<Declaration> assimilation_quantities();
+
+inline Randomised scaled(Randomised x, double factor) {
+    x.estimate = scaled(x.estimate, factor);
+    for (double& value : x.by_randomisation) value *= factor;
+    return x;
+}
+
+//! What is the same in all randomisations.
+inline Randomised certain(const CanopyReport& report, double value) {
+    return {{value, 0},
+            std::vector(report.budget_by_randomisation.size(), value)};
+}
+
+//! The numbers of the groups that are leaves.
+template <class Number>
+std::vector<Number> of_leaves(const CanopyReport& report,
+                              const std::vector<Number>& groups) {
+    std::vector<Number> leaves;
+    for (std::size_t g = 0; g < groups.size(); ++g)
+        if (report.groups[g].tissue == Tissue::leaf)
+            leaves.push_back(groups[g]);
+    return leaves;
+}
+
+}  // namespace ideotype

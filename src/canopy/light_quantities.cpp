@@ -1,0 +1,185 @@
+#include <algorithm>
+#include <cmath>
+
+#include "declaration.hpp"
+#include "ideotype/core/units.hpp"
+
+namespace ideotype {
+
+namespace {
+
+using Values = std::vector<Estimate>;
+
+constexpr auto daily = "MJ m-2 day-1";
+constexpr Certainty exact = Certainty::exact;
+
+Values to_mj(Values joules) {
+    for (Estimate& x : joules) x = scaled(x, 1 / joule_per_megajoule);
+    return joules;
+}
+
+//! Part of the light of a mean day.
+Randomised part_of_light(const CanopyReport& report,
+                         Estimate BudgetEstimate::*part,
+                         double (*of)(const Budget&)) {
+    Randomised result{report.light.day.*part, {}};
+    for (const Budget& budget : report.budget_by_randomisation)
+        result.by_randomisation.push_back(of(budget));
+    return result;
+}
+
+Randomised absorbed_by_leaves(const CanopyReport& report) {
+    return part_of_light(report, &BudgetEstimate::leaves,
+                         [](const Budget& day) { return day.leaves; });
+}
+
+//! Of the incident light; nothing of nothing is nothing.
+TakeNumber fraction(Estimate BudgetEstimate::*part,
+                    double (*of)(const Budget&)) {
+    return [=](const CanopyReport& report) {
+        const double incident = report.light.day.incident;
+        return scaled(part_of_light(report, part, of),
+                      incident > 0 ? 1 / incident : 0);
+    };
+}
+
+TakeNumber fapar() {
+    return fraction(&BudgetEstimate::plants,
+                    [](const Budget& day) { return day.leaves + day.stalks; });
+}
+
+//! -ln(1 - fAPAR) / LAI by the delta method. What is left of the light is
+//! taken as at least its standard error. A plot alone has none: light enters
+//! from its sides.
+std::optional<Randomised> extinction_coefficient(const CanopyReport& report) {
+    if (report.boundary == Boundary::isolated) return std::nullopt;
+    const Randomised absorbed = *fapar()(report);
+    const auto& [mean, error] = absorbed.estimate;
+    constexpr double least = 1e-9;
+    const double left = std::max({1 - mean, error, least});
+    Randomised result{{-std::log(left) / report.lai, error / left / report.lai},
+                      {}};
+    for (const double x : absorbed.by_randomisation)
+        result.by_randomisation.push_back(result.estimate.mean +
+                                          (x - mean) / left / report.lai);
+    return result;
+}
+
+//! All leaves, then each of organ_names() of the plant.
+Values by_organ(const CanopyReport& report) {
+    Values organs{report.light.day.leaves};
+    for (std::size_t g = 0; g < report.groups.size(); ++g)
+        if (report.groups[g].tissue != Tissue::leaf)
+            organs.push_back(report.light.groups[g]);
+    return organs;
+}
+
+Values by_hour(const CanopyReport& report) {
+    Values hours;
+    for (const StepReport& step : report.light.steps)
+        hours.push_back(step.budget.leaves);
+    return hours;
+}
+
+}  // namespace
+
+std::vector<Declaration> light_quantities() {
+    using Report = CanopyReport;
+    return {
+        {{"absorbed_par", daily, "PAR that leaves absorb per ground area"},
+         [](const Report& r) {
+             return scaled(absorbed_by_leaves(r), 1 / joule_per_megajoule);
+         }},
+        {{"absorbed_par_per_leaf_area", daily,
+          "PAR that leaves absorb per one-sided leaf area"},
+         [](const Report& r) {
+             return scaled(absorbed_by_leaves(r),
+                           1 / joule_per_megajoule / r.lai);
+         }},
+        {{"incident", daily, "PAR on level ground above the canopy", {}, exact},
+         [](const Report& r) {
+             return scaled(certain(r, r.light.day.incident),
+                           1 / joule_per_megajoule);
+         }},
+        {{"absorbed_fraction", "1",
+          "fAPAR of leaves alone: absorbed by them over incident PAR"},
+         fraction(&BudgetEstimate::leaves,
+                  [](const Budget& day) { return day.leaves; })},
+        {{"stalk_fraction", "1",
+          "absorbed by stalks, sheaths and all other organs but leaves over "
+          "incident PAR"},
+         fraction(&BudgetEstimate::stalks,
+                  [](const Budget& day) { return day.stalks; })},
+        {{"fapar", "1",
+          "absorbed by leaves and all other organs over incident PAR"},
+         fapar()},
+        {{extinction, "1",
+          "of the day's light by leaf area index: -ln(1 - fapar) / lai"},
+         extinction_coefficient},
+        {{"soil_fraction", "1", "absorbed by the soil over incident PAR"},
+         fraction(&BudgetEstimate::soil,
+                  [](const Budget& day) { return day.soil; })},
+        {{"reflected_fraction", "1", "sent back to the sky over incident PAR"},
+         fraction(&BudgetEstimate::reflected,
+                  [](const Budget& day) { return day.reflected; })},
+        {{"balance_error",
+          "1",
+          "largest error of the energy balance of any randomisation over the "
+          "light that entered",
+          {},
+          exact},
+         [](const Report& r) { return certain(r, r.light.balance_error); }},
+        {{"paths", "1", "paths of light in all randomisations", {}, exact},
+         [](const Report& r) {
+             return certain(r, static_cast<double>(r.paths));
+         }},
+        {{"capped",
+          "1",
+          "1 if more paths would be needed for the tolerance",
+          {},
+          exact},
+         [](const Report& r) { return certain(r, r.is_capped ? 1.0 : 0.0); }},
+        {{"lai", "m2 m-2", "one-sided leaf area per ground area", {}, exact},
+         [](const Report& r) { return certain(r, r.lai); }},
+        {{"absorbed_by_leaf", daily, "PAR that each leaf absorbs", {"leaf"}},
+         [](const Report& r) { return to_mj(of_leaves(r, r.light.groups)); }},
+        {{"absorbed_by_organ",
+          daily,
+          "PAR that leaves and each other organ absorb",
+          {"organ"}},
+         [](const Report& r) { return to_mj(by_organ(r)); }},
+        {{"absorbed_by_layer",
+          daily,
+          "PAR that leaves in each layer absorb",
+          {"layer"}},
+         [](const Report& r) { return to_mj(r.light.layers); }},
+        {{"absorbed_by_source",
+          daily,
+          "PAR that leaves absorb, by where it came from at last",
+          {"light_source"}},
+         [](const Report& r) {
+             const BudgetEstimate& day = r.light.day;
+             return to_mj(
+                 {day.leaves_beam, day.leaves_sky, day.leaves_scattered});
+         }},
+        {{"absorbed_by_side",
+          daily,
+          "PAR that each side of leaves absorbs",
+          {"leaf_side"}},
+         [](const Report& r) {
+             return to_mj({r.light.adaxial, r.light.abaxial});
+         }},
+        {{"absorbed_by_hour",
+          "W m-2",
+          "PAR that leaves absorb at each instant",
+          {"hour"}},
+         by_hour},
+        {{"absorbed_by_day",
+          daily,
+          "PAR that leaves absorb on each day",
+          {"day"}},
+         [](const Report& r) { return to_mj(r.light.dates); }},
+    };
+}
+
+}  // namespace ideotype

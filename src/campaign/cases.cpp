@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cctype>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -21,6 +22,24 @@ std::string case_name(const std::string& site, const std::string& day,
     for (char& c : name)
         c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return name;
+}
+
+//! Adds it to the case that it is a scenario of.
+void add_scenario(const Campaign& campaign, const Case& scenario,
+                  std::vector<Case>& all) {
+    Case one = scenario;
+    if (is_over(campaign, "site")) one.site.name = "all";
+    if (is_over(campaign, "day") || is_over(campaign, "climate"))
+        one.day_name = "all";
+    if (is_over(campaign, "spacing")) one.spacing_name = "all";
+    const auto names = [](const Case& x) {
+        return std::tie(x.site.name, x.day_name, x.spacing_name);
+    };
+    auto found = std::find_if(all.begin(), all.end(), [&](const Case& other) {
+        return names(other) == names(one);
+    });
+    if (found == all.end()) found = all.insert(all.end(), std::move(one));
+    found->scenarios.push_back(scenario);
 }
 
 LightSeries to_series(const SiteWeather& weather, Site site) {
@@ -45,37 +64,71 @@ LightSeries to_series(const SiteWeather& weather, Site site) {
     return series;
 }
 
-}  // namespace
+//! Names a case by its axes, its breeding and its replicate.
+void complete(Case& one, const Named<TraitSet>& traits, int replicate) {
+    one.traits = traits.value;
+    one.trait_set_name = traits.name;
+    one.replicate = replicate;
+    one.name = case_name(one.site.name, one.day_name, one.spacing_name,
+                         traits.name, replicate);
+}
 
-std::vector<Case> cases(const Campaign& campaign) {
+//! Cases without traits, seed and replicate.
+std::vector<Case> stands(const Campaign& campaign) {
     std::vector<Named<DaySpan>> days = campaign.days;
     for (const auto& climate : campaign.climates)
         days.push_back({climate.name, {}});
     std::vector<Case> all;
     for (const Site& site : campaign.sites)
         for (const auto& day : days)
-            for (const auto& spacing : campaign.spacings)
-                for (const auto& traits : campaign.trait_sets)
-                    for (int r = 1; r <= campaign.replicates; ++r) {
-                        Case one;
-                        one.index = static_cast<int>(all.size());
-                        one.name = case_name(site.name, day.name, spacing.name,
-                                             traits.name, r);
-                        one.seed = derive_seed(campaign.seed, one.name);
-                        one.site = site;
-                        one.day = day.value;
-                        one.spacing = spacing.value;
-                        one.traits = traits.value;
-                        one.day_name = day.name;
-                        one.spacing_name = spacing.name;
-                        one.trait_set_name = traits.name;
-                        one.replicate = r;
-                        all.push_back(std::move(one));
-                    }
+            for (const auto& spacing : campaign.spacings) {
+                Case one;
+                one.site = site;
+                one.day = day.value;
+                one.spacing = spacing.value;
+                one.day_name = day.name;
+                one.spacing_name = spacing.name;
+                if (campaign.over.empty())
+                    all.push_back(std::move(one));
+                else
+                    add_scenario(campaign, one, all);
+            }
+    return all;
+}
+
+}  // namespace
+
+bool is_over(const Campaign& campaign, const std::string& axis) {
+    return std::find(campaign.over.begin(), campaign.over.end(), axis) !=
+           campaign.over.end();
+}
+
+std::vector<Case> scenarios(const Case& chosen) {
+    return chosen.scenarios.empty() ? std::vector{chosen} : chosen.scenarios;
+}
+
+std::vector<Case> cases(const Campaign& campaign) {
+    std::vector<Case> all;
+    for (const Case& stand : stands(campaign))
+        for (const auto& traits : campaign.trait_sets)
+            for (int r = 1; r <= campaign.replicates; ++r) {
+                Case one = stand;
+                one.index = static_cast<int>(all.size());
+                complete(one, traits, r);
+                one.seed = derive_seed(campaign.seed, one.name);
+                for (Case& scenario : one.scenarios) {
+                    scenario.index = one.index;
+                    complete(scenario, traits, r);
+                    scenario.seed = one.seed;
+                }
+                all.push_back(std::move(one));
+            }
     return all;
 }
 
 LightSeries light_of(const Campaign& campaign, const Case& chosen) {
+    if (!chosen.scenarios.empty())
+        return light_of(campaign, chosen.scenarios.front());
     if (campaign.climates.empty())
         return clear_days(chosen.site, chosen.day, campaign.par_fraction);
     for (const SiteWeather& weather : campaign.weathers)

@@ -122,6 +122,17 @@ void check_objectives(const Campaign& campaign, Report& report) {
                                count));
 }
 
+void check_scenarios(const Campaign& campaign, Report& report) {
+    if (!report.usable({&campaign.over})) return;
+    const bool has_days = campaign.climates.empty();
+    const std::string wrong = has_days ? "climate" : "day";
+    if (is_over(campaign, wrong))
+        report.add(&campaign.over,
+                   fmt::format("objective.over has \"{}\" (this campaign has "
+                               "[[{}]]); use that, or remove it",
+                               wrong, has_days ? "day" : "climate"));
+}
+
 void check_search(const Campaign& campaign, Report& report) {
     const int& population = campaign.search.population;
     const auto at_most = [&](const std::string& name, const int& value,
@@ -133,6 +144,7 @@ void check_search(const Campaign& campaign, Report& report) {
                                    name, value, population, most));
     };
     check_objectives(campaign, report);
+    check_scenarios(campaign, report);
     constexpr int fewest = 4;
     if (campaign.search.optimizer == OptimizerKind::cma_es &&
         report.usable({&population}) && population < fewest)

@@ -79,7 +79,19 @@ Section objective_section(Campaign& campaign) {
                  .set(&Key::count, any_count)
                  .set(&Key::initial, "[]")
                  .set(&Key::range, "as maximise")
-                 .one_of(names)}};
+                 .one_of(names),
+             Key("over", &campaign.over,
+                 "axes whose entries are scenarios, not cases: each plant is "
+                 "evaluated in all of them")
+                 .set(&Key::count, any_count)
+                 .set(&Key::initial, "[]")
+                 .set(&Key::is_written, !campaign.over.empty())
+                 .one_of({"site", "day", "climate", "spacing"}),
+             Key("scenarios", choice(campaign.across),
+                 "what each objective is: the mean over scenarios, or that of "
+                 "the scenario where it is worst")
+                 .set(&Key::is_written, !campaign.over.empty())
+                 .one_of({"mean", "worst"})}};
 }
 
 bool asks_for_assimilation(const Campaign& campaign) {

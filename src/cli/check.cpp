@@ -2,6 +2,7 @@
 #include <limits>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "ideotype/cli/verbs.hpp"
 #include "ideotype/history/history.hpp"
@@ -90,6 +91,19 @@ class Cost {
     int finalists_;
 };
 
+//! Of several scenarios, a line.
+std::string scenario_text(const Campaign& campaign, const Case& chosen) {
+    if (chosen.scenarios.empty()) return "";
+    const AcrossScenarios across(campaign, chosen);
+    const Axis& axis = across.measured().axis("scenario");
+    return fmt::format(
+        "scenarios each evaluation is of {} ({}); an objective is {}\n",
+        axis.size(),
+        fmt::join(std::get<std::vector<std::string>>(axis.coordinates), ", "),
+        campaign.across == Across::mean ? "their mean"
+                                        : "that of the worst one");
+}
+
 ExitCode list_left(const PlanOptions& options, const Campaign& campaign) {
     for (const Case& each : cases(campaign)) {
         const std::string path = path_of(options.out, campaign, each);
@@ -128,6 +142,7 @@ ExitCode check(const CheckOptions& options) {
     fmt::print("{}: no errors\n", options.campaign_path);
     fmt::print("campaign  {}, {} case{}\n", campaign.name, all.size(),
                all.size() == 1 ? "" : "s");
+    fmt::print("{}", scenario_text(campaign, first));
     fmt::print("plant     {}, {} leaves, {:.4f} m2 of leaf, {} faces\n",
                campaign.crop.baseline.name,
                campaign.crop.baseline.leaves.size(), leaf_area(plant),
@@ -181,7 +196,8 @@ ExitCode plan(const PlanOptions& options) {
     fmt::print("{:>5}  {:<40}  {:>20}\n", "index", "case", "seed");
     for (const Case& c : all)
         fmt::print("{:>5}  {:<40}  {:>20}\n", c.index, c.name, c.seed);
-    fmt::print("\neach case: {} (measured here on the first)\n", cost.text());
+    fmt::print("\n{}each case: {} (measured here on the first)\n",
+               scenario_text(campaign, all.front()), cost.text());
     fmt::print("{:>7}  {:>12}  {:>12}\n", "workers", "one case", "all cases");
     for (const int workers : {1, 2, 16, 128})
         fmt::print("{:>7}  {:>12}  {:>12}\n", workers,

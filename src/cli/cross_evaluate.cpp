@@ -45,12 +45,14 @@ struct Column {
     Scenario scenario;
 };
 
-//! The cases without their replicates, which have the same light.
+//! The cases, or their scenarios, without their replicates, which have the same
+//! light.
 std::vector<Column> columns(const Campaign& campaign) {
     std::vector<Column> first;
     for (const Case& each : cases(campaign))
         if (each.replicate == 1)
-            first.push_back({each, scenario_of(campaign, each)});
+            for (const Case& scenario : scenarios(each))
+                first.push_back({scenario, scenario_of(campaign, scenario)});
     return first;
 }
 

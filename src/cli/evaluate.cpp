@@ -64,26 +64,65 @@ bool agrees_with(const ChosenRow& which, const Outcome& again) {
     return true;
 }
 
+//! A plant in one scenario of its case.
 struct Study {
+    Case scenario;
     CanopyReport report;
     double seconds;
 };
 
-Study timed_study(CanopyRequest request, const std::string& isa) {
-    request.details.sunlit = true;
+//! Of a plant in each scenario of a case.
+//! @param accuracy that of the task without one
+std::vector<Study> studies(const Task& task, const Campaign& campaign,
+                           const Case& chosen, const Plant& plant,
+                           const std::string& isa,
+                           const std::optional<Accuracy>& accuracy = {}) {
     const Device device(isa);
-    const double began = now();
-    CanopyReport report = evaluate(request, device);
-    return {std::move(report), now() - began};
+    std::vector<Study> all;
+    for (const Case& each : scenarios(chosen)) {
+        CanopyRequest request = request_of(task, campaign, each,
+                                           scenario_of(campaign, each), plant);
+        request.details.sunlit = true;
+        if (accuracy) request.accuracy = *accuracy;
+        const double began = now();
+        CanopyReport report = evaluate(request, device);
+        all.push_back({each, std::move(report), now() - began});
+    }
+    return all;
+}
+
+Json to_json(const std::vector<Study>& all) {
+    std::vector<Json> each;
+    for (const auto& [scenario, report, seconds] : all)
+        each.push_back(to_json(report, scenario, seconds));
+    return each.size() == 1 ? each.front() : Json{{"scenarios", each}};
+}
+
+void print_studies(const std::vector<Study>& all) {
+    for (const auto& [scenario, report, seconds] : all) {
+        if (&scenario != &all.front().scenario) fmt::print("\n");
+        print_report(report, scenario, seconds);
+    }
 }
 
 Plant plant_of(const ChosenRow& row) {
     return grow(row.campaign.crop, row.row.candidate.genome);
 }
 
-CanopyRequest request_of(const ChosenRow& row) {
-    return request_of(row.task, row.campaign, row.chosen,
-                      scenario_of(row.campaign, row.chosen), plant_of(row));
+std::vector<Study> studies(const ChosenRow& row,
+                           const std::optional<Accuracy>& accuracy = {}) {
+    return studies(row.task, row.campaign, row.chosen, plant_of(row), row.isa,
+                   accuracy);
+}
+
+//! What a row would have in its history.
+Outcome outcome_of(const ChosenRow& row, const std::vector<Study>& all) {
+    std::vector<Outcome> each;
+    for (const Study& study : all)
+        each.push_back(to_outcome(row.campaign, plant_of(row), study.report));
+    return each.size() == 1
+               ? each.front()
+               : AcrossScenarios(row.campaign, row.chosen).combine(each);
 }
 
 ExitCode evaluate_baseline(const EvaluateOptions& options) {
@@ -97,14 +136,13 @@ ExitCode evaluate_baseline(const EvaluateOptions& options) {
     Task task;
     task.case_index = static_cast<std::uint32_t>(chosen.index);
     task.is_final = true;
-    const auto [report, seconds] = timed_study(
-        request_of(task, campaign, chosen, scenario_of(campaign, chosen),
-                   campaign.crop.baseline),
-        Device::supported_isas().back());
+    const std::vector<Study> all =
+        studies(task, campaign, chosen, campaign.crop.baseline,
+                Device::supported_isas().back());
     if (options.is_json)
-        fmt::print("{}\n", to_text(to_json(report, chosen, seconds)));
+        fmt::print("{}\n", to_text(to_json(all)));
     else
-        print_report(report, chosen, seconds);
+        print_studies(all);
     return ExitCode::ok;
 }
 
@@ -124,17 +162,17 @@ Json to_json(const Task& task, const Row& row) {
 //! Recomputes a row, and compares every bit.
 ExitCode repeat_row(const ChosenRow& which, bool is_json) {
     const auto& [campaign, chosen, task, row, schema, isa] = which;
-    const auto [report, seconds] = timed_study(request_of(which), isa);
-    const Outcome again = to_outcome(campaign, plant_of(which), report);
+    const std::vector<Study> all = studies(which);
+    const Outcome again = outcome_of(which, all);
     const bool is_done = row.outcome.status == Status::done;
     const bool agrees = agrees_with(which, again);
     if (is_json) {
-        Json json = to_json(report, chosen, seconds);
+        Json json = to_json(all);
         json["row"] = to_json(task, row);
         json["row"]["agrees_bit_for_bit"] = agrees;
         fmt::print("{}\n", to_text(json));
     } else {
-        print_report(report, chosen, seconds);
+        print_studies(all);
         fmt::print("\n{}: {}\n", name_of(task),
                    agrees    ? "agrees bit for bit with the history"
                    : is_done ? "DIFFERS from the history"
@@ -155,27 +193,27 @@ ExitCode evaluate_row_again(const ChosenRow& which, double tolerance,
                         name_of(task),
                         task.is_final ? "had many fields" : "has no result"),
             ExitCode::usage);
-    CanopyRequest request = request_of(which);
     constexpr int most_paths = 1 << 26;
-    request.accuracy = {most_paths, 16, tolerance};
-    const auto [report, seconds] = timed_study(std::move(request), isa);
+    const std::vector<Study> all =
+        studies(which, Accuracy{most_paths, 16, tolerance});
     const Estimate was = row.outcome.objectives.front();
-    const Estimate is =
-        to_outcome(campaign, plant_of(which), report).objectives.front();
+    const Estimate is = outcome_of(which, all).objectives.front();
     const double deviation = (was.mean - is.mean) / was.standard_error;
     if (is_json) {
-        Json json = to_json(report, chosen, seconds);
+        Json json = to_json(all);
         json["row"] = to_json(task, row);
         json["row"].update({{"was", to_json(was)},
                             {"is", to_json(is)},
                             {"deviation_in_standard_errors", deviation}});
         fmt::print("{}\n", to_text(json));
     } else {
-        print_report(report, chosen, seconds);
+        print_studies(all);
+        std::uint64_t paths = 0;
+        for (const Study& study : all) paths += study.report.paths;
         fmt::print(
             "\n{}: {} in the history, {} with {} paths: {:.2f} of its "
             "standard errors off\n",
-            name_of(task), format(was), format(is), report.paths, deviation);
+            name_of(task), format(was), format(is), paths, deviation);
     }
     return ExitCode::ok;
 }

@@ -6,6 +6,7 @@
 #include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/hash.hpp"
 #include "ideotype/light/tolerance.hpp"
+#include "ideotype/run/across_scenarios.hpp"
 
 namespace ideotype {
 
@@ -70,10 +71,9 @@ CanopyRequest request_of(const Task& task, const Campaign& campaign,
 OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
                              const Accuracy& accuracy) {
     OutcomeSchema schema;
-    schema.measured =
-        canopy_quantities(campaign.crop.baseline, canopy_layers(campaign),
-                          light_of(campaign, chosen), campaign.field.boundary,
-                          campaign.photosynthesis.has_value());
+    schema.measured = chosen.scenarios.empty()
+                          ? measured_in(campaign, chosen)
+                          : AcrossScenarios(campaign, chosen).measured();
     schema.randomisations = static_cast<std::size_t>(accuracy.randomisations);
     for (const Aim& aim : aims(campaign))
         schema.objectives.push_back(
@@ -100,11 +100,17 @@ Outcome to_outcome(const Campaign& campaign, const Plant& plant,
 CanopyEvaluator::CanopyEvaluator(const Campaign& campaign,
                                  const std::string& isa)
     : campaign_(campaign), device_(isa) {
-    for (const Case& each : cases(campaign))
-        cases_.push_back(
-            {each, outcome_schema(campaign, each, campaign.sampling),
-             outcome_schema(campaign, each, campaign.final_rule.sampling),
-             std::nullopt});
+    for (const Case& each : cases(campaign)) {
+        Prepared prepared{
+            outcome_schema(campaign, each, campaign.sampling),
+            outcome_schema(campaign, each, campaign.final_rule.sampling),
+            {},
+            {}};
+        for (const Case& scenario : scenarios(each))
+            prepared.scenarios.push_back({scenario, std::nullopt});
+        if (!each.scenarios.empty()) prepared.across.emplace(campaign, each);
+        cases_.push_back(std::move(prepared));
+    }
 }
 
 const OutcomeSchema& CanopyEvaluator::schema(const Task& task) const {
@@ -114,14 +120,18 @@ const OutcomeSchema& CanopyEvaluator::schema(const Task& task) const {
 
 Outcome CanopyEvaluator::evaluate(const Task& task, const Genome& genome) {
     Prepared& prepared = cases_.at(task.case_index);
-    if (!prepared.scenario)
-        prepared.scenario = scenario_of(campaign_, prepared.chosen);
     const Plant plant = grow(campaign_.crop, genome);
-    return to_outcome(
-        campaign_, plant,
-        ideotype::evaluate(request_of(task, campaign_, prepared.chosen,
-                                      *prepared.scenario, plant),
-                           device_));
+    std::vector<Outcome> outcomes;
+    for (auto& [chosen, scenario] : prepared.scenarios) {
+        if (!scenario) scenario = scenario_of(campaign_, chosen);
+        outcomes.push_back(to_outcome(
+            campaign_, plant,
+            ideotype::evaluate(
+                request_of(task, campaign_, chosen, *scenario, plant),
+                device_)));
+    }
+    return prepared.across ? prepared.across->combine(outcomes)
+                           : std::move(outcomes.front());
 }
 
 }  // namespace ideotype

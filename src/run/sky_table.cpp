@@ -76,22 +76,24 @@ std::string table_of_climates(const Campaign& campaign) {
     std::string text = fmt::format(
         row, "climate", "site", "place", "period", "days", "PAR per day",
         "diffuse", "temperature", "humidity", "sunrise", "noon", "sunset");
-    for (const Case& each : cases(campaign)) {
-        const Site& site = each.site;
-        const std::string start =
-            fmt::format("{:<9} {:<12} {:<16} {:<10} ", "", site.name,
-                        place(site), each.day_name);
-        if (text.find(start) != std::string::npos) continue;
-        const LightSeries series = light_of(campaign, each);
-        const Daylight sun = daylight(site, middle(series.dates()));
-        text += fmt::format(
-            row, "", site.name, place(site), each.day_name, series.days,
-            fmt::format("{:.2f} MJ m-2", series.incident() / 1e6),
-            fmt::format("{:.0f} %", 100 * series.diffuse() / series.incident()),
-            by_day(series, &TimeStep::temperature, 1, "C"),
-            by_day(series, &TimeStep::humidity, 100, "%"), clock(sun.sunrise),
-            clock(sun.noon), clock(sun.sunset));
-    }
+    for (const Case& one : cases(campaign))
+        for (const Case& each : scenarios(one)) {
+            const Site& site = each.site;
+            const std::string start =
+                fmt::format("{:<9} {:<12} {:<16} {:<10} ", "", site.name,
+                            place(site), each.day_name);
+            if (text.find(start) != std::string::npos) continue;
+            const LightSeries series = light_of(campaign, each);
+            const Daylight sun = daylight(site, middle(series.dates()));
+            text += fmt::format(
+                row, "", site.name, place(site), each.day_name, series.days,
+                fmt::format("{:.2f} MJ m-2", series.incident() / 1e6),
+                fmt::format("{:.0f} %",
+                            100 * series.diffuse() / series.incident()),
+                by_day(series, &TimeStep::temperature, 1, "C"),
+                by_day(series, &TimeStep::humidity, 100, "%"),
+                clock(sun.sunrise), clock(sun.noon), clock(sun.sunset));
+        }
     return text +
            "          temperature and humidity are weighted by light; "
            "sunrise, noon and sunset are those of the middle date\n";

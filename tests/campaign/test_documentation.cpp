@@ -115,8 +115,9 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
         "[photosynthesis]\nmodel = \"collatz\"\nvmax = 30\nalpha = 0.06\n"
         "beta = 0.9\nk = 0.6\n";
     auto lines = differences(sample("", organ + hyperbola).resolved, "");
-    // A campaign has days or climates.
-    const std::string text = with_climate(organ + collatz);
+    // A campaign has days or climates, and one scenario or several.
+    const std::string text =
+        with_climate(organ + collatz + "[objective]\nover = \"site\"\n");
     for (const std::string& line :
          differences(parse_campaign(text, "sample.toml").resolved, ""))
         lines.push_back(line);

@@ -98,6 +98,9 @@ struct AnswerLimits {
     int attempts = 3;
 };
 
+//! What an objective is over several scenarios.
+enum class Across { mean, worst };
+
 //! A whole study as written in a TOML file: immutable once read. Every key,
 //! its unit, range and default are listed in campaigns/README.md.
 struct Campaign {
@@ -133,6 +136,9 @@ struct Campaign {
     double first_tolerance = 0;  //!< of the first generation; 0: as all others
     //! Quantities that are searched for, in this order.
     std::vector<std::string> maximised{"absorbed_par"}, minimised;
+    //! Axes whose entries are scenarios of one case, by the names of tables.
+    std::vector<std::string> over;
+    Across across = Across::mean;
     Constraints constraints;
     SearchSettings search;
     StopRules stop;
@@ -165,7 +171,17 @@ struct Case {
     std::string trait_set_name;
     TraitSet traits;
     int replicate = 1;
+    //! That each plant is evaluated in, with the random numbers of the case;
+    //! its own site, day and spacing are those of the first. Empty: it is the
+    //! only one.
+    std::vector<Case> scenarios{};
 };
+
+//! Whether the entries of an axis are scenarios of one case.
+bool is_over(const Campaign& campaign, const std::string& axis);
+
+//! The scenarios of a case, at least one.
+std::vector<Case> scenarios(const Case& chosen);
 
 //! Reads and checks a campaign file and the crop file that it names.
 //! @param settings "table.key=value", in the place of what the file says
@@ -206,11 +222,13 @@ SeasonLight read_climate(const std::string& path);
 //! The text of a crop file with the traits of a campaign and another baseline.
 std::string crop_text(const Campaign& campaign, const Plant& baseline);
 
-//! The light of a case: of its clear days, or of its weather.
+//! The light of a case, or of the first of its scenarios: of its clear days, or
+//! of its weather.
 LightSeries light_of(const Campaign& campaign, const Case& chosen);
 
 //! All cases in their order: sites, then days or climates, spacings, trait
-//! sets, and replicates fastest. Adding an entry to an axis does not change the
+//! sets, and replicates fastest; of axes whose entries are scenarios one, which
+//! is called "all". Adding an entry to an axis does not change the
 //! name or seed of any other case.
 std::vector<Case> cases(const Campaign& campaign);
 

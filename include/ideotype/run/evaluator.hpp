@@ -2,12 +2,14 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ideotype/campaign/campaign.hpp"
 #include "ideotype/canopy/canopy.hpp"
 #include "ideotype/light/device.hpp"
 #include "ideotype/parallel/evaluator.hpp"
+#include "ideotype/run/across_scenarios.hpp"
 
 namespace ideotype {
 
@@ -25,8 +27,8 @@ double final_effort(const Campaign& campaign);
 //! Layers of 0.25 m, up to what the highest leaf could reach.
 Layers canopy_layers(const Campaign& campaign);
 
-//! What the plants of a case are evaluated under; worth keeping for all of
-//! them.
+//! What the plants of a case are evaluated under, or in the first of its
+//! scenarios; worth keeping for all of them.
 Scenario scenario_of(const Campaign& campaign, const Case& chosen);
 
 //! How a task evaluates a plant.
@@ -39,7 +41,7 @@ CanopyRequest request_of(const Task& task, const Campaign& campaign,
 OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
                              const Accuracy& accuracy);
 
-//! What a report says of a plant, in that form.
+//! What a report says of a plant, in the form of a case without others.
 Outcome to_outcome(const Campaign& campaign, const Plant& plant,
                    const CanopyReport& report);
 
@@ -55,11 +57,11 @@ class CanopyEvaluator : public Evaluator {
 
   private:
     struct Prepared {
-        Case chosen;
         OutcomeSchema schema;
         OutcomeSchema final_schema;
-        //! Set up when its first candidate comes.
-        std::optional<Scenario> scenario;
+        //! Each set up when its first candidate comes.
+        std::vector<std::pair<Case, std::optional<Scenario>>> scenarios;
+        std::optional<AcrossScenarios> across;  //!< of several
     };
 
     const Campaign& campaign_;

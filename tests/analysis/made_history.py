@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import fcntl
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import h5py
@@ -34,6 +34,7 @@ from made_numbers import (
     baseline_genome,
     final_absorbed,
     genome,
+    hypervolume,
     quantities,
     randomisations,
 )
@@ -92,7 +93,7 @@ class MadeHistory:
         shift: float = 0.0,
         labels: Mapping[str, object] = {},
         extra: Mapping[str, Extra] = {},
-        objective: tuple[str, str] = ("absorbed_par", "maximise"),
+        objectives: Sequence[tuple[str, str]] = (("absorbed_par", "maximise"),),
         draws: bool = True,
     ) -> None:
         """Creates everything, empty, but the dataset `without`. `attributes`
@@ -100,7 +101,7 @@ class MadeHistory:
         to what bred plants absorb, `extra` are more quantities and `labels`
         those of their axes."""
         self._shift = shift
-        self._objective = objective[0]
+        self._objectives = [name for name, _ in objectives]
         self._extra = {name: part for name, (_, part) in extra.items()}
         self._measured = QUANTITIES | {n: kind for n, (kind, _) in extra.items()}
         self._lock_path = Path(f"{path}.lock")
@@ -128,7 +129,7 @@ class MadeHistory:
             FINALISTS,
             GENERATIONS,
             genes,
-            [(objective[0], "MJ m-2 day-1", objective[1])],
+            [(name, self._measured[name].units, s) for name, s in objectives],
             {**LABELS, **labels},
             self._measured,
             self._counts,
@@ -195,12 +196,15 @@ class MadeHistory:
         rows = self.file[group]
         extra = {name: part * total for name, part in self._extra.items()}
         known = quantities(total) | extra
-        scale = known[self._objective] / total
-        rows["objectives"][row] = total * scale
-        rows["objectives_standard_error"][row] = error * scale
-        if draws:
-            values = randomisations(total, error, draws, *noise)
-            rows["objectives_by_randomisation"][row, 0] = scale * values
+        values = randomisations(total, error, draws, *noise) if draws else None
+        for k, name in enumerate(self._objectives):
+            scale = known[name] / total
+            own = 0.0 if self._measured[name].is_exact else error * scale
+            rows["objectives"][row, k] = known[name]
+            rows["objectives_standard_error"][row, k] = own
+            if values is not None:
+                each = scale * (values if own else total + 0 * values)
+                rows["objectives_by_randomisation"][row, k] = each
         rows["violation"][row] = 0.0
         for name, kind in self._measured.items():
             rows[name][row] = known[name]
@@ -229,6 +233,8 @@ class MadeHistory:
             "failures": len(values) - len(good),
             "evaluations": len(values),
             "wall_time": 3.0 * (generation + 1),
+            "hypervolume": hypervolume(generation),
+            "hypervolume_standard_error": ERROR,
         }
         for name, value in summary.items():
             if name in self.file["generations"]:

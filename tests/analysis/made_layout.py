@@ -155,6 +155,7 @@ class Layout:
 
     def _generations(self) -> None:
         n, at = self.generations, "generations/generation"
+        several = len(self.objectives) > 1
         self._scale(at, np.arange(n, dtype="i4"))
         for name, fill, dtype, units in (
             ("committed", False, bool, "1"),
@@ -169,6 +170,10 @@ class Layout:
             ("failures", 0, "u4", "1"),
             ("evaluations", 0, "u4", "1"),
             ("wall_time", np.nan, "f8", "s"),
+            *(
+                (f"hypervolume{end}", np.nan, "f8", "1")
+                for end in ("", "_standard_error") * several
+            ),
             ("checksum", b"", fixed(64), ""),
         ):
             values = np.full(n, fill, dtype)

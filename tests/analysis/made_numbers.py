@@ -80,6 +80,11 @@ def final_absorbed(slot: int) -> float:
     return BASELINE * (1 + [0.0, 0.010, 0.015, 0.005][slot])
 
 
+def hypervolume(generation: int) -> float:
+    """Of the front of a generation, where there are several objectives."""
+    return 1.0 - 0.5 ** (generation + 1)
+
+
 def leaf_share(leaf: int) -> float:
     """Part of the absorbed PAR that leaf 1 ... LEAVES takes."""
     return 2 * leaf / (LEAVES * (LEAVES + 1))

@@ -90,7 +90,7 @@ def test_leaf_area_stands_beside_every_gain(tmp_path: Path) -> None:
 def test_an_objective_per_leaf_area_is_its_own_gain(tmp_path: Path) -> None:
     objective = ("absorbed_par_per_leaf_area", "maximise")
     path = tmp_path / "a_r1.h5"
-    made = MadeHistory(path, objective=objective)
+    made = MadeHistory(path, objectives=[objective])
     made.evolve(1)
     made.finish()
     made.close()

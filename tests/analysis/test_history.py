@@ -179,7 +179,7 @@ def test_without_common_randomisations_errors_are_independent(
 def test_the_order_is_failed_violating_objective(tmp_path: Path) -> None:
     for sense, better in (("maximise", 3), ("minimise", 1)):
         path = tmp_path / f"{sense}.h5"
-        made = MadeHistory(path, objective=("absorbed_par", sense))
+        made = MadeHistory(path, objectives=[("absorbed_par", sense)])
         made.propose(0)
         for slot in range(6):
             (made.fail if slot == 5 else made.record)(0, slot)

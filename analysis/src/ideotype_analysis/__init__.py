@@ -3,6 +3,7 @@
 from .case import Case
 from .estimate import Estimate
 from .file import HistoryError, NotAHistory, UnsupportedVersion
+from .front import Front
 from .history import History, open_history
 from .interval import Interval
 from .labelled import open_arrays as open
@@ -15,6 +16,7 @@ __all__ = [
     "Case",
     "Estimate",
     "Evaluation",
+    "Front",
     "History",
     "HistoryError",
     "Interval",

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from .estimate import Estimate
 from .file import HistoryError
+from .front import Front
 from .history import History
 from .interval import Interval, interval
 from .pair import Pair
@@ -50,12 +51,18 @@ class Case:
         """Reads what several figures show, so that a copy in another process
         shows the same moment of a run."""
         with suppress(HistoryError):
-            _ = self._known, self._latest
+            _ = self._known, self._latest, self.fronts
 
     @property
     def pairs(self) -> tuple[Pair, ...]:
         """Baseline and best of each seed that has both."""
         return tuple(pair for _, pair in self._known)
+
+    @cached_property
+    def fronts(self) -> tuple[tuple[History, Front], ...]:
+        """Of several objectives, that of each seed which has one yet."""
+        found = ((h, h.front()) for h in self.histories)
+        return tuple((h, front) for h, front in found if front is not None)
 
     @property
     def is_final(self) -> bool:

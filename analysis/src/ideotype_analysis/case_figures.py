@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from .case import Case
 from .convergence import draw_convergence
 from .correlation import draw_correlation
+from .front_figures import draw_front, draw_hypervolume
 from .plan import draw_roses
 from .profiles import draw_hours, draw_layers, draw_leaves, draw_parts
 from .sensitivity import draw_sensitivity
@@ -90,3 +91,26 @@ CASE_FIGURES: dict[str, tuple[Callable[[Case], Figure], str]] = {
     ),
 }
 """What draws a figure of a case, and its caption."""
+
+_FRONT_FIGURES: dict[str, tuple[Callable[[Case], Figure], str]] = {
+    "front": (
+        draw_front,
+        "Front. Plants that no other of their seed betters in all objectives, "
+        "evaluated again, and those that fell off it then; error bars are "
+        "standard errors.",
+    ),
+    "hypervolume": (
+        draw_hypervolume,
+        "Hypervolume. What the front of each generation dominates; bands are "
+        "standard errors.",
+    ),
+}
+
+
+def figures_of(case: Case) -> dict[str, tuple[Callable[[Case], Figure], str]]:
+    """Those of a case, and of several objectives first those of its front."""
+    first = case.histories[0]
+    fronts = dict(_FRONT_FIGURES)
+    if first.generations().hypervolume is None:
+        del fronts["hypervolume"]
+    return (fronts if len(first.objectives) > 1 else {}) | CASE_FIGURES

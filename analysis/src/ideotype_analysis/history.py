@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from .file import HistoryError, missing_bytes, text, writer_of
 from .format_1 import Format1, open_datasets
+from .front import Front, front_of
 from .genes import Genes
 from .integrity import verify
 from .pair import Pair
@@ -120,10 +121,13 @@ class History:
         def read(name: str) -> NDArray:
             return self.datasets.read(f"generations/{name}", 0, count)
 
+        known = {*self.datasets.names("generations")}
+
         def quantity(name: str) -> Quantity:
             units = self.datasets.units(f"generations/{name}")
+            has_error = f"{name}_standard_error" in known
             unknown = np.full(count, np.nan)
-            error = read(f"{name}_standard_error") if name == "best" else unknown
+            error = read(f"{name}_standard_error") if has_error else unknown
             return Quantity(name, units, read(name), error)
 
         integers = ("first_row", "count", "best_row", "failures", "evaluations")
@@ -131,6 +135,9 @@ class History:
         return Generations(
             **{name: read(name).astype(int) for name in integers},
             **{name: quantity(name) for name in quantities},
+            hypervolume=(
+                quantity("hypervolume") if "hypervolume" in known else None
+            ),
         )
 
     def baseline(self) -> Evaluation | None:
@@ -159,6 +166,19 @@ class History:
         if baseline is None or best is None:
             return None
         return Pair(baseline, best)
+
+    def front(self) -> Front | None:
+        """Of several objectives, the finalists but the baseline if the finals
+        are complete, and which of them no other dominates. Else,
+        provisionally, the front of the last committed generation, or of all
+        rows before the first. None if there is one objective, or nothing is
+        done yet."""
+        if len(self.objectives) < 2:
+            return None
+        if (done := self._finals()) is not None:
+            return front_of(done.take(done.slot > 0), done.one(0, True))
+        baseline = self.baseline()
+        return baseline and front_of(self.latest(), baseline)
 
     def latest(self) -> Rows:
         """The last committed generation, or all complete rows before the
@@ -228,15 +248,19 @@ class History:
         for form in ("source", "resolved"):
             self.campaign(form)
 
-    def _final_pair(self) -> Pair | None:
-        """The finalists' verdict, once none of them is pending."""
+    def _finals(self) -> Rows | None:
+        """The finalists that are done, the baseline first, once it is and
+        none of the others is pending."""
         status = self.datasets.read("final/status")
         if not len(status) or status[0] != Status.DONE:
             return None
         if np.any(status == Status.PROPOSED):
             return None
-        done = self.finalists().done
-        bred = done.take(done.slot > 0).top(1)
-        if not len(bred):
+        return self.finalists().done
+
+    def _final_pair(self) -> Pair | None:
+        """The finalists' verdict, once none of them is pending."""
+        if (done := self._finals()) is None:
             return None
-        return Pair(done.one(0, True), bred.one(0, True))
+        bred = done.take(done.slot > 0).top(1)
+        return Pair(done.one(0, True), bred.one(0, True)) if len(bred) else None

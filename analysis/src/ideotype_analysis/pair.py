@@ -44,7 +44,15 @@ class Pair:
     @property
     def gain(self) -> Estimate:
         """By how much the first objective is higher [%]."""
-        best, baseline = self.best.objective, self.baseline.objective
+        return self.gain_in(self.best.row.goals[0].name)
+
+    def gain_in(self, name: str) -> Estimate:
+        """By how much a quantity without axes or an objective is higher [%].
+        The error is paired for objectives, and takes both as independent for
+        all else.
+
+        Raises HistoryError if the history does not tell it."""
+        best, baseline = self.best.estimate(name), self.baseline.estimate(name)
         return relative_gain(*self._both(best, baseline))
 
     @property

@@ -11,7 +11,7 @@ from pathlib import Path
 from . import tables
 from .blocks import Block, Drawing, Note, Section, Viewer
 from .case import Case
-from .case_figures import CASE_FIGURES
+from .case_figures import figures_of
 from .comparison import draw_energy, draw_gains
 from .cross import Cross, draw_cross
 from .fidelity import Fidelity, draw_fidelity
@@ -201,7 +201,7 @@ def _plants(program: Path | None, case: Case) -> Plants | Note:
 
 def _case(case: Case, plants: Plants | Note) -> Section:
     section = Section(case.name, is_folded=True)
-    for name, (draw, caption) in CASE_FIGURES.items():
+    for name, (draw, caption) in figures_of(case).items():
         section.blocks.append(
             Drawing(f"{case.name}_{name}", caption, partial(draw, case))
         )

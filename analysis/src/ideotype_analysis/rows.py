@@ -181,18 +181,24 @@ class Evaluation:
     @property
     def objective(self) -> Estimate:
         """The first objective, with its randomisations."""
-        goal = self.row.goals[0]
+        return self._goal(0)
+
+    def _goal(self, k: int) -> Estimate:
         return Estimate(
-            float(self.row.objectives[0, 0]),
-            float(self.row.objectives_standard_error[0, 0]),
-            goal.unit,
-            self.row.randomisations[0, 0],
+            float(self.row.objectives[0, k]),
+            float(self.row.objectives_standard_error[0, k]),
+            self.row.goals[k].unit,
+            self.row.randomisations[0, k],
         )
 
     def estimate(self, name: str) -> Estimate:
-        """A quantity without axes, objective or gene by name.
+        """An objective with its randomisations, quantity without axes, or
+        gene by name.
 
         Raises HistoryError if there is none."""
+        for k, goal in enumerate(self.row.goals):
+            if name == goal.name:
+                return self._goal(k)
         try:
             found = self.row[name]
         except KeyError as error:

@@ -75,6 +75,8 @@ class Generations:
     """Rows evaluated, not copied from one with the same genome."""
     wall_time: Quantity
     """Since the case began, all sessions [s]."""
+    hypervolume: Quantity | None = None
+    """What the front dominates; only of several objectives."""
 
     def __len__(self) -> int:
         return len(self.best_row)

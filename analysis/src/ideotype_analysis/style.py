@@ -73,7 +73,14 @@ def axis_label(name: str, unit: str) -> str:
 
 def words(name: str) -> str:
     """ "absorbed PAR" of "absorbed_par"."""
-    return re.sub(r"\bpar\b", "PAR", name.replace("_", " "))
+    spaced = name.replace("_", " ")
+    spaced = re.sub(r"\b(par|lai)\b", lambda m: m[0].upper(), spaced)
+    return re.sub(r"\bfapar\b", "fAPAR", spaced)
+
+
+def short(value: float) -> float:
+    """A number of as many digits as a drawing in the page needs."""
+    return float(f"{value:.7g}")
 
 
 def series(index: int) -> tuple[str, str]:

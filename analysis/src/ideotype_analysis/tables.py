@@ -155,6 +155,11 @@ def _case_remarks(case: Case, cross: Cross | None) -> Iterator[str]:
     if not case.pairs:
         yield "Nothing to compare yet"
         return
+    if case.fronts:
+        yield (
+            "Of several objectives the gain is that of the first, and the best "
+            "plant the one of the front that has most of it"
+        )
     if not all(pair.is_paired for pair in case.pairs):
         yield (
             "Errors of gains take baseline and best as independent and are "

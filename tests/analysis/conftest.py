@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import stat
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -84,6 +85,16 @@ def drained(tmp_path_factory: pytest.TempPathFactory) -> Path:
 SITES = {"ames": 42.0, "edmonton": 53.5}
 SHIFTS = (0.0, 0.1)
 """Of the seeds of the sweep [MJ m-2 day-1]."""
+
+
+@pytest.fixture(scope="session")
+def program(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """An executable that exports plants."""
+    path = tmp_path_factory.mktemp("bin") / "ideotype"
+    script = Path(__file__).with_name("made_program.py")
+    path.write_text(f'#!/bin/sh\nexec "{sys.executable}" "{script}" "$@"\n')
+    path.chmod(path.stat().st_mode | stat.S_IXUSR)
+    return path
 
 
 @pytest.fixture(scope="session")

@@ -1,8 +1,8 @@
 """Stands in for `ideotype export`: ten square leaves and a stalk.
 
 Started as `made_program.py export HISTORY ROW... --to FILE`. The leaves of
-the best plant are twice as long as those of the baseline, those in Edmonton
-10 % longer."""
+the best plant are twice as long as those of the baseline, those of other slots
+2 cm longer for each, those in Edmonton 10 % longer."""
 
 from __future__ import annotations
 
@@ -21,6 +21,8 @@ def main() -> None:
     if "broken" in arguments[1]:
         sys.exit("ideotype: this history is broken")
     length = 0.6 if "--best" in arguments else 0.3
+    if "--slot" in arguments:
+        length += 0.02 * int(arguments[arguments.index("--slot") + 1])
     if "edmonton" in arguments[1]:
         length *= 1.1
     lines = ["# made"]

@@ -28,14 +28,14 @@ class Phone:
         self._session = ""
         self._count = 0
 
-    def open(self, page: Path) -> None:
+    def open(self, page: Path, width: int) -> None:
         """Returns when it is loaded."""
         target = self.ask("Target.createTarget", url="about:blank")
         session = self.ask("Target.attachToTarget", flatten=True, **target)
         self._session = session["sessionId"]
         self.ask(
             "Emulation.setDeviceMetricsOverride",
-            width=WIDTH, height=HEIGHT, deviceScaleFactor=2, mobile=True,
+            width=width, height=HEIGHT, deviceScaleFactor=2, mobile=True,
         )  # fmt: skip
         self.ask("Emulation.setTouchEmulationEnabled", enabled=True)
         self.ask("Page.enable")
@@ -61,6 +61,18 @@ class Phone:
             self.ask(touch, type="touchMove", touchPoints=[{"x": x, "y": y}])
         self.ask(touch, type="touchEnd", touchPoints=[])
 
+    def tap(self, x: float, y: float) -> None:
+        """One finger."""
+        for kind, points in (("Start", [{"x": x, "y": y}]), ("End", [])):
+            self.ask(
+                "Input.dispatchTouchEvent", type=f"touch{kind}", touchPoints=points
+            )
+
+    def press(self, key: str) -> None:
+        """A key that has a name."""
+        for kind in ("keyDown", "keyUp"):
+            self.ask("Input.dispatchKeyEvent", type=kind, key=key)
+
     def ask(self, method: str, **params: Any) -> dict[str, Any]:
         """Sends a command and waits for its answer."""
         self._count += 1
@@ -84,8 +96,8 @@ class Phone:
 
 
 @contextlib.contextmanager
-def phone_with(page: Path, folder: Path) -> Iterator[Phone]:
-    """The page on a phone."""
+def phone_with(page: Path, folder: Path, width: int = WIDTH) -> Iterator[Phone]:
+    """The page on a phone, or on a wider screen."""
     name = next(filter(shutil.which, NAMES), None)
     if name is None:
         pytest.fail(f"no browser: install one of {', '.join(NAMES)}")
@@ -108,7 +120,7 @@ def phone_with(page: Path, folder: Path) -> Iterator[Phone]:
         os.close(end)
     try:
         phone = Phone(from_browser, to_browser)
-        phone.open(page)
+        phone.open(page, width)
         yield phone
     finally:
         os.killpg(process.pid, signal.SIGKILL)

@@ -48,10 +48,12 @@ def test_a_report_of_sorghum_is_complete(
             assert f"ames_0807_700x143_{case}_{name}" in figures
     text = (tmp_path / "report.html").read_text()
     assert ">panicle</th>" in text
-    (scene,) = re.findall(r'(?s)id="scene">(.*?)</script>', text)
-    for case in json.loads(scene)["cases"]:
+    (found,) = re.findall(r'(?s)id="scene">(.*?)</script>', text)
+    scene = json.loads(found)
+    for case in scene["cases"]:
         for plant in case["plants"]:
-            colors = dict(zip(plant["groups"], plant["colors"]))
+            shape = scene["shapes"][plant["shape"]]
+            colors = dict(zip(shape["groups"], shape["colors"]))
             assert {"leaf01", "leaf16", "sheath", "stalk_panicle"} < {*colors}
             red, green, blue = colors["sheath"]
             assert green > max(red, blue)

@@ -7,7 +7,7 @@ import io
 import json
 import re
 import shutil
-import stat
+import sys
 import sys
 from dataclasses import dataclass
 from pathlib import Path
@@ -47,16 +47,6 @@ class Made:
     @property
     def text(self) -> str:
         return self.page.read_text(encoding="utf-8")
-
-
-@pytest.fixture(scope="session")
-def program(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """An executable that exports plants."""
-    path = tmp_path_factory.mktemp("bin") / "ideotype"
-    script = Path(__file__).with_name("made_program.py")
-    path.write_text(f'#!/bin/sh\nexec "{sys.executable}" "{script}" "$@"\n')
-    path.chmod(path.stat().st_mode | stat.S_IXUSR)
-    return path
 
 
 @pytest.fixture(scope="session")
@@ -229,12 +219,15 @@ def test_the_browser_test_sees_errors(tmp_path: Path) -> None:
 
 def test_leaf_colours_are_per_ground_and_per_leaf_area(made: Made) -> None:
     (text,) = re.findall(r'(?s)id="scene">(.*?)</script>', made.text)
-    first = json.loads(text)["cases"][0]
+    scene = json.loads(text)
+    # all plants have the same organs
+    (shape,) = scene["shapes"]
+    first = scene["cases"][0]
     assert len(first["neighbours"]) == 3 * 7 - 1
     ground, leaf = (q["values"] for q in first["quantities"])
     plants = zip(first["plants"], ground, leaf, (AREA, 2 * AREA))
     for plant, by_ground, by_leaf, area in plants:
-        assert plant["groups"][-1] == "stalk"
+        assert plant["shape"] == 0 and shape["groups"][-1] == "stalk"
         assert by_ground[-1] is by_leaf[-1] is None
         # all that the plant's leaves take, on its part of the ground
         taken = sum(by_leaf[:-1]) * area

@@ -12,6 +12,7 @@ import pytest
 from browser import run_in_browser
 from ideotype_analysis.blocks import Picture, Section, Viewer
 from ideotype_analysis.page import render
+from ideotype_analysis.scene import packed
 from phone import WIDTH, phone_with
 from PIL import Image
 
@@ -41,8 +42,7 @@ def scene_of(direction: float | None = 90.0) -> str:
     the right."""
     vertices = upright([(-0.5, -0.5), (0.5, 0.5)])
     vertices += upright([(-0.5, 0.5), (0.5, -0.5)])
-    plant = {
-        "vertices": vertices,
+    shape = {
         "faces": [[0, 1, 2, 3], [4, 5, 6, 7]],
         "groups": ["leaf01", "leaf02"],
         "group": [0, 1],
@@ -50,8 +50,9 @@ def scene_of(direction: float | None = 90.0) -> str:
     }
     case = {
         "name": "made",
+        "front": None,
         "plants": [
-            {"title": f"{name}: {TITLE}", **plant}
+            {"title": f"{name}: {TITLE}", "shape": 0, **packed(np.array(vertices))}
             for name in ("baseline", "best")
         ],
         "quantities": [
@@ -63,7 +64,7 @@ def scene_of(direction: float | None = 90.0) -> str:
         "row_direction": direction,
         "neighbours": NEIGHBOURS,
     }
-    return json.dumps({"cases": [case]})
+    return json.dumps({"shapes": [shape], "cases": [case]})
 
 
 def page_of(folder: Path, scene: str) -> Path:

@@ -31,11 +31,19 @@ _PLAN = (
     "rows."
 )
 _VIEW = (
-    "Baseline (left) and best plant (right). Leaves are coloured by what they "
+    "Baseline (left) and {} (right). Leaves are coloured by what they "
     "absorb over the day; sheaths are dull green, stalks and other organs grey, "
     "neighbours pale and all turned alike. Lines on the ground are the rows. Drag (on a touch screen "
     "sideways) or use the arrow keys to turn; pinch, Ctrl and the wheel, or + "
     "and - to zoom; Home to start again."
+)
+_FRONT = (
+    "Front: plants that no other betters in all objectives, evaluated again, "
+    "with standard errors. Choose one with a click, a tap or the arrow keys: it "
+    "is shown beside the baseline, with its numbers ± standard errors. By how "
+    "much they are higher has paired errors in objectives; in all else it takes "
+    "both plants as independent. Of the last generation, pale, only what lies "
+    "within the axes is drawn. "
 )
 _READING = (
     "All figures use the palette of Okabe and Ito and the maps viridis and "
@@ -84,9 +92,9 @@ def write_report(
     with workers(jobs) as run:
         plants = list(run(partial(_plants, program), cases))
         shapes = [
-            (case, found)
+            (case, found if isinstance(found, Plants) else None)
             for case, found in zip(cases, plants)
-            if isinstance(found, Plants)
+            if isinstance(found, Plants) or case.fronts
         ]
         sections = [
             _overview(study, cases, cross),
@@ -182,10 +190,17 @@ def _places(cases: Sequence[Case], cross: Cross | None) -> Section:
     return section
 
 
-def _view(shapes: list[tuple[Case, Plants]]) -> Section:
-    section = Section("Plants in three dimensions")
+def _view(shapes: list[tuple[Case, Plants | None]]) -> Section:
+    has_front = any(case.fronts for case, _ in shapes)
+    front = "Front, and its " if has_front else ""
+    section = Section((front + "plants in three dimensions").capitalize())
     if shapes:
-        section.blocks.append(Viewer(scene_of(shapes), _VIEW))
+        caption = (
+            _FRONT + _VIEW.format("the plant that is chosen, or the best")
+            if has_front
+            else _VIEW.format("best plant")
+        )
+        section.blocks.append(Viewer(scene_of(shapes), caption))
     else:
         section.note("The plants are not shown; each case below says why.")
     return section

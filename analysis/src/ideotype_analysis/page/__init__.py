@@ -9,7 +9,7 @@ from jinja2 import Environment, StrictUndefined
 
 from ..blocks import Section
 
-_VIEWER = ("raster.js", "drawing.js", "viewer.js")
+_VIEWER = ("raster.js", "drawing.js", "front.js", "viewer.js")
 
 
 def render(title: str, subtitle: str, sections: Sequence[Section]) -> str:

@@ -20,9 +20,10 @@ function colorAt(part) {
   return STOPS[i].map((c, k) => c + (x - i) * (STOPS[i + 1][k] - c));
 }
 
-// Of the values of both plants, so that their colours compare.
-function rangeOf(quantity) {
-  const all = quantity.values.flat().filter((v) => v !== null);
+// Of the values of the plants shown, so that their colours compare.
+function rangeOf(quantity, shown) {
+  const all = shown.flatMap((i) => quantity.values[i])
+    .filter((v) => v !== null);
   return all.length ? [Math.min(...all), Math.max(...all)] : [0, 1];
 }
 
@@ -53,18 +54,32 @@ function shade([a, b, c]) {
   return 0.72 + 0.28 * Math.abs(cosine) / (Math.hypot(...n) || 1);
 }
 
-// Scale and size of what is shown: `reach` is the ground's radius [m].
-function frame(chosen, places, width, height) {
-  const all = chosen.plants.flatMap((plant) => plant.vertices);
-  const tall = Math.max(...all.map((v) => v[2]));
-  const wide = Math.max(...all.map((v) => Math.hypot(v[0], v[1])));
+// Gives plants their vertices [m], and what they share with others.
+function unpack(scene) {
+  for (const plant of scene.cases.flatMap((each) => each.plants)) {
+    Object.assign(plant, scene.shapes[plant.shape], { vertices: [] });
+    const bytes = Uint8Array.from(atob(plant.points), (c) => c.charCodeAt(0));
+    const steps = [...new Int16Array(bytes.buffer)];
+    for (let i = 0; i < steps.length; i += 3)
+      plant.vertices.push(steps.slice(i, i + 3).map((x) => x * plant.step));
+    const largest = (size) => Math.max(...plant.vertices.map(size));
+    plant.tall = largest((v) => v[2]);
+    plant.wide = largest((v) => Math.hypot(v[0], v[1]));
+  }
+}
+
+// Scale and size of `count` plants side by side, the same for all of a case:
+// `reach` is the ground's radius [m].
+function frame({ plants }, count, places, width, height) {
+  const tall = Math.max(...plants.map((plant) => plant.tall));
+  const wide = Math.max(...plants.map((plant) => plant.wide));
   const far = Math.max(...places.map((p) => Math.hypot(...p)));
   const reach = far + Math.max(wide, 0.3);
   const [c, s] = [Math.cos(START.tilt), Math.sin(START.tilt)];
   // with room for labels around the ground, from above too
   const fit = Math.min(
     (height - 50) / (c * tall + 2 * s * reach), (height - 20) / 2.3 / reach,
-    0.43 * width / chosen.plants.length / reach);
+    0.43 * width / count / reach);
   return { tall, reach, fit };
 }
 
@@ -144,9 +159,10 @@ function rasterOf(canvas, width, height) {
   return last;
 }
 
-// Returns how many faces of plants were drawn, the pixels of a metre, and the
-// length of the scale.
-function drawScene(canvas, chosen, quantity, view, hasNeighbours) {
+// Draws the plants of these numbers. Returns how many of their faces were
+// drawn, the pixels of a metre, and the length of the scale.
+function drawScene(canvas, chosen, shown, quantity, view, hasNeighbours) {
+  const plants = shown.map((i) => chosen.plants[i]);
   const [width, height] = [canvas.clientWidth, canvas.clientHeight];
   // two pixels a point have smooth edges; too many are slow to turn
   const dense = Math.min(
@@ -157,16 +173,16 @@ function drawScene(canvas, chosen, quantity, view, hasNeighbours) {
   // kept in memory, where the raster is too
   const context = canvas.getContext("2d", { willReadFrequently: true });
   const places = [[0, 0], ...(hasNeighbours ? chosen.neighbours : [])];
-  const { tall, reach, fit } = frame(chosen, places, width, height);
+  const { tall, reach, fit } = frame(chosen, shown.length, places, width, height);
   const scale = fit * view.zoom;
   const look = camera(view);
   const ground = groundOf(reach, chosen.row_direction, places);
-  const panel = width / chosen.plants.length;
+  const panel = width / shown.length;
   const [s, c] = [Math.sin(view.tilt), Math.cos(view.tilt)];
   const middle = c * tall / 2 - s * c * reach / 2;
-  const [low, high] = rangeOf(quantity);
+  const [low, high] = rangeOf(quantity, shown);
   const labels = [];
-  chosen.plants.forEach((plant, index) => {
+  plants.forEach((plant, index) => {
     const onScreen = (point) => {
       const [across, up, away] = look(point);
       return [
@@ -178,7 +194,7 @@ function drawScene(canvas, chosen, quantity, view, hasNeighbours) {
     for (const [corners, color] of ground.faces)
       raster.fill(corners.map(onScreen), [0, 0, 0], color, columns);
     const origin = onScreen([0, 0, 0]);
-    const colors = quantity.values[index].map((value, i) => value === null
+    const colors = quantity.values[shown[index]].map((value, i) => value === null
       ? plant.colors[i] : colorAt((value - low) / (high - low || 1)));
     paintPlant(raster, plant, colors, {
       seen: plant.vertices.map(look),
@@ -200,6 +216,6 @@ function drawScene(canvas, chosen, quantity, view, hasNeighbours) {
   context.textAlign = "center";
   for (const label of labels) drawLabel(context, ...label);
   const metres = drawScale(context, scale, panel, height);
-  const faces = chosen.plants.reduce((sum, p) => sum + p.faces.length, 0);
+  const faces = plants.reduce((sum, p) => sum + p.faces.length, 0);
   return { faces: faces * places.length, scale, metres };
 }

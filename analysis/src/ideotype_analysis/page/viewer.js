@@ -1,10 +1,19 @@
 // Choices, mouse, fingers and keys of the 3D view.
 const scene = JSON.parse(document.getElementById("scene").textContent);
+unpack(scene);
 const part = (name) => document.getElementById(`view${name}`);
 const canvas = part("");
 const [caseList, quantityList] = [part("-case"), part("-quantity")];
+const pairList = part("-pair");
 const neighbours = part("-neighbours");
 const view = { ...START };
+let member = 0;
+const chart = new Chart(part("-chart"), (i) => {
+  member = i;
+  drawAll();
+});
+
+const chosenCase = () => scene.cases[caseList.selectedIndex];
 
 function fill(list, labels) {
   list.replaceChildren(
@@ -12,30 +21,57 @@ function fill(list, labels) {
 }
 
 function draw() {
-  const chosen = scene.cases[caseList.selectedIndex];
+  const chosen = chosenCase();
+  if (!chosen.plants.length) return;
+  const shown = [0, chosen.front ? 1 + member : 1];
   const quantity = chosen.quantities[quantityList.selectedIndex];
   const drawn =
-    drawScene(canvas, chosen, quantity, view, neighbours.checked);
+    drawScene(canvas, chosen, shown, quantity, view, neighbours.checked);
   Object.assign(canvas.dataset, drawn);
-  part("-titles").replaceChildren(...chosen.plants.map((plant) => {
+  part("-titles").replaceChildren(...shown.map((i) => {
     const title = document.createElement("span");
-    title.textContent = plant.title;
+    title.textContent = chosen.plants[i].title;
     return title;
   }));
-  const [low, high] = rangeOf(quantity);
+  const [low, high] = rangeOf(quantity, shown);
   part("-low").textContent = low.toPrecision(3);
   part("-high").textContent = high.toPrecision(3);
   part("-bar").textContent = `absorbed PAR ${quantity.label}`;
 }
 
-function chooseCase() {
-  const { quantities, neighbours: others } =
-    scene.cases[caseList.selectedIndex];
-  const kept = Math.max(quantityList.selectedIndex, 0);
-  fill(quantityList, quantities.map((q) => q.label));
-  quantityList.selectedIndex = Math.min(kept, quantities.length - 1);
-  neighbours.disabled = !others.length;
+// The chart, and the numbers of the chosen member.
+function drawFront() {
+  const { front } = chosenCase();
+  if (!front) return;
+  chart.show(front, ...pairsOf(front)[pairList.selectedIndex], member);
+  part("-tables").replaceChildren(...tablesOf(front, front.members[member]));
+}
+
+function drawAll() {
+  drawFront();
   draw();
+}
+
+function chooseCase() {
+  const { front, plants, quantities, neighbours: others } = chosenCase();
+  part("-panel").classList.toggle("has-front", Boolean(front));
+  part("-plant").hidden = !plants.length;
+  part("-missing").hidden = plants.length > 0;
+  pairList.parentElement.hidden = !front || front.axes.length < 3;
+  if (front) {
+    fill(pairList, pairsOf(front).map((pair) =>
+      pair.map((k) => front.axes[k].name).join(", ")));
+    member = front.first;
+    part("-told").textContent = front.told;
+    part("-seeds").hidden = front.seeds < 2;
+  }
+  if (plants.length) {
+    const kept = Math.max(quantityList.selectedIndex, 0);
+    fill(quantityList, quantities.map((q) => q.label));
+    quantityList.selectedIndex = Math.min(kept, quantities.length - 1);
+    neighbours.disabled = !others.length;
+  }
+  drawAll();
 }
 
 function show(change) {
@@ -104,9 +140,10 @@ canvas.addEventListener("keydown", (event) => {
 for (const button of document.querySelectorAll("button[data-view]"))
   button.addEventListener("click", () => actions[button.dataset.view]());
 caseList.addEventListener("change", chooseCase);
+pairList.addEventListener("change", drawFront);
 quantityList.addEventListener("change", draw);
 neighbours.addEventListener("change", draw);
-window.addEventListener("resize", draw);
+window.addEventListener("resize", drawAll);
 const ramp = STOPS.map((color) => `rgb(${color.join()})`).join();
 part("-ramp").style.background = `linear-gradient(to right, ${ramp})`;
 fill(caseList, scene.cases.map((each) => each.name));

@@ -12,18 +12,8 @@ from ideotype_analysis import open_history, open_study
 from ideotype_analysis.profiles import draw_hours, draw_parts
 from real_program import CAMPAIGNS, executable, output_of, write_campaign
 
-_CLIMATE = """
-[[climate]]
-name = "july"
-file = "weather.csv"
-from = 2011-07-21
-to = 2011-07-30
-time = ["time"]
-stamp = "middle"
-global = ["ppfd_umol", "umol/m2/s"]
-diffuse_fraction = ["diffuse_fraction_erbs", "1"]
-
-"""
+_CLIMATE = Path(__file__).parents[1] / "data" / "campaign" / "july.toml"
+_WEATHER = "weather/bondville_2011_0721_0920.csv"
 
 
 @pytest.fixture(scope="module")
@@ -33,12 +23,11 @@ def campaign(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = write_campaign(folder, 3)
     text = path.read_text()
     begin, end = text.index("[[day]]"), text.index("[[spacing]]")
-    text = text[:begin] + _CLIMATE + text[end:]
+    text = text[:begin] + _CLIMATE.read_text() + text[end:]
     for was, now in (("42.0", "40.05"), ("-93.6", "-88.37"), ("-5", "-6")):
         text = text.replace(was, now, 1)
     path.write_text(text)
-    weather = CAMPAIGNS / "weather" / "bondville_2011_0721_0920.csv"
-    shutil.copy(weather, folder / "weather.csv")
+    shutil.copytree(CAMPAIGNS / "weather", folder / "weather")
     return path
 
 
@@ -61,9 +50,8 @@ def test_hours_and_days_sum_to_the_mean_day(season: Path) -> None:
     mean = 3600 * hours.values.sum() / 1e6
     assert mean == pytest.approx(best.objective.mean, rel=1e-9)
     # the light of the file
-    table = np.genfromtxt(
-        season.parents[1] / "weather.csv", delimiter=",", skip_header=1, max_rows=240
-    )
+    weather = season.parents[1] / _WEATHER
+    table = np.genfromtxt(weather, delimiter=",", skip_header=1, max_rows=240)
     mol = table[:, 1].sum() * 3600 / 10 / 1e6
     assert best.estimate("incident").mean == pytest.approx(mol / 4.57, rel=1e-9)
 
@@ -86,7 +74,7 @@ def test_a_row_is_the_same_without_the_file(season: Path, tmp_path: Path) -> Non
 
 
 def test_a_run_is_not_resumed_with_other_weather(season: Path, campaign: Path) -> None:
-    weather = campaign.parent / "weather.csv"
+    weather = campaign.parent / _WEATHER
     text = weather.read_text()
     weather.write_text(text.replace(",25.1,", ",25.2,", 1))
     try:

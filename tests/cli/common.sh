@@ -78,19 +78,7 @@ give_season() {
     sed -i -e '/^\[day\]/,/^\[spacing\]/{/^\[spacing\]/!d}' \
         -e 's/42\.0/40.05/; s/-93\.6/-88.37/' \
         -e 's/utc_offset = -5/utc_offset = -6/' "campaigns/$1.toml"
-    cat >>"campaigns/$1.toml" <<'TOML'
-[climate]
-name = "july"
-file = "weather/bondville_2011_0721_0920.csv"
-from = 2011-07-21
-to = 2011-07-30
-time = ["time"]
-stamp = "middle"
-global = ["ppfd_umol", "umol/m2/s"]
-diffuse_fraction = ["diffuse_fraction_erbs", "1"]
-temperature = ["temp_c", "C"]
-humidity = ["rh", "1"]
-TOML
+    cat "$project/tests/data/campaign/july.toml" >>"campaigns/$1.toml"
 }
 
 # $1 and $2 histories, $3 a group, the rest datasets that may differ

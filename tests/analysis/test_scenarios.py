@@ -2,10 +2,19 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import ideotype_analysis
 import numpy as np
+import pytest
+from ideotype_analysis import Case, HistoryError, open_study
+from ideotype_analysis.places import draw_latitudes, draw_spacings
+from ideotype_analysis.scene import export_plants, scene_of
+from ideotype_analysis.stand import places
+from ideotype_analysis.tables import scenarios
+from made_history import MadeHistory
+from made_kinds import Measured
 from real_program import output_of, write_campaign
 
 _MORE = """
@@ -36,3 +45,67 @@ def test_rows_tell_each_scenario_and_are_found_again(tmp_path: Path) -> None:
         found = output_of("evaluate", path, *which)
         assert "agrees bit for bit" in found
         assert "case south_0807_762x152_all_r1," in found
+
+
+def make(folder: Path, over: str, **place: str | float) -> None:
+    """A case that may have two scenarios, of which the second has half the
+    light."""
+    made = MadeHistory(
+        folder / f"{len([*folder.iterdir()])}.h5",
+        resolved=f"[objective]\nover = {over}",
+        attributes={"case": over, **place},
+        labels={"scenario": ["dense", "wide"]},
+        extra={
+            "absorbed_par_by_scenario": (
+                Measured("MJ m-2 day-1", "scenario"),
+                np.array([1.0, 0.5]),
+            )
+        }
+        if over != "[]"
+        else {},
+    )
+    made.evolve(1)
+    made.finish()
+    made.close()
+
+
+def cases_of(folder: Path) -> list[Case]:
+    with open_study(folder) as study:
+        cases = study.cases()
+        for case in cases:
+            case.remember()
+    return cases
+
+
+def test_a_report_tells_scenarios_apart(tmp_path: Path) -> None:
+    make(tmp_path, '["day"]')
+    make(tmp_path, "[]", latitude=50.0)
+    cases = cases_of(tmp_path)
+    (table,) = scenarios(cases)
+    assert [row[0] for row in table.rows] == ['["day"]: dense', '["day"]: wide']
+    assert table.rows[1][1].startswith("5.5000\u00a0±")
+    assert table.rows[1][3].startswith("1.50\u00a0±")
+    assert table.caption.startswith("Absorbed PAR by scenario [MJ")
+    with pytest.raises(HistoryError, match="over scenarios"):
+        cases[0].headroom()
+    assert cases[1].headroom().mean > 0
+    # the light of the objective is not that per leaf area
+    over, one = (case.best_pair.gain_per_leaf_area for case in cases)
+    assert over.mean == pytest.approx(one.mean)
+    assert over.standard_error > 2 * one.standard_error
+
+
+def test_what_varies_between_scenarios_is_not_that_of_the_first(
+    program: Path, tmp_path: Path
+) -> None:
+    make(tmp_path, '["spacing"]')
+    make(tmp_path, '["site"]', latitude=50.0, plant_spacing=0.3)
+    cases = cases_of(tmp_path)
+    assert [len(places(case)) for case in cases] == [1, 9]
+    for draw in (draw_latitudes, draw_spacings):
+        with pytest.raises(HistoryError, match="all cases have the same"):
+            draw(cases)
+    with open_study(tmp_path) as study:
+        shown = [(case, export_plants(case, program)) for case in study.cases()]
+        scene = json.loads(scene_of(shown))
+    assert [len(case["quantities"]) for case in scene["cases"]] == [1, 2]

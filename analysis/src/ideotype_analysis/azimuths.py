@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 from .case import Case
 from .file import HistoryError
 from .profile_curve import curve
-from .stand import resolved_campaign
 
 _MEASURE = "leaf.azimuth"
 
@@ -18,7 +17,7 @@ def azimuths(case: Case, genomes: NDArray) -> NDArray[np.float64]:
     [deg]: every trait that acts on azimuths does, whether it is bred or not.
 
     Raises HistoryError if none does."""
-    baseline = resolved_campaign(case).get("plant", {}).get("baseline", {})
+    baseline = case.resolved.get("plant", {}).get("baseline", {})
     traits = baseline.get("trait")
     if traits is None:
         # Before crops declared traits, a gene was the azimuth itself.

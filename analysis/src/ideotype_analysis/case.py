@@ -38,6 +38,7 @@ class Case:
         self.attributes = histories[0].attributes
         self.genes = histories[0].genes
         self.is_isolated = histories[0].is_isolated
+        self.resolved = histories[0].resolved
 
     def __repr__(self) -> str:
         return f"<Case {self.name}, seeds: {len(self.histories)}>"
@@ -52,6 +53,12 @@ class Case:
         shows the same moment of a run."""
         with suppress(HistoryError):
             _ = self._known, self._latest, self.fronts
+
+    def is_over(self, axis: str) -> bool:
+        """Whether each plant is evaluated in all of the "site"s, "day"s,
+        "climate"s or "spacing"s of its campaign: what the case has of one is
+        then that of the first."""
+        return axis in self.resolved.get("objective", {}).get("over", ())
 
     @property
     def pairs(self) -> tuple[Pair, ...]:
@@ -192,6 +199,8 @@ class Case:
             raise HistoryError("the objective is not absorbed PAR alone")
         if self.is_isolated:
             raise HistoryError("a plot alone is lit from its sides too")
+        if best.row.with_axis("scenario"):
+            raise HistoryError("the objective is taken over scenarios")
         names = ("incident", "reflected_fraction", *_TAKEN)
         incident, reflected, *taken = map(best.estimate, names)
         return Estimate(

@@ -9,7 +9,6 @@ from typing import Any
 from .case import Case
 from .estimate import Estimate, relative_gain
 from .pair import Pair
-from .quantity import Profile
 from .rows import Evaluation, join
 from .tables import UNKNOWN
 from .style import axis_label, short, unit_label, words
@@ -137,19 +136,14 @@ def _scenarios(pair: Pair) -> list[dict[str, Any]]:
             "rows": [
                 [str(label), _text(was), _text(now), _gain(relative_gain(now, was))]
                 for label, was, now in zip(
-                    quantity.axis.labels if quantity.axis else (),
-                    _along(pair.baseline.profile(quantity.name)),
-                    _along(pair.best.profile(quantity.name)),
+                    pair.best.profile(quantity.name).labels,
+                    pair.baseline.profile(quantity.name).estimates(),
+                    pair.best.profile(quantity.name).estimates(),
                 )
             ],
         }
         for quantity in pair.best.row.with_axis("scenario")
     ]
-
-
-def _along(profile: Profile) -> list[Estimate]:
-    pairs = zip(profile.values, profile.standard_error)
-    return [Estimate(float(x), float(e), profile.unit) for x, e in pairs]
 
 
 def _text(of: Estimate) -> str:

@@ -6,7 +6,7 @@ import tomllib
 from functools import cached_property
 from pathlib import Path
 from types import TracebackType
-from typing import Self
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -227,14 +227,19 @@ class History:
         return self.datasets.texts(f"campaign/{form}")[0]
 
     @cached_property
+    def resolved(self) -> dict[str, Any]:
+        """The campaign with every default; empty if the history does not have
+        it."""
+        try:
+            return tomllib.loads(self.campaign("resolved"))
+        except (HistoryError, tomllib.TOMLDecodeError):
+            return {}
+
+    @property
     def is_isolated(self) -> bool:
         """Whether the plants are a plot alone, lit from all sides, and not a
         stand without end."""
-        try:
-            campaign = tomllib.loads(self.campaign("resolved"))
-        except tomllib.TOMLDecodeError:
-            return False
-        return campaign.get("field", {}).get("boundary") == "isolated"
+        return self.resolved.get("field", {}).get("boundary") == "isolated"
 
     def read_all(self) -> None:
         """Reads all that the other calls read. Raises HistoryError if some of

@@ -50,7 +50,7 @@ def _draw_against(
         return {round(position(case), 6) for case in members}
 
     what = label.split(" [")[0]
-    known = known_cases(cases)
+    known = [c for c in known_cases(cases) if not c.is_over(axis)]
     try:
         if len(places(known)) < 2:
             raise HistoryError(f"all cases have the same {what}")

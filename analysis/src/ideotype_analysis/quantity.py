@@ -56,13 +56,16 @@ class Profile:
     values: Floats
     standard_error: Floats
 
+    def estimates(self) -> list[Estimate]:
+        """Of each label."""
+        pairs = zip(self.values, self.standard_error)
+        return [Estimate(float(x), float(error), self.unit) for x, error in pairs]
+
     def over(self, whole: float) -> dict[str, Estimate]:
         """Each label's part of an exact whole in the same unit."""
         return {
-            str(label): Estimate(value, error).scaled(1 / whole, "1")
-            for label, value, error in zip(
-                self.labels, self.values, self.standard_error
-            )
+            str(label): part.scaled(1 / whole, "1")
+            for label, part in zip(self.labels, self.estimates())
         }
 
 

@@ -139,6 +139,7 @@ def _overview(
     for error in study.damaged:
         section.note(f"A history is left out. {error}.")
     section.blocks += tables.gains(cases, cross)
+    section.blocks += tables.scenarios(cases)
     section.blocks.append(
         Drawing(
             "gains",

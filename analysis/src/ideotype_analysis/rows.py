@@ -210,14 +210,14 @@ class Evaluation:
     @property
     def per_leaf_area(self) -> Estimate:
         """Absorbed PAR per one-sided leaf area, with randomisations if the
-        objective has them: the leaf area is exact.
+        objective has them for the same light: the leaf area is exact.
 
         Raises HistoryError if the history does not tell it."""
         name, goal = "absorbed_par_per_leaf_area", self.row.goals[0].name
         if goal == name:
             return self.objective
         found = self.estimate(name)
-        if goal != "absorbed_par":
+        if goal != "absorbed_par" or self.row.with_axis("scenario"):
             return found
         scale = found.mean / self.objective.mean
         return replace(found, draws=scale * self.objective.draws)

@@ -169,7 +169,7 @@ def _quantities(
         }
     ]
     has = case.attributes
-    if "row_spacing" in has and "plant_spacing" in has:
+    if {"row_spacing", "plant_spacing"} <= {*has} and not case.is_over("spacing"):
         ground = float(has["row_spacing"]) * float(has["plant_spacing"])
         per_area = [
             [

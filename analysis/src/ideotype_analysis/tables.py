@@ -11,9 +11,10 @@ from .blocks import Block, Note, Table
 from .case import Case
 from .comparison import ELITE
 from .cross import Cross
+from .estimate import relative_gain
 from .file import HistoryError
-from .interval import Interval
-from .style import unit_label
+from .interval import Interval, interval
+from .style import axis_label, unit_label
 
 UNKNOWN = "–"
 """In a cell without a figure."""
@@ -213,6 +214,34 @@ def organs(cases: Sequence[Case]) -> list[Table]:
             "PAR that organs other than leaves absorb, in % of the incident: "
             "means over seeds ± half of the 95 % confidence interval.",
         )
+    ]
+
+
+def scenarios(cases: Sequence[Case]) -> list[Table]:
+    """Each objective in every scenario that it is taken over."""
+    found: dict[str, list[list[str]]] = {}
+    for case in cases:
+        goals = case.best.row.with_axis("scenario") if case.pairs else []
+        for goal in goals:
+            rows = found.setdefault(axis_label(goal.name, goal.unit), [])
+            baseline, best = (
+                zip(*(p.profile(goal.name).estimates() for p in plants))
+                for plants in zip(*((p.baseline, p.best) for p in case.pairs))
+            )
+            labels = case.best.profile(goal.name).labels
+            for label, was, now in zip(labels, baseline, best):
+                gains = [*map(relative_gain, now, was)]
+                cells = [_bare(interval(each)) for each in (was, now, gains)]
+                rows.append([f"{case.name}: {label}", *cells])
+    return [
+        Table(
+            ("case: scenario", "baseline", "best", "gain [%]"),
+            rows,
+            f"{title[0].upper()}{title[1:]}: means over seeds ± half of the "
+            "95 % confidence interval; that of gains takes baseline and best "
+            "as independent.",
+        )
+        for title, rows in found.items()
     ]
 
 

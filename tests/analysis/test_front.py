@@ -215,6 +215,16 @@ def page_of(folder: Path, program: Path | None, history: Path) -> Path:
     return page
 
 
+def test_each_plant_has_the_shape_of_its_row(history: Path, program: Path) -> None:
+    """Leaves of a slot are 2 cm longer than those of the one before."""
+    with open_study(history) as study:
+        (case,) = study.cases()
+        plants = export_plants(case, program)
+    lengths = [mesh.vertices[:, 0].max() for mesh in plants.members]
+    rows = [POPULATION - slot for slot in (1, 2, 3)]
+    assert lengths == pytest.approx([0.3 + 0.02 * row for row in rows])
+
+
 @pytest.mark.parametrize("width", [390, 1280])
 def test_a_plant_of_the_front_is_chosen(
     history: Path, program: Path, tmp_path: Path, width: int

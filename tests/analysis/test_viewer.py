@@ -113,6 +113,17 @@ def test_what_is_nearer_hides_what_crosses_it(tmp_path: Path) -> None:
             assert hue(found) == pytest.approx(hue(list(expected)), abs=0.03)
 
 
+def test_plants_have_their_size(tmp_path: Path) -> None:
+    script = PIXELS + """
+      const at = (across) => color(
+        panel / 2 + across * view.dataset.scale, view.clientHeight / 2);
+      return [0.48, 0.52].map((across) => at(across));
+    """
+    shown, errors = run_in_browser(page_of(tmp_path, scene_of()), script, tmp_path)
+    assert errors == []
+    assert shown[0] != [255, 255, 255] == shown[1]
+
+
 def test_organs_without_light_have_colours_of_their_own(tmp_path: Path) -> None:
     scene = json.loads(scene_of())
     scene["cases"][0]["quantities"][0]["values"] = [[None, 1.0], [0.0, None]]

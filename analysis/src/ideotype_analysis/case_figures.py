@@ -101,8 +101,8 @@ _FRONT_FIGURES: dict[str, tuple[Callable[[Case], Figure], str]] = {
     ),
     "hypervolume": (
         draw_hypervolume,
-        "Hypervolume. What the front of each generation dominates; bands are "
-        "standard errors.",
+        "Hypervolume. What the front of each generation dominates, of what is "
+        "better than the reference of its seed; bands are standard errors.",
     ),
 }
 

@@ -30,14 +30,20 @@ from functools import partial
 from pathlib import Path
 from statistics import fmean, stdev
 
-PROGRAM = os.environ.get("IDEOTYPE_EXECUTABLE", "ideotype")
+import numpy as np
+from ideotype_analysis.geometry import read_obj
+from numpy.typing import NDArray
+from scipy.interpolate import BSpline
+from what_pays import ideotype
+
 HERE = Path(__file__).parent
 ROWS, PLANTS, ROW, PLANT, TURN = 4, 4, 0.762, 0.1524, 10
 ALONG, HALF = 40, 2  # cells from base to tip, and from midrib to margin
 FINE = 8  # steps of the midrib's integral per cell
-Vector = tuple[float, float, float]
+KNOTS = [0, 0, 0, 0, 1 / 3, 2 / 3, 1, 1, 1, 1]  # of the program's blades
+Numbers = NDArray[np.float64]
 #: Points and faces that use them, of each group in one or two variants.
-Mesh = dict[str, list[tuple[list[Vector], list[list[int]]]]]
+Mesh = dict[str, list[tuple[Numbers, list[list[int]]]]]
 
 
 def power(exponent: float, s: float) -> float:
@@ -125,102 +131,65 @@ SHAPES = {
 }
 
 
-def ideotype(*words: object) -> str:
-    done = subprocess.run(
-        [PROGRAM, *map(str, words)], check=True, capture_output=True, text=True
-    )
-    return done.stdout
-
-
-def basis(t: float) -> list[float]:
-    """Cubic B-splines of six controls, as the program's blades have."""
-    knots = [0, 0, 0, 0, 1 / 3, 2 / 3, 1, 1, 1, 1]
-    span = 3 + (t >= 1 / 3) + (t >= 2 / 3)
-    n = [float(i == span) for i in range(9)]
-    for k in range(1, 4):
-        for i in range(9 - k):
-            rise, fall = knots[i + k] - knots[i], knots[i + k + 1] - knots[i + 1]
-            n[i] = ((t - knots[i]) / rise * n[i] if rise else 0) + (
-                (knots[i + k + 1] - t) / fall * n[i + 1] if fall else 0
-            )
-    return n[:6]
-
-
-def half_widths(controls: list[float], width: float) -> list[float]:
+def half_widths(controls: list[float], width: float) -> Numbers:
     """Of a blade at the rows of its mesh [m]."""
-    profile = [
-        sum(n * c for n, c in zip(basis(i / ALONG), controls, strict=True))
-        for i in range(ALONG + 1)
-    ]
-    return [width / 2 * x / max(profile) for x in profile]
+    profile = BSpline(KNOTS, controls, 3)(np.linspace(0, 1, ALONG + 1))
+    return width / 2 * profile / profile.max()
 
 
-def rolls(shape: Shape, halves: list[float], draw: random.Random) -> list[float]:
+def rolls(shape: Shape, halves: Numbers, draw: random.Random) -> Numbers:
     """Of the cross-sections at the rows of a mesh [rad]: random extremes to one side
     and the other in turn, half waves as long as the blade is wide there."""
-    first = draw.choice([0, 1])
-    ends = [
-        (-1) ** (k + first) * shape.roll * draw.random()
-        for k in range(1, shape.half_waves)
-    ]
-    ends = [0.0, *ends, 0.0]
+    count, first = shape.half_waves, draw.choice([0, 1])
+    ends = np.zeros(count + 1)
+    for k in range(1, count):
+        ends[k] = (-1) ** (k + first) * shape.roll * draw.random()
     # Phase grows by the inverse of the width, which never counts as less than 40 %.
-    steps = [1 / max(h, 0.4 * max(halves)) for h in halves]
-    total, phase, angles = sum(steps[1:]), 0.0, []
-    for i, step in enumerate(steps):
-        phase += step / total * shape.half_waves if i else 0
-        k = min(int(phase), shape.half_waves - 1)
-        smooth = (1 - math.cos(math.pi * (phase - k))) / 2
-        angles.append(math.radians(ends[k] + (ends[k + 1] - ends[k]) * smooth))
-    return angles
-
-
-def combine(*terms: tuple[float, Vector]) -> Vector:
-    return tuple(sum(f * v[i] for f, v in terms) for i in range(3))
+    steps = np.append(0, 1 / np.maximum(halves[1:], 0.4 * halves.max()))
+    phase = count * np.cumsum(steps) / steps.sum()
+    k = np.minimum(phase.astype(int), count - 1)
+    smooth = (1 - np.cos(np.pi * (phase - k))) / 2
+    return np.radians(ends[k] + (ends[k + 1] - ends[k]) * smooth)
 
 
 def blade(
-    shape: Shape, leaf: dict, halves: list[float], rise: float, base: Vector, seed: int
-) -> list[Vector]:
+    shape: Shape, leaf: dict, halves: Numbers, rise: float, base: Numbers, seed: int
+) -> Numbers:
     """Vertices, row by row from the base and from margin to margin."""
     azimuth = math.radians(leaf["azimuth"])
-    out = (math.sin(azimuth), math.cos(azimuth), 0.0)
-    across = (math.cos(azimuth), -math.sin(azimuth), 0.0)
-    up = (0.0, 0.0, 1.0)
+    out = np.array([math.sin(azimuth), math.cos(azimuth), 0])
+    across = np.array([math.cos(azimuth), -math.sin(azimuth), 0])
+    up = np.array([0, 0, 1])
     bend = leaf["curvature"] if shape.total_bend is None else shape.total_bend
-    length, foot, points = leaf["length"], base, []
+    length = leaf["length"]
     draw = random.Random(seed)
     roll = rolls(shape, halves, draw)
     sense = 1 if shape.one_sense or seed % 2 else -1
     phases = [2 * math.pi * draw.random() for _ in range(2)]
 
-    def angle(s: float) -> float:
-        return math.radians(leaf["insertion_angle"] + bend * shape.bend(s))
+    def along(s: Numbers, ahead: float = 0) -> Numbers:
+        """The midrib's direction, or one that is ahead of it by an angle [rad]."""
+        bent = leaf["insertion_angle"] + bend * np.vectorize(shape.bend)(s)
+        angle = (np.radians(bent) + ahead)[:, None]
+        return np.sin(angle) * out + np.cos(angle) * up
 
-    for row, half in enumerate(halves):
-        s = row / ALONG
-        a = angle(s)
-        normal = combine((-math.cos(a), out), (math.sin(a), up))
-        turn = sense * math.radians(shape.twist) * s + roll[row]
-        x = combine((math.cos(turn), across), (math.sin(turn), normal))
-        n = combine((math.cos(turn), normal), (-math.sin(turn), across))
-        for i in range(-HALF, HALF + 1):
-            u = i / HALF
-            wave = shape.amplitude * min(1, s / 0.3) * half / max(halves) * u * u
-            at = length * s / shape.wavelength
-            wave *= math.sin(phases[i > 0] + 2 * math.pi * at)
-            points.append(
-                combine(
-                    (1, foot),
-                    (half * u * math.cos(rise), x),
-                    (half * abs(u) * math.sin(rise) + wave, n),
-                )
-            )
-        for k in range(FINE):
-            a, step = angle(s + (k + 0.5) / FINE / ALONG), length / FINE / ALONG
-            along = combine((math.sin(a), out), (math.cos(a), up))
-            foot = combine((1, foot), (step, along))
-    return points
+    middles = (np.arange(ALONG * FINE) + 0.5) / FINE / ALONG
+    steps = along(middles) * length / FINE / ALONG
+    feet = base + np.insert(np.cumsum(steps, axis=0), 0, 0, axis=0)[::FINE]
+    s = np.linspace(0, 1, ALONG + 1)
+    normal = along(s, -math.pi / 2)
+    turn = (sense * math.radians(shape.twist) * s + roll)[:, None]
+    x = np.cos(turn) * across + np.sin(turn) * normal
+    n = np.cos(turn) * normal - np.sin(turn) * across
+    u = np.linspace(-1, 1, WIDE)
+    size = shape.amplitude * np.minimum(1, s / 0.3) * halves / halves.max()
+    phase = np.where(u > 0, phases[1], phases[0])
+    at = 2 * math.pi * length * s / shape.wavelength
+    wave = size[:, None] * u**2 * np.sin(phase + at[:, None])
+    aside = halves[:, None] * u * math.cos(rise)
+    above = halves[:, None] * np.abs(u) * math.sin(rise) + wave
+    points = feet[:, None] + aside[..., None] * x[:, None] + above[..., None] * n[:, None]
+    return points.reshape(-1, 3)
 
 
 WIDE = 2 * HALF + 1
@@ -231,32 +200,10 @@ CELLS = [
 ]
 
 
-def area(points: list[Vector]) -> float:
-    def triangle(a: int, b: int, c: int) -> float:
-        p, q = (combine((1, points[end]), (-1, points[a])) for end in (b, c))
-        return 0.5 * math.hypot(
-            p[1] * q[2] - p[2] * q[1],
-            p[2] * q[0] - p[0] * q[2],
-            p[0] * q[1] - p[1] * q[0],
-        )
-
-    return sum(triangle(a, b, c) + triangle(a, c, d) for a, b, c, d in CELLS)
-
-
-def read_obj(path: Path) -> Mesh:
-    points: list[Vector] = []
-    mesh: Mesh = {}
-    faces: list[list[int]] = []
-    for line in path.read_text().splitlines():
-        kind, *rest = line.split() or [""]
-        if kind == "v":
-            points.append(tuple(map(float, rest)))
-        elif kind == "g":
-            faces = []
-            mesh[rest[0]] = [(points, faces)]
-        elif kind == "f":
-            faces.append([int(x) - 1 for x in rest])
-    return mesh
+def area(points: Numbers) -> float:
+    a, b, c, d = np.moveaxis(points[CELLS], 1, 0)
+    both = np.cross(b - a, c - a), np.cross(c - a, d - a)
+    return sum(np.linalg.norm(each, axis=1).sum() for each in both) / 2
 
 
 class Plant:
@@ -269,7 +216,10 @@ class Plant:
             path.unlink(missing_ok=True)
             ideotype("export", history, *row, "--to", path)
         self.traits = tomllib.loads(stem.with_suffix(".toml").read_text())
-        self.mesh = read_obj(stem.with_suffix(".obj"))
+        read = read_obj(stem.with_suffix(".obj"))
+        self.mesh: Mesh = {name: [(read.vertices, [])] for name in read.groups}
+        for name, face in zip(read.groups, read.faces, strict=True):
+            self.mesh[name][0][1].append(list(face))
 
     def drawn(self, shape: Shape) -> Mesh:
         """With finer blades of another shape, which have the areas of before."""
@@ -286,8 +236,7 @@ class Plant:
             for seed in (2 * rank, 2 * rank + 1) if shape.varies else (0,):
                 own = halves
                 for _ in range(2):
-                    scale = wanted / area(draw(shape, halves=own, seed=seed))
-                    own = [scale * h for h in own]
+                    own = own * (wanted / area(draw(shape, halves=own, seed=seed)))
                 variants.append((draw(shape, halves=own, seed=seed), CELLS))
         return mesh
 

@@ -152,6 +152,14 @@ void check_search(const Campaign& campaign, Report& report) {
                    fmt::format("search.population is {} (CMA-ES ranks at least "
                                "{} plants); use {} or more, or leave it out",
                                population, fewest, fewest));
+    const int& window = campaign.search.window;
+    if (campaign.search.optimizer != OptimizerKind::ga && window > 0)
+        report.add(
+            &window,
+            fmt::format("search.window is {} (only the genetic algorithm "
+                        "breeds without waiting for a generation); "
+                        "leave it out, or use search.optimizer = \"ga\"",
+                        window));
     at_most("search.elites", campaign.search.ga.elites, population - 1);
     at_most("search.tournament", campaign.search.ga.tournament, population);
     at_most("final.candidates", campaign.final_rule.candidates, population);

@@ -147,6 +147,11 @@ Section search_section(SearchSettings& search) {
          Key("population", &search.population, "plants per generation")
              .within(2, 100000)
              .set(&Key::initial, "100; of CMA-ES 4 + 3 ln(free genes)"),
+         Key("window", &search.window,
+             "of the genetic algorithm: row k is bred from rows 0 to k - "
+             "window, so that nobody waits for the end of a generation; at "
+             "least twice the workers; 0: from the whole generation before")
+             .within(0, 100000),
          Key("elites", &ga.elites,
              "best plants carried over and evaluated again; fewer than "
              "the population")

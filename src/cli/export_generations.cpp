@@ -61,7 +61,7 @@ std::vector<Column> columns_of(const QuantitySet& measured) {
 }
 
 void write_head(fmt::ostream& out, const HistoryHeader& header) {
-    out.print("generation,slot,status,origin,parent_1,parent_2,violation");
+    out.print("row,generation,slot,status,origin,parent_1,parent_2,violation");
     for (const auto& [name, unit, certainty, place] :
          columns_of(header.schema.measured)) {
         out.print(",{}{}", name, unit);
@@ -73,13 +73,13 @@ void write_head(fmt::ostream& out, const HistoryHeader& header) {
     out.print("\n");
 }
 
-void write_rows(fmt::ostream& out, std::uint32_t generation,
-                const std::vector<Column>& columns,
+void write_rows(fmt::ostream& out, std::uint64_t first,
+                std::uint32_t generation, const std::vector<Column>& columns,
                 const std::vector<Row>& rows) {
     for (std::size_t slot = 0; slot < rows.size(); ++slot) {
         const auto& [candidate, outcome, attempt] = rows[slot];
         // The shortest digits that give the same number again.
-        out.print("{},{},{},{},{},{},{}", generation, slot,
+        out.print("{},{},{},{},{},{},{},{}", first + slot, generation, slot,
                   outcome.status == Status::done ? "done" : "failed",
                   origin_name(candidate.origin), candidate.parents[0],
                   candidate.parents[1], outcome.violation);
@@ -110,8 +110,9 @@ ExitCode export_generations(const ExportOptions& options) {
     auto out = fmt::output_file(options.to);
     write_head(out, history.header());
     const auto columns = columns_of(history.header().schema.measured);
-    for (std::uint32_t g = 0; g < count; ++g)
-        write_rows(out, g, columns, history.rows(g));
+    std::uint64_t first = 0;
+    for (std::uint32_t g = 0; g < count; first += history.size(g), ++g)
+        write_rows(out, first, g, columns, history.rows(g));
     out.close();
     if (history.missing_bytes() > 0)
         fmt::print(stderr,

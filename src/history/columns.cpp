@@ -134,8 +134,7 @@ std::vector<Status> Columns::statuses(hsize_t first, hsize_t count) const {
     return status_.read<Status>(first, count);
 }
 
-std::vector<Candidate> Columns::candidates(hsize_t first, hsize_t count,
-                                           hsize_t base) const {
+std::vector<Candidate> Columns::candidates(hsize_t first, hsize_t count) const {
     const auto genes = genome_.read<double>(first, count);
     const auto origins = origin_.read<Origin>(first, count);
     const auto parents = parents_.read<std::int64_t>(first, count);
@@ -146,9 +145,7 @@ std::vector<Candidate> Columns::candidates(hsize_t first, hsize_t count,
         candidates[i].genome.assign(gene, end);
         candidates[i].origin = origins[i];
         for (std::size_t p = 0; p < 2; ++p)
-            if (const std::int64_t row = parents[2 * i + p]; row >= 0)
-                candidates[i].parents[p] = static_cast<std::int32_t>(
-                    row - static_cast<std::int64_t>(base));
+            candidates[i].parents[p] = parents[2 * i + p];
         gene = end;
     }
     return candidates;
@@ -176,10 +173,9 @@ std::vector<Outcome> Columns::outcomes(hsize_t first, hsize_t count) const {
     return outcomes;
 }
 
-std::vector<Row> Columns::read(hsize_t first, hsize_t count,
-                               hsize_t parents) const {
+std::vector<Row> Columns::read(hsize_t first, hsize_t count) const {
     const auto status = statuses(first, count);
-    auto candidate = candidates(first, count, parents);
+    auto candidate = candidates(first, count);
     auto outcome = outcomes(first, count);
     const auto attempt = attempt_.read<std::uint32_t>(first, count);
     const auto seconds = seconds_.read<double>(first, count);
@@ -204,10 +200,9 @@ std::vector<Row> Columns::read(hsize_t first, hsize_t count,
     return rows;
 }
 
-Population Columns::population(hsize_t first, hsize_t count,
-                               hsize_t parents) const {
+Population Columns::population(hsize_t first, hsize_t count) const {
     const auto status = statuses(first, count);
-    auto candidate = candidates(first, count, parents);
+    auto candidate = candidates(first, count);
     // The first of number_forms().
     const std::size_t width = numbers_[0].width();
     const auto means = numbers_[0].read<double>(first, count);
@@ -225,8 +220,7 @@ Population Columns::population(hsize_t first, hsize_t count,
     return population;
 }
 
-void Columns::write(hsize_t first, const std::vector<Candidate>& candidates,
-                    hsize_t base) {
+void Columns::write(hsize_t first, const std::vector<Candidate>& candidates) {
     std::vector<double> genes;
     std::vector<Origin> origins;
     std::vector<std::int64_t> parents;
@@ -234,10 +228,8 @@ void Columns::write(hsize_t first, const std::vector<Candidate>& candidates,
         genes.insert(genes.end(), candidate.genome.begin(),
                      candidate.genome.end());
         origins.push_back(candidate.origin);
-        for (const std::int32_t slot : candidate.parents)
-            parents.push_back(slot == no_parent
-                                  ? no_parent
-                                  : static_cast<std::int64_t>(base) + slot);
+        parents.insert(parents.end(), candidate.parents.begin(),
+                       candidate.parents.end());
     }
     genome_.write(first, genes);
     origin_.write(first, origins);

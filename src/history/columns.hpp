@@ -56,19 +56,16 @@ class Columns {
     std::vector<Status> statuses(hsize_t first, hsize_t count) const;
 
     //! Of rows that are not empty.
-    //! @param parents row of /evaluations that parents are counted from
-    std::vector<Candidate> candidates(hsize_t first, hsize_t count,
-                                      hsize_t parents) const;
+    std::vector<Candidate> candidates(hsize_t first, hsize_t count) const;
 
     //! Rows with NaN in everything that their status does not vouch for.
-    std::vector<Row> read(hsize_t first, hsize_t count, hsize_t parents) const;
+    std::vector<Row> read(hsize_t first, hsize_t count) const;
 
     //! What selection needs of rows of which all have an outcome.
-    Population population(hsize_t first, hsize_t count, hsize_t parents) const;
+    Population population(hsize_t first, hsize_t count) const;
 
     //! Everything of candidates but their status; no outcome is known then.
-    void write(hsize_t first, const std::vector<Candidate>& candidates,
-               hsize_t parents);
+    void write(hsize_t first, const std::vector<Candidate>& candidates);
 
     //! Everything of the outcomes of some rows but their status. Numbers of
     //! failed ones are stored as NaN, whatever they are.

@@ -161,10 +161,11 @@ HistoryHeader read_old_header(hid_t file) {
     return header;
 }
 
-// Rows of one of its tables, from first; parents are slots.
+// Rows of one of its tables, from first. Their parents were slots of a
+// generation that begins at parents_row.
 std::vector<Row> read_rows(hid_t file, const std::string& group,
                            const OutcomeSchema& schema, hsize_t first,
-                           hsize_t count) {
+                           hsize_t count, hsize_t parents_row) {
     const auto column = [&](const char* name) {
         return Dataset(file, group + "/" + name);
     };
@@ -196,7 +197,10 @@ std::vector<Row> read_rows(hid_t file, const std::string& group,
         row.candidate.origin = origin[i];
         // Version 0.1 stored slot 0 for those that have none.
         if (origin[i] == Origin::elite || origin[i] == Origin::child)
-            row.candidate.parents = {parents[2 * i], parents[2 * i + 1]};
+            for (std::size_t p = 0; p < 2; ++p)
+                if (const std::int32_t slot = parents[2 * i + p]; slot >= 0)
+                    row.candidate.parents[p] =
+                        static_cast<std::int64_t>(parents_row) + slot;
         row.attempt = attempt[i];
         row.outcome = unknown_outcome(schema);
         row.outcome.status = status[i];
@@ -219,15 +223,14 @@ std::vector<Row> read_rows(hid_t file, const std::string& group,
     return rows;
 }
 
-void copy_rows(const std::vector<Row>& rows, Columns& columns, hsize_t first,
-               hsize_t parents) {
+void copy_rows(const std::vector<Row>& rows, Columns& columns, hsize_t first) {
     std::vector<Candidate> candidates;
     std::vector<Status> statuses;
     for (const Row& row : rows) {
         candidates.push_back(row.candidate);
         statuses.push_back(row.outcome.status);
     }
-    columns.write(first, candidates, parents);
+    columns.write(first, candidates);
     columns.write_outcomes(first, rows);
     columns.set_statuses(first, statuses);
 }
@@ -250,11 +253,11 @@ void copy_generations(hid_t from, hid_t to, const HistoryHeader& header) {
                wall_time = numbers("wall_time");
     for (std::uint32_t g = 0; g < committed.size(); ++g) {
         const Span span{g * population, population};
-        const auto rows = read_rows(from, "evaluations", header.schema,
-                                    span.first, span.count);
+        const auto rows =
+            read_rows(from, "evaluations", header.schema, span.first,
+                      span.count, g == 0 ? 0 : span.first - population);
         if (rows[0].outcome.status == Status::empty) break;
-        copy_rows(rows, columns, span.first,
-                  g == 0 ? 0 : span.first - population);
+        copy_rows(rows, columns, span.first);
         generations.set_span(g, span);
         if (committed[g] == 0) break;
         generations.write(g, {.best_slot = best_slot[g],
@@ -270,8 +273,9 @@ void copy_generations(hid_t from, hid_t to, const HistoryHeader& header) {
     }
     Columns finals(to, "final", header.final_schema());
     const std::uint32_t last = std::max(generations.committed(), 1U) - 1;
-    copy_rows(read_rows(from, "final", header.final_schema(), 0, finals.rows()),
-              finals, 0, generations.span(last).first);
+    copy_rows(read_rows(from, "final", header.final_schema(), 0, finals.rows(),
+                        generations.span(last).first),
+              finals, 0);
 }
 
 }  // namespace

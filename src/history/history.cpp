@@ -119,14 +119,19 @@ std::uint32_t History::next_generation() const {
     return count;
 }
 
-void History::propose(std::uint32_t generation,
-                      const std::vector<Candidate>& candidates) {
-    if (generation > file_->next_generation)
-        file_->fail_incomplete(file_->next_generation);
+std::size_t History::propose(std::uint32_t generation,
+                             const std::vector<Candidate>& candidates) {
+    return propose(generation, candidates.size(), 0, candidates);
+}
+
+std::size_t History::propose(std::uint32_t generation, std::size_t size,
+                             std::uint32_t slot,
+                             const std::vector<Candidate>& candidates) {
     file_->require_genes(candidates);
-    const hsize_t first =
-        generation == 0 ? 0 : file_->span(generation - 1).end();
-    const Span rows{first, candidates.size()};
+    const Span before = generation == 0 ? Span{} : file_->span(generation - 1);
+    if (generation > 0 && before.count == 0)
+        file_->fail_incomplete(generation - 1);
+    const Span rows{before.end(), size};
     const Span known = file_->span(generation);
     if (rows.end() > file_->evaluations.rows())
         file_->fail(
@@ -143,9 +148,15 @@ void History::propose(std::uint32_t generation,
         file_->write([&] { file_->generations.set_span(generation, rows); });
         file_->spans.push_back(rows);
     }
-    file_->propose(file_->evaluations,
-                   fmt::format("generation {} slot", generation), first,
-                   candidates, file_->parents_of(generation));
+    return file_->propose(file_->evaluations,
+                          fmt::format("generation {} slot", generation), slot,
+                          rows.first + slot, candidates);
+}
+
+bool History::has_room(std::uint32_t generation, std::size_t size) const {
+    const hsize_t first =
+        generation == 0 ? 0 : file_->span(generation - 1).end();
+    return first + size <= file_->evaluations.rows();
 }
 
 std::vector<std::uint32_t> History::pending(std::uint32_t generation) const {
@@ -162,17 +173,13 @@ void History::record(std::uint32_t generation, std::uint32_t slot,
 
 Row History::row(std::uint32_t generation, std::uint32_t slot) const {
     const hsize_t at = file_->row(generation, slot);
-    const hsize_t parents = file_->parents_of(generation);
-    return file_->read(
-        [&] { return file_->evaluations.read(at, 1, parents)[0]; });
+    return file_->read([&] { return file_->evaluations.read(at, 1)[0]; });
 }
 
 std::vector<Row> History::rows(std::uint32_t generation) const {
     const Span span = file_->span(generation);
-    const hsize_t parents = file_->parents_of(generation);
-    auto rows = file_->read([&] {
-        return file_->evaluations.read(span.first, span.count, parents);
-    });
+    auto rows = file_->read(
+        [&] { return file_->evaluations.read(span.first, span.count); });
     for (const Row& row : rows)
         if (!is_recorded(row.outcome.status))
             file_->fail_incomplete(generation);
@@ -185,10 +192,8 @@ std::uint32_t History::size(std::uint32_t generation) const {
 
 Population History::generation(std::uint32_t generation) const {
     const Span span = file_->span(generation);
-    const hsize_t parents = file_->parents_of(generation);
-    Population population = file_->read([&] {
-        return file_->evaluations.population(span.first, span.count, parents);
-    });
+    Population population = file_->read(
+        [&] { return file_->evaluations.population(span.first, span.count); });
     for (const Individual& each : population)
         if (!is_recorded(each.status)) file_->fail_incomplete(generation);
     return population;
@@ -241,8 +246,7 @@ void History::propose_final(const std::vector<Candidate>& candidates) {
         file_->fail(fmt::format("{} finalists, but there were {} before",
                                 candidates.size(), known),
                     ExitCode::refused);
-    file_->propose(file_->finals, "finalist", 0, candidates,
-                   file_->parents_of_finalists());
+    file_->propose(file_->finals, "finalist", 0, 0, candidates);
 }
 
 std::vector<std::uint32_t> History::pending_final() const {
@@ -255,9 +259,8 @@ void History::record_final(std::uint32_t slot, const Outcome& outcome) {
 }
 
 std::vector<Row> History::finalists() const {
-    const hsize_t parents = file_->parents_of_finalists();
     auto rows = file_->read(
-        [&] { return file_->finals.read(0, file_->finals.rows(), parents); });
+        [&] { return file_->finals.read(0, file_->finals.rows()); });
     std::erase_if(rows, [](const Row& row) {
         return row.outcome.status == Status::empty;
     });

@@ -49,12 +49,6 @@ hsize_t History::File::row(std::uint32_t generation, std::uint32_t slot) const {
     return rows.first + slot;
 }
 
-hsize_t History::File::parents_of_finalists() const {
-    const std::uint32_t complete =
-        lock ? next_generation : read([&] { return generations.committed(); });
-    return parents_of(complete);
-}
-
 void History::File::require_genes(
     const std::vector<Candidate>& candidates) const {
     for (const Candidate& candidate : candidates)
@@ -63,35 +57,34 @@ void History::File::require_genes(
                              candidate.genome.size(), header.genes.size()));
 }
 
-void History::File::propose(Columns& columns, const std::string& label,
-                            hsize_t first,
-                            const std::vector<Candidate>& candidates,
-                            hsize_t parents) {
+std::size_t History::File::propose(Columns& columns, const std::string& label,
+                                   std::uint32_t first_slot, hsize_t first,
+                                   const std::vector<Candidate>& candidates) {
     const auto statuses =
         read([&] { return columns.statuses(first, candidates.size()); });
     const auto known = static_cast<std::size_t>(
         std::find(statuses.begin(), statuses.end(), Status::empty) -
         statuses.begin());
-    const auto stored =
-        read([&] { return columns.candidates(first, known, parents); });
+    const auto stored = read([&] { return columns.candidates(first, known); });
     for (std::size_t i = 0; i < known; ++i) {
         const std::string difference =
             first_difference(header.genes, stored[i], candidates[i]);
         if (difference.empty()) continue;
         fail(fmt::format("{} {} was bred otherwise before: {}; resume with "
                          "the program and campaign that began the case",
-                         label, i, difference),
+                         label, first_slot + i, difference),
              ExitCode::refused);
     }
-    if (known == candidates.size()) return;
+    if (known == candidates.size()) return known;
     const std::vector<Candidate> rest(
         candidates.begin() + static_cast<std::ptrdiff_t>(known),
         candidates.end());
     const std::vector<Status> proposed(rest.size(), Status::proposed);
     write([&] {
-        columns.write(first + known, rest, parents);
+        columns.write(first + known, rest);
         columns.set_statuses(first + known, proposed);
     });
+    return known;
 }
 
 std::vector<std::uint32_t> History::File::pending(const Columns& columns,

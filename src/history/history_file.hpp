@@ -42,14 +42,6 @@ struct History::File {
     //! Row of /evaluations. @throws Error if there is none.
     hsize_t row(std::uint32_t generation, std::uint32_t slot) const;
 
-    //! The row from which the parents of a generation are counted.
-    hsize_t parents_of(std::uint32_t generation) const {
-        return generation == 0 ? 0 : span(generation - 1).first;
-    }
-
-    //! As above, of finalists.
-    hsize_t parents_of_finalists() const;
-
     [[noreturn]] void fail(const std::string& what,
                            ExitCode exit_code = ExitCode::runtime) const {
         throw Error(path + ": " + what, exit_code);
@@ -82,10 +74,11 @@ struct History::File {
     //! @throws Error if a genome is not of this history.
     void require_genes(const std::vector<Candidate>& candidates) const;
 
-    //! Stores candidates, or verifies what an interrupted session stored.
-    //! label names a row together with its number from first.
-    void propose(Columns& columns, const std::string& label, hsize_t first,
-                 const std::vector<Candidate>& candidates, hsize_t parents);
+    //! Stores candidates, or verifies what an interrupted session stored, and
+    //! returns how many these are. label names a row together with its slot.
+    std::size_t propose(Columns& columns, const std::string& label,
+                        std::uint32_t first_slot, hsize_t first,
+                        const std::vector<Candidate>& candidates);
 
     //! Slots from first that are proposed and not recorded.
     std::vector<std::uint32_t> pending(const Columns& columns, hsize_t first,

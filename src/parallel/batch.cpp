@@ -1,27 +1,21 @@
-#include <algorithm>
 #include <utility>
 
 #include "ideotype/parallel/dispatcher.hpp"
 
 namespace ideotype {
 
-Batch::Batch(Dispatcher& dispatcher, std::vector<Work> work, Record record)
+Batch::Batch(Dispatcher& dispatcher, NextWork source, Record record)
     : dispatcher_(dispatcher),
-      unanswered_(work.size()),
-      record_(std::move(record)) {
-    for (Work& each : work) {
-        waiting_.push_back(items_.size());
-        items_.push_back({std::move(each), false});
-    }
-    std::reverse(waiting_.begin(), waiting_.end());
-}
+      source_(std::move(source)),
+      record_(std::move(record)),
+      number_(dispatcher.batches_++) {}
 
 Batch::~Batch() {
     dispatcher_.remove(*this);
 }
 
-bool Batch::await_ready() const {
-    return items_.empty() || dispatcher_.stop_.requested();
+bool Batch::await_ready() {
+    return dispatcher_.stop_.requested() || !dispatcher_.fetch(*this);
 }
 
 void Batch::await_suspend(std::coroutine_handle<> awaiting) {

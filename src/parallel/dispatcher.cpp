@@ -29,8 +29,8 @@ std::string name_of(const Task& task) {
 }  // namespace
 
 struct Dispatcher::Assignment {
-    Precedence batch;
-    std::size_t item = 0;
+    std::uint64_t batch = 0;  //!< its number; it may be gone since
+    std::uint64_t item = 0;
     Task task;
     double began = 0;     //!< on the clock [s]
     double deadline = 0;  //!< on the clock [s]
@@ -57,8 +57,17 @@ int Dispatcher::width() const {
     return workers_->width();
 }
 
+Batch Dispatcher::evaluate(NextWork source, Record record) {
+    return {*this, std::move(source), std::move(record)};
+}
+
 Batch Dispatcher::evaluate(std::vector<Work> work, Record record) {
-    return {*this, std::move(work), std::move(record)};
+    NextWork source = [work = std::move(work),
+                       next = std::size_t{0}]() mutable -> std::optional<Work> {
+        if (next == work.size()) return std::nullopt;
+        return std::move(work[next++]);
+    };
+    return evaluate(std::move(source), std::move(record));
 }
 
 void Dispatcher::run(Director& director) {
@@ -96,17 +105,42 @@ bool Dispatcher::dismiss() {
 }
 
 void Dispatcher::add(Batch& batch) {
-    const Task& task = batch.items_.front().work.task;
-    const auto after_all = std::numeric_limits<std::uint32_t>::max();
-    batch.precedence_ = {task.is_final ? after_all : task.generation,
-                         task.case_index, batches_++};
     open_.emplace(batch.precedence_, &batch);
+    by_number_.emplace(batch.number_, &batch);
+}
+
+//! Its routine goes on soon.
+void Dispatcher::close(Batch& batch) {
+    open_.erase(batch.precedence_);
+    by_number_.erase(batch.number_);
+    complete_.push_back(&batch);
 }
 
 void Dispatcher::remove(Batch& batch) {
-    const auto found = open_.find(batch.precedence_);
-    if (found != open_.end() && found->second == &batch) open_.erase(found);
+    if (by_number_.erase(batch.number_) > 0) open_.erase(batch.precedence_);
     std::erase(complete_, &batch);
+}
+
+//! Adds what the source of a batch has next to what waits; false if that is
+//! nothing, or if it failed.
+bool Dispatcher::fetch(Batch& batch) {
+    std::optional<Work> work;
+    try {
+        work = batch.source_();
+    } catch (...) {
+        batch.failure_ = std::current_exception();
+    }
+    if (!work) return false;
+    constexpr auto after_all = std::numeric_limits<std::uint32_t>::max();
+    const Task& task = work->task;
+    const bool is_open = by_number_.contains(batch.number_);
+    if (is_open) open_.erase(batch.precedence_);
+    batch.precedence_ = {task.is_final ? after_all : task.generation,
+                         task.case_index, batch.number_};
+    if (is_open) open_.emplace(batch.precedence_, &batch);
+    batch.waiting_.push_back(batch.fetched_);
+    batch.unanswered_.emplace(batch.fetched_++, *std::move(work));
+    return true;
 }
 
 //! Workers that may still answer in time.
@@ -150,21 +184,27 @@ std::optional<int> Dispatcher::next_late() {
 //! a stop is requested.
 bool Dispatcher::hand_out() {
     if (stop_.requested() || idle_.empty()) return false;
-    for (const auto& [precedence, batch] : open_)
-        while (!batch->waiting_.empty()) {
-            const std::size_t index = batch->waiting_.back();
-            batch->waiting_.pop_back();
-            const Batch::Item& item = batch->items_[index];
-            if (item.is_answered) continue;
-            const Task& task = item.work.task;
-            const double now = clock_.now();
-            const double patience =
-                std::max(rules_.deadline,
-                         longest_factor * longest_ * rules_.effort(task));
-            give(*idle_.begin(), {precedence, index, task, now, now + patience},
-                 item.work);
+    for (const auto& [precedence, open] : open_) {
+        Batch& batch = *open;
+        if (batch.waiting_.empty() && !fetch(batch)) {
+            if (!batch.failure_) continue;
+            close(batch);
             return true;
         }
+        const std::uint64_t item = batch.waiting_.back();
+        batch.waiting_.pop_back();
+        const auto found = batch.unanswered_.find(item);
+        // A late worker may have answered after all.
+        if (found == batch.unanswered_.end()) return true;
+        const Work& work = found->second;
+        const double now = clock_.now();
+        const double patience =
+            std::max(rules_.deadline,
+                     longest_factor * longest_ * rules_.effort(work.task));
+        give(*idle_.begin(),
+             {batch.number_, item, work.task, now, now + patience}, work);
+        return true;
+    }
     return false;
 }
 
@@ -178,8 +218,7 @@ void Dispatcher::resume_complete() {
 
 //! Lets all routines go on with what there is.
 void Dispatcher::release_all() {
-    for (const auto& [precedence, batch] : open_) complete_.push_back(batch);
-    open_.clear();
+    while (!open_.empty()) close(*open_.begin()->second);
 }
 
 //! Waits until an answer arrives or a worker is late, but not for long.
@@ -191,21 +230,22 @@ void Dispatcher::receive(Director& director) {
 
 //! Records an outcome, unless its batch is gone or another attempt was first.
 void Dispatcher::settle(const Assignment& given, const Outcome& outcome) {
-    const auto found = open_.find(given.batch);
-    if (found == open_.end()) return;
-    Batch& batch = *found->second;
-    Batch::Item& item = batch.items_[given.item];
-    if (std::exchange(item.is_answered, true)) return;
-    --batch.unanswered_;
-    item.work.task = given.task;
+    const auto open = by_number_.find(given.batch);
+    if (open == by_number_.end()) return;
+    Batch& batch = *open->second;
+    const auto found = batch.unanswered_.find(given.item);
+    if (found == batch.unanswered_.end()) return;
+    Work work = std::move(found->second);
+    batch.unanswered_.erase(found);
+    work.task = given.task;
     try {
-        batch.record_(item.work, outcome);
+        batch.record_(work, outcome);
     } catch (...) {
         batch.failure_ = std::current_exception();
     }
-    if (batch.unanswered_ > 0 && !batch.failure_) return;
-    open_.erase(found);
-    complete_.push_back(&batch);
+    const bool goes_on = !batch.failure_ && (!batch.unanswered_.empty() ||
+                                             stop_.requested() || fetch(batch));
+    if (!goes_on) close(batch);
 }
 
 //! What happens to the task of a worker that has become late.
@@ -215,8 +255,9 @@ void Dispatcher::give_up(int worker, Director& director) {
         fmt::format("no answer from rank {} within {:.3g} s for {}, attempt {}",
                     workers_->rank(worker), given.deadline - given.began,
                     name_of(given.task), given.task.attempt);
-    const auto found = open_.find(given.batch);
-    if (found == open_.end()) {
+    const auto found = by_number_.find(given.batch);
+    if (found == by_number_.end() ||
+        !found->second->unanswered_.contains(given.item)) {
         director.on_silence(given.task, what);
         return;
     }
@@ -243,7 +284,7 @@ void Dispatcher::give_up(int worker, Director& director) {
         settle(given, outcome);
     } else {
         Batch& batch = *found->second;
-        ++batch.items_[given.item].work.task.attempt;
+        ++batch.unanswered_.at(given.item).task.attempt;
         batch.waiting_.push_back(given.item);
     }
 }

@@ -1,11 +1,9 @@
 #include "ideotype/search/cma_es.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "cma.hpp"
-#include "ideotype/core/error.hpp"
 #include "ideotype/core/random.hpp"
 #include "ideotype/search/order.hpp"
 #include "ideotype/search/pareto.hpp"
@@ -49,9 +47,9 @@ CmaEs::CmaEs(const SearchSettings& settings, SearchSpace space,
 CmaEs::~CmaEs() = default;
 
 std::vector<double> CmaEs::point(std::uint32_t slot) const {
-    const VectorXd x = cma_->sample(
-        standard_normal(RandomStream(seed_, Purpose::sample, generation_, slot),
-                        coordinates_.size()));
+    const VectorXd x = cma_->sample(standard_normal(
+        RandomStream(seed_, Purpose::sample, generation(), slot),
+        coordinates_.size()));
     return {x.begin(), x.end()};
 }
 
@@ -63,14 +61,13 @@ std::vector<Candidate> CmaEs::ask() const {
     return candidates;
 }
 
-void CmaEs::tell(Population evaluated) {
+void CmaEs::take(Population evaluated) {
     const std::vector<std::uint32_t> order = ranking(evaluated, space_.senses);
     Eigen::MatrixXd ranked(coordinates_.size(), order.size());
     for (std::size_t i = 0; i < order.size(); ++i)
         ranked.col(static_cast<Eigen::Index>(i)) = to_vector(point(order[i]));
     cma_->update(ranked);
     last_ = std::move(evaluated);
-    ++generation_;
     constexpr double worst_condition = 1e14;
     if (restarts_ < settings_.cma.restarts &&
         (cma_->widest() < settings_.cma.smallest_step ||
@@ -81,7 +78,7 @@ void CmaEs::tell(Population evaluated) {
 void CmaEs::restart() {
     ++restarts_;
     population_ *= 2;
-    RandomStream stream(seed_, Purpose::initial_population, generation_);
+    RandomStream stream(seed_, Purpose::initial_population, generation() + 1);
     std::vector<double> mean;
     while (mean.size() < coordinates_.size()) mean.push_back(stream.uniform());
     cma_ =
@@ -94,7 +91,8 @@ std::vector<Candidate> CmaEs::best(std::size_t count) const {
     std::vector<Candidate> candidates{
         {coordinates_.genome({mean.begin(), mean.end()}, space_.baseline),
          Origin::sample}};
-    for (const Candidate& each : best_of(last_, count - 1, space_.senses))
+    for (const Candidate& each :
+         best_of(last_, count - 1, space_.senses, parents_row()))
         candidates.push_back(each);
     return candidates;
 }

@@ -34,12 +34,13 @@ std::vector<std::uint32_t> best_distinct(const Population& population,
 }
 
 std::vector<Candidate> best_of(const Population& population, std::size_t count,
-                               const std::vector<Sense>& senses) {
+                               const std::vector<Sense>& senses,
+                               std::int64_t first_row) {
     std::vector<Candidate> best;
     for (const std::uint32_t slot : best_distinct(population, count, senses))
         best.push_back({population[slot].candidate.genome,
                         Origin::elite,
-                        {static_cast<std::int32_t>(slot), no_parent}});
+                        {first_row + slot, no_parent}});
     return best;
 }
 

@@ -1,5 +1,6 @@
 #include "ideotype/search/random_search.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "ideotype/core/random.hpp"
@@ -13,18 +14,19 @@ RandomSearch::RandomSearch(const SearchSettings& settings, SearchSpace space,
       space_(std::move(space)),
       seed_(seed) {}
 
-std::vector<Candidate> RandomSearch::ask() const {
-    std::vector<Candidate> candidates;
-    for (std::uint32_t slot = 0; slot < population_; ++slot)
-        candidates.push_back(
-            {random_genome(space_, seed_, generation_, slot), Origin::random});
-    return candidates;
+std::uint64_t RandomSearch::needs(std::uint32_t generation,
+                                  std::uint32_t) const {
+    return (std::max(generation, 1u) - 1) * population_;
 }
 
-void RandomSearch::tell(Population evaluated) {
-    ++generation_;
+Candidate RandomSearch::propose(std::uint32_t generation, std::uint32_t slot) {
+    return {random_genome(space_, seed_, generation, slot), Origin::random};
+}
+
+void RandomSearch::learn(Individual row) {
     constexpr std::size_t most = 1000;
-    for (Individual& each : evaluated) best_.push_back(std::move(each));
+    best_.push_back(std::move(row));
+    if (best_.size() < 2 * most) return;
     Population best;
     for (const std::uint32_t i : best_distinct(best_, most, space_.senses))
         best.push_back(std::move(best_[i]));
@@ -32,7 +34,7 @@ void RandomSearch::tell(Population evaluated) {
 }
 
 std::vector<Candidate> RandomSearch::best(std::size_t count) const {
-    std::vector<Candidate> best = best_of(best_, count, space_.senses);
+    std::vector<Candidate> best = best_of(best_, count, space_.senses, 0);
     for (Candidate& each : best) each.parents = {no_parent, no_parent};
     return best;
 }

@@ -11,7 +11,6 @@
 #include "ideotype/parallel/messages.hpp"
 #include "ideotype/run/evolve_case.hpp"
 #include "ideotype/run/provenance.hpp"
-#include "ideotype/search/duplicates.hpp"
 
 namespace ideotype {
 
@@ -64,13 +63,14 @@ Parts measure(Campaign campaign, int population, int generations,
     for (std::uint32_t g = 0; g < static_cast<std::uint32_t>(generations);
          ++g) {
         watch.lap();
-        const auto candidates = optimizer->ask();
-        const auto copies = duplicates(candidates);
+        std::vector<Candidate> candidates;
+        const auto size = static_cast<std::uint32_t>(optimizer->size(g));
+        for (std::uint32_t slot = 0; slot < size; ++slot)
+            candidates.push_back(optimizer->propose(g, slot));
         parts.ask += watch.lap();
         history.propose(g, candidates);
-        const auto pending = history.pending(g);
         parts.propose += watch.lap();
-        for (const std::uint32_t slot : pending) {
+        for (std::uint32_t slot = 0; slot < size; ++slot) {
             Task task;
             task.generation = g;
             task.slot = slot;
@@ -88,7 +88,7 @@ Parts measure(Campaign campaign, int population, int generations,
         }
         const Population rows = history.generation(g);
         parts.read += watch.lap();
-        optimizer->tell(rows);
+        for (const Individual& row : rows) optimizer->learn(row);
         const auto summary = summarize(rows, space.genes, space.senses.front());
         parts.tell += watch.lap();
         history.commit(g, summary);

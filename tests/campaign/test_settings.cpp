@@ -66,5 +66,13 @@ TEST(Settings, CmaEsChoosesItsPopulationByTheGenesUnlessToldOne) {
     EXPECT_THROW(read_campaign(ames, {cma, "search.population=3"}), InputError);
 }
 
+TEST(Settings, OnlyTheGeneticAlgorithmHasAWindow) {
+    EXPECT_EQ(read_campaign(ames, {"search.window=128"}).search.window, 128);
+    for (const std::string other : {"cma_es", "random"})
+        EXPECT_THROW(read_campaign(ames, {"search.optimizer=" + other,
+                                          "search.window=128"}),
+                     InputError);
+}
+
 }  // namespace
 }  // namespace ideotype

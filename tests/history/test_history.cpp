@@ -190,12 +190,29 @@ TEST_F(HistoryTest, IncompleteGenerationIsNotCommitted) {
     history->propose(0, sample_candidates(0));
     EXPECT_THROW(history->commit(0, {}), Error);
     EXPECT_THROW(history->generation(0), Error);
-    EXPECT_THROW(history->propose(1, sample_candidates(1)), Error);
+    EXPECT_THROW(history->propose(2, sample_candidates(2)), Error);
     record_pending(*history, 0);
     EXPECT_EQ(history->generation(0).size(), 4U);
     history->commit(0, {});
     EXPECT_THROW(history->commit(0, {}), Error);
     EXPECT_EQ(history->next_generation(), 1U);
+}
+
+TEST_F(HistoryTest, TheNextGenerationMayBeginInPartsBeforeOneIsComplete) {
+    history->propose(0, sample_candidates(0));
+    const auto all = sample_candidates(1);
+    EXPECT_EQ(history->propose(1, 4, 0, {all[0]}), 0U);
+    EXPECT_EQ(history->propose(1, 4, 1, {all[1], all[2]}), 0U);
+    EXPECT_EQ(history->pending(1), (std::vector<std::uint32_t>{0, 1, 2}));
+    history->record(1, 1, sample_outcome(1, 1), 1);
+    EXPECT_EQ(history->propose(1, 4, 1, {all[1], all[2], all[3]}), 2U);
+    EXPECT_EQ(history->pending(1), (std::vector<std::uint32_t>{0, 2, 3}));
+    record_pending(*history, 1);
+    EXPECT_THROW(history->commit(1, {}), Error);
+    record_pending(*history, 0);
+    history->commit(0, {});
+    history->commit(1, {});
+    EXPECT_EQ(history->generation(1)[3].candidate.parents, all[3].parents);
 }
 
 TEST_F(HistoryTest, SameProposalIsVerifiedAndKeepsWhatIsRecorded) {

@@ -55,7 +55,7 @@ TEST(Sample, RowsAreRead) {
     const Row row = history.row(3, 4);
     EXPECT_EQ(row.outcome.status, Status::done);
     EXPECT_EQ(row.candidate.origin, Origin::child);
-    EXPECT_EQ(row.candidate.parents, (std::array{0, 2}));
+    EXPECT_EQ(row.candidate.parents, (std::array<std::int64_t, 2>{12, 14}));
     EXPECT_EQ(row.candidate.genome[5], 0.10519954041467451);
     EXPECT_EQ(row.outcome.objectives[0].mean, 10.744309494404982);
     EXPECT_EQ(row.outcome.violation, 0);

@@ -66,6 +66,55 @@ TEST_F(CasesOnAllRanks, AllAreEvaluatedCompletely) {
     });
 }
 
+// A row becomes known only when the row three before it has arrived.
+TEST_F(CasesOnAllRanks, GoOnWithWorkThatFollowsFromOutcomes) {
+    constexpr std::uint32_t rows = 40, cases = 4;
+    std::vector<std::uint32_t> given(cases), answered(cases);
+    const auto evolve_rows = [&](Dispatcher& dispatcher,
+                                 std::uint32_t c) -> Routine<bool> {
+        const NextWork next = [&given, &answered, c]() -> std::optional<Work> {
+            if (given[c] == rows || given[c] >= answered[c] + 3)
+                return std::nullopt;
+            const std::uint32_t row = given[c]++;
+            return Work{{c, row / 10, row % 10}, {1.0, 2.0}};
+        };
+        const Record record = [&answered, c](const Work& work, const Outcome&) {
+            EXPECT_EQ(work.task.case_index, c);
+            ++answered[c];
+        };
+        co_await dispatcher.evaluate(next, record);
+        co_return answered[c] == rows;
+    };
+    command([&](Dispatcher& dispatcher) {
+        for (std::uint32_t c = 0; c < cases; ++c)
+            director_.add(evolve_rows(dispatcher, c));
+        dispatcher.run(director_);
+        ASSERT_EQ(director_.started.size(), cases);
+        for (auto& routine : director_.started) EXPECT_TRUE(routine.result());
+    });
+}
+
+TEST_F(CasesOnAllRanks, AFailingSourceEndsItsRoutineAlone) {
+    command([&](Dispatcher& dispatcher) {
+        const auto failing = [&]() -> Routine<bool> {
+            std::uint32_t slot = 0;
+            const NextWork next = [&slot]() -> std::optional<Work> {
+                if (slot == 5) throw Error("no space left on device");
+                return Work{{0, 0, slot++}, {1.0, 2.0}};
+            };
+            const Record record = [](const Work&, const Outcome&) {};
+            co_await dispatcher.evaluate(next, record);
+            co_return true;
+        };
+        director_.add(failing());
+        director_.add(evolve(dispatcher, 1, 2, 10));
+        dispatcher.run(director_);
+        EXPECT_EQ(count(1), 20u);
+        EXPECT_THROW(director_.started.front().result(), Error);
+        EXPECT_TRUE(director_.started.back().result());
+    });
+}
+
 TEST_F(CasesOnAllRanks, StartWhenWorkersWouldBeIdleAndNotBefore) {
     command([&](Dispatcher& dispatcher) {
         const std::size_t width = static_cast<std::size_t>(dispatcher.width());

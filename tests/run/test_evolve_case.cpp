@@ -80,6 +80,36 @@ class EvolveCase : public ::testing::Test {
         return once.result();
     }
 
+    //! Of searches that are stopped and resumed.
+    void expect_same_after_stops() {
+        const HistoryHeader h = header();
+        History whole = History::create(path("whole.h5"), h);
+        SumEvaluator evaluator(h.schema, stop);
+        evolve(whole, evaluator);
+        for (const int stop_at : {1, 7, 10, 31}) {
+            const std::string name = path("cut" + std::to_string(stop_at));
+            {
+                History cut = History::create(name, h);
+                SumEvaluator interrupted(h.schema, stop);
+                interrupted.stop_at = stop_at;
+                EXPECT_EQ(evolve(cut, interrupted), Ending::drained);
+            }
+            // Only a new start takes a stop back.
+            stop.~StopFlag();
+            new (&stop) StopFlag;
+            History resumed = History::resume(name);
+            SumEvaluator rest(h.schema, stop);
+            EXPECT_EQ(evolve(resumed, rest), Ending::finished);
+            for (std::uint32_t g = 0; g < 6; ++g)
+                for (std::uint32_t s = 0; s < 10; ++s) {
+                    EXPECT_EQ(resumed.row(g, s).candidate.genome,
+                              whole.row(g, s).candidate.genome);
+                    EXPECT_EQ(resumed.row(g, s).outcome.objectives[0].mean,
+                              whole.row(g, s).outcome.objectives[0].mean);
+                }
+        }
+    }
+
     std::filesystem::path folder;
     Campaign campaign;
     Case chosen;
@@ -103,7 +133,7 @@ TEST_F(EvolveCase, EndsWithEvaluatedFinalistsAndAReason) {
 }
 
 //! Proposes one plant more in each generation, further from the baseline.
-class GrowingOptimizer : public Optimizer {
+class GrowingOptimizer : public GenerationalOptimizer {
   public:
     explicit GrowingOptimizer(Genome baseline)
         : baseline_(std::move(baseline)) {}
@@ -115,16 +145,17 @@ class GrowingOptimizer : public Optimizer {
             candidates[i].genome[0] += 1e-3 * static_cast<double>(i);
         return candidates;
     }
-    void tell(Population rows) override { told_.push_back(rows.size()); }
 
     std::vector<Candidate> best(std::size_t) const override {
-        return {{baseline_, Origin::elite, {0, no_parent}},
-                {ask().back().genome, Origin::elite, {1, no_parent}}};
+        return {{baseline_, Origin::elite, {parents_row(), no_parent}},
+                {ask().back().genome, Origin::elite, {15, no_parent}}};
     }
 
     const std::vector<std::size_t>& told() const { return told_; }
 
   private:
+    void take(Population rows) override { told_.push_back(rows.size()); }
+
     Genome baseline_;
     std::vector<std::size_t> told_;
 };
@@ -196,32 +227,49 @@ TEST_F(EvolveCase, LateGenerationsReadNoMoreThanEarlyOnes) {
 }
 
 TEST_F(EvolveCase, StopAndResumeGiveWhatAnUninterruptedRunGives) {
+    expect_same_after_stops();
+}
+
+TEST_F(EvolveCase, StopAndResumeGiveTheSameWithAWindow) {
+    campaign.search.window = 13;
+    expect_same_after_stops();
+}
+
+TEST_F(EvolveCase, StopAndResumeGiveTheSameByChance) {
+    campaign.search.optimizer = OptimizerKind::random;
+    expect_same_after_stops();
+}
+
+TEST_F(EvolveCase, StopAndResumeGiveTheSameByCmaEs) {
+    campaign.search.optimizer = OptimizerKind::cma_es;
+    expect_same_after_stops();
+}
+
+// What tells a window to end also follows from the rows that it needs alone.
+TEST_F(EvolveCase, AStopRuleEndsAWindowAtTheSameRow) {
+    campaign.search.window = 13;
+    campaign.stop.evaluations = 20;
     const HistoryHeader h = header();
-    History whole = History::create(path("whole.h5"), h);
+    History history = History::create(path("window.h5"), h);
     SumEvaluator evaluator(h.schema, stop);
-    evolve(whole, evaluator);
-    for (const int stop_at : {1, 7, 10, 31}) {
-        const std::string name = path("cut" + std::to_string(stop_at));
-        {
-            History cut = History::create(name, h);
-            SumEvaluator interrupted(h.schema, stop);
-            interrupted.stop_at = stop_at;
-            EXPECT_EQ(evolve(cut, interrupted), Ending::drained);
-        }
-        // Only a new start takes a stop back.
-        stop.~StopFlag();
-        new (&stop) StopFlag;
-        History resumed = History::resume(name);
-        SumEvaluator rest(h.schema, stop);
-        EXPECT_EQ(evolve(resumed, rest), Ending::finished);
-        for (std::uint32_t g = 0; g < 6; ++g)
-            for (std::uint32_t s = 0; s < 10; ++s) {
-                EXPECT_EQ(resumed.row(g, s).candidate.genome,
-                          whole.row(g, s).candidate.genome);
-                EXPECT_EQ(resumed.row(g, s).outcome.objectives[0].mean,
-                          whole.row(g, s).outcome.objectives[0].mean);
-            }
-    }
+    EXPECT_EQ(evolve(history, evaluator), Ending::finished);
+    EXPECT_EQ(history.finished(), "evaluations");
+    // Rows 20 to 29 need less than the first 20, and row 30 needs 18.
+    EXPECT_EQ(history.next_generation(), 4U);
+    EXPECT_EQ(history.size(4), 0U);
+}
+
+TEST_F(EvolveCase, ASearchEndsWhereItsHistoryHasNoRoom) {
+    campaign.search.optimizer = OptimizerKind::cma_es;
+    campaign.search.cma.restarts = 3;
+    campaign.search.cma.smallest_step = 1;
+    const HistoryHeader h = header();
+    History history = History::create(path("room.h5"), h);
+    SumEvaluator evaluator(h.schema, stop);
+    EXPECT_EQ(evolve(history, evaluator), Ending::finished);
+    EXPECT_EQ(history.finished(), "room");
+    EXPECT_EQ(history.size(1), 20U);
+    EXPECT_EQ(history.next_generation(), 2U);
 }
 
 TEST_F(EvolveCase, EqualGenomesAreEvaluatedOnce) {

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <string>
 
-#include "ideotype/search/optimizer.hpp"
+#include "ideotype/search/genetic_algorithm.hpp"
 #include "ideotype/search/pareto.hpp"
 
 namespace {
@@ -74,11 +74,11 @@ int search(const std::string& problem, int population, int generations,
     SearchSettings settings;
     settings.optimizer = OptimizerKind::nsga2;
     settings.population = population;
-    const auto optimizer =
-        make_optimizer(settings,
-                       {GeneSpace(dimension, {"x", "1", 0, 1, false, true}),
-                        Genome(dimension, 0.5), minimised(objectives)},
-                       seed);
+    const auto optimizer = std::make_unique<GeneticAlgorithm>(
+        settings,
+        SearchSpace{GeneSpace(dimension, {"x", "1", 0, 1, false, true}),
+                    Genome(dimension, 0.5), minimised(objectives)},
+        seed);
     Population rows;
     for (int g = 0; g < generations; ++g) {
         rows.clear();

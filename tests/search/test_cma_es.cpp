@@ -37,8 +37,9 @@ std::size_t evaluations(const Function& f, std::size_t dimension, double target,
                                  3 * std::log(static_cast<double>(dimension)));
     settings.cma.smallest_step = 1e-11;
     settings.cma.restarts = restarts;
-    const auto optimizer = make_optimizer(
-        settings, {genes(dimension), Genome(dimension, 3), {Sense::minimise}},
+    const auto optimizer = std::make_unique<CmaEs>(
+        settings,
+        SearchSpace{genes(dimension), Genome(dimension, 3), {Sense::minimise}},
         seed);
     std::size_t count = 0;
     constexpr std::size_t most = 1000000;
@@ -99,8 +100,8 @@ TEST(CmaEs, ComesNearTheMinimumUnderNoise) {
     SearchSettings settings;
     settings.optimizer = OptimizerKind::cma_es;
     settings.population = 14;
-    const auto optimizer = make_optimizer(
-        settings, {genes(10), Genome(10, 3), {Sense::minimise}}, 4);
+    const auto optimizer = std::make_unique<CmaEs>(
+        settings, SearchSpace{genes(10), Genome(10, 3), {Sense::minimise}}, 4);
     RandomStream noise(5, Purpose::jitter);
     for (int g = 0; g < 200; ++g)
         optimizer->tell(evaluated(optimizer->ask(), [&](const Genome& x) {
@@ -109,7 +110,7 @@ TEST(CmaEs, ComesNearTheMinimumUnderNoise) {
     EXPECT_LT(sphere(optimizer->best(1).front().genome), 1.5);
 }
 
-Population searched(Optimizer& optimizer, int generations) {
+Population searched(GenerationalOptimizer& optimizer, int generations) {
     Population last;
     for (int g = 0; g < generations; ++g)
         optimizer.tell(last = evaluated(optimizer.ask(), rosenbrock));
@@ -230,13 +231,15 @@ TEST(RandomSearch, OffersTheBestOfAllGenerations) {
     SearchSettings settings = small();
     settings.optimizer = OptimizerKind::random;
     const auto search = make_optimizer(
-        settings, {genes(3), Genome(3, 2), {Sense::minimise}}, 2);
+        settings, SearchSpace{genes(3), Genome(3, 2), {Sense::minimise}}, 2);
     std::vector<double> values;
-    for (int g = 0; g < 10; ++g) {
-        const Population rows = evaluated(search->ask(), sphere);
-        for (const Individual& row : rows)
-            values.push_back(row.objectives[0].mean);
-        search->tell(rows);
+    for (std::uint32_t row = 0; row < 80; ++row) {
+        EXPECT_EQ(search->needs(row / 8, row % 8),
+                  row < 16 ? 0 : row / 8 * 8 - 8);
+        const Population one =
+            evaluated({search->propose(row / 8, row % 8)}, sphere);
+        values.push_back(one[0].objectives[0].mean);
+        search->learn(one[0]);
     }
     std::sort(values.begin(), values.end());
     const auto best = search->best(5);

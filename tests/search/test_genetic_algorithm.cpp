@@ -42,7 +42,8 @@ std::vector<Candidate> candidates_of(const Population& population) {
 std::vector<Candidate> proposed(const SearchSettings& settings,
                                 std::uint64_t seed, std::uint32_t generation,
                                 const Population& parents) {
-    const auto optimizer = make_optimizer(settings, {genes, baseline}, seed);
+    const auto optimizer = std::make_unique<GeneticAlgorithm>(
+        settings, SearchSpace{genes, baseline}, seed);
     for (std::uint32_t g = 0; g < generation; ++g) optimizer->tell(parents);
     return optimizer->ask();
 }
@@ -53,7 +54,8 @@ Population first_generation() {
 
 //! The generations of one search.
 std::vector<Population> searched(std::size_t generations) {
-    const auto optimizer = make_optimizer(small(), {genes, baseline}, 7);
+    const auto optimizer = std::make_unique<GeneticAlgorithm>(
+        small(), SearchSpace{genes, baseline}, 7);
     std::vector<Population> all;
     while (all.size() < generations) {
         all.push_back(evaluated(optimizer->ask()));
@@ -93,7 +95,7 @@ TEST(GeneticAlgorithm, IsAPureFunctionOfItsArguments) {
 // other children. Write new values only with a change that is meant to do that.
 TEST(GeneticAlgorithm, ChildrenOfASeedStayTheSame) {
     struct Child {
-        std::array<std::int32_t, 2> parents;
+        std::array<std::int64_t, 2> parents;
         double length, azimuth;
     };
     const Child expected[]{{{35, 38}, 1.0267507584486153, 45.434863289934583},
@@ -120,7 +122,8 @@ TEST(GeneticAlgorithm, ChildrenOfASeedStayTheSame) {
 TEST(GeneticAlgorithm, ToldTheSameGenerationsProposesTheSame) {
     const std::vector<Population> all = searched(12);
     for (std::size_t g = 0; g < all.size(); ++g) {
-        const auto optimizer = make_optimizer(small(), {genes, baseline}, 7);
+        const auto optimizer = std::make_unique<GeneticAlgorithm>(
+            small(), SearchSpace{genes, baseline}, 7);
         for (std::size_t told = 0; told < g; ++told) optimizer->tell(all[told]);
         EXPECT_EQ(candidates_of(all[g]), optimizer->ask()) << g;
         EXPECT_EQ(optimizer->ask(), optimizer->ask()) << g;
@@ -128,16 +131,21 @@ TEST(GeneticAlgorithm, ToldTheSameGenerationsProposesTheSame) {
 }
 
 TEST(GeneticAlgorithm, TakesGenerationsOfAnySize) {
-    const auto optimizer = make_optimizer(small(), {genes, baseline}, 7);
-    for (const std::size_t size : {17, 41, 3, 60}) {
+    const auto optimizer = std::make_unique<GeneticAlgorithm>(
+        small(), SearchSpace{genes, baseline}, 7);
+    std::int64_t first = 0;
+    for (const std::int64_t size : {17, 41, 3, 60}) {
         Population told = first_generation();
-        told.resize(size, told.back());
+        told.resize(static_cast<std::size_t>(size), told.back());
         optimizer->tell(told);
         const auto candidates = optimizer->ask();
         EXPECT_EQ(candidates.size(), 41u);
-        for (const Candidate& c : candidates)
-            for (const std::int32_t parent : c.parents)
-                EXPECT_LT(parent, static_cast<std::int32_t>(size));
+        for (const Candidate& c : candidates) {
+            EXPECT_GE(c.parents[0], first);
+            for (const std::int64_t parent : c.parents)
+                EXPECT_LT(parent, first + size);
+        }
+        first += size;
     }
 }
 

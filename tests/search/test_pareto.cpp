@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/search/optimizer.hpp"
+#include "ideotype/search/genetic_algorithm.hpp"
 #include "ideotype/search/pareto.hpp"
 
 namespace ideotype {
@@ -63,8 +63,8 @@ TEST(Nsga2, CarriesHalfOfAGenerationOver) {
     settings.optimizer = OptimizerKind::nsga2;
     settings.population = 40;
     const GeneSpace genes(3, {"x", "1", 0, 1, false, true});
-    const auto search =
-        make_optimizer(settings, {genes, {0.5, 0.5, 0.5}, senses}, 1);
+    const auto search = std::make_unique<GeneticAlgorithm>(
+        settings, SearchSpace{genes, {0.5, 0.5, 0.5}, senses}, 1);
     Population rows;
     for (const Candidate& each : search->ask())
         rows.push_back({each,
@@ -79,7 +79,7 @@ TEST(Nsga2, CarriesHalfOfAGenerationOver) {
         EXPECT_EQ(next[i].origin, Origin::elite);
         EXPECT_EQ(next[i].genome, rows[order[i]].candidate.genome);
     }
-    const std::set<std::int32_t> parents(order.begin(), order.begin() + 20);
+    const std::set<std::int64_t> parents(order.begin(), order.begin() + 20);
     for (std::size_t i = 20; i < 40; ++i) {
         EXPECT_EQ(next[i].origin, Origin::child);
         EXPECT_EQ(parents.count(next[i].parents[0]), 1U);

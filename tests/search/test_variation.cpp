@@ -80,12 +80,14 @@ Distribution step(double index) {
 }
 
 //! All children of parents with these values of one gene.
-std::vector<Candidate> children(const Gene& gene, GaSettings ga,
+std::vector<Candidate> children(const Gene& gene, const GaSettings& ga,
                                 const std::vector<double>& parents) {
-    ga.elites = 0;
-    ga.tournament = 1;
-    GeneticAlgorithm optimizer({.population = 200000, .ga = ga, .cma = {}},
-                               {{gene}, {parents[0]}}, 7);
+    SearchSettings settings;
+    settings.population = 200000;
+    settings.ga = ga;
+    settings.ga.elites = 0;
+    settings.ga.tournament = 1;
+    GeneticAlgorithm optimizer(settings, {{gene}, {parents[0]}}, 7);
     Population population;
     for (const double parent : parents)
         population.push_back(

@@ -134,14 +134,24 @@ class History {
     //! The next generation to breed or complete: 0 for a new file.
     std::uint32_t next_generation() const;
 
-    //! Writes the genomes of a generation before any is sent out. If they are
-    //! there already, verifies instead. Generations may differ in size.
+    //! Writes the candidates of a generation before any is sent out, and
+    //! returns how many of them are there already: these are verified instead.
+    //! Generations may differ in size, and the next may be proposed before one
+    //! is complete.
     //! @throws Error (refused) if a genome, origin or parent differs in any
     //! bit, naming the slot, or if there is no room for them.
-    void propose(std::uint32_t generation,
-                 const std::vector<Candidate>& candidates);
+    std::size_t propose(std::uint32_t generation,
+                        const std::vector<Candidate>& candidates);
 
-    //! Slots of a proposed generation that are not done or failed yet.
+    //! The same of some, from this slot of a generation of `size` rows on.
+    std::size_t propose(std::uint32_t generation, std::size_t size,
+                        std::uint32_t slot,
+                        const std::vector<Candidate>& candidates);
+
+    //! Whether the rows of one more generation can be written.
+    bool has_room(std::uint32_t generation, std::size_t size) const;
+
+    //! Slots of a generation that are proposed, and not done or failed yet.
     std::vector<std::uint32_t> pending(std::uint32_t generation) const;
 
     //! Stores an outcome, status last, and makes it durable.

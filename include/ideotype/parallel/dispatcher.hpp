@@ -28,6 +28,10 @@ struct Work {
     bool operator==(const Work&) const = default;
 };
 
+//! The next work of a batch that can be handed out, if there is any now; called
+//! again after each outcome. Work of later generations comes later.
+using NextWork = std::function<std::optional<Work>()>;
+
 //! Called on rank 0 for each outcome as it arrives; must make it durable
 //! before it returns. The task says which attempt was answered.
 using Record = std::function<void(const Work&, const Outcome&)>;
@@ -80,10 +84,14 @@ class Dispatcher {
     Dispatcher(const Dispatcher&) = delete;
     Dispatcher& operator=(const Dispatcher&) = delete;
 
-    //! For routines within run(): co_await evaluates all work, in any order;
-    //! the work has one case. If a stop is requested, hands out nothing more
-    //! and goes on when what is in flight has arrived or is late. Rethrows an
-    //! exception of record; what was in flight is then lost.
+    //! For routines within run(): co_await evaluates work of one case, in any
+    //! order, until nothing is in flight and the source has nothing more. If a
+    //! stop is requested, hands out nothing more and goes on when what is in
+    //! flight has arrived or is late. Rethrows an exception of source or
+    //! record; what was in flight is then lost.
+    Batch evaluate(NextWork source, Record record);
+
+    //! The same of work that is known.
     Batch evaluate(std::vector<Work> work, Record record);
 
     //! Runs routines until all have ended. A late evaluation is given to
@@ -103,13 +111,15 @@ class Dispatcher {
 
   private:
     friend Batch;
-    //! What a worker was given. Its batch may be gone since.
+    //! What a worker was given.
     struct Assignment;
     //! Lowest generation first, then lowest case, then oldest.
     using Precedence = std::tuple<std::uint32_t, std::uint32_t, std::uint64_t>;
 
     void add(Batch& batch);
+    void close(Batch& batch);
     void remove(Batch& batch);
+    bool fetch(Batch& batch);
     int busy_in_time() const;
     bool has_late() const;
     void give(int worker, const Assignment& given, const Work& work);
@@ -134,6 +144,7 @@ class Dispatcher {
     //! Of workers that are not late yet, on the clock [s].
     std::set<std::pair<double, int>> deadlines_;
     std::map<Precedence, Batch*> open_;
+    std::map<std::uint64_t, Batch*> by_number_;  //!< the same
     std::vector<Batch*> complete_;  //!< to be resumed, in this order
     std::uint64_t batches_ = 0;     //!< so far
     //! What an evaluation of usual effort took at most [s]; late ones do not
@@ -146,29 +157,27 @@ class Dispatcher {
 //! Work that a routine awaits; see Dispatcher::evaluate().
 class [[nodiscard]] Batch {
   public:
-    Batch(Dispatcher& dispatcher, std::vector<Work> work, Record record);
+    Batch(Dispatcher& dispatcher, NextWork source, Record record);
     ~Batch();
     Batch(const Batch&) = delete;
     Batch& operator=(const Batch&) = delete;
 
     // What co_await asks for.
-    bool await_ready() const;
+    bool await_ready();
     void await_suspend(std::coroutine_handle<> awaiting);
     void await_resume() const;
 
   private:
     friend Dispatcher;
-    struct Item {
-        Work work;  //!< with the latest attempt
-        bool is_answered = false;
-    };
 
     Dispatcher& dispatcher_;
-    std::vector<Item> items_;
-    std::vector<std::size_t> waiting_;  //!< items to hand out, the last first
-    std::size_t unanswered_;
+    NextWork source_;
     Record record_;
-    Dispatcher::Precedence precedence_;
+    std::uint64_t number_;
+    std::uint64_t fetched_ = 0;
+    std::map<std::uint64_t, Work> unanswered_;  //!< with the latest attempt
+    std::vector<std::uint64_t> waiting_;  //!< for a worker; may be answered
+    Dispatcher::Precedence precedence_;   //!< of what it fetched last
     std::coroutine_handle<> awaiting_;
     std::exception_ptr failure_;
 };

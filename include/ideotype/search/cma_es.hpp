@@ -18,19 +18,19 @@ class Cma;
 //! twice the population (IPOP, Auger and Hansen 2005,
 //! doi:10.1109/CEC.2005.1554902) as often as the settings allow; after that it
 //! goes on as it is.
-class CmaEs : public Optimizer {
+class CmaEs : public GenerationalOptimizer {
   public:
     CmaEs(const SearchSettings& settings, SearchSpace space,
           std::uint64_t seed);
     ~CmaEs() override;
 
     std::vector<Candidate> ask() const override;
-    void tell(Population evaluated) override;
     //! The plant at the mean of the distribution, then the best of the last
     //! generation.
     std::vector<Candidate> best(std::size_t count) const override;
 
   private:
+    void take(Population evaluated) override;
     std::vector<double> point(std::uint32_t slot) const;
     void restart();
 
@@ -40,7 +40,6 @@ class CmaEs : public Optimizer {
     std::uint64_t seed_;
     std::size_t population_;
     int restarts_ = 0;
-    std::uint32_t generation_ = 0;  //!< the next one
     std::unique_ptr<Cma> cma_;
     Population last_;
 };

@@ -26,7 +26,9 @@ std::vector<std::uint32_t> best_distinct(const Population& population,
                                          const std::vector<Sense>& senses);
 
 //! The same as candidates whose parents they are.
+//! @param first_row of the population
 std::vector<Candidate> best_of(const Population& population, std::size_t count,
-                               const std::vector<Sense>& senses);
+                               const std::vector<Sense>& senses,
+                               std::int64_t first_row);
 
 }  // namespace ideotype

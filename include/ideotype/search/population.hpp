@@ -10,7 +10,7 @@
 namespace ideotype {
 
 //! No parent: the individual is of the first generation.
-inline constexpr std::int32_t no_parent = -1;
+inline constexpr std::int64_t no_parent = -1;
 
 //! Where a genome came from. The numbers are part of the file format.
 enum class Origin : std::uint8_t {
@@ -26,8 +26,8 @@ enum class Origin : std::uint8_t {
 struct Candidate {
     Genome genome;
     Origin origin = Origin::none;
-    //! Slots of its parents in the generation before, or no_parent.
-    std::array<std::int32_t, 2> parents{no_parent, no_parent};
+    //! Rows of its parents, counted through all generations, or no_parent.
+    std::array<std::int64_t, 2> parents{no_parent, no_parent};
 
     bool operator==(const Candidate&) const = default;
 };

@@ -13,8 +13,13 @@ class RandomSearch : public Optimizer {
     RandomSearch(const SearchSettings& settings, SearchSpace space,
                  std::uint64_t seed);
 
-    std::vector<Candidate> ask() const override;
-    void tell(Population evaluated) override;
+    std::size_t size(std::uint32_t) const override { return population_; }
+    //! Two generations may be under way, so that nobody waits for the last
+    //! plants of one.
+    std::uint64_t needs(std::uint32_t generation,
+                        std::uint32_t slot) const override;
+    Candidate propose(std::uint32_t generation, std::uint32_t slot) override;
+    void learn(Individual row) override;
     //! The best distinct of all generations, without parents.
     std::vector<Candidate> best(std::size_t count) const override;
 
@@ -22,8 +27,7 @@ class RandomSearch : public Optimizer {
     std::size_t population_;
     SearchSpace space_;
     std::uint64_t seed_;
-    std::uint32_t generation_ = 0;  //!< the next one
-    Population best_;               //!< of all, as many as may be asked for
+    Population best_;  //!< of all, as many as may be asked for
 };
 
 //! The baseline with free genes uniform within their bounds.

@@ -32,6 +32,8 @@ struct CmaSettings {
 struct SearchSettings {
     OptimizerKind optimizer = OptimizerKind::ga;
     int population = 100;  //!< candidates that a generation usually has
+    //! Rows that may be under way at the same time; 0: those of a generation.
+    int window = 0;
     GaSettings ga;
     CmaSettings cma;
 };

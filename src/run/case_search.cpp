@@ -1,0 +1,223 @@
+#include "case_search.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "ideotype/search/population.hpp"
+
+namespace ideotype {
+
+namespace {
+
+void require_few_failures(double most, History& history,
+                          std::uint32_t generation, const Population& rows) {
+    const auto failures = std::count_if(
+        rows.begin(), rows.end(),
+        [](const Individual& row) { return row.status == Status::failed; });
+    const double limit = most * static_cast<double>(rows.size());
+    if (failures == 0 || static_cast<double>(failures) < limit) return;
+    std::string reason;
+    for (std::uint32_t slot = 0; reason.empty(); ++slot)
+        reason = history.row(generation, slot).outcome.message;
+    const std::string message = fmt::format(
+        "{} of {} evaluations of generation {} failed, more than "
+        "stop.failed_fraction allows; the first reason: {}",
+        failures, rows.size(), generation, reason);
+    history.message(message);
+    throw CaseError(message);
+}
+
+bool is_known(const Individual& row) {
+    return row.status == Status::done || row.status == Status::failed;
+}
+
+}  // namespace
+
+CaseSearch::CaseSearch(const Evolution& evolution, History& history)
+    : evolution_(evolution),
+      history_(history),
+      space_(search_space(evolution.campaign, evolution.chosen)),
+      spent_before_(history.wall_time()),
+      progress_{{}, spent_before_} {
+    for (std::uint32_t g = 0; g < history.next_generation(); ++g) {
+        Population rows = history.generation(g);
+        const GenerationSummary summary =
+            summarize(rows, space_.genes, space_.senses.front());
+        known_rows_ += rows.size();
+        for (Individual& row : rows) evolution.optimizer.learn(std::move(row));
+        judge(summary);
+    }
+}
+
+std::optional<Work> CaseSearch::next() {
+    if (waiting_.empty()) {
+        learn();
+        extend();
+    }
+    if (waiting_.empty()) return std::nullopt;
+    Work work = std::move(waiting_.front());
+    waiting_.pop_front();
+    return work;
+}
+
+void CaseSearch::record(const Work& work, const Outcome& outcome) {
+    const Task& task = work.task;
+    history_.record(task.generation, task.slot, outcome, task.attempt);
+    evolution_.watcher.on_evaluation(task.generation);
+    keep(task.generation, task.slot, outcome);
+}
+
+std::optional<std::string> CaseSearch::ending() const {
+    return open_.empty() ? reason_ : std::nullopt;
+}
+
+std::uint32_t CaseSearch::first_open() const {
+    return static_cast<std::uint32_t>(progress_.generations.size());
+}
+
+//! Proposes all that can be, generation by generation.
+void CaseSearch::extend() {
+    Optimizer& optimizer = evolution_.optimizer;
+    for (;;) {
+        if ((open_.empty() || open_.back().rows.size() == open_.back().size) &&
+            !begin_generation())
+            return;
+        const Open& last = open_.back();
+        const auto generation =
+            first_open() + static_cast<std::uint32_t>(open_.size()) - 1;
+        std::vector<Candidate> candidates;
+        for (std::size_t i = last.rows.size(); i < last.size; ++i) {
+            const auto slot = static_cast<std::uint32_t>(i);
+            if (known_rows_ < optimizer.needs(generation, slot)) break;
+            candidates.push_back(optimizer.propose(generation, slot));
+        }
+        if (candidates.empty()) return;
+        add(candidates);
+        // Those that an earlier session evaluated may allow more.
+        learn();
+    }
+}
+
+//! False if there will be no other generation, or not yet.
+bool CaseSearch::begin_generation() {
+    Optimizer& optimizer = evolution_.optimizer;
+    const auto generation =
+        first_open() + static_cast<std::uint32_t>(open_.size());
+    if (generation >=
+        static_cast<std::uint32_t>(evolution_.campaign.stop.generations))
+        return false;
+    const std::uint64_t needed = optimizer.needs(generation, 0);
+    if (known_rows_ < needed) return false;
+    // What a candidate follows from also decides whether there is one.
+    if (reason_ && needed >= reason_row_) return false;
+    const std::size_t size = optimizer.size(generation);
+    if (!history_.has_room(generation, size)) {
+        if (!reason_) reason_ = "room";
+        return false;
+    }
+    open_.emplace_back().size = size;
+    return true;
+}
+
+//! Stores candidates of the last open generation before any is handed out.
+void CaseSearch::add(const std::vector<Candidate>& candidates) {
+    Open& open = open_.back();
+    const auto generation =
+        first_open() + static_cast<std::uint32_t>(open_.size()) - 1;
+    const auto first = static_cast<std::uint32_t>(open.rows.size());
+    const std::size_t stored =
+        history_.propose(generation, open.size, first, candidates);
+    for (const Candidate& candidate : candidates) {
+        const auto slot = static_cast<std::uint32_t>(open.rows.size());
+        open.rows.push_back({candidate, Status::proposed, {}, 0});
+        const std::uint32_t original =
+            open.first_slots.emplace(candidate.genome, slot).first->second;
+        const Outcome outcome = slot - first < stored
+                                    ? history_.row(generation, slot).outcome
+                                    : Outcome{};
+        if (slot - first < stored && outcome.status != Status::proposed) {
+            keep(generation, slot, outcome);
+        } else if (original != slot) {
+            open.copies.emplace(original, slot);
+            copy(generation, original);
+        } else {
+            Task task;
+            task.case_index =
+                static_cast<std::uint32_t>(evolution_.chosen.index);
+            task.generation = generation;
+            task.slot = slot;
+            waiting_.push_back({task, candidate.genome});
+        }
+    }
+}
+
+//! Notes an outcome that is stored.
+void CaseSearch::keep(std::uint32_t generation, std::uint32_t slot,
+                      const Outcome& outcome) {
+    Individual& row = open_[generation - first_open()].rows[slot];
+    row.status = outcome.status;
+    row.objectives = outcome.objectives;
+    row.violation = outcome.violation;
+    copy(generation, slot);
+}
+
+//! Stores the outcome of a row, if it is known, for copies of its plant.
+void CaseSearch::copy(std::uint32_t generation, std::uint32_t original) {
+    Open& open = open_[generation - first_open()];
+    const auto [begin, end] = open.copies.equal_range(original);
+    if (begin == end || !is_known(open.rows[original])) return;
+    const Outcome outcome = history_.row(generation, original).outcome;
+    const std::vector<std::pair<const std::uint32_t, std::uint32_t>> copies(
+        begin, end);
+    open.copies.erase(begin, end);
+    for (const auto& [from, slot] : copies) {
+        history_.record(generation, slot, outcome, 0);
+        keep(generation, slot, outcome);
+    }
+}
+
+void CaseSearch::learn() {
+    while (!open_.empty()) {
+        Open& open = open_.front();
+        while (open.learnt < open.rows.size() &&
+               is_known(open.rows[open.learnt])) {
+            evolution_.optimizer.learn(open.rows[open.learnt++]);
+            ++known_rows_;
+        }
+        if (open.learnt < open.size) return;
+        commit();
+    }
+}
+
+void CaseSearch::commit() {
+    const std::uint32_t generation = first_open();
+    const Population rows = std::move(open_.front().rows);
+    open_.pop_front();
+    history_.set_wall_time(wall_time());
+    require_few_failures(evolution_.campaign.stop.failed_fraction, history_,
+                         generation, rows);
+    GenerationSummary summary =
+        summarize(rows, space_.genes, space_.senses.front());
+    summary.wall_time = wall_time();
+    history_.commit(generation, summary);
+    evolution_.watcher.on_generation(generation, summary);
+    progress_.wall_time = summary.wall_time;
+    judge(summary);
+}
+
+void CaseSearch::judge(const GenerationSummary& summary) {
+    progress_.generations.push_back(summary);
+    if (reason_) return;
+    reason_ =
+        finished(evolution_.campaign.stop, progress_, space_.senses.front());
+    reason_row_ = known_rows_;
+}
+
+//! Of all sessions [s].
+double CaseSearch::wall_time() const {
+    return spent_before_ + evolution_.elapsed();
+}
+
+}  // namespace ideotype

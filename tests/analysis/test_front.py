@@ -23,6 +23,7 @@ from ideotype_analysis.front_figures import draw_front, draw_hypervolume
 from ideotype_analysis.page import render
 from ideotype_analysis.scene import export_plants, scene_of
 from ideotype_analysis.style import BEST
+from ideotype_analysis.summary import summarize
 from made_history import MadeHistory
 from made_kinds import Measured
 from made_layout import seal
@@ -98,6 +99,8 @@ def test_constraints_come_before_objectives() -> None:
 def test_members_that_fall_off_are_told(history: Path) -> None:
     with open_history(history) as opened:
         front = opened.front()
+        said = summarize(opened)
+    assert "\nfront        2 of 3 plants are still in it, evaluated again\n" in said
     assert front is not None and front.is_final
     assert front.is_kept.tolist() == KEPT
     assert [front.number(i) for i in range(3)] == [1, 2, 3]

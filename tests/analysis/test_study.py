@@ -67,6 +67,28 @@ def test_cases_of_different_campaigns_stay_apart(tmp_path: Path) -> None:
     assert names == [f"{c}: ames-aug-30x6-all" for c in ("one", "two")]
 
 
+def test_other_objectives_and_searches_are_other_cases(tmp_path: Path) -> None:
+    light, area = ("absorbed_par", "maximise"), ("lai", "minimise")
+    kinds = [
+        ([light], "ga"), ([light], "cma_es"), ([light, area], "nsga2"),
+        ([light], "ga"),
+    ]  # fmt: skip
+    for i, (objectives, optimizer) in enumerate(kinds):
+        text = f'[search]\noptimizer = "{optimizer}"'
+        path = tmp_path / f"{i}.h5"
+        MadeHistory(path, objectives=objectives, resolved=text).close()
+    with open_study(tmp_path) as study:
+        found = {case.name: len(case.histories) for case in study.cases()}
+        lights = {case.light for case in study.cases()}
+    name = "ames-aug-30x6-all"
+    assert found == {
+        f"{name} (absorbed_par; ga)": 2,
+        f"{name} (absorbed_par; cma_es)": 1,
+        f"{name} (absorbed_par, less lai; nsga2)": 1,
+    }
+    assert lights == {name}
+
+
 def test_the_gain_has_the_interval_of_its_seeds(sweep: Path) -> None:
     with open_study(sweep) as study:
         gain = study.cases()[0].gain()

@@ -114,25 +114,21 @@ class Study:
         return self._histories[index]
 
     def cases(self) -> list[Case]:
-        """Replicates put together, in the order of the files. Of the same
-        name in several campaigns, each campaign has its own case."""
-        members: dict[tuple[str, str], list[History]] = {}
+        """Replicates put together, in the order of the files. What differs in
+        campaign, objectives or optimizer is another case, and names say by
+        which of them where they need to."""
+        members: dict[_Identity, list[History]] = {}
         for history in self._histories:
-            campaign = str(history.attributes.get("campaign", ""))
-            key = campaign, name_without_replicate(history)
-            members.setdefault(key, []).append(history)
-        campaigns = {campaign for campaign, _ in members}
-        if len(campaigns) < 2:
-            return [Case(name, each) for (_, name), each in members.items()]
-        shared = Counter(name for _, name in members)
+            members.setdefault(_identity(history), []).append(history)
+        shared = Counter(name for _, name in {key[:2] for key in members})
         return [
             Case(
-                f"{campaign}: {name}",
+                _called(key, [*members]),
                 each,
                 # Cross-evaluations do not tell campaigns.
-                light=name if shared[name] == 1 else "",
+                light=key[1] if shared[key[1]] == 1 else "",
             )
-            for (campaign, name), each in members.items()
+            for key, each in members.items()
         ]
 
     def frame(self) -> pandas.DataFrame:
@@ -141,6 +137,29 @@ class Study:
         from .frame import frame_of
 
         return frame_of(self._histories)
+
+
+_Identity = tuple[str, str, str, str]
+"""Campaign, name, objectives, optimizer."""
+
+
+def _identity(history: History) -> _Identity:
+    goals = (f"{'less ' * (g.sign < 0)}{g.name}" for g in history.objectives)
+    return (
+        str(history.attributes.get("campaign", "")),
+        name_without_replicate(history),
+        ", ".join(goals),
+        history.resolved.get("search", {}).get("optimizer", "ga"),
+    )
+
+
+def _called(key: _Identity, keys: list[_Identity]) -> str:
+    name = key[1]
+    if len({campaign for campaign, *_ in keys}) > 1:
+        name = f"{key[0]}: {name}"
+    alike = [other for other in keys if other[:2] == key[:2]]
+    told = [mine for mine, all_of in zip(key, zip(*alike)) if {*all_of} != {mine}]
+    return f"{name} ({'; '.join(told)})" if told else name
 
 
 def name_without_replicate(history: History) -> str:

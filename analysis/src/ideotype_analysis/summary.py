@@ -39,6 +39,11 @@ def summarize(history: History) -> str:
                 "missing; rows may be lost",
             )
         )
+    front = history.front()
+    if front is not None and front.is_final:
+        kept = int(front.is_kept.sum())
+        counts = f"{kept} of {len(front.members)} plants are still in it"
+        text.append(_field("front", f"{counts}, evaluated again"))
     pair = history.comparison()
     text.append("")
     text += (

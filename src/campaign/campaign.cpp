@@ -4,9 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "checks.hpp"
 #include "draft.hpp"
 #include "ideotype/core/hash.hpp"
+#include "ideotype/search/sensitivity_design.hpp"
+#include "key_factors.hpp"
 #include "photosynthesis_table.hpp"
 #include "reader.hpp"
 #include "report.hpp"
@@ -44,6 +48,22 @@ int usual_population(const Campaign& campaign) {
     return 4 + static_cast<int>(3 * std::log(static_cast<double>(most)));
 }
 
+//! A sensitivity study ends with the last row of its design, and with nothing
+//! else.
+void plan_sensitivity(const Draft& draft, Campaign& campaign) {
+    SensitivitySettings& design = campaign.search.sensitivity;
+    constexpr int few = 64;
+    if (design.method == SensitivityMethod::morris && !draft.has_samples)
+        design.samples = few;
+    campaign.search.population = 0;
+    for (const Case& each : cases(campaign))
+        campaign.search.population =
+            std::max(campaign.search.population,
+                     generation_size(design, search_genes(campaign, each)));
+    campaign.stop = {.generations = generations_of(design),
+                     .failed_fraction = campaign.stop.failed_fraction};
+}
+
 Campaign complete(Draft& draft, const std::string& source,
                   const Report& report) {
     Campaign campaign = draft.campaign;
@@ -58,8 +78,10 @@ Campaign complete(Draft& draft, const std::string& source,
     campaign.reach = reach_of(campaign);
     if (campaign.search.optimizer == OptimizerKind::cma_es &&
         !draft.has_population)
-        draft.campaign.search.population = campaign.search.population =
-            usual_population(campaign);
+        campaign.search.population = usual_population(campaign);
+    if (is_sensitivity(campaign)) plan_sensitivity(draft, campaign);
+    draft.campaign.search = campaign.search;
+    draft.campaign.stop = campaign.stop;
     if (draft.has_photosynthesis)
         campaign.photosynthesis = to_photosynthesis(draft.photosynthesis);
     std::erase_if(campaign.constraints.traits,
@@ -72,14 +94,42 @@ Campaign complete(Draft& draft, const std::string& source,
     return campaign;
 }
 
+//! Whether the ends of ranges of keys are tried.
+enum class Ends { tried, not_tried };
+
 Campaign parse(const std::string& text, const std::string& file,
                PlantSource source,
-               const std::vector<std::string>& settings = {}) {
+               const std::vector<std::string>& settings = {},
+               Ends ends = Ends::tried);
+
+//! Reports ends of ranges that contradict the rest of the campaign.
+void try_ends(Draft& draft, const std::string& file, Report& report) {
+    OptimizerKind& optimizer = draft.campaign.search.optimizer;
+    const OptimizerKind own = std::exchange(optimizer, OptimizerKind::random);
+    const std::string text = resolved_text(draft);
+    optimizer = own;
+    for (const KeyFactor& factor : draft.campaign.sensitivity.keys)
+        for (const double end : {factor.range.lower, factor.range.upper}) try {
+                parse(text, file, PlantSource::table,
+                      {setting_of(factor, end)});
+            } catch (const InputError& error) {
+                report.add(
+                    &factor.range,
+                    fmt::format("sensitivity.keys: with {} of {}, {}", end,
+                                factor.key, error.problems().front().what));
+                break;
+            }
+}
+
+Campaign parse(const std::string& text, const std::string& file,
+               PlantSource source, const std::vector<std::string>& settings,
+               Ends ends) {
     Draft draft;
     Report report;
     read_draft(text, file, source, settings, draft, report);
     read_weathers(file, source, draft, report);
     check_draft(draft, report);
+    if (ends == Ends::tried && report.empty()) try_ends(draft, file, report);
     report.throw_if_any();
     return complete(draft, text, report);
 }
@@ -158,6 +208,23 @@ std::string crop_text(const Campaign& campaign, const Plant& baseline) {
 
 Campaign parse_campaign(const std::string& text, const std::string& file) {
     return parse(text, file, PlantSource::table);
+}
+
+bool is_sensitivity(const Campaign& campaign) {
+    return campaign.search.optimizer == OptimizerKind::sensitivity;
+}
+
+Campaign at_keys(const Campaign& campaign, Genome& genome) {
+    const std::vector<KeyFactor>& keys = campaign.sensitivity.keys;
+    const std::size_t plain = campaign.bounds.size();
+    if (!is_sensitivity(campaign) || genome.size() != plain + keys.size())
+        return campaign;
+    std::vector<std::string> settings;
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        settings.push_back(setting_of(keys[i], genome[plain + i]));
+    genome.resize(plain);
+    return parse(campaign.resolved, campaign.name, PlantSource::table, settings,
+                 Ends::not_tried);
 }
 
 }  // namespace ideotype

@@ -170,4 +170,15 @@ GeneSpace gene_space(const Campaign& campaign, const Case& chosen) {
     return genes;
 }
 
+GeneSpace search_genes(const Campaign& campaign, const Case& chosen) {
+    GeneSpace genes = gene_space(campaign, chosen);
+    if (!is_sensitivity(campaign)) return genes;
+    for (Gene& gene : genes)
+        gene.is_free = gene.is_free && campaign.sensitivity.has_traits;
+    for (const auto& [key, range, unit, value] : campaign.sensitivity.keys)
+        genes.push_back(
+            {key, unit, range.lower, range.upper, false, true, key});
+    return genes;
+}
+
 }  // namespace ideotype

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "ideotype/canopy/quantities.hpp"
+#include "key_factors.hpp"
 #include "schema.hpp"
 
 namespace ideotype {
@@ -114,7 +115,7 @@ void check_objectives(const Campaign& campaign, Report& report) {
                    "search.optimizer is \"nsga2\" (which finds a front of "
                    "several objectives); name another in objective.minimise, "
                    "or use \"cma_es\"");
-    else if (!is_pareto && count > 1)
+    else if (!is_pareto && count > 1 && !is_sensitivity(campaign))
         report.add(&campaign.minimised,
                    fmt::format("there are {} objectives (only nsga2 finds a "
                                "front of several); use one, or "
@@ -223,6 +224,7 @@ void check_draft(Draft& draft, Report& report) {
     check_field(campaign.field, report);
     check_light(campaign, report);
     check_search(campaign, report);
+    check_sensitivity(draft, report);
     check_photosynthesis(
         draft.photosynthesis,
         draft.is_crop_known ? campaign.crop.baseline.leaves.size() : 0, report);

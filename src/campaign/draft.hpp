@@ -45,6 +45,7 @@ struct Draft {
     bool is_crop_known = true;        //!< no file is missing
     bool has_climate = false;         //!< instead of days
     bool has_population = false;      //!< none that the optimizer chooses
+    bool has_samples = false;         //!< none that the method chooses
 };
 
 //! The names that campaigns may choose bounds by.

@@ -92,6 +92,7 @@ class DraftReader {
         draft_.has_photosynthesis =
             top.contains("photosynthesis") || asks_for_assimilation(campaign);
         draft_.has_population = top["search"]["population"].node() != nullptr;
+        draft_.has_samples = top["sensitivity"]["samples"].node() != nullptr;
         choose_organs();
         for (auto& [name, free] : campaign.trait_sets) sort_traits(free);
         // A number of paths alone means all of them.

@@ -142,8 +142,9 @@ Section search_section(SearchSettings& search) {
         "search",
         {Key("optimizer", choice(search.optimizer),
              "what proposes the candidates: the genetic algorithm, CMA-ES, "
-             "NSGA-II for several objectives, or chance")
-             .one_of({"ga", "cma_es", "nsga2", "random"}),
+             "NSGA-II for several objectives, or chance; the verb sensitivity "
+             "sets its own")
+             .one_of({"ga", "cma_es", "nsga2", "random", "sensitivity"}),
          Key("population", &search.population, "plants per generation")
              .within(2, 100000)
              .set(&Key::initial, "100; of CMA-ES 4 + 3 ln(free genes)"),
@@ -185,6 +186,47 @@ Section search_section(SearchSettings& search) {
          Key("adapts_learning_rates", &cma.adapts_learning_rates,
              "of CMA-ES: whether it learns more slowly where its steps are "
              "mostly noise")}};
+}
+
+Table sensitivity_table(Draft& draft) {
+    Variation& varied = draft.campaign.sensitivity;
+    SensitivitySettings& design = draft.campaign.search.sensitivity;
+    Table table = one_table(
+        {"sensitivity",
+         {Key("method", choice(design.method),
+              "Sobol' indices of the variance, first order and total, or "
+              "elementary effects by Morris")
+              .one_of({"sobol", "morris"}),
+          Key("samples", &design.samples,
+              "base samples of Sobol', best a power of two, each of 2 rows "
+              "and one per factor; or trajectories of Morris, each of 1 row "
+              "and one per factor")
+              .within(4, 1 << 17)
+              .set(&Key::initial, "1024; of morris 64"),
+          Key("levels", &design.levels,
+              "of Morris: values that each number takes; even")
+              .within(2, 100),
+          Key("groups", choice(design.groups),
+              "what is one factor: all numbers of a trait, or each gene")
+              .one_of({"trait", "gene"}),
+          Key("traits", &varied.has_traits,
+              "whether the traits of the case's trait set are varied")}});
+    table.children = {list_of_tables<KeyFactor>(
+        "keys",
+        [](KeyFactor& factor) -> Section {
+            return {"sensitivity.keys",
+                    {Key("key", &factor.key,
+                         "a number of field, spacing, optics, photosynthesis "
+                         "or plant.baseline that is varied")
+                         .set(&Key::is_any_text, true)
+                         .required("\"optics.soil_albedo\""),
+                     Key("range", &factor.range, "in which, evenly")
+                         .required("[0.05, 0.3]")}};
+        },
+        varied.keys)};
+    table.children.front().is_optional = true;
+    table.is_default = !is_sensitivity(draft.campaign);
+    return table;
 }
 
 Section stop_section(StopRules& stop) {

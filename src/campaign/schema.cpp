@@ -308,6 +308,7 @@ std::vector<Table> campaign_tables(Draft& draft) {
             photosynthesis_table(draft),
             constraints_table(campaign.constraints),
             one_table(search_section(campaign.search)),
+            sensitivity_table(draft),
             one_table(stop_section(campaign.stop)),
             one_table(final_section(campaign.final_rule)),
             one_table(parallel_section(campaign.answer_limits)),

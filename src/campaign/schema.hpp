@@ -183,6 +183,8 @@ Table photosynthesis_table(Draft& draft);
 //! With a table for each trait that there are constraints of.
 Table constraints_table(Constraints& constraints);
 Section search_section(SearchSettings& search);
+//! With a table for each key that is varied.
+Table sensitivity_table(Draft& draft);
 Section stop_section(StopRules& stop);
 Section final_section(FinalRule& rule);
 Section parallel_section(AnswerLimits& limits);

@@ -147,8 +147,8 @@ class Evaluation {
             pieces = cut_leaves(mesh, {}, request_.details.pieces);
         Accuracy accuracy = request_.accuracy;
         Randomness randomness = request_.randomness;
-        const bool is_one = randomness.fields == Randomness::Fields::one;
-        const int fields = is_one ? 1 : accuracy.randomisations;
+        const bool is_each = randomness.fields == Randomness::Fields::each;
+        const int fields = is_each ? accuracy.randomisations : 1;
         accuracy.randomisations /= fields;
         // Assimilation in a field needs several, see assimilate().
         if (pieces && accuracy.randomisations < fewest_in_field) {
@@ -162,8 +162,11 @@ class Evaluation {
                 randomness.first_randomisation *
                 static_cast<std::uint32_t>(
                     is_one_of_many_ ? accuracy.randomisations : 1);
-            Field field = draw_field(pieces ? pieces->mesh : mesh,
-                                     request_.scenario.field, randomness);
+            Field field = draw_field(
+                pieces ? pieces->mesh : mesh, request_.scenario.field,
+                randomness.fields == Randomness::Fields::common
+                    ? Randomness{randomness.seed}
+                    : randomness);
             std::optional<Pieces> of_field;
             if (pieces)
                 of_field = pieces_of_field(*pieces, std::move(field.mesh),

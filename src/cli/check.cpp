@@ -133,7 +133,7 @@ ExitCode check(const CheckOptions& options) {
         build_plant(campaign.crop.baseline, campaign.tessellation);
     const LightSeries& light = scenario.light.series;
     const Field field =
-        draw_field(plant, scenario.field, randomness_of({}, first));
+        draw_field(plant, scenario.field, randomness_of({}, campaign, first));
     const Cost cost(campaign, measure_cost(campaign, first));
     int free_genes = 0;
     for (const Gene& gene : gene_space(campaign, first))

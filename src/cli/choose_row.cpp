@@ -77,6 +77,8 @@ ChosenRow choose_row(const std::string& path, const RowChoice& choice) {
     result.chosen = case_of(history, result.campaign);
     result.task.case_index = static_cast<std::uint32_t>(result.chosen.index);
     result.row = row_of(history, choice, result.task);
+    result.campaign = at_keys(result.campaign, result.row.candidate.genome);
+    result.chosen = case_of(history, result.campaign);
     result.schema =
         result.task.is_final ? header.final_schema() : header.schema;
     result.isa = header.text.at("isa");

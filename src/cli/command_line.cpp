@@ -36,13 +36,14 @@ void check_verb_name(const CLI::App& app, const std::string& word) {
 //! Most verbs would do the same work on each rank.
 void require_shared_work(const CLI::App& verb, const Launch& launch) {
     const std::string name = verb.get_name();
-    if (launch.size == 1 || name == "run" ||
+    if (launch.size == 1 || name == "run" || name == "sensitivity" ||
         (name == "evaluate" && verb.count("--under") > 0))
         return;
     throw Error(
         fmt::format("{}: {} copies of this were started, which would all do "
-                    "the same work; start it without mpirun or srun (run and "
-                    "evaluate --under share their work between ranks)",
+                    "the same work; start it without mpirun or srun (run, "
+                    "sensitivity and evaluate --under share their work "
+                    "between ranks)",
                     name, launch.size),
         ExitCode::usage);
 }

@@ -9,6 +9,7 @@
 #include "ideotype/cli/verbs.hpp"
 #include "mesh_command.hpp"
 #include "run_command.hpp"
+#include "sensitivity_command.hpp"
 
 namespace ideotype {
 
@@ -178,6 +179,12 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
         "(--ranks auto), alone, or on a cluster (under mpirun or srun)",
         declare_run, start_run)
         .words = words;
+    add("sensitivity",
+        "what light, or any other quantity, depends on: indices by Sobol' or "
+        "Morris for the traits and for numeric keys of a campaign; runs, "
+        "stops and is resumed as run",
+        declare_sensitivity, start_sensitivity)
+        .run.words = words;
     add("status", "how far histories have come, also while they are written",
         declare_status, status);
     add("evaluate",

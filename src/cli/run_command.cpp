@@ -35,11 +35,14 @@ bool is_to_launch(int ranks) {
 }
 
 //! Collective over all ranks.
-ExitCode run_with_session(const RunOptions& options) {
+ExitCode run_with_session(const RunOptions& options, const AtEnd& at_end) {
     StopFlag stop;
     const Session session;
     try {
-        return run(options, session, stop);
+        const ExitCode code = run(options, session, stop);
+        if (code == ExitCode::ok && session.rank() == 0 && at_end)
+            at_end(options);
+        return code;
     } catch (const std::exception& error) {
         const ExitCode code = report_error(error);
         // Rank 0 has told the others to leave. It would wait for ever for one
@@ -81,13 +84,17 @@ void declare_run(CLI::App& verb, RunCommand& command) {
 }
 
 ExitCode start_run(const RunCommand& command) {
+    return start_run(command, {});
+}
+
+ExitCode start_run(const RunCommand& command, const AtEnd& at_end) {
     RunOptions options = command.options;
     options.command = quoted(command.words);
     const int count = command.ranks ? parse_ranks(*command.ranks) : 1;
     if (command.ranks && is_to_launch(count))
         return ExitCode{
             launch(count, command.words, way_on(options.command, count))};
-    return run_with_session(options);
+    return run_with_session(options, at_end);
 }
 
 }  // namespace ideotype

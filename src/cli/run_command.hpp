@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,5 +24,9 @@ void declare_run(CLI::App& verb, RunCommand& command);
 
 //! Starts the ranks of `--ranks` and waits for them, or is one of them.
 ExitCode start_run(const RunCommand& command);
+
+//! What rank 0 does once all cases are finished.
+using AtEnd = std::function<void(const RunOptions&)>;
+ExitCode start_run(const RunCommand& command, const AtEnd& at_end);
 
 }  // namespace ideotype

@@ -12,7 +12,9 @@
 #include "contents.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/hash.hpp"
+#include "journal.hpp"
 #include "layout.hpp"
+#include "sensitivity.hpp"
 
 namespace ideotype {
 
@@ -101,7 +103,8 @@ std::string header_checksum(hid_t file) {
         const std::string group = each.path.substr(0, each.path.find('/'));
         const bool is_description =
             contains({"campaign", "genes", "objectives"}, group);
-        const bool is_table = contains({"evaluations", "final"}, group);
+        const bool is_table =
+            contains({"evaluations", "final", "sensitivity"}, group);
         if (!is_description && !(is_table && is_scale(data))) continue;
         const Blocks blocks(data);
         add(sum, "/" + each.path, read_block(data, blocks, 0, blocks.rows));
@@ -135,6 +138,12 @@ std::string finalist_checksum(hid_t file, hsize_t row, Status status) {
     return sum.finish();
 }
 
+std::string sensitivity_checksum(hid_t file, hsize_t row) {
+    Sha256 sum;
+    Table(file, SensitivityTable::group, {"checksum"}).add_rows(sum, {row, 1});
+    return sum.finish();
+}
+
 void require_intact(hid_t file, const std::string& path) {
     if (text_attribute(file, "checksum") != header_checksum(file))
         refuse(path, "the header");
@@ -152,6 +161,13 @@ void require_intact(hid_t file, const std::string& path) {
         if (is_recorded(statuses[row]) &&
             expected[row] != finalist_checksum(file, row, statuses[row]))
             refuse(path, fmt::format("finalist {}", row));
+    const auto form = SensitivityTable::read_form(file);
+    if (!form || !Journal(file).finished()) return;
+    const Dataset sums(file,
+                       std::string(SensitivityTable::group) + "/checksum");
+    for (std::size_t row = 0; row < sums.rows(); ++row)
+        if (sums.read_text(row, 1)[0] != sensitivity_checksum(file, row))
+            refuse(path, "the sensitivity of " + form->quantities[row]);
 }
 
 }  // namespace ideotype

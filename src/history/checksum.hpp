@@ -12,6 +12,9 @@ namespace ideotype {
 
 // What each is made of is written in analysis/FORMAT.md.
 
+//! Characters of a checksum.
+inline constexpr std::size_t checksum_size = 64;
+
 //! Format 1 has none.
 bool has_checksums(hid_t file);
 
@@ -39,7 +42,11 @@ class GenerationChecksums {
 //! SHA-256 of a row of /final with this status, which is written later.
 std::string finalist_checksum(hid_t file, hsize_t row, Status status);
 
-//! Looks at the header, all complete generations and all recorded finalists.
+//! SHA-256 of what a sensitivity study tells of a quantity.
+std::string sensitivity_checksum(hid_t file, hsize_t row);
+
+//! Looks at the header, all complete generations, all recorded finalists and,
+//! of a finished case, what a sensitivity study tells.
 //! @throws Error (refused) at the first that does not have its checksum.
 void require_intact(hid_t file, const std::string& path);
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "checksum.hpp"
 #include "number_columns.hpp"
 #include "types.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int32_t no_worker = -1;
 constexpr std::size_t message_size = 160;
-constexpr std::size_t checksum_size = 64;
+
 }  // namespace
 
 Axis gene_axis(const GeneSpace& genes) {

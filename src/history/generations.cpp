@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "checksum.hpp"
 #include "layout.hpp"
 #include "types.hpp"
 
@@ -12,7 +13,6 @@ namespace ideotype {
 namespace {
 
 const std::string group_name = "generations";
-constexpr std::size_t checksum_size = 64;
 
 template <class Value>
 struct SummaryColumn {

@@ -8,6 +8,7 @@
 #include "contents.hpp"
 #include "dataset.hpp"
 #include "layout.hpp"
+#include "sensitivity.hpp"
 #include "types.hpp"
 
 namespace ideotype {
@@ -176,6 +177,7 @@ HistoryHeader read_header(hid_t file) {
     header.genes = read_genes(file);
     header.schema = Columns::read_schema(file, "evaluations");
     header.schema.objectives = read_objectives(file);
+    header.sensitivity = SensitivityTable::read_form(file);
     header.final_randomisations =
         Columns::read_schema(file, "final").randomisations;
     return header;

@@ -133,7 +133,10 @@ void CaseSearch::add(const std::vector<Candidate>& candidates) {
         const auto slot = static_cast<std::uint32_t>(open.rows.size());
         open.rows.push_back({candidate, Status::proposed, {}, 0});
         const std::uint32_t original =
-            open.first_slots.emplace(candidate.genome, slot).first->second;
+            is_sensitivity(evolution_.campaign)
+                ? slot  // each has random numbers of its own
+                : open.first_slots.emplace(candidate.genome, slot)
+                      .first->second;
         const Outcome outcome = slot - first < stored
                                     ? history_.row(generation, slot).outcome
                                     : Outcome{};

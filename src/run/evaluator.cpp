@@ -22,10 +22,16 @@ Accuracy accuracy_of(const Task& task, const Campaign& campaign) {
     return accuracy;
 }
 
-Randomness randomness_of(const Task& task, const Case& chosen) {
+Randomness randomness_of(const Task& task, const Campaign& campaign,
+                         const Case& chosen) {
     if (task.is_final)
         return {derive_seed(chosen.seed, "final"), 0, 0,
                 Randomness::Fields::each};
+    if (is_sensitivity(campaign))
+        return {chosen.seed, task.generation,
+                task.slot * static_cast<std::uint32_t>(
+                                campaign.sampling.randomisations),
+                Randomness::Fields::common};
     return {chosen.seed, task.generation};
 }
 
@@ -63,7 +69,7 @@ CanopyRequest request_of(const Task& task, const Campaign& campaign,
             scenario,
             canopy_layers(campaign),
             accuracy_of(task, campaign),
-            randomness_of(task, chosen),
+            randomness_of(task, campaign, chosen),
             {.photosynthesis = campaign.photosynthesis},
             campaign.tessellation};
 }
@@ -100,17 +106,18 @@ Outcome to_outcome(const Campaign& campaign, const Plant& plant,
 CanopyEvaluator::CanopyEvaluator(const Campaign& campaign,
                                  const std::string& isa)
     : campaign_(campaign), device_(isa) {
-    for (const Case& each : cases(campaign)) {
-        Prepared prepared{
-            outcome_schema(campaign, each, campaign.sampling),
-            outcome_schema(campaign, each, campaign.final_rule.sampling),
-            {},
-            {}};
-        for (const Case& scenario : scenarios(each))
-            prepared.scenarios.push_back({scenario, std::nullopt});
-        if (!each.scenarios.empty()) prepared.across.emplace(campaign, each);
-        cases_.push_back(std::move(prepared));
-    }
+    for (const Case& each : cases(campaign))
+        cases_.emplace_back(campaign, each);
+}
+
+CanopyEvaluator::Prepared::Prepared(const Campaign& campaign,
+                                    const Case& chosen)
+    : schema(outcome_schema(campaign, chosen, campaign.sampling)),
+      final_schema(
+          outcome_schema(campaign, chosen, campaign.final_rule.sampling)) {
+    for (const Case& scenario : ideotype::scenarios(chosen))
+        scenarios.push_back({scenario, std::nullopt});
+    if (!chosen.scenarios.empty()) across.emplace(campaign, chosen);
 }
 
 const OutcomeSchema& CanopyEvaluator::schema(const Task& task) const {
@@ -119,16 +126,26 @@ const OutcomeSchema& CanopyEvaluator::schema(const Task& task) const {
 }
 
 Outcome CanopyEvaluator::evaluate(const Task& task, const Genome& genome) {
-    Prepared& prepared = cases_.at(task.case_index);
-    const Plant plant = grow(campaign_.crop, genome);
+    if (!is_sensitivity(campaign_) || campaign_.sensitivity.keys.empty())
+        return evaluate(task, campaign_, cases_.at(task.case_index), genome);
+    Genome plain = genome;
+    const Campaign varied = at_keys(campaign_, plain);
+    Prepared prepared(varied, cases(varied).at(task.case_index));
+    return evaluate(task, varied, prepared, plain);
+}
+
+Outcome CanopyEvaluator::evaluate(const Task& task, const Campaign& campaign,
+                                  Prepared& prepared,
+                                  const Genome& genome) const {
+    const Plant plant = grow(campaign.crop, genome);
     std::vector<Outcome> outcomes;
     for (auto& [chosen, scenario] : prepared.scenarios) {
-        if (!scenario) scenario = scenario_of(campaign_, chosen);
-        outcomes.push_back(to_outcome(
-            campaign_, plant,
-            ideotype::evaluate(
-                request_of(task, campaign_, chosen, *scenario, plant),
-                device_)));
+        if (!scenario) scenario = scenario_of(campaign, chosen);
+        outcomes.push_back(
+            to_outcome(campaign, plant,
+                       ideotype::evaluate(
+                           request_of(task, campaign, chosen, *scenario, plant),
+                           device_)));
     }
     return prepared.across ? prepared.across->combine(outcomes)
                            : std::move(outcomes.front());

@@ -126,9 +126,9 @@ class ProgressLog::CaseWatcher : public Watcher {
     void on_final(const std::string& reason) override {
         to_evaluate_ = 0;
         log_.print(fmt::format(
-            "{}  ended by {}; evaluating the best again with fresh random "
-            "numbers",
-            entry_.name, reason));
+            "{}  ended by {}; evaluating {} again with fresh random numbers",
+            entry_.name, reason,
+            is_sensitivity(log_.campaign_) ? "the baseline" : "the best"));
     }
 
   private:

@@ -11,6 +11,7 @@
 #include "ideotype/run/evaluator.hpp"
 #include "ideotype/run/machines.hpp"
 #include "ideotype/run/progress.hpp"
+#include "ideotype/run/sensitivity.hpp"
 
 namespace ideotype {
 
@@ -45,8 +46,10 @@ HistoryHeader header_of(const Campaign& campaign, const Case& chosen,
     };
     header.campaign_source = campaign.source;
     header.campaign_resolved = campaign.resolved;
-    header.genes = gene_space(campaign, chosen);
+    header.genes = search_genes(campaign, chosen);
     header.schema = outcome_schema(campaign, chosen, campaign.sampling);
+    if (is_sensitivity(campaign))
+        header.sensitivity = sensitivity_form(campaign, chosen, header.schema);
     header.final_randomisations =
         static_cast<std::size_t>(campaign.final_rule.sampling.randomisations);
     header.seed = chosen.seed;

@@ -159,6 +159,7 @@ std::string final_summary(const History& history, const Campaign& campaign) {
     const std::vector<Row> finalists = history.finalists();
     const auto& objectives = history.header().schema.objectives;
     const std::size_t best = best_finalist(finalists, objectives.front().sense);
+    if (is_sensitivity(campaign)) return "";
     if (finalists.empty() || finalists[0].outcome.status != Status::done ||
         best == 0)
         return "no finalist could be evaluated; see the messages of failed "

@@ -6,6 +6,7 @@
 #include "ideotype/search/cma_es.hpp"
 #include "ideotype/search/genetic_algorithm.hpp"
 #include "ideotype/search/random_search.hpp"
+#include "ideotype/search/sensitivity_design.hpp"
 #include "ideotype/search/steady_state.hpp"
 
 namespace ideotype {
@@ -57,6 +58,9 @@ std::unique_ptr<Optimizer> make_optimizer(const SearchSettings& settings,
             return std::make_unique<CmaEs>(settings, space, seed);
         case OptimizerKind::random:
             return std::make_unique<RandomSearch>(settings, space, seed);
+        case OptimizerKind::sensitivity:
+            return std::make_unique<SensitivitySearch>(settings.sensitivity,
+                                                       space, seed);
     }
     return std::make_unique<GeneticAlgorithm>(settings, space, seed);
 }

@@ -114,7 +114,11 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
     const std::string collatz =
         "[photosynthesis]\nmodel = \"collatz\"\nvmax = 30\nalpha = 0.06\n"
         "beta = 0.9\nk = 0.6\n";
-    auto lines = differences(sample("", organ + hyperbola).resolved, "");
+    const std::string sensitivity =
+        "[search]\noptimizer = \"sensitivity\"\n[[sensitivity.keys]]\n"
+        "key = \"field.jitter\"\nrange = [0, 20]\n";
+    auto lines =
+        differences(sample("", organ + hyperbola + sensitivity).resolved, "");
     // A campaign has days or climates, and one scenario or several.
     const std::string text =
         with_climate(organ + collatz + "[objective]\nover = \"site\"\n");

@@ -85,7 +85,8 @@ give_season() {
 same_group() {
     # The same data at other places in the file: scales refer to them.
     local excluded=() name scales="row finalist gene parent objective \
-        randomisation leaf layer hour day light_source leaf_side generation"
+        randomisation leaf layer hour day light_source leaf_side generation \
+        quantity factor"
     for name in $scales "${@:4}"; do excluded+=(--exclude-path "/$name"); done
     h5diff -c "${excluded[@]}" "$1" "$2" "$3" "$3" ||
         fail "$3 differs: $1 $2"
@@ -97,6 +98,9 @@ same_results() {
     same_group "$1" "$2" /evaluations seconds worker attempt
     same_group "$1" "$2" /final seconds worker attempt checksum
     same_group "$1" "$2" /generations wall_time checksum
+    if h5ls "$1/sensitivity" >/dev/null 2>&1; then
+        same_group "$1" "$2" /sensitivity
+    fi
 }
 
 history_of() {

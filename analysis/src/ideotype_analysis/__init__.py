@@ -5,6 +5,7 @@ from .estimate import Estimate
 from .file import HistoryError, NotAHistory, UnsupportedVersion
 from .front import Front
 from .history import History, open_history
+from .indices import Indices
 from .interval import Interval
 from .labelled import open_arrays as open
 from .pair import Pair
@@ -19,6 +20,7 @@ __all__ = [
     "Front",
     "History",
     "HistoryError",
+    "Indices",
     "Interval",
     "NotAHistory",
     "Objective",

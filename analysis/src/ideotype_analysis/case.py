@@ -43,6 +43,11 @@ class Case:
     def __repr__(self) -> str:
         return f"<Case {self.name}, seeds: {len(self.histories)}>"
 
+    @property
+    def is_sensitivity(self) -> bool:
+        """Whether it is a sensitivity study and no search."""
+        return self.histories[0].is_sensitivity
+
     @cached_property
     def _known(self) -> tuple[tuple[History, Pair], ...]:
         found = ((h, h.comparison()) for h in self.histories)

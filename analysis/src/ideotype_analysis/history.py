@@ -15,6 +15,7 @@ from .file import HistoryError, missing_bytes, text, writer_of
 from .format_1 import Format1, open_datasets
 from .front import Front, front_of
 from .genes import Genes
+from .indices import GROUP, Indices, read_indices
 from .integrity import verify
 from .pair import Pair
 from .quantity import Objective, Quantity
@@ -186,6 +187,17 @@ class History:
         count = len(self.generations())
         return self.evaluations(count - 1 if count else None)
 
+    @property
+    def is_sensitivity(self) -> bool:
+        """Whether the rows are those of a sensitivity study, of which no
+        plant is the best."""
+        return GROUP in self.datasets.names("/")
+
+    def sensitivity(self) -> dict[str, Indices]:
+        """What a finished sensitivity study found, by quantity; empty before
+        that, and of a search."""
+        return read_indices(self.datasets)
+
     def state(self) -> State:
         """Whether the case is running, stopped, interrupted or finished."""
         finished = bool(self.datasets.read("state/finished"))
@@ -247,6 +259,7 @@ class History:
         self.evaluations()
         self.finalists()
         self.generations()
+        self.sensitivity()
         self.state()
         self.sessions()
         self.messages()

@@ -14,6 +14,7 @@ from .file import HistoryError
 from .rows import Status
 
 _HEADER = ("campaign", "genes", "objectives")
+_TABLES = ("evaluations", "final", "sensitivity")
 _NOT_HASHED = ("generation", "committed", "checksum")
 
 
@@ -38,13 +39,30 @@ def verify(data: Datasets) -> None:
             *((name, values[g : g + 1]) for name, values in table.items()),
         )
         _check(data, f"generation {g}", found, sums[g])
-    rows = _columns(data, "final", ("checksum",))
-    sums = data.texts("final/checksum")
-    for i in np.flatnonzero(status >= Status.DONE):
+    _check_rows(
+        data, "final", "finalist", np.flatnonzero(status >= Status.DONE)
+    )
+    if "sensitivity" in _tables(data) and data.read("state/finished"):
+        quantities = range(len(data.read("sensitivity/quantity")))
+        _check_rows(data, "sensitivity", "sensitivity", quantities)
+
+
+def _tables(data: Datasets) -> list[str]:
+    """Groups whose scales are part of the header."""
+    known = {*data.names("/")}
+    return [name for name in _TABLES if name in known]
+
+
+def _check_rows(
+    data: Datasets, group: str, name: str, rows: Iterable[int]
+) -> None:
+    columns = _columns(data, group, ("checksum",))
+    sums = data.texts(f"{group}/checksum")
+    for i in rows:
         found = _digest(
-            *((name, values[i : i + 1]) for name, values in rows.items())
+            *((name, values[i : i + 1]) for name, values in columns.items())
         )
-        _check(data, f"finalist {i}", found, sums[i])
+        _check(data, f"{name} {i}", found, sums[i])
 
 
 def _check(data: Datasets, what: str, found: str, kept: object) -> None:
@@ -58,7 +76,7 @@ def _check(data: Datasets, what: str, found: str, kept: object) -> None:
 def _header(data: Datasets) -> str:
     names = sorted({*data.attributes()} - {"checksum"})
     paths = [f"/{group}/{n}" for group in _HEADER for n in data.names(group)]
-    for group in ("evaluations", "final"):
+    for group in _tables(data):
         paths += [
             f"/{group}/{name}"
             for name in data.names(group)

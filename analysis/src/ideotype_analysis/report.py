@@ -17,6 +17,7 @@ from .cross import Cross, draw_cross
 from .fidelity import Fidelity, draw_fidelity
 from .file import HistoryError
 from .gallery import draw_all
+from .indices import draw_indices
 from .page import render
 from .places import draw_latitudes, draw_spacings
 from .plan import draw_plan
@@ -80,8 +81,10 @@ def write_report(
     Raises HistoryError if nothing is evaluated in any history, OSError if
     the folder can't be written."""
     folder = Path(folder)
-    cases = study.cases()
-    if not any(case.pairs for case in cases):
+    every = study.cases()
+    cases = [case for case in every if not case.is_sensitivity]
+    studies = [case for case in every if case.is_sensitivity]
+    if not studies and not any(case.pairs for case in cases):
         raise HistoryError(
             f"{study[0].path}: baseline and best are not evaluated yet"
             f"{'' if len(study) == 1 else ', nor in the other histories'}; "
@@ -96,16 +99,20 @@ def write_report(
             for case, found in zip(cases, plants)
             if isinstance(found, Plants) or case.fronts
         ]
-        sections = [
+        searched = [
             _overview(study, cases, cross),
             _places(cases, cross),
             _view(shapes),
             *map(_case, cases, plants),
-            *_trade(fidelity),
-            _provenance(cases, command),
         ]
         if len(cases) == 1:
-            sections[3].is_folded = False
+            searched[3].is_folded = False
+        sections = [
+            *(searched if cases else ()),
+            *map(_study, studies),
+            *_trade(fidelity),
+            _provenance(every, command),
+        ]
         figures = draw_all(
             sections,
             folder / "figures",
@@ -114,7 +121,7 @@ def write_report(
         )
     page = folder / "report.html"
     fresh = page.with_suffix(".html.part")
-    fresh.write_text(render(_title(cases), _subtitle(study), sections))
+    fresh.write_text(render(_title(every), _subtitle(study), sections))
     fresh.replace(page)
     return Written(page, figures)
 
@@ -223,6 +230,22 @@ def _case(case: Case, plants: Plants | Note) -> Section:
         )
         if name == "roses":
             section.blocks.append(_plan(case, plants))
+    return section
+
+
+def _study(case: Case) -> Section:
+    section = Section(f"Sensitivity of {case.name}")
+    section.blocks.append(
+        Drawing(
+            f"{case.name}_indices",
+            "What the objective depends on. Sobol' indices: the share of its "
+            "variance that a factor makes by itself, and together with all "
+            "others; or elementary effects by Morris. Factors vary evenly in "
+            "their ranges. Noise is taken off, but not of μ*. The 15 that matter "
+            "most, with 95 % intervals.",
+            partial(draw_indices, case),
+        )
+    )
     return section
 
 

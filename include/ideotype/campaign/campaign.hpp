@@ -85,6 +85,21 @@ double violation(const Constraints& constraints,
                  const std::vector<Trait>& traits, const Plant& plant,
                  double lai);
 
+//! A numeric key of a campaign that a sensitivity study varies.
+struct KeyFactor {
+    std::string key;  //!< such as "optics.soil_albedo"
+    Range range;
+    std::string unit{};  //!< "1" if it has none
+    //! Of the campaign; the middle of the range where it does not say.
+    double value = 0;
+};
+
+//! What a sensitivity study varies.
+struct Variation {
+    bool has_traits = true;  //!< free genes are factors
+    std::vector<KeyFactor> keys;
+};
+
 //! How the best candidates are evaluated again at the end.
 struct FinalRule {
     int candidates = 5;
@@ -141,6 +156,7 @@ struct Campaign {
     Across across = Across::mean;
     Constraints constraints;
     SearchSettings search;
+    Variation sensitivity;
     StopRules stop;
     FinalRule final_rule;
     AnswerLimits answer_limits;
@@ -240,6 +256,18 @@ Case case_at(const Campaign& campaign, int index, const std::string& path);
 //! The genes of a case with their bounds; genes outside its trait set are
 //! not free.
 GeneSpace gene_space(const Campaign& campaign, const Case& chosen);
+
+//! The same with the keys that a sensitivity study varies behind them. Where
+//! it does not vary traits, no gene of them is free.
+GeneSpace search_genes(const Campaign& campaign, const Case& chosen);
+
+//! Whether a campaign is a sensitivity study instead of a search.
+bool is_sensitivity(const Campaign& campaign);
+
+//! The campaign with those keys set to the last numbers of a genome of these
+//! genes, which are removed.
+//! @throws InputError if they contradict the rest of the campaign.
+Campaign at_keys(const Campaign& campaign, Genome& genome);
 
 //! What differs between two resolved campaigns, one line per key:
 //! "light.paths was 4096, is 8192". Empty if nothing does.

@@ -17,6 +17,7 @@ enum class Purpose : std::uint32_t {
     backward = 8,
     sample = 9,
     sequence = 10,
+    bootstrap = 11,
 };
 
 //! Philox-4x32-10: four random words as a pure function of counter and key

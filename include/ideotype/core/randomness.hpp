@@ -12,7 +12,8 @@ struct Randomness {
     std::uint32_t first_randomisation = 0;
     //! One random field for all randomisations makes candidates comparable at
     //! least cost; one for each makes the standard error include the jitter.
-    enum class Fields { one, each } fields = Fields::one;
+    //! The common one is also that of rows with other random numbers.
+    enum class Fields { one, each, common } fields = Fields::one;
 };
 
 }  // namespace ideotype

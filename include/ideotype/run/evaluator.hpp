@@ -17,8 +17,10 @@ namespace ideotype {
 Accuracy accuracy_of(const Task& task, const Campaign& campaign);
 
 //! The random numbers of a task: common to all candidates of a generation;
-//! fresh ones for all finalists.
-Randomness randomness_of(const Task& task, const Case& chosen);
+//! fresh ones for all finalists. Rows of a sensitivity study have light of
+//! their own, in one field.
+Randomness randomness_of(const Task& task, const Campaign& campaign,
+                         const Case& chosen);
 
 //! How many times longer the evaluation of a finalist takes, about: it has
 //! more paths, and a field for each randomisation.
@@ -57,12 +59,17 @@ class CanopyEvaluator : public Evaluator {
 
   private:
     struct Prepared {
+        Prepared(const Campaign& campaign, const Case& chosen);
+
         OutcomeSchema schema;
         OutcomeSchema final_schema;
         //! Each set up when its first candidate comes.
         std::vector<std::pair<Case, std::optional<Scenario>>> scenarios;
         std::optional<AcrossScenarios> across;  //!< of several
     };
+
+    Outcome evaluate(const Task& task, const Campaign& campaign,
+                     Prepared& prepared, const Genome& genome) const;
 
     const Campaign& campaign_;
     std::vector<Prepared> cases_;  //!< by case

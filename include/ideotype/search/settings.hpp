@@ -1,9 +1,11 @@
 #pragma once
 
+#include "ideotype/search/sensitivity_settings.hpp"
+
 namespace ideotype {
 
 //! Which optimizer searches.
-enum class OptimizerKind { ga, cma_es, nsga2, random };
+enum class OptimizerKind { ga, cma_es, nsga2, random, sensitivity };
 
 //! Settings of the genetic algorithm.
 struct GaSettings {
@@ -36,6 +38,7 @@ struct SearchSettings {
     int window = 0;
     GaSettings ga;
     CmaSettings cma;
+    SensitivitySettings sensitivity{};
 };
 
 }  // namespace ideotype

@@ -1,0 +1,162 @@
+#include "key_factors.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include "schema.hpp"
+#include "values.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! A key of the campaign under the name that --set has for it.
+struct NamedKey {
+    std::string section;  //!< of messages
+    std::string name;
+    Key key;
+    std::size_t tables;  //!< of its kind
+    bool is_there;       //!< in the campaign
+};
+
+constexpr const char* plant_prefix = "plant.baseline.";
+
+//! Keys of the tables that describe what plants live in and on.
+std::vector<NamedKey> variable_keys(Draft& draft) {
+    std::vector<NamedKey> keys;
+    const auto add = [&](const std::vector<Table>& tables,
+                         const std::string& prefix,
+                         const std::set<std::string>& kinds) {
+        for (const Table& table : tables) {
+            if (!kinds.contains(table.name) || table.size() == 0) continue;
+            const std::string name = prefix + table.name;
+            for (const Key& key : table.section(0).keys)
+                keys.push_back({name, name + '.' + key.name, key, table.size(),
+                                !table.is_default});
+        }
+    };
+    add(campaign_tables(draft), "",
+        {"field", "spacing", "optics", "photosynthesis"});
+    if (draft.is_crop_known)
+        add(plant_tables(draft), plant_prefix,
+            {"stalk", "sheath", "blade", "organ", "leaf"});
+    return keys;
+}
+
+//! The numbers of a key; none if it is anything else.
+std::optional<std::vector<double>> numbers_of(const Key& key) {
+    if (key.notation != Notation::plain) return std::nullopt;
+    if (const auto* number = std::get_if<double*>(&key.value))
+        return std::vector{**number};
+    const auto* list = std::get_if<std::vector<double>*>(&key.value);
+    if (list && key.count == any_count) return **list;
+    return std::nullopt;
+}
+
+std::string advice(const std::string& name, const std::vector<NamedKey>& keys) {
+    std::vector<std::string> known;
+    for (const NamedKey& each : keys)
+        if (each.is_there && each.tables == 1 && numbers_of(each.key))
+            known.push_back(each.name);
+    const std::string nearest = nearest_name(name, known);
+    return nearest.empty() ? "name a number of field, spacing, optics, "
+                             "photosynthesis or plant.baseline"
+                           : "did you mean \"" + nearest + "\"?";
+}
+
+//! What is wrong with varying this key, or "".
+std::string fault(const NamedKey& found) {
+    if (!found.is_there)
+        return fmt::format("(this campaign has no [{}])", found.section);
+    if (found.tables > 1)
+        return fmt::format("(there are {} tables [[{}]])", found.tables,
+                           found.section);
+    const auto numbers = numbers_of(found.key);
+    if (!numbers)
+        return fmt::format("(of type {}; only decimal numbers vary)", type_text(found.key));
+    if (numbers->size() > 1)
+        return fmt::format("(which has {} values)", numbers->size());
+    return "";
+}
+
+//! Whether a range lies in that of a key; otherwise reports.
+bool is_in_range(const KeyFactor& factor, const NamedKey& found,
+                 Report& report) {
+    for (const double bound : {factor.range.lower, factor.range.upper}) {
+        double scratch = 0;
+        Key probe = found.key;
+        probe.value = &scratch;
+        Report own;
+        own.locate(&scratch, report.where(&factor.range));
+        read_value(toml::value(bound), found.section, probe, own);
+        if (own.empty()) continue;
+        try {
+            own.throw_if_any();
+        } catch (const InputError& error) {
+            report.add(&factor.range, error.problems().front().what);
+        }
+        return false;
+    }
+    return true;
+}
+
+void check_key(KeyFactor& factor, const std::vector<NamedKey>& keys,
+               Report& report) {
+    const auto found = std::find_if(
+        keys.begin(), keys.end(),
+        [&](const NamedKey& each) { return each.name == factor.key; });
+    const std::string what =
+        found == keys.end() ? "(there is no such number)" : fault(*found);
+    if (!what.empty())
+        return report.add(
+            &factor.key,
+            fmt::format("sensitivity.keys has \"{}\" {}; {}", factor.key, what,
+                        advice(factor.key, keys)));
+    if (!report.usable({&factor.range}) || !is_in_range(factor, *found, report))
+        return;
+    const std::vector<double> numbers = *numbers_of(found->key);
+    const auto& [lower, upper] = factor.range;
+    factor.unit = found->key.unit.empty() ? "1" : found->key.unit;
+    factor.value = numbers.empty() ? (lower + upper) / 2 : numbers.front();
+}
+
+}  // namespace
+
+void check_sensitivity(Draft& draft, Report& report) {
+    Variation& varied = draft.campaign.sensitivity;
+    const int& levels = draft.campaign.search.sensitivity.levels;
+    if (report.usable({&levels}) && levels % 2 != 0)
+        report.add(&levels, fmt::format("sensitivity.levels is {} (steps are "
+                                        "half of them); use {}",
+                                        levels, levels + 1));
+    if (report.usable({&varied.has_traits}) && !varied.has_traits &&
+        varied.keys.empty() && is_sensitivity(draft.campaign))
+        report.add(&varied.has_traits,
+                   "sensitivity.traits is false (and there are no "
+                   "sensitivity.keys, so nothing would vary); name a key, or "
+                   "leave it out");
+    std::set<std::string> seen;
+    const std::vector<NamedKey> keys = variable_keys(draft);
+    for (KeyFactor& factor : varied.keys) {
+        // Without its file nothing is known of the plant.
+        if (!report.usable({&factor.key}) ||
+            (!draft.is_crop_known && factor.key.starts_with(plant_prefix)))
+            continue;
+        if (seen.insert(factor.key).second)
+            check_key(factor, keys, report);
+        else
+            report.add(&factor.key, fmt::format("sensitivity.keys has \"{}\" "
+                                                "twice; remove one",
+                                                factor.key));
+    }
+}
+
+std::string setting_of(const KeyFactor& factor, double value) {
+    return fmt::format("{}={}", factor.key, value);
+}
+
+}  // namespace ideotype

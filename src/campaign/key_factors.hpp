@@ -1,0 +1,16 @@
+#pragma once
+
+#include "draft.hpp"
+#include "report.hpp"
+
+namespace ideotype {
+
+//! Reports keys of a sensitivity study that are no numbers of this campaign,
+//! ranges that leave those of the keys, and settings that contradict each
+//! other. Completes what is known of the keys.
+void check_sensitivity(Draft& draft, Report& report);
+
+//! The value of a factor as a setting, see apply_settings().
+std::string setting_of(const KeyFactor& factor, double value);
+
+}  // namespace ideotype

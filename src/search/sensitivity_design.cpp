@@ -1,0 +1,168 @@
+#include "ideotype/search/sensitivity_design.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "ideotype/core/random.hpp"
+
+namespace ideotype {
+
+std::vector<Factor> factors_of(const GeneSpace& genes, Grouping groups) {
+    std::vector<Factor> factors;
+    for (std::size_t i = 0; i < genes.size(); ++i) {
+        if (!genes[i].is_free) continue;
+        const std::string& name =
+            groups == Grouping::gene ? genes[i].name : genes[i].trait;
+        auto found =
+            std::find_if(factors.begin(), factors.end(),
+                         [&](const Factor& each) { return each.name == name; });
+        if (found == factors.end())
+            found = factors.insert(factors.end(), {name, {}});
+        found->genes.push_back(i);
+    }
+    return factors;
+}
+
+//! A path by Morris: where genes begin, as levels, and how they step.
+struct SensitivityDesign::Path {
+    std::vector<double> start;  //!< of all genes
+    std::vector<double> steps;  //!< of all genes
+    std::vector<std::size_t> order;
+};
+
+SensitivityDesign::SensitivityDesign(const SensitivitySettings& settings,
+                                     SearchSpace space, std::uint64_t seed)
+    : settings_(settings),
+      space_(std::move(space)),
+      seed_(seed),
+      factors_(factors_of(space_.genes, settings.groups)),
+      sequence_(seed, 2 * space_.genes.size()) {
+    for (std::size_t i = 0; i < space_.genes.size(); ++i)
+        if (space_.genes[i].is_free) free_.push_back(i);
+}
+
+std::size_t SensitivityDesign::samples() const {
+    return static_cast<std::size_t>(settings_.samples);
+}
+
+std::size_t SensitivityDesign::rows_per_sample() const {
+    const bool is_morris = settings_.method == SensitivityMethod::morris;
+    return factors_.size() + (is_morris ? 1 : 2);
+}
+
+double SensitivityDesign::step_size() const {
+    return settings_.levels / (2.0 * (settings_.levels - 1));
+}
+
+SensitivityDesign::Path SensitivityDesign::path(std::uint32_t sample) const {
+    Path path;
+    path.start.resize(space_.genes.size());
+    path.steps.resize(space_.genes.size());
+    path.order.resize(factors_.size());
+    RandomStream stream(seed_, Purpose::sample, 0, sample);
+    const auto half = static_cast<std::uint32_t>(settings_.levels / 2);
+    for (const std::size_t gene : free_) {
+        const double level = stream.below(half);
+        const bool is_up = stream.below(2) == 0;
+        path.start[gene] = is_up ? level : level + half;
+        path.steps[gene] = is_up ? half : -static_cast<double>(half);
+    }
+    std::iota(path.order.begin(), path.order.end(), std::size_t{0});
+    for (std::size_t i = path.order.size(); i > 1; --i)
+        std::swap(path.order[i - 1],
+                  path.order[stream.below(static_cast<std::uint32_t>(i))]);
+    return path;
+}
+
+std::vector<SensitivityDesign::Step> SensitivityDesign::steps(
+    std::uint32_t sample) const {
+    const Path path = this->path(sample);
+    std::vector<Step> steps;
+    for (const std::size_t factor : path.order) {
+        const std::vector<std::size_t>& genes = factors_[factor].genes;
+        const bool is_down = genes.size() == 1 && path.steps[genes[0]] < 0;
+        steps.push_back({factor, is_down ? -1.0 : 1.0});
+    }
+    return steps;
+}
+
+Genome SensitivityDesign::row(std::uint32_t sample, std::size_t place) const {
+    std::vector<double> point(space_.genes.size());
+    if (settings_.method == SensitivityMethod::morris) {
+        const Path path = this->path(sample);
+        point = path.start;
+        for (std::size_t i = 0; i < place; ++i)
+            for (const std::size_t gene : factors_[path.order[i]].genes)
+                point[gene] += path.steps[gene];
+        for (const std::size_t gene : free_)
+            // Both ends of a circle are one point.
+            point[gene] /=
+                settings_.levels - (space_.genes[gene].is_circular ? 0 : 1);
+        return genome(point);
+    }
+    const bool is_last = place == factors_.size() + 1;
+    const auto is_of_b = [&](std::size_t gene) {
+        if (is_last || place == 0) return is_last;
+        const std::vector<std::size_t>& genes = factors_[place - 1].genes;
+        return std::find(genes.begin(), genes.end(), gene) != genes.end();
+    };
+    for (std::size_t i = 0; i < free_.size(); ++i)
+        point[free_[i]] =
+            sequence_.at(sample, is_of_b(free_[i]) ? free_.size() + i : i);
+    return genome(point);
+}
+
+Genome SensitivityDesign::genome(const std::vector<double>& point) const {
+    Genome genome = space_.baseline;
+    for (const std::size_t i : free_) {
+        const Gene& gene = space_.genes[i];
+        genome[i] = gene.lower + point[i] * (gene.upper - gene.lower);
+    }
+    return genome;
+}
+
+int generation_size(const SensitivitySettings& settings,
+                    const GeneSpace& genes) {
+    const SensitivityDesign design(settings, {genes, {}}, 0);
+    return samples_per_generation * static_cast<int>(design.rows_per_sample());
+}
+
+int generations_of(const SensitivitySettings& settings) {
+    return (settings.samples + samples_per_generation - 1) /
+           samples_per_generation;
+}
+
+SensitivitySearch::SensitivitySearch(const SensitivitySettings& settings,
+                                     SearchSpace space, std::uint64_t seed)
+    : design_(settings, std::move(space), seed) {}
+
+std::size_t SensitivitySearch::size(std::uint32_t generation) const {
+    const std::size_t before = std::size_t{generation} * samples_per_generation;
+    return design_.rows_per_sample() *
+           std::min<std::size_t>(samples_per_generation,
+                                 design_.samples() - before);
+}
+
+std::uint64_t SensitivitySearch::needs(std::uint32_t generation,
+                                       std::uint32_t) const {
+    constexpr std::uint64_t under_way = 1000;
+    const std::uint64_t before = std::uint64_t{generation} *
+                                 samples_per_generation *
+                                 design_.rows_per_sample();
+    return before - std::min(before, under_way);
+}
+
+Candidate SensitivitySearch::propose(std::uint32_t generation,
+                                     std::uint32_t slot) {
+    const auto rows = static_cast<std::uint32_t>(design_.rows_per_sample());
+    return {design_.row(generation * samples_per_generation + slot / rows,
+                        slot % rows),
+            Origin::random};
+}
+
+std::vector<Candidate> SensitivitySearch::best(std::size_t) const {
+    return {};
+}
+
+}  // namespace ideotype

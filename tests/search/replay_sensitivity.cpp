@@ -1,0 +1,45 @@
+// Arguments: sobol or morris, genes, of how many in each group (1: none),
+// samples, levels. Prints the rows of the design over unit ranges. If values of
+// the rows, with standard errors of 0, follow on standard input, prints the
+// indices instead, each with the standard error of each factor.
+
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+#include "ideotype/search/sensitivity_indices.hpp"
+
+using namespace ideotype;
+
+int main(int, char** words) {
+    const bool is_sobol = std::string(words[1]) == "sobol";
+    const int genes = std::atoi(words[2]), together = std::atoi(words[3]);
+    SearchSpace space;
+    for (int i = 0; i < genes; ++i) {
+        space.genes.push_back({"gene" + std::to_string(i), "1", 0, 1, false,
+                               true, std::to_string(i / together)});
+        space.baseline.push_back(0);
+    }
+    const SensitivityDesign design(
+        {is_sobol ? SensitivityMethod::sobol : SensitivityMethod::morris,
+         std::atoi(words[4]), std::atoi(words[5]),
+         together > 1 ? Grouping::trait : Grouping::gene},
+        space, 1);
+    std::vector<Estimate> rows;
+    for (double x = 0; std::cin >> x;) rows.push_back({x, 0});
+    if (rows.empty())
+        for (std::uint32_t i = 0; i < design.samples(); ++i)
+            for (std::size_t k = 0; k < design.rows_per_sample(); ++k) {
+                for (const double x : design.row(i, k))
+                    std::printf("%.17g ", x);
+                std::printf("\n");
+            }
+    else
+        for (const auto& index : analyse(design, rows).indices) {
+            for (const auto& [mean, error] : index)
+                std::printf("%.17g %.17g ", mean, error);
+            std::printf("\n");
+        }
+    return 0;
+}

@@ -250,5 +250,73 @@ TEST(Canopy, InThePolarNightAllFiguresAreZero) {
     }
 }
 
+class Study : public ::testing::Test {
+  protected:
+    const Campaign campaign = read_campaign(
+        std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml",
+        {"search.optimizer=sensitivity",
+         "sensitivity.keys=[{key=\"optics.soil_albedo\", range=[0, 1]}, "
+         "{key=\"spacing.row\", range=[0.5, 0.9]}]"});
+    CanopyEvaluator evaluator{campaign, Device::supported_isas().back()};
+    Genome genome = baseline_numbers(campaign.crop);
+
+    Outcome evaluated(std::uint32_t generation, std::uint32_t slot,
+                      double albedo, double row) {
+        Genome of_row = genome;
+        of_row.push_back(albedo);
+        of_row.push_back(row);
+        Task task;
+        task.generation = generation;
+        task.slot = slot;
+        return evaluator.evaluate(task, of_row);
+    }
+};
+
+TEST_F(Study, KeysOfARowAreThoseOfACampaignWithThem) {
+    const Campaign other =
+        read_campaign(std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml",
+                      {"optics.soil_albedo=0.4", "spacing.row=0.6",
+                       "spacing.name=762x152", "search.optimizer=sensitivity"});
+    CanopyEvaluator of_other(other, Device::supported_isas().back());
+    Task task;
+    task.slot = 3;
+    const Outcome is = evaluated(0, 3, 0.4, 0.6);
+    const Outcome was = of_other.evaluate(task, genome);
+    EXPECT_EQ(is.objectives[0].mean, was.objectives[0].mean);
+    EXPECT_NE(is.objectives[0].mean,
+              evaluated(0, 3, 0.1, 0.6).objectives[0].mean);
+    EXPECT_NE(is.objectives[0].mean,
+              evaluated(0, 3, 0.4, 0.7).objectives[0].mean);
+}
+
+//! That noise can be taken off by its standard errors, these have to be all
+//! of it.
+TEST_F(Study, RowsHaveIndependentNoiseOfKnownSizeInOneField) {
+    std::vector<double> values;
+    double squares = 0;
+    constexpr std::uint32_t count = 60;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Outcome row = evaluated(i / 20, i % 20, 0.1, 0.762);
+        values.push_back(row.objectives[0].mean);
+        squares += std::pow(row.objectives[0].standard_error, 2) / count;
+    }
+    const double variance =
+        count * std::pow(estimate(values).standard_error, 2);
+    // Of a chi-squared distribution with 59 degrees of freedom.
+    EXPECT_NEAR(variance / squares, 1, 3.5 * std::sqrt(2.0 / (count - 1)));
+    EXPECT_LT(std::sqrt(squares), 0.02 * values[0]);
+}
+
+TEST_F(Study, KeysThatContradictEachOtherFailTheRow) {
+    const Campaign dark = read_campaign(
+        std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml",
+        {"search.optimizer=sensitivity",
+         "sensitivity.keys=[{key=\"optics.leaf_reflectance\", range=[0, 0.9]},"
+         "{key=\"optics.leaf_transmittance\", range=[0, 0.9]}]"});
+    Genome of_row = genome;
+    of_row.insert(of_row.end(), {0.8, 0.8});
+    EXPECT_THROW(at_keys(dark, of_row), InputError);
+}
+
 }  // namespace
 }  // namespace ideotype

@@ -77,7 +77,8 @@ std::string fault(const NamedKey& found) {
                            found.section);
     const auto numbers = numbers_of(found.key);
     if (!numbers)
-        return fmt::format("(of type {}; only decimal numbers vary)", type_text(found.key));
+        return fmt::format("(of type {}; only decimal numbers vary)",
+                           type_text(found.key));
     if (numbers->size() > 1)
         return fmt::format("(which has {} values)", numbers->size());
     return "";

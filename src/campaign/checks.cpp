@@ -105,6 +105,14 @@ void check_objectives(const Campaign& campaign, Report& report) {
                                        "end (light enters a plot from its "
                                        "sides); use \"fapar\"",
                                        extinction));
+    const std::vector<double>& reference = campaign.search.reference;
+    if (!reference.empty() && reference.size() != count &&
+        report.usable({&reference}))
+        report.add(&reference,
+                   fmt::format("search.reference has {} numbers (there are {} "
+                               "objectives); give one for each, those that are "
+                               "maximised first",
+                               reference.size(), count));
     const bool is_pareto = campaign.search.optimizer == OptimizerKind::nsga2;
     if (count == 0)
         report.add(&campaign.maximised,

@@ -185,7 +185,14 @@ Section search_section(SearchSettings& search) {
              .within(0, 20),
          Key("adapts_learning_rates", &cma.adapts_learning_rates,
              "of CMA-ES: whether it learns more slowly where its steps are "
-             "mostly noise")}};
+             "mostly noise"),
+         Key("reference", &search.reference,
+             "of several objectives, in their order and units: the "
+             "hypervolume of a generation is relative to it")
+             .set(&Key::count, any_count)
+             .set(&Key::is_written, !search.reference.empty())
+             .set(&Key::type, "list of numbers")
+             .set(&Key::initial, "the worst of each in generation 0")}};
 }
 
 Table sensitivity_table(Draft& draft) {

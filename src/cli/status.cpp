@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -179,6 +180,11 @@ Report report_on(const std::string& path, Overview& overview) {
     overview.add(state, rate, is_stopped ? way_on_with(history) : "");
     if (summaries.empty()) return {line};
     line += fmt::format(", best {}, {} failed", best_of(history), failures);
+    const GenerationSummary& last = summaries.back();
+    if (!std::isnan(last.hypervolume))
+        line += fmt::format(
+            ", hypervolume {}",
+            format({last.hypervolume, last.hypervolume_standard_error}));
     if (rate > 0) line += fmt::format(", {:.1f} evaluations/s", rate);
     const double generations = static_cast<double>(summaries.size());
     if (!reason)

@@ -208,6 +208,8 @@ Population Columns::population(hsize_t first, hsize_t count) const {
     const std::size_t width = numbers_[0].width();
     const auto means = numbers_[0].read<double>(first, count);
     const auto errors = numbers_[1].read<double>(first, count);
+    const std::size_t draws = numbers_[2].width();
+    const auto randomisations = numbers_[2].read<double>(first, count);
     const auto violations = numbers_[3].read<double>(first, count);
     Population population(count);
     for (std::size_t i = 0; i < population.size(); ++i) {
@@ -217,6 +219,10 @@ Population Columns::population(hsize_t first, hsize_t count) const {
         for (std::size_t o = i * width; o < (i + 1) * width; ++o)
             individual.objectives.push_back({means[o], errors[o]});
         individual.violation = violations[i];
+        const auto from =
+            randomisations.begin() + static_cast<std::ptrdiff_t>(i * draws);
+        individual.randomisations.assign(
+            from, from + static_cast<std::ptrdiff_t>(draws));
     }
     return population;
 }

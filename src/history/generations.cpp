@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "checksum.hpp"
 #include "layout.hpp"
@@ -22,6 +23,11 @@ struct SummaryColumn {
     Value GenerationSummary::*member;
 };
 
+//! Stands for the product of the units of all objectives.
+constexpr auto product = "product";
+
+//! The last ones only of several objectives.
+constexpr std::size_t front_columns = 2;
 constexpr std::array number_columns{
     SummaryColumn<double>{"best", nullptr, "first objective of the best row",
                           &GenerationSummary::best},
@@ -38,7 +44,14 @@ constexpr std::array number_columns{
                           &GenerationSummary::diversity},
     SummaryColumn<double>{"wall_time", "s",
                           "since the case began, all sessions",
-                          &GenerationSummary::wall_time}};
+                          &GenerationSummary::wall_time},
+    SummaryColumn<double>{"hypervolume", product,
+                          "better than the reference and no better than the "
+                          "front",
+                          &GenerationSummary::hypervolume},
+    SummaryColumn<double>{"hypervolume_standard_error", product,
+                          "of a jackknife over randomisations",
+                          &GenerationSummary::hypervolume_standard_error}};
 
 constexpr std::array count_columns{
     SummaryColumn<std::uint32_t>{"failures", "1", "failed rows",
@@ -49,6 +62,16 @@ constexpr std::array count_columns{
 
 std::string path(const std::string& name) {
     return group_name + "/" + name;
+}
+
+std::string unit_of(const SummaryColumn<double>& column,
+                    const std::vector<Objective>& objectives) {
+    if (!column.unit) return objectives[0].unit;
+    if (column.unit != product) return column.unit;
+    std::string unit;
+    for (const Objective& each : objectives)
+        unit += (unit.empty() ? "" : " ") + each.unit;
+    return unit;
 }
 
 }  // namespace
@@ -73,10 +96,12 @@ void Generations::create(hid_t file, const HistoryHeader& header) {
     add("first_row", H5T_STD_I64LE, "1", "of /evaluations");
     add("count", H5T_STD_U32LE, "1", "rows of the generation");
     add("best_row", H5T_STD_I64LE, "1", "of /evaluations", &none);
-    for (const auto& each : number_columns)
-        add(each.name, H5T_IEEE_F64LE,
-            each.unit ? each.unit : header.schema.objectives[0].unit,
-            each.meaning, &nan);
+    const auto& objectives = header.schema.objectives;
+    const std::size_t count =
+        number_columns.size() - (objectives.size() > 1 ? 0 : front_columns);
+    for (const auto& each : std::span(number_columns).first(count))
+        add(each.name, H5T_IEEE_F64LE, unit_of(each, objectives), each.meaning,
+            &nan);
     for (const auto& each : count_columns)
         add(each.name, H5T_STD_U32LE, each.unit, each.meaning);
     add("checksum", string_type(checksum_size), "",
@@ -90,7 +115,8 @@ Generations::Generations(hid_t file)
       best_row_(file, path("best_row")),
       checksum_(file, path("checksum")) {
     for (const auto& each : number_columns)
-        numbers_.emplace_back(file, path(each.name));
+        if (exists(file, path(each.name)))
+            numbers_.emplace_back(file, path(each.name));
     for (const auto& each : count_columns)
         counts_.emplace_back(file, path(each.name));
 }

@@ -39,12 +39,13 @@ CaseSearch::CaseSearch(const Evolution& evolution, History& history)
     : evolution_(evolution),
       history_(history),
       space_(search_space(evolution.campaign, evolution.chosen)),
+      summarized_(space_.genes, space_.senses,
+                  evolution.campaign.search.reference),
       spent_before_(history.wall_time()),
       progress_{{}, spent_before_} {
     for (std::uint32_t g = 0; g < history.next_generation(); ++g) {
         Population rows = history.generation(g);
-        const GenerationSummary summary =
-            summarize(rows, space_.genes, space_.senses.front());
+        const GenerationSummary summary = summarized_(rows);
         known_rows_ += rows.size();
         for (Individual& row : rows) evolution.optimizer.learn(std::move(row));
         judge(summary);
@@ -163,6 +164,7 @@ void CaseSearch::keep(std::uint32_t generation, std::uint32_t slot,
     row.status = outcome.status;
     row.objectives = outcome.objectives;
     row.violation = outcome.violation;
+    row.randomisations = outcome.randomisations;
     copy(generation, slot);
 }
 
@@ -201,8 +203,7 @@ void CaseSearch::commit() {
     history_.set_wall_time(wall_time());
     require_few_failures(evolution_.campaign.stop.failed_fraction, history_,
                          generation, rows);
-    GenerationSummary summary =
-        summarize(rows, space_.genes, space_.senses.front());
+    GenerationSummary summary = summarized_(rows);
     summary.wall_time = wall_time();
     history_.commit(generation, summary);
     evolution_.watcher.on_generation(generation, summary);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ideotype/run/evolve_case.hpp"
+#include "ideotype/search/hypervolume.hpp"
 #include "ideotype/search/stop_rules.hpp"
 
 namespace ideotype {
@@ -61,6 +62,7 @@ class CaseSearch {
     const Evolution& evolution_;
     History& history_;
     SearchSpace space_;
+    Summarizer summarized_;
     double spent_before_;
     Progress progress_;             //!< complete generations
     std::deque<Open> open_;         //!< the first of these is learnt now

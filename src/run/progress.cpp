@@ -115,6 +115,11 @@ class ProgressLog::CaseWatcher : public Watcher {
             "{} {} {}", format({summary.best, summary.best_standard_error}),
             unit_of(aims(log_.campaign_).front().quantity),
             not_evaluated_again(summary.violation));
+        if (!std::isnan(summary.hypervolume))
+            entry_.best +=
+                fmt::format(", hypervolume {}",
+                            format({summary.hypervolume,
+                                    summary.hypervolume_standard_error}));
         to_evaluate_ = log_.all_after(generation + 1);
         std::string line = log_.text(entry_);
         if (summary.failures > 0)

@@ -3,9 +3,11 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "ideotype/core/units.hpp"
 #include "ideotype/run/progress.hpp"
+#include "ideotype/search/hypervolume.hpp"
 #include "ideotype/search/order.hpp"
 #include "ideotype/search/pareto.hpp"
 
@@ -124,7 +126,8 @@ std::string left_to_gain(const History& history, const Campaign& campaign,
 
 //! Every member of a front; which of them another dominates when all have been
 //! evaluated again is told.
-std::string front(const History& history, const std::vector<Row>& finalists) {
+std::string front(const History& history, const Campaign& campaign,
+                  const std::vector<Row>& finalists) {
     std::vector<Sense> senses;
     std::string text = "  ";
     for (const Objective& each : history.header().schema.objectives) {
@@ -133,8 +136,8 @@ std::string front(const History& history, const std::vector<Row>& finalists) {
     }
     Population members;
     for (const auto& [candidate, outcome, attempt] : finalists)
-        members.push_back(
-            {candidate, outcome.status, outcome.objectives, outcome.violation});
+        members.push_back({candidate, outcome.status, outcome.objectives,
+                           outcome.violation, outcome.randomisations});
     members.erase(members.begin());  // the baseline
     const std::vector<std::size_t> level = fronts(members, senses);
     std::size_t left = 0;
@@ -149,8 +152,14 @@ std::string front(const History& history, const std::vector<Row>& finalists) {
         else
             text += "  not in the front any more";
     }
-    return fmt::format("{}\n  {} of {} are still in the front\n", text, left,
-                       members.size());
+    text += fmt::format("\n  {} of {} are still in the front\n", left,
+                        members.size());
+    std::vector<double> reference = campaign.search.reference;
+    if (reference.empty()) reference = worst_of(history.generation(0), senses);
+    if (reference.empty()) return text;
+    return text + fmt::format("  hypervolume {}, relative to {:.6g}\n",
+                              format(hypervolume(members, reference, senses)),
+                              fmt::join(reference, ", "));
 }
 
 }  // namespace
@@ -169,7 +178,8 @@ std::string final_summary(const History& history, const Campaign& campaign) {
         fmt::format("{} of {} paths with a new field each",
                     sampling.randomisations, sampling.paths);
     if (objectives.size() > 1)
-        return fmt::format("front, {}:\n{}", how, front(history, finalists));
+        return fmt::format("front, {}:\n{}", how,
+                           front(history, campaign, finalists));
     const std::string& name = objectives.front().name;
     return fmt::format(
         "{}, {}:\n"

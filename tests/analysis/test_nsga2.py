@@ -6,8 +6,10 @@ import os
 import subprocess
 from pathlib import Path
 
+import ideotype_analysis
 import numpy as np
 import pytest
+from ideotype_analysis import open_history
 from numpy.typing import NDArray
 from pymoo.algorithms.moo.nsga2 import NSGA2
 from pymoo.indicators.hv import HV
@@ -17,6 +19,7 @@ from pymoo.operators.survival.rank_and_crowding.metrics import (
 from pymoo.optimize import minimize
 from pymoo.problems import get_problem
 from pymoo.util.nds.non_dominated_sorting import NonDominatedSorting
+from real_program import output_of, write_campaign
 
 
 def replay(*words: object, text: str = "") -> NDArray[np.float64]:
@@ -45,6 +48,16 @@ def test_same_fronts_and_crowding(objectives: int) -> None:
         )
 
 
+@pytest.mark.parametrize("objectives", [2, 3, 4])
+def test_same_hypervolume(objectives: int) -> None:
+    points = np.random.default_rng(objectives).random((40, objectives))
+    reference = np.full(objectives, 0.9)
+    numbers = " ".join(map(repr, [*points.ravel().tolist(), *reference.tolist()]))
+    found = replay("volume", text=f"41 {objectives} {numbers}")
+    expected = HV(ref_point=reference)(points)
+    assert found.item() == pytest.approx(expected, rel=1e-12)
+
+
 @pytest.mark.parametrize(
     "problem, size", [("zdt1", 2), ("zdt2", 2), ("dtlz2", 3)]
 )
@@ -67,3 +80,25 @@ def test_as_large_a_hypervolume_in_as_many_generations(
         for seed in (1, 2, 3)
     ]
     assert np.median(ours) > 0.99 * np.median(published)
+
+
+def test_histories_have_the_hypervolume_of_each_generation(
+    tmp_path: Path,
+) -> None:
+    campaign = write_campaign(tmp_path, 4)
+    settings = ("search.optimizer=nsga2", "objective.minimise=lai")
+    words = [word for each in settings for word in ("--set", each)]
+    shown = output_of("run", campaign, "--out", tmp_path, *words)
+    (path,) = (tmp_path / "tiny").glob("*.h5")
+    with open_history(path) as history:
+        volume = history.generations().hypervolume
+    assert volume is not None
+    costs = ideotype_analysis.open(path).objectives.values * [-1, 1]
+    costs = costs.reshape(4, -1, 2)
+    expected = HV(ref_point=costs[0].max(axis=0))
+    np.testing.assert_allclose(volume.values, [expected(x) for x in costs], 1e-12)
+    assert (volume.standard_error[1:] > 0).all()
+    assert volume.unit == "MJ m-2 day-1 m2 m-2"
+    assert shown.count("hypervolume") == 4 + 1
+    last = f", hypervolume {volume.values[-1]:.3g}"[:-1]
+    assert last in output_of("status", path)

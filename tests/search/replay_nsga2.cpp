@@ -1,5 +1,6 @@
 // `sort`: reads the number of points, that of objectives, and the points, which
 // are minimised; prints the front of each and its crowding distance in there.
+// `volume`: reads the same; prints the hypervolume relative to the last point.
 // `search PROBLEM POPULATION GENERATIONS SEED`: prints the objectives of the
 // first front that NSGA-II finds on zdt1, zdt2 or dtlz2 (three objectives).
 
@@ -11,6 +12,7 @@
 #include <string>
 
 #include "ideotype/search/genetic_algorithm.hpp"
+#include "ideotype/search/hypervolume.hpp"
 #include "ideotype/search/pareto.hpp"
 
 namespace {
@@ -27,15 +29,31 @@ std::vector<Sense> minimised(std::size_t count) {
     return std::vector<Sense>(count, Sense::minimise);
 }
 
-int sort() {
+std::vector<std::vector<double>> read_points() {
     std::size_t count = 0, objectives = 0;
     std::cin >> count >> objectives;
+    std::vector points(count, std::vector<double>(objectives));
+    for (std::vector<double>& point : points)
+        for (double& x : point) std::cin >> x;
+    return points;
+}
+
+int volume() {
+    std::vector<std::vector<double>> points = read_points();
+    const std::vector<double> reference = points.back();
+    points.pop_back();
+    std::printf("%.17g\n",
+                hypervolume(points, reference, minimised(reference.size())));
+    return std::cin ? 0 : 1;
+}
+
+int sort() {
+    const std::vector<std::vector<double>> points = read_points();
+    const std::size_t count = points.size();
+    const std::size_t objectives = points.front().size();
     Population population;
-    for (std::size_t i = 0; i < count; ++i) {
-        std::vector<double> values(objectives);
-        for (double& x : values) std::cin >> x;
+    for (const std::vector<double>& values : points)
         population.push_back(individual({}, values));
-    }
     const auto front = fronts(population, minimised(objectives));
     for (std::size_t i = 0; i < count; ++i) {
         std::vector<std::size_t> members;
@@ -100,6 +118,7 @@ int search(const std::string& problem, int population, int generations,
 
 int main(int count, char** words) {
     if (count == 2 && words[1] == std::string("sort")) return sort();
+    if (count == 2 && words[1] == std::string("volume")) return volume();
     if (count != 6) return 1;
     return search(words[2], std::atoi(words[3]), std::atoi(words[4]),
                   std::strtoull(words[5], nullptr, 10));

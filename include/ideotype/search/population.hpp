@@ -39,6 +39,8 @@ struct Individual {
     std::vector<Estimate> objectives;  //!< may be negative
     //! How far the constraints are failed; 0 if all are met.
     double violation = 0;
+    //! Each objective by randomisation [objective, randomisation], if known.
+    std::vector<double> randomisations{};
 };
 
 //! One generation, by slot.

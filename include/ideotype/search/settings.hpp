@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "ideotype/search/sensitivity_settings.hpp"
 
 namespace ideotype {
@@ -39,6 +41,8 @@ struct SearchSettings {
     GaSettings ga;
     CmaSettings cma;
     SensitivitySettings sensitivity{};
+    //! Of the hypervolume, by objective; empty: the worst of the beginning.
+    std::vector<double> reference{};
 };
 
 }  // namespace ideotype

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "ideotype/search/population.hpp"
 
@@ -22,9 +23,12 @@ struct GenerationSummary {
     std::uint32_t evaluations = 0;  //!< without copies of duplicates
     double wall_time = 0;           //!< since the case began, all sessions [s]
     double violation = 0;           //!< of the best; a history has it by row
+    //! Of several objectives, see hypervolume(); else NaN.
+    double hypervolume = std::numeric_limits<double>::quiet_NaN();
+    double hypervolume_standard_error = hypervolume;
 };
 
-//! All but wall_time; NaN where every individual failed.
+//! All but wall_time and hypervolume; NaN where every individual failed.
 //! @param sense of objective 0
 GenerationSummary summarize(const Population& population,
                             const GeneSpace& genes, Sense sense);

@@ -1,0 +1,102 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/core/random.hpp"
+#include "ideotype/search/hypervolume.hpp"
+
+namespace ideotype {
+namespace {
+
+const std::vector<Sense> both{Sense::maximise, Sense::minimise};
+
+TEST(Hypervolume, IsTheAreaBetweenAFrontAndItsReference) {
+    // Boxes of 3 x 1 and 1 x 3, of which 1 is shared.
+    const std::vector<std::vector<double>> points{{3, 2}, {1, 0}};
+    EXPECT_DOUBLE_EQ(hypervolume(points, {0, 3}, both), 5);
+    EXPECT_DOUBLE_EQ(hypervolume({{3, 2}}, {0, 3}, both), 3);
+    // Dominated, and no better than the reference in one objective.
+    EXPECT_DOUBLE_EQ(
+        hypervolume({{3, 2}, {1, 0}, {1, 1}, {9, 3}}, {0, 3}, both), 5);
+    EXPECT_EQ(hypervolume({{-1, 0}}, {0, 3}, both), 0);
+    EXPECT_EQ(hypervolume(std::vector<std::vector<double>>{}, {0, 3}, both), 0);
+}
+
+constexpr int randomisations = 8;
+
+//! Eleven plants on a front, with noise that is half shared as under common
+//! random numbers.
+Population noisy_front(std::uint32_t draw) {
+    Population population;
+    // Of standard deviation 1.
+    const auto noise = [&](std::uint32_t slot) {
+        RandomStream stream(1, Purpose::mutation, draw, slot);
+        std::vector<double> values;
+        for (int r = 0; r < randomisations; ++r)
+            values.push_back(std::sqrt(12) * (stream.uniform() - .5));
+        return values;
+    };
+    const std::vector<double> shared = noise(99);
+    for (std::uint32_t i = 0; i <= 10; ++i) {
+        const double x = i / 10.;
+        Individual one;
+        one.status = Status::done;
+        one.objectives = {{std::sqrt(x), 0}, {x, 0}};
+        const std::vector<double> own = noise(i);
+        double sum = 0;
+        for (std::size_t r = 0; r < randomisations; ++r) {
+            const double error = .02 * (own[r] + shared[r]);
+            one.randomisations.push_back(std::sqrt(x) + error);
+            sum += error;
+        }
+        one.objectives[0].mean += sum / randomisations;
+        one.randomisations.insert(one.randomisations.end(), randomisations, x);
+        population.push_back(std::move(one));
+    }
+    return population;
+}
+
+TEST(Hypervolume, ItsErrorIsTheSpreadOfRepeatedEvaluations) {
+    constexpr std::uint32_t repeats = 400;
+    std::vector<double> volumes;
+    double variance = 0;
+    for (std::uint32_t draw = 0; draw < repeats; ++draw) {
+        const Estimate found = hypervolume(noisy_front(draw), {0, 1.1}, both);
+        volumes.push_back(found.mean);
+        variance += found.standard_error * found.standard_error / repeats;
+    }
+    const double spread =
+        estimate(volumes).standard_error * std::sqrt(double{repeats});
+    EXPECT_NEAR(std::sqrt(variance) / spread, 1, .1);
+    EXPECT_GT(spread, .005);
+}
+
+TEST(Hypervolume, IsOfThoseThatKeepTheConstraints) {
+    Population population = noisy_front(0);
+    const double all = hypervolume(population, {0, 1.1}, both).mean;
+    population[10].violation = .1;
+    population[9].status = Status::failed;
+    EXPECT_LT(hypervolume(population, {0, 1.1}, both).mean, all);
+    for (Individual& each : population) each.violation = 1;
+    EXPECT_EQ(hypervolume(population, {0, 1.1}, both).mean, 0);
+}
+
+TEST(Hypervolume, IsRelativeToTheWorstOfTheFirstGeneration) {
+    const Population first = noisy_front(0), second = noisy_front(1);
+    const std::vector<double> worst = worst_of(first, both);
+    EXPECT_EQ(worst[0], first[0].objectives[0].mean);
+    EXPECT_EQ(worst[1], 1);
+    Summarizer summarized({}, both, {});
+    EXPECT_EQ(summarized(first).hypervolume,
+              hypervolume(first, worst, both).mean);
+    const GenerationSummary summary = summarized(second);
+    EXPECT_EQ(summary.hypervolume, hypervolume(second, worst, both).mean);
+    EXPECT_GT(summary.hypervolume_standard_error, 0);
+    EXPECT_EQ(Summarizer({}, both, {0, 2})(second).hypervolume,
+              hypervolume(second, {0, 2}, both).mean);
+    EXPECT_TRUE(
+        std::isnan(Summarizer({}, {Sense::maximise}, {})(first).hypervolume));
+}
+
+}  // namespace
+}  // namespace ideotype

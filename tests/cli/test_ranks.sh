@@ -9,11 +9,19 @@ sed -i '/^\[light\]/,/^\[search\]/ {
     s/^paths = .*/paths = 4096/
     s/^randomisations = .*/randomisations = 8\ntolerance = 0.01\nfirst_tolerance = 0.03/
 }' campaigns/same.toml
-"$ideotype" run campaigns/same.toml --out alone
-for ranks in 1 2 5 12; do
-    mpirun -n $ranks "$ideotype" run campaigns/same.toml --out ranks$ranks
-    same_results "$(history_of alone same)" "$(history_of ranks$ranks same)"
-done
+# same_for_any_ranks FOLDER [OPTION...]
+same_for_any_ranks() {
+    "$ideotype" run campaigns/same.toml --out "$1" "${@:2}"
+    for ranks in 1 2 5 12; do
+        mpirun -n $ranks "$ideotype" run campaigns/same.toml \
+            --out "$1$ranks" "${@:2}"
+        same_results "$(history_of "$1" same)" "$(history_of "$1$ranks" same)"
+    done
+}
+same_for_any_ranks alone
+same_for_any_ranks cma_es --set search.optimizer=cma_es
+same_for_any_ranks nsga2 --set search.optimizer=nsga2 \
+    --set objective.minimise=lai
 
 # The comparison itself must be able to fail.
 sed -i 's/seed = 7/seed = 8/' campaigns/same.toml

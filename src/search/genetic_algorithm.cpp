@@ -1,6 +1,9 @@
 #include "ideotype/search/genetic_algorithm.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <numeric>
+#include <utility>
 
 #include "ideotype/search/order.hpp"
 #include "ideotype/search/pareto.hpp"
@@ -24,12 +27,11 @@ std::vector<Candidate> GeneticAlgorithm::ask() const {
             candidates.push_back(breeder_.founder(0, slot()));
         return candidates;
     }
-    candidates = best(elites());
+    if (!is_pareto())
+        candidates = best(static_cast<std::size_t>(settings_.ga.elites));
     const Contest contest = [&](RandomStream& stream) {
         const std::size_t winner = this->contest(stream);
-        const std::int64_t row =
-            parents_row() + static_cast<std::int64_t>(winner);
-        return Parent{parents_[winner], row};
+        return Parent{parents_[winner], rows_[winner]};
     };
     while (candidates.size() < size) {
         auto [first, second] = breeder_.children(contest, generation(), slot());
@@ -41,34 +43,52 @@ std::vector<Candidate> GeneticAlgorithm::ask() const {
 }
 
 void GeneticAlgorithm::take(Population evaluated) {
-    parents_ = std::move(evaluated);
-    places_ = places(parents_, space_.senses);
-    if (is_pareto()) mates_ = best_distinct(parents_, elites(), space_.senses);
-    if (!is_pareto() || mates_.empty()) {
-        mates_.resize(parents_.size());
-        std::iota(mates_.begin(), mates_.end(), 0u);
+    std::vector<std::int64_t> rows(evaluated.size());
+    std::iota(rows.begin(), rows.end(), parents_row());
+    if (is_pareto()) {
+        std::move(parents_.begin(), parents_.end(),
+                  std::back_inserter(evaluated));
+        rows.insert(rows.end(), rows_.begin(), rows_.end());
+        select(evaluated, rows);
     }
+    parents_ = std::move(evaluated);
+    rows_ = std::move(rows);
+    places_ = places(parents_, space_.senses);
+}
+
+//! Keeps the best distinct of a population, if any did not fail.
+void GeneticAlgorithm::select(Population& all,
+                              std::vector<std::int64_t>& rows) const {
+    Population selected;
+    std::vector<std::int64_t> rows_of_selected;
+    for (const std::uint32_t i :
+         best_distinct(all, static_cast<std::size_t>(settings_.population),
+                       space_.senses)) {
+        selected.push_back(all[i]);
+        rows_of_selected.push_back(rows[i]);
+    }
+    if (selected.empty()) return;
+    all = std::move(selected);
+    rows = std::move(rows_of_selected);
 }
 
 bool GeneticAlgorithm::is_pareto() const {
     return settings_.optimizer == OptimizerKind::nsga2;
 }
 
-std::size_t GeneticAlgorithm::elites() const {
-    return static_cast<std::size_t>(is_pareto() ? settings_.population / 2
-                                                : settings_.ga.elites);
-}
-
 std::vector<Candidate> GeneticAlgorithm::best(std::size_t count) const {
-    return best_of(parents_, count, space_.senses, parents_row());
+    std::vector<Candidate> best = best_of(parents_, count, space_.senses, 0);
+    for (Candidate& each : best)
+        each.parents[0] = rows_[static_cast<std::size_t>(each.parents[0])];
+    return best;
 }
 
 //! The slot of the best of some parents chosen at random.
 std::size_t GeneticAlgorithm::contest(RandomStream& stream) const {
-    const auto size = static_cast<std::uint32_t>(mates_.size());
-    std::uint32_t winner = mates_[stream.below(size)];
+    const auto size = static_cast<std::uint32_t>(parents_.size());
+    std::uint32_t winner = stream.below(size);
     for (int i = 1; i < settings_.ga.tournament; ++i) {
-        const std::uint32_t rival = mates_[stream.below(size)];
+        const std::uint32_t rival = stream.below(size);
         if (places_[rival] < places_[winner]) winner = rival;
     }
     return winner;

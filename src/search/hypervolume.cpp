@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ideotype/search/order.hpp"
+#include "ideotype/search/pareto.hpp"
 
 namespace ideotype {
 
@@ -119,7 +120,11 @@ GenerationSummary Summarizer::operator()(const Population& generation) {
     if (senses_.size() == 1) return summary;
     if (reference_.empty()) reference_ = worst_of(generation, senses_);
     if (reference_.empty()) return summary;
-    const auto [mean, error] = hypervolume(generation, reference_, senses_);
+    front_.insert(front_.end(), generation.begin(), generation.end());
+    const std::vector<std::size_t> level = fronts(front_, senses_);
+    std::size_t i = 0;
+    std::erase_if(front_, [&](const Individual&) { return level[i++] > 0; });
+    const auto [mean, error] = hypervolume(front_, reference_, senses_);
     summary.hypervolume = mean;
     summary.hypervolume_standard_error = error;
     return summary;

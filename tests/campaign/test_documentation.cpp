@@ -121,10 +121,10 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
         differences(sample("", organ + hyperbola + sensitivity).resolved, "");
     // A campaign has days or climates, one scenario or several, and one
     // objective or a front of them.
-    const std::string text = with_climate(
-        organ + collatz +
-        "[objective]\nminimise = \"lai\"\nover = \"site\"\n"
-        "[search]\noptimizer = \"nsga2\"\nreference = [5, 7]\n");
+    const std::string text =
+        with_climate(organ + collatz +
+                     "[objective]\nminimise = \"lai\"\nover = \"site\"\n"
+                     "[search]\noptimizer = \"nsga2\"\nreference = [5, 7]\n");
     for (const std::string& line :
          differences(parse_campaign(text, "sample.toml").resolved, ""))
         lines.push_back(line);

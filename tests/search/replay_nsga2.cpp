@@ -97,17 +97,23 @@ int search(const std::string& problem, int population, int generations,
         SearchSpace{GeneSpace(dimension, {"x", "1", 0, 1, false, true}),
                     Genome(dimension, 0.5), minimised(objectives)},
         seed);
-    Population rows;
+    const auto evaluated = [&](const Candidate& each) {
+        return individual(each, values(problem, each.genome));
+    };
     for (int g = 0; g < generations; ++g) {
-        rows.clear();
+        Population rows;
         for (const Candidate& each : optimizer->ask())
-            rows.push_back(individual(each, values(problem, each.genome)));
+            rows.push_back(evaluated(each));
         optimizer->tell(rows);
     }
-    const auto front = fronts(rows, minimised(objectives));
-    for (std::size_t i = 0; i < rows.size(); ++i) {
+    Population parents;
+    for (const Candidate& each :
+         optimizer->best(static_cast<std::size_t>(population)))
+        parents.push_back(evaluated(each));
+    const auto front = fronts(parents, minimised(objectives));
+    for (std::size_t i = 0; i < parents.size(); ++i) {
         if (front[i] != 0) continue;
-        for (const Estimate& each : rows[i].objectives)
+        for (const Estimate& each : parents[i].objectives)
             std::printf("%.17g ", each.mean);
         std::printf("\n");
     }

@@ -178,6 +178,39 @@ TEST(GeneticAlgorithm, ElitesAreTheBestDistinctParents) {
     EXPECT_EQ(children[3].origin, Origin::child);
 }
 
+TEST(GeneticAlgorithm, ParentsOfAFrontKeepTheirValuesUntilChildrenAreBetter) {
+    SearchSettings settings = small();
+    settings.optimizer = OptimizerKind::nsga2;
+    settings.population = 20;
+    GeneticAlgorithm search(
+        settings, {genes, baseline, {Sense::maximise, Sense::minimise}}, 7);
+    // None dominates another of its generation, all dominate those of a lower
+    // level.
+    const auto tell = [&](double level) {
+        Population rows;
+        for (const Candidate& each : search.ask()) {
+            const auto slot = static_cast<double>(rows.size());
+            rows.push_back({each,
+                            Status::done,
+                            {{slot + 100 * level, 0}, {slot - 100 * level, 0}},
+                            0});
+        }
+        search.tell(rows);
+    };
+    tell(1);
+    tell(0);
+    ASSERT_EQ(search.best(20).size(), 20u);
+    for (const Candidate& each : search.best(20))
+        EXPECT_LT(each.parents[0], 20);
+    for (const Candidate& each : search.ask()) {
+        EXPECT_EQ(each.origin, Origin::child);
+        EXPECT_LT(each.parents[0], 20);
+    }
+    tell(2);
+    for (const Candidate& each : search.best(20))
+        EXPECT_GE(each.parents[0], 40);
+}
+
 TEST(GeneticAlgorithm, SelectionImprovesThePopulation) {
     const Population last = searched(40).back();
     double mean = 0;

@@ -1,10 +1,8 @@
 #include <cmath>
 #include <limits>
-#include <set>
 
 #include <gtest/gtest.h>
 
-#include "ideotype/search/genetic_algorithm.hpp"
 #include "ideotype/search/pareto.hpp"
 
 namespace ideotype {
@@ -54,36 +52,6 @@ TEST(Pareto, OneObjectiveNeedsNoFronts) {
                                 plant(3, 0)};
     EXPECT_EQ(places(population, {Sense::maximise}),
               (std::vector<std::size_t>{3, 0, 2, 0}));
-}
-
-// Half of each generation are the best of the last one, which alone are
-// parents.
-TEST(Nsga2, CarriesHalfOfAGenerationOver) {
-    SearchSettings settings;
-    settings.optimizer = OptimizerKind::nsga2;
-    settings.population = 40;
-    const GeneSpace genes(3, {"x", "1", 0, 1, false, true});
-    const auto search = std::make_unique<GeneticAlgorithm>(
-        settings, SearchSpace{genes, {0.5, 0.5, 0.5}, senses}, 1);
-    Population rows;
-    for (const Candidate& each : search->ask())
-        rows.push_back({each,
-                        Status::done,
-                        {{each.genome[0], 0}, {each.genome[1], 0}},
-                        0});
-    search->tell(rows);
-    const auto next = search->ask();
-    ASSERT_EQ(next.size(), 40U);
-    const auto order = ranking(rows, senses);
-    for (std::size_t i = 0; i < 20; ++i) {
-        EXPECT_EQ(next[i].origin, Origin::elite);
-        EXPECT_EQ(next[i].genome, rows[order[i]].candidate.genome);
-    }
-    const std::set<std::int64_t> parents(order.begin(), order.begin() + 20);
-    for (std::size_t i = 20; i < 40; ++i) {
-        EXPECT_EQ(next[i].origin, Origin::child);
-        EXPECT_EQ(parents.count(next[i].parents[0]), 1U);
-    }
 }
 
 }  // namespace

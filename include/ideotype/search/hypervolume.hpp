@@ -28,7 +28,7 @@ std::vector<double> worst_of(const Population& population,
                              const std::vector<Sense>& senses);
 
 //! Summarizes the generations of a case, in their order, those of several
-//! objectives with their hypervolume.
+//! objectives with the hypervolume of all rows so far.
 class Summarizer {
   public:
     //! @param reference of the hypervolume; if empty, worst_of() the first
@@ -42,6 +42,7 @@ class Summarizer {
     GeneSpace genes_;
     std::vector<Sense> senses_;
     std::vector<double> reference_;
+    Population front_;  //!< of all rows so far
 };
 
 }  // namespace ideotype

@@ -23,7 +23,7 @@ struct GenerationSummary {
     std::uint32_t evaluations = 0;  //!< without copies of duplicates
     double wall_time = 0;           //!< since the case began, all sessions [s]
     double violation = 0;           //!< of the best; a history has it by row
-    //! Of several objectives, see hypervolume(); else NaN.
+    //! Of several objectives, of all rows so far; else NaN.
     double hypervolume = std::numeric_limits<double>::quiet_NaN();
     double hypervolume_standard_error = hypervolume;
 };

@@ -44,7 +44,7 @@ if (same_group "$whole" "$(history_of other study)" /sensitivity) \
 fi
 
 # Stopped and resumed; nothing else may be written over it.
-longer=("${sensitivity[@]}" --set sensitivity.samples=400)
+longer=("${sensitivity[@]}" --set sensitivity.samples=240)
 "${longer[@]}" --out whole >/dev/null
 mpirun -n 3 "${longer[@]}" --out drained >drain.log &
 job=$!

@@ -84,9 +84,9 @@ std::string gain(const Outcome& a, double area_a, const Outcome& b,
 }
 
 //! Much of a gain may be leaf area: it stands beside it, and the gain that is
-//! left of it per leaf area.
-std::string gains(const History& history, const Row& baseline,
-                  const Row& best) {
+//! left of it per leaf area, unless several scenarios have each their own.
+std::string gains(const History& history, const Campaign& campaign,
+                  const Row& baseline, const Row& best) {
     const double lai_before = lai_of(history, baseline);
     const double lai_after = lai_of(history, best);
     const Objective& objective = history.header().schema.objectives.front();
@@ -96,7 +96,8 @@ std::string gains(const History& history, const Row& baseline,
                     lai_after, lai_before);
     const bool is_per_ground =
         objective.name.find("leaf_area") == std::string::npos;
-    if (is_per_ground && lai_before > 0 && lai_after > 0)
+    if (campaign.over.empty() && is_per_ground && lai_before > 0 &&
+        lai_after > 0)
         text += fmt::format("            {} per leaf area\n",
                             gain(baseline.outcome, lai_before, best.outcome,
                                  lai_after, objective.unit));
@@ -107,7 +108,7 @@ std::string gains(const History& history, const Row& baseline,
 std::string left_to_gain(const History& history, const Campaign& campaign,
                          const Row& best) {
     if (aims(campaign).front().quantity != "absorbed_par" ||
-        campaign.field.boundary != Boundary::periodic)
+        !campaign.over.empty() || campaign.field.boundary != Boundary::periodic)
         return "";
     const Estimate stalks = quantity(history, best, "stalk_fraction");
     const Estimate soil = quantity(history, best, "soil_fraction");
@@ -188,7 +189,7 @@ std::string final_summary(const History& history, const Campaign& campaign) {
         "{}{}",
         name == "absorbed_par" ? "absorbed by leaves" : name, how,
         described(history, finalists[0]), described(history, finalists[best]),
-        gains(history, finalists[0], finalists[best]),
+        gains(history, campaign, finalists[0], finalists[best]),
         left_to_gain(history, campaign, finalists[best]));
 }
 

@@ -44,6 +44,7 @@ class Summary : public testing::Test {
         history.record_final(slot, outcome);
     }
 
+  protected:
     Campaign campaign_ = read_campaign(IDEOTYPE_CAMPAIGNS "/ames_quick.toml");
     fs::path path_ = fs::temp_directory_path() /
                      ("ideotype_summary_" + std::to_string(getpid()) + ".h5");
@@ -67,6 +68,17 @@ TEST_F(Summary, NeverDividesByNothing) {
         << text;
     EXPECT_EQ(text.find("nan"), std::string::npos) << text;
     EXPECT_EQ(text.find("inf\n"), std::string::npos) << text;
+}
+
+TEST_F(Summary, SeveralScenariosHaveNoLeafAreaInCommon) {
+    const std::string alone = of({9, 0.01}, 3, {10, 0.01}, 4);
+    EXPECT_NE(alone.find("per leaf area"), std::string::npos);
+    EXPECT_NE(alone.find("  left "), std::string::npos);
+    campaign_.over = {"site"};
+    const std::string text = of({9, 0.01}, 3, {10, 0.01}, 4);
+    EXPECT_NE(text.find("  gain "), std::string::npos);
+    EXPECT_EQ(text.find("per leaf area"), std::string::npos);
+    EXPECT_EQ(text.find("  left "), std::string::npos);
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ Estimate absorbed_by_leaves(const std::vector<Tally>& tallies);
 
 //! The part of the one-sided leaf area that the sun shines on.
 struct SunlitReport {
-    Estimate mean;                //!< over the time with any light
+    Estimate mean;  //!< over the time with any light
     std::vector<double> mean_by_randomisation;
     std::vector<Estimate> hours;  //!< LightSeries::hours(); 0 without a sun
 };

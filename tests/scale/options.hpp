@@ -16,6 +16,7 @@ struct Options {
     std::optional<int> masters;
     int population = 1000;
     int generations = 4;
+    int window = 0;  //!< of the search; 0: generations as barriers
     double evaluation = 25e-3;
     double master_per_evaluation = 12e-6;  //!< messages and record
     double master_per_candidate = 6.5e-6;  //!< between generations
@@ -36,6 +37,7 @@ inline Options read_options(int argc, char** argv) {
     app.add_option("--masters", options.masters);
     app.add_option("--population", options.population);
     app.add_option("--generations", options.generations);
+    app.add_option("--window", options.window);
     app.add_option("--evaluation", options.evaluation);
     app.add_option("--master-per-evaluation", options.master_per_evaluation);
     app.add_option("--master-per-candidate", options.master_per_candidate);

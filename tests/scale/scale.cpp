@@ -105,6 +105,7 @@ struct Simulation {
         : options(its_options),
           campaign(read_campaign(IDEOTYPE_CAMPAIGNS "/ames.toml")) {
         campaign.search.population = options.population;
+        campaign.search.window = options.window;
         campaign.stop.generations = options.generations;
         cases.assign(static_cast<std::size_t>(options.cases),
                      ideotype::cases(campaign).front());

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Which share of their time workers evaluate: a sweep of 6 latitudes and 20
-# generations, all cases in one job and one case after the other.
+# generations, all cases in one job and one case after the other, these also
+# with a window instead of generations.
 # Usage: tests/stress/worker_share.sh [RANKS...]    with preset dev or release
 # PATHS (light paths per randomisation) and POPULATION set how long it takes.
 set -euo pipefail
@@ -85,6 +86,8 @@ measure() {
 echo "ranks  cases          wall/s  evaluating/s   share"
 for ranks in "$@"; do
     measure "$ranks" together ""
-    measure "$ranks" one-by-one "--case 0" "--case 1" "--case 2" "--case 3" \
-        "--case 4" "--case 5"
+    cases=("--case 0" "--case 1" "--case 2" "--case 3" "--case 4" "--case 5")
+    measure "$ranks" one-by-one "${cases[@]}"
+    measure "$ranks" windows \
+        "${cases[@]/%/ --set search.window=$((4 * ranks))}"
 done

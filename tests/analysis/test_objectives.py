@@ -1,4 +1,4 @@
-"""The scripts of campaigns/ about what light is for."""
+"""The scripts of campaigns/ about what light is for, and what finds it."""
 
 from __future__ import annotations
 
@@ -26,7 +26,10 @@ def run(script: str, *words: object) -> str:
 def test_erect_leaves_pay_only_where_plants_stand_close() -> None:
     """As in the field: Winter and Ohlrogge 1973, Agronomy Journal 65, 395."""
     table = run("erect_leaves.py", "--densities", 3, 12)
-    for name in "upper 5 leaves at 12 deg", "all leaves at 15 deg instead of 45":
+    for name in (
+        "upper 5 leaves at 12 deg",
+        "all leaves at 15 deg instead of 45",
+    ):
         row = re.search(rf"(?m)^\| {name}.*\| (\S+) ± \S+ \| (\S+) ±", table)
         assert row is not None, table
         assert float(row[1]) < -2 and float(row[2]) > 2
@@ -36,7 +39,9 @@ def test_objectives_are_bred_for_and_compared(tmp_path: Path) -> None:
     words = [tmp_path, "--only", "area", "--generations", 1, "--seeds", 1]
     figure = tmp_path / "angles.png"
     table = run("objectives.py", *words, "--figure", figure)
-    rows = re.findall(r"(?m)^\| the same, fixed leaf area \| (\S+) \|.*", table)
+    rows = re.findall(
+        r"(?m)^\| the same, fixed leaf area \| (\S+) \|.*", table
+    )
     assert rows == ["30x6", "15x3"]
     assert figure.stat().st_size > 10000
     # What is there is not bred again.
@@ -45,3 +50,32 @@ def test_objectives_are_bred_for_and_compared(tmp_path: Path) -> None:
     assert run("objectives.py", *words) == table
     assert len(files) == 2
     assert [file.read_bytes() for file in files] == written
+
+
+def test_searches_are_compared_by_their_gains(tmp_path: Path) -> None:
+    words = [
+        tmp_path,
+        "--evaluations",
+        250,
+        "--seeds",
+        1,
+        "--only",
+        "sobol",
+        "cma_es",
+    ]
+    campaign = ["--campaign", CAMPAIGNS / "ames_quick.toml"]
+    figure = tmp_path / "searches.png"
+    table = run("searches.py", *words, *campaign, "--figure", figure)
+    rows = re.findall(
+        r"(?m)^\| (\w+) \| (\d+) \| (\S+) ± \S+ \|.*\| (\S+) \|$", table
+    )
+    assert [row[:2] for row in rows] == [
+        (search, checkpoint)
+        for search in ("sobol", "cma_es")
+        for checkpoint in ("100", "250")
+    ]
+    gains = [float(row[2]) for row in rows]
+    # CMA-ES goes on from what it has found.
+    assert gains[3] > gains[2]
+    assert gains[3] > gains[1] > 5
+    assert figure.stat().st_size > 10000

@@ -1,0 +1,239 @@
+#!/usr/bin/env python3
+"""How fast each search gains, by evaluations and by time.
+
+searches.py FOLDER [--figure FILE.png] [--evaluations N] [--seeds N]
+            [--only SEARCH...] [--campaign FILE]
+
+Runs a campaign (ames.toml, unless another is given) with the plant of version
+0.1 and each search, takes the best plant of the generation in which each number
+of evaluations is reached, and evaluates all of these again with many paths,
+beside the baseline. Prints the gain over the baseline in %, the mean of the
+seeds with its standard error, and the seconds that all evaluations until then
+took. Cases that are in FOLDER already are not run again.
+IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+from statistics import fmean, stdev
+
+import numpy as np
+from ideotype_analysis import open_history
+from ideotype_analysis.style import new_figure, series
+from what_pays import ideotype
+
+HERE = Path(__file__).parent
+PLANT = HERE / "plants" / "b73_v01.toml"
+#: name: keys of [search], and the candidates of a generation
+SEARCHES: dict[str, tuple[tuple[str, ...], int]] = {
+    "random": (("search.optimizer=random",), 100),
+    "sobol": (("search.optimizer=sobol",), 100),
+    "ga": (("search.optimizer=ga",), 100),
+    "ga_window": (("search.optimizer=ga", "search.window=128"), 100),
+    "cma_es": (("search.optimizer=cma_es",), 15),
+    "cma_es_40": (("search.optimizer=cma_es",), 40),
+    "cma_es_schedule": (
+        (
+            "search.optimizer=cma_es",
+            "light.first_tolerance=0.02",
+            "light.tolerance=0.004",
+        ),
+        15,
+    ),
+    "cma_es_learning_rates": (
+        ("search.optimizer=cma_es", "search.adapts_learning_rates=true"),
+        15,
+    ),
+}
+CHECKPOINTS = (
+    100,
+    250,
+    500,
+    1000,
+    1500,
+    2000,
+    2500,
+    3000,
+    4000,
+    6000,
+    10000,
+    20000,
+)
+
+
+@dataclass(frozen=True)
+class Point:
+    """A search after some evaluations."""
+
+    evaluations: int
+    gains: list[float]  # of each seed [%]
+    errors: list[float]  # of each, paired [%]
+    seconds: float  # of the processor, mean of the seeds
+
+    @property
+    def gain(self) -> float:
+        return fmean(self.gains)
+
+    @property
+    def error(self) -> float:
+        if len(self.gains) == 1:
+            return self.errors[0]
+        return stdev(self.gains) / math.sqrt(len(self.gains))
+
+
+def run(name: str, base: list[str], options: argparse.Namespace) -> list[Path]:
+    keys, population = SEARCHES[name]
+    every = [
+        f"name={name}",
+        f"search.population={population}",
+        f"stop.generations={math.ceil(options.evaluations / population)}",
+        f"replicates={options.seeds}",
+        "final.candidates=2",
+        *keys,
+    ]
+    print(f"searching by {name}", file=sys.stderr, flush=True)
+    words = [word for key in every for word in ("--set", key)]
+    ideotype(
+        "run", *base, *words, "--ranks", "auto", "--out", options.folder, "--resume"
+    )  # fmt: skip
+    return sorted((options.folder / name).glob("*.h5"))
+
+
+def best_until(
+    history: Path, checkpoints: list[int]
+) -> list[tuple[int, int, float]]:
+    """Of each checkpoint: generation, slot, seconds of all evaluations until then."""
+    found: list[tuple[int, int, float]] = []
+    done, seconds = 0, 0.0
+    with open_history(history) as opened:
+        for generation in range(len(opened.generations())):
+            rows = opened.evaluations(generation)
+            done += len(rows)
+            seconds += float(np.sum(rows.seconds))
+            best = int(rows.slot[rows.ranking(1)[0]])
+            while (
+                len(found) < len(checkpoints)
+                and done >= checkpoints[len(found)]
+            ):
+                found.append((generation, best, seconds))
+    return found
+
+
+def evaluate_again(
+    histories: list[Path], base: list[str], checkpoints: list[int]
+) -> list[Point]:
+    """The best plants of one search, all with the same random numbers."""
+    chosen = [best_until(path, checkpoints) for path in histories]
+    count = min(map(len, chosen))
+    with tempfile.TemporaryDirectory() as folder:
+        plants = [PLANT]
+        for i, (history, points) in enumerate(
+            zip(histories, chosen, strict=True)
+        ):
+            for k, (generation, slot, _) in enumerate(points[:count]):
+                plants.append(Path(folder) / f"{i}_{k}.toml")
+                ideotype(
+                    "export", history, "--generation", generation, "--slot", slot,
+                    "--to", plants[-1],
+                )  # fmt: skip
+        found = json.loads(
+            ideotype("evaluate", *plants, "--json", "--under", *base)
+        )
+    baseline, *best = [case[0] for case in found["by_randomisation"]]
+    points = []
+    for k, evaluations in enumerate(checkpoints[:count]):
+        gains, errors = [], []
+        for after in best[k::count]:
+            differences = [
+                100 * (b - a) / fmean(baseline)
+                for a, b in zip(baseline, after, strict=True)
+            ]
+            gains.append(fmean(differences))
+            errors.append(stdev(differences) / math.sqrt(len(differences)))
+        seconds = fmean(points_of[k][2] for points_of in chosen)
+        points.append(Point(evaluations, gains, errors, seconds))
+    return points
+
+
+def print_table(found: dict[str, list[Point]]) -> None:
+    print(
+        "| search | evaluations | gain [%] | by seed (± error) | core-seconds |"
+    )
+    print("|---|---|---|---|---|")
+    for name, points in found.items():
+        for each in points:
+            seeds = ", ".join(
+                f"{gain:.2f} ± {error:.2f}"
+                for gain, error in zip(each.gains, each.errors, strict=True)
+            )
+            print(
+                f"| {name} | {each.evaluations:,} | {each.gain:.2f} ± {each.error:.2f} "
+                f"| {seeds} | {each.seconds:.1f} |"
+            )
+
+
+def draw(found: dict[str, list[Point]], path: Path) -> None:
+    figure = new_figure(9, 3.6)
+    axes = figure.subplots(1, 2, sharey=True)
+    for i, (name, points) in enumerate(found.items()):
+        color, marker = series(i)
+        for axis, xs in (
+            (axes[0], [p.evaluations for p in points]),
+            (axes[1], [p.seconds for p in points]),
+        ):
+            axis.errorbar(
+                xs,
+                [p.gain for p in points],
+                [p.error for p in points],
+                color=color,
+                marker=marker,
+                label=name,
+            )
+    axes[0].set_xlabel("evaluations")
+    axes[1].set_xlabel("core-seconds of evaluations")
+    axes[0].set_ylabel("gain over the baseline [%]")
+    for axis in axes:
+        axis.set_xscale("log")
+    axes[0].legend(fontsize=7)
+    figure.savefig(path, dpi=110)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--figure", type=Path)
+    parser.add_argument("--evaluations", type=int, default=20000)
+    parser.add_argument("--seeds", type=int, default=3)
+    parser.add_argument(
+        "--only", nargs="+", choices=SEARCHES, metavar="SEARCH"
+    )
+    parser.add_argument("--campaign", type=Path, default=HERE / "ames.toml")
+    options = parser.parse_args()
+    base = [
+        str(options.campaign),
+        "--set",
+        f"plant.baseline={PLANT.resolve()}",
+    ]
+    checkpoints = [x for x in CHECKPOINTS if x <= options.evaluations]
+    found = {
+        name: evaluate_again(run(name, base, options), base, checkpoints)
+        for name in options.only or SEARCHES
+    }
+    print_table(found)
+    if options.figure:
+        draw(found, options.figure)
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except subprocess.CalledProcessError as error:
+        sys.exit(error.stderr.strip())

@@ -142,6 +142,15 @@ void check_scenarios(const Campaign& campaign, Report& report) {
                                wrong, has_days ? "day" : "climate"));
 }
 
+void check_stop(const StopRules& stop, Report& report) {
+    constexpr int fewest = 5;
+    if (stop.no_gain > 0 && stop.no_gain < fewest)
+        report.add(&stop.no_gain,
+                   fmt::format("stop.no_gain is {} (too few generations for "
+                               "the error of a slope); use {} or more, or 0",
+                               stop.no_gain, fewest));
+}
+
 void check_search(const Campaign& campaign, Report& report) {
     const int& population = campaign.search.population;
     const auto at_most = [&](const std::string& name, const int& value,
@@ -153,6 +162,7 @@ void check_search(const Campaign& campaign, Report& report) {
                                    name, value, population, most));
     };
     check_objectives(campaign, report);
+    check_stop(campaign.stop, report);
     check_scenarios(campaign, report);
     constexpr int fewest = 4;
     if (campaign.search.optimizer == OptimizerKind::cma_es &&

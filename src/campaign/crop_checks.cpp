@@ -145,6 +145,43 @@ void check_baseline(Draft& draft, Report& report) {
     }
 }
 
+//! A start has a number of each gene, those that are bred within their bounds.
+void check_start(const Draft& draft, Report& report) {
+    const std::vector<double>& start = draft.campaign.search.cma.start;
+    if (start.empty() || !report.usable({&start, &draft.rule})) return;
+    if (draft.campaign.search.optimizer != OptimizerKind::cma_es)
+        return report.add(&start,
+                          "search.start is given (only CMA-ES begins around a "
+                          "plant of its own); leave it out, or use "
+                          "search.optimizer = \"cma_es\"");
+    Crop crop = draft.campaign.crop;
+    for (const TraitEntry& entry : draft.traits)
+        crop.traits.push_back(complete(entry));
+    const std::vector<TraitNumber> numbers = trait_numbers(crop);
+    const std::vector<double> baseline = baseline_numbers(crop);
+    if (start.size() != numbers.size())
+        return report.add(
+            &start, fmt::format("search.start has {} numbers (the traits of "
+                                "this crop have {}); begin with run --start "
+                                "PLANT, which writes them",
+                                start.size(), numbers.size()));
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const auto& [t, leaf, point] = numbers[i];
+        const std::string& trait = crop.traits[t].name;
+        const Range range = bounds_of(draft, t, baseline[i]);
+        if (!breeder(draft.campaign, trait) ||
+            (start[i] >= range.lower && start[i] <= range.upper))
+            continue;
+        report.add(&start,
+                   fmt::format("search.start has {:.6g} for {}{} (outside the "
+                               "bounds {:.6g} .. {:.6g}); begin with another "
+                               "plant, or widen the bounds",
+                               start[i], trait,
+                               leaf > 0 ? fmt::format(" of leaf {}", leaf) : "",
+                               range.lower, range.upper));
+    }
+}
+
 }  // namespace
 
 void check_plant(Draft& draft, Report& report) {
@@ -161,6 +198,7 @@ void check_breeding(Draft& draft, Report& report) {
         if (!is_sound(entry, report)) return;
     check_constraints(draft, report);
     check_baseline(draft, report);
+    check_start(draft, report);
 }
 
 }  // namespace ideotype

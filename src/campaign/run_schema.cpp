@@ -142,16 +142,18 @@ Section search_section(SearchSettings& search) {
         "search",
         {Key("optimizer", choice(search.optimizer),
              "what proposes the candidates: the genetic algorithm, CMA-ES, "
-             "NSGA-II for several objectives, or chance; the verb sensitivity "
-             "sets its own")
-             .one_of({"ga", "cma_es", "nsga2", "random", "sensitivity"}),
+             "NSGA-II for several objectives, or without learning: chance or "
+             "points of the Sobol' sequence; the verb sensitivity sets its own")
+             .one_of(
+                 {"ga", "cma_es", "nsga2", "random", "sobol", "sensitivity"}),
          Key("population", &search.population, "plants per generation")
              .within(2, 100000)
              .set(&Key::initial, "100; of CMA-ES 4 + 3 ln(free genes)"),
          Key("window", &search.window,
              "of the genetic algorithm: row k is bred from rows 0 to k - "
-             "window, so that nobody waits for the end of a generation; at "
-             "least twice the workers; 0: from the whole generation before")
+             "window, so that nobody waits for the end of a generation; "
+             "four times the workers keep them busy; 0: from the whole "
+             "generation before")
              .within(0, 100000),
          Key("elites", &ga.elites,
              "best plants carried over and evaluated again; fewer than "
@@ -172,8 +174,14 @@ Section search_section(SearchSettings& search) {
          Key("mutation_index", &ga.mutation_index,
              "of polynomial mutation; larger: smaller changes")
              .within(0, 1000),
+         Key("start", &cma.start,
+             "of CMA-ES: the plant to begin around, a number of each gene; "
+             "see run --start; none: the baseline")
+             .set(&Key::count, any_count)
+             .set(&Key::initial, "[]")
+             .set(&Key::is_written, !cma.start.empty()),
          Key("step", &cma.step,
-             "of CMA-ES: standard deviation around the baseline at the "
+             "of CMA-ES: standard deviation around the start at the "
              "beginning, relative to the range of a gene")
              .within(1e-6, 1),
          Key("smallest_step", &cma.smallest_step,
@@ -243,6 +251,10 @@ Section stop_section(StopRules& stop) {
                  .within(1, 1e6),
              Key("stagnation", &stop.stagnation,
                  "generations without a better mean; 0: off")
+                 .within(0, 1e6),
+             Key("no_gain", &stop.no_gain,
+                 "generations over which a line through the means must rise by "
+                 "more than twice its standard error; 0: off, else 5 or more")
                  .within(0, 1e6),
              Key("evaluations", &stop.evaluations, "at most; 0: no limit")
                  .within(0, 1e12),

@@ -1,4 +1,3 @@
-#include <array>
 #include <filesystem>
 #include <sstream>
 
@@ -24,11 +23,6 @@ std::string suffix(const std::string& unit) {
         text += factor.substr(0, minus) + (power == "1" ? "" : power);
     }
     return text;
-}
-
-const char* origin_name(Origin origin) {
-    constexpr std::array names{"none", "baseline", "random", "elite", "child"};
-    return names.at(static_cast<std::size_t>(origin));
 }
 
 //! A column of single numbers.
@@ -81,7 +75,7 @@ void write_rows(fmt::ostream& out, std::uint64_t first,
         // The shortest digits that give the same number again.
         out.print("{},{},{},{},{},{},{},{}", first + slot, generation, slot,
                   outcome.status == Status::done ? "done" : "failed",
-                  origin_name(candidate.origin), candidate.parents[0],
+                  name_of(candidate.origin), candidate.parents[0],
                   candidate.parents[1], outcome.violation);
         for (const Column& each : columns) {
             const Estimate value = outcome.quantities.at(each.place);

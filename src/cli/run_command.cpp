@@ -57,6 +57,9 @@ ExitCode run_with_session(const RunOptions& options, const AtEnd& at_end) {
 void declare_run(CLI::App& verb, RunCommand& command) {
     RunOptions& options = command.options;
     add_campaign(verb, options.campaign_path, options.settings);
+    verb.add_option("--start", options.start,
+                    "plant file, or history with its best plant, that CMA-ES "
+                    "begins around (search.start)");
     verb.add_option("--ranks", command.ranks,
                     "start this many ranks under MPI; auto: as many as keep "
                     "all cores busy");

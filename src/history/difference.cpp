@@ -14,24 +14,6 @@ bool is_same(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-const char* name(Origin origin) {
-    switch (origin) {
-        case Origin::none:
-            return "none";
-        case Origin::baseline:
-            return "baseline";
-        case Origin::random:
-            return "random";
-        case Origin::elite:
-            return "elite";
-        case Origin::child:
-            return "child";
-        case Origin::sample:
-            return "sample";
-    }
-    return "unknown";
-}
-
 }  // namespace
 
 std::string first_difference(const GeneSpace& genes, const Candidate& was,
@@ -41,8 +23,8 @@ std::string first_difference(const GeneSpace& genes, const Candidate& was,
             return fmt::format("gene {} was {}, is {} [{}]", genes[i].name,
                                was.genome[i], is.genome[i], genes[i].unit);
     if (was.origin != is.origin)
-        return fmt::format("its origin was {}, is {}", name(was.origin),
-                           name(is.origin));
+        return fmt::format("its origin was {}, is {}", name_of(was.origin),
+                           name_of(is.origin));
     if (was.parents != is.parents)
         return fmt::format("its parents were {} and {}, are {} and {}",
                            was.parents[0], was.parents[1], is.parents[0],

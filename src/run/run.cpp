@@ -10,6 +10,7 @@
 #include "ideotype/run/masters.hpp"
 #include "ideotype/run/provenance.hpp"
 #include "ideotype/run/sky_table.hpp"
+#include "ideotype/run/start_plant.hpp"
 #include "sweep.hpp"
 
 namespace ideotype {
@@ -127,6 +128,15 @@ ExitCode direct(const RunOptions& options, const Campaign& campaign,
     return code;
 }
 
+Campaign read_with_start(const RunOptions& options) {
+    std::vector<std::string> settings = options.settings;
+    const std::string& path = options.campaign_path;
+    if (!options.start.empty())
+        settings.push_back(
+            start_setting(read_campaign(path, settings), options.start));
+    return read_campaign(path, settings);
+}
+
 }  // namespace
 
 ExitCode run(const RunOptions& options, const Session& session,
@@ -143,7 +153,7 @@ ExitCode run_on(const Machine& own, const RunOptions& options,
     // Rank 0 alone looks at files. An empty text tells the others to leave.
     std::exception_ptr failure;
     if (session.rank() == 0) try {
-            campaign = read_campaign(options.campaign_path, options.settings);
+            campaign = read_with_start(options);
             print_warnings(*campaign);
             start = prepare(options, *campaign, machines);
         } catch (...) {

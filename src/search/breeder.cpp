@@ -1,6 +1,5 @@
 #include "ideotype/search/breeder.hpp"
 
-#include <algorithm>
 #include <tuple>
 
 #include "ideotype/search/random_search.hpp"
@@ -49,11 +48,8 @@ std::pair<Candidate, Candidate> Breeder::children(const Contest& contest,
 
 void Breeder::mutate_genome(Genome& genome, std::uint32_t generation,
                             std::uint32_t slot) const {
-    const auto free_genes =
-        std::count_if(space_.genes.begin(), space_.genes.end(),
-                      [](const Gene& gene) { return gene.is_free; });
-    const double probability =
-        settings_.mutations_per_child / static_cast<double>(free_genes);
+    const double probability = settings_.mutations_per_child /
+                               static_cast<double>(count_free(space_.genes));
     RandomStream stream(seed_, Purpose::mutation, generation, slot);
     for (std::size_t i = 0; i < space_.genes.size(); ++i) {
         const Gene& gene = space_.genes[i];

@@ -40,9 +40,12 @@ CmaEs::CmaEs(const SearchSettings& settings, SearchSpace space,
       coordinates_(space_.genes),
       seed_(seed),
       population_(static_cast<std::size_t>(settings.population)),
-      cma_(std::make_unique<Cma>(to_vector(coordinates_.of(space_.baseline)),
-                                 settings.cma.step, population_,
-                                 settings.cma.adapts_learning_rates)) {}
+      cma_(std::make_unique<Cma>(
+          to_vector(coordinates_.of(settings.cma.start.empty()
+                                        ? space_.baseline
+                                        : settings.cma.start)),
+          settings.cma.step, population_, settings.cma.adapts_learning_rates)) {
+}
 
 CmaEs::~CmaEs() = default;
 

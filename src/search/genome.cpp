@@ -5,6 +5,12 @@
 
 namespace ideotype {
 
+std::size_t count_free(const GeneSpace& genes) {
+    return static_cast<std::size_t>(
+        std::count_if(genes.begin(), genes.end(),
+                      [](const Gene& gene) { return gene.is_free; }));
+}
+
 double wrapped(const Gene& gene, double value) {
     const double range = gene.upper - gene.lower;
     const double turns = std::floor((value - gene.lower) / range);

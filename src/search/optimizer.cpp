@@ -57,6 +57,7 @@ std::unique_ptr<Optimizer> make_optimizer(const SearchSettings& settings,
         case OptimizerKind::cma_es:
             return std::make_unique<CmaEs>(settings, space, seed);
         case OptimizerKind::random:
+        case OptimizerKind::sobol:
             return std::make_unique<RandomSearch>(settings, space, seed);
         case OptimizerKind::sensitivity:
             return std::make_unique<SensitivitySearch>(settings.sensitivity,

@@ -12,7 +12,10 @@ RandomSearch::RandomSearch(const SearchSettings& settings, SearchSpace space,
                            std::uint64_t seed)
     : population_(static_cast<std::size_t>(settings.population)),
       space_(std::move(space)),
-      seed_(seed) {}
+      seed_(seed) {
+    if (settings.optimizer == OptimizerKind::sobol)
+        sequence_.emplace(seed, count_free(space_.genes));
+}
 
 std::uint64_t RandomSearch::needs(std::uint32_t generation,
                                   std::uint32_t) const {
@@ -20,7 +23,19 @@ std::uint64_t RandomSearch::needs(std::uint32_t generation,
 }
 
 Candidate RandomSearch::propose(std::uint32_t generation, std::uint32_t slot) {
-    return {random_genome(space_, seed_, generation, slot), Origin::random};
+    if (!sequence_)
+        return {random_genome(space_, seed_, generation, slot), Origin::random};
+    const auto point =
+        static_cast<std::uint32_t>(generation * population_ + slot);
+    Genome genome = space_.baseline;
+    std::size_t dimension = 0;
+    for (std::size_t i = 0; i < genome.size(); ++i) {
+        const Gene& gene = space_.genes[i];
+        if (!gene.is_free) continue;
+        const double range = gene.upper - gene.lower;
+        genome[i] = gene.lower + range * sequence_->at(point, dimension++);
+    }
+    return {std::move(genome), Origin::random};
 }
 
 void RandomSearch::learn(Individual row) {

@@ -1,6 +1,8 @@
 #include "ideotype/search/stop_rules.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 
 #include "ideotype/search/order.hpp"
 
@@ -26,6 +28,33 @@ bool stagnates(const std::vector<GenerationSummary>& all, int generations,
                      *std::max_element(recent, all.end(), improved));
 }
 
+//! Whether a line through the last means does not rise for certain.
+bool gains_nothing(const std::vector<GenerationSummary>& all, int generations,
+                   Sense sense) {
+    if (all.size() < static_cast<std::size_t>(generations)) return false;
+    const std::span last(all.end() - generations, all.end());
+    const auto is_feasible = [](const GenerationSummary& each) {
+        return each.violation == 0 && std::isfinite(each.mean);
+    };
+    if (!std::all_of(last.begin(), last.end(), is_feasible)) return false;
+    const double n = generations;
+    double mean = 0;
+    for (const GenerationSummary& each : last) mean += each.mean / n;
+    double xx = 0, xy = 0, yy = 0, x = -(n - 1) / 2;
+    for (const GenerationSummary& each : last) {
+        const double y = each.mean - mean;
+        xx += x * x;
+        xy += x * y;
+        yy += y * y;
+        ++x;
+    }
+    const double slope = xy / xx;
+    const double scatter = std::max(yy - slope * xy, 0.0) / (n - 2);
+    const double gain = sense == Sense::maximise ? slope : -slope;
+    constexpr double certain = 2;
+    return gain <= certain * std::sqrt(scatter / xx);
+}
+
 bool reaches(double target, const GenerationSummary& last, Sense sense) {
     return last.violation == 0 && !is_better(target, last.best, sense);
 }
@@ -47,6 +76,8 @@ std::optional<std::string> finished(const StopRules& rules,
         return "wall_time";
     if (rules.stagnation > 0 && stagnates(all, rules.stagnation, sense))
         return "stagnation";
+    if (rules.no_gain > 0 && gains_nothing(all, rules.no_gain, sense))
+        return "no_gain";
     return std::nullopt;
 }
 

@@ -134,6 +134,8 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
         if (index != std::string::npos) name.erase(index, 3);
         written.insert(name);
     }
+    // A search begins at the baseline, unless it is given a plant.
+    declared.erase("search.start");
     EXPECT_EQ(written, declared);
 }
 

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include "sample_campaign.hpp"
@@ -64,6 +66,24 @@ TEST(Settings, CmaEsChoosesItsPopulationByTheGenesUnlessToldOne) {
         read_campaign(ames, {cma, "search.population=30"}).search.population,
         30);
     EXPECT_THROW(read_campaign(ames, {cma, "search.population=3"}), InputError);
+}
+
+TEST(Settings, AStartIsAWholeGenomeWithinItsBounds) {
+    const std::string cma = "search.optimizer=cma_es";
+    const Campaign usual = read_campaign(ames, {cma});
+    std::vector<double> genes = baseline_numbers(usual.crop);
+    const auto start = [&] {
+        return fmt::format("search.start=[{}]", fmt::join(genes, ", "));
+    };
+    const Campaign campaign = read_campaign(ames, {cma, start()});
+    EXPECT_EQ(campaign.search.cma.start, genes);
+    EXPECT_EQ(parse_campaign(campaign.resolved, "resolved").search.cma.start,
+              genes);
+    EXPECT_THROW(read_campaign(ames, {start()}), InputError);
+    genes[0] = 3;
+    EXPECT_THROW(read_campaign(ames, {cma, start()}), InputError);
+    genes.pop_back();
+    EXPECT_THROW(read_campaign(ames, {cma, start()}), InputError);
 }
 
 TEST(Settings, OnlyTheGeneticAlgorithmHasAWindow) {

@@ -22,6 +22,8 @@ same_for_any_ranks alone
 same_for_any_ranks cma_es --set search.optimizer=cma_es
 same_for_any_ranks nsga2 --set search.optimizer=nsga2 \
     --set objective.minimise=lai
+same_for_any_ranks window --set search.window=13
+same_for_any_ranks sobol --set search.optimizer=sobol
 
 # The comparison itself must be able to fail.
 sed -i 's/seed = 7/seed = 8/' campaigns/same.toml

@@ -36,6 +36,30 @@ TEST(StopRules, GenerationsEndTheEvolution) {
     EXPECT_EQ(finished(rules, after({1, 1, 1, 1, 1}), maximise), "generations");
 }
 
+//! A line with scatter to both sides of it.
+std::vector<double> rising(double slope, int count) {
+    std::vector<double> means;
+    for (int i = 0; i < count; ++i)
+        means.push_back(10 + slope * i + (i % 3 == 0 ? 1 : -0.5));
+    return means;
+}
+
+TEST(StopRules, NoGainIsASlopeThatItsErrorHides) {
+    StopRules rules = only_generations(1000);
+    rules.no_gain = 9;
+    EXPECT_EQ(finished(rules, after(rising(0, 8)), maximise), std::nullopt);
+    EXPECT_EQ(finished(rules, after(rising(0, 9)), maximise), "no_gain");
+    EXPECT_EQ(finished(rules, after(rising(-1, 9)), maximise), "no_gain");
+    EXPECT_EQ(finished(rules, after(rising(-1, 9)), minimise), std::nullopt);
+    // The scatter alone has a slope of -.075 +- .0996.
+    EXPECT_EQ(finished(rules, after(rising(0.2, 9)), maximise), "no_gain");
+    EXPECT_EQ(finished(rules, after(rising(0.4, 9)), maximise), std::nullopt);
+    EXPECT_EQ(finished(rules, after(std::vector<double>(9, 3)), maximise),
+              "no_gain");
+    EXPECT_EQ(finished(rules, violating({1, 1, 1, 1, 1, 1, 1, 1, 1}), maximise),
+              std::nullopt);
+}
+
 TEST(StopRules, TargetLooksAtTheLatestBest) {
     StopRules rules = only_generations();
     rules.target = 9;

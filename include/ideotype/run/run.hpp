@@ -19,6 +19,7 @@ std::string path_of(const std::string& out, const Campaign& campaign,
 struct RunOptions {
     std::string campaign_path;
     std::vector<std::string> settings;  //!< "table.key=value"
+    std::string start;  //!< plant or history that CMA-ES begins around; or ""
     std::optional<int> case_index;
     bool is_resumed = false;
     std::string out = "results";

@@ -11,11 +11,11 @@ namespace ideotype {
 class Cma;
 
 //! CMA-ES (Hansen, arXiv:1604.00772) over the UnboundedGenes of the free genes.
-//! The distribution begins around the baseline; plants are ranked as by
-//! is_better(), so that those that meet the constraints come first. Its state
-//! follows from the generations that it was told, since it draws their points
-//! again. A search that has converged begins anew around a random plant with
-//! twice the population (IPOP, Auger and Hansen 2005,
+//! The distribution begins around the start or the baseline; plants are ranked
+//! as by is_better(), so that those that meet the constraints come first. Its
+//! state follows from the generations that it was told, since it draws their
+//! points again. A search that has converged begins anew around a random plant
+//! with twice the population (IPOP, Auger and Hansen 2005,
 //! doi:10.1109/CEC.2005.1554902) as often as the settings allow; after that it
 //! goes on as it is.
 class CmaEs : public GenerationalOptimizer {

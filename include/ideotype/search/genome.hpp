@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct Gene {
 };
 
 using GeneSpace = std::vector<Gene>;
+
+//! How many of them are free.
+std::size_t count_free(const GeneSpace& genes);
 
 //! The value on the circle that a circular gene stands for, in
 //! [lower, upper).

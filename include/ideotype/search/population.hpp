@@ -22,6 +22,9 @@ enum class Origin : std::uint8_t {
     sample = 5,  //!< drawn from a distribution that the search adapts
 };
 
+//! For example "baseline".
+const char* name_of(Origin origin);
+
 //! A genome and its descent.
 struct Candidate {
     Genome genome;

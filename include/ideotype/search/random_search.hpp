@@ -1,13 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "ideotype/search/optimizer.hpp"
+#include "ideotype/search/sobol_sequence.hpp"
 
 namespace ideotype {
 
-//! Genomes uniform within their bounds, which nothing is learnt from: what any
-//! other search has to beat.
+//! Genomes that fill the space within their bounds evenly, independent or as
+//! points of a SobolSequence. Nothing is learnt from them: it is what any other
+//! search has to beat.
 class RandomSearch : public Optimizer {
   public:
     RandomSearch(const SearchSettings& settings, SearchSpace space,
@@ -27,6 +30,7 @@ class RandomSearch : public Optimizer {
     std::size_t population_;
     SearchSpace space_;
     std::uint64_t seed_;
+    std::optional<SobolSequence> sequence_;  //!< of free genes
     Population best_;  //!< of all, as many as may be asked for
 };
 

@@ -7,7 +7,7 @@
 namespace ideotype {
 
 //! Which optimizer searches.
-enum class OptimizerKind { ga, cma_es, nsga2, random, sensitivity };
+enum class OptimizerKind { ga, cma_es, nsga2, random, sobol, sensitivity };
 
 //! Settings of the genetic algorithm.
 struct GaSettings {
@@ -22,6 +22,8 @@ struct GaSettings {
 
 //! Settings of CMA-ES.
 struct CmaSettings {
+    //! Where it begins, as a genome; empty: at the baseline.
+    std::vector<double> start;
     //! Standard deviation at the beginning, relative to the range of a gene.
     double step = 0.2;
     //! Below this, relative to the range, along all axes, it has converged.

@@ -1,0 +1,23 @@
+#include "ideotype/search/population.hpp"
+
+namespace ideotype {
+
+const char* name_of(Origin origin) {
+    switch (origin) {
+        case Origin::none:
+            return "none";
+        case Origin::baseline:
+            return "baseline";
+        case Origin::random:
+            return "random";
+        case Origin::elite:
+            return "elite";
+        case Origin::child:
+            return "child";
+        case Origin::sample:
+            return "sample";
+    }
+    return "unknown";
+}
+
+}  // namespace ideotype

@@ -253,8 +253,9 @@ Section stop_section(StopRules& stop) {
                  "generations without a better mean; 0: off")
                  .within(0, 1e6),
              Key("no_gain", &stop.no_gain,
-                 "generations over which a line through the means must rise by "
-                 "more than twice its standard error; 0: off, else 5 or more")
+                 "generations over which a line through the means, or the "
+                 "hypervolume, must rise by more than twice its standard "
+                 "error; 0: off, else 5 or more")
                  .within(0, 1e6),
              Key("evaluations", &stop.evaluations, "at most; 0: no limit")
                  .within(0, 1e12),

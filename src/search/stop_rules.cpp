@@ -14,6 +14,8 @@ bool has_improved(const GenerationSummary& before,
                   const GenerationSummary& after, Sense sense) {
     if (before.violation > 0 || after.violation > 0)
         return after.violation < before.violation;
+    if (!std::isnan(after.hypervolume))
+        return after.hypervolume > before.hypervolume;
     return is_better(after.mean, before.mean, sense);
 }
 
@@ -28,7 +30,10 @@ bool stagnates(const std::vector<GenerationSummary>& all, int generations,
                      *std::max_element(recent, all.end(), improved));
 }
 
-//! Whether a line through the last means does not rise for certain.
+constexpr double certain = 2;  //!< standard errors
+
+//! Whether a line through the last means does not rise for certain, or the
+//! hypervolume of several objectives.
 bool gains_nothing(const std::vector<GenerationSummary>& all, int generations,
                    Sense sense) {
     if (all.size() < static_cast<std::size_t>(generations)) return false;
@@ -37,6 +42,10 @@ bool gains_nothing(const std::vector<GenerationSummary>& all, int generations,
         return each.violation == 0 && std::isfinite(each.mean);
     };
     if (!std::all_of(last.begin(), last.end(), is_feasible)) return false;
+    const GenerationSummary& now = last.back();
+    if (!std::isnan(now.hypervolume))
+        return now.hypervolume - last.front().hypervolume <=
+               certain * now.hypervolume_standard_error;
     const double n = generations;
     double mean = 0;
     for (const GenerationSummary& each : last) mean += each.mean / n;
@@ -51,7 +60,6 @@ bool gains_nothing(const std::vector<GenerationSummary>& all, int generations,
     const double slope = xy / xx;
     const double scatter = std::max(yy - slope * xy, 0.0) / (n - 2);
     const double gain = sense == Sense::maximise ? slope : -slope;
-    constexpr double certain = 2;
     return gain <= certain * std::sqrt(scatter / xx);
 }
 

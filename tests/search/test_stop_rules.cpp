@@ -60,6 +60,26 @@ TEST(StopRules, NoGainIsASlopeThatItsErrorHides) {
               std::nullopt);
 }
 
+TEST(StopRules, SeveralObjectivesAreJudgedByTheirHypervolume) {
+    Progress progress = after({5, 4, 3, 2, 1, 0});
+    const std::vector<double> volumes{1, 2, 2.5, 2.9, 3, 3.1};
+    for (std::size_t i = 0; i < volumes.size(); ++i) {
+        progress.generations[i].hypervolume = volumes[i];
+        progress.generations[i].hypervolume_standard_error = 0.3;
+    }
+    StopRules rules = only_generations(1000);
+    rules.stagnation = 2;
+    EXPECT_EQ(finished(rules, progress, maximise), std::nullopt);
+    progress.generations[4].hypervolume = 2.9;
+    progress.generations[5].hypervolume = 2.9;
+    EXPECT_EQ(finished(rules, progress, maximise), "stagnation");
+    rules.stagnation = 0;
+    rules.no_gain = 5;
+    EXPECT_EQ(finished(rules, progress, maximise), std::nullopt);
+    progress.generations[1].hypervolume = 2.4;
+    EXPECT_EQ(finished(rules, progress, maximise), "no_gain");
+}
+
 TEST(StopRules, TargetLooksAtTheLatestBest) {
     StopRules rules = only_generations();
     rules.target = 9;

@@ -32,7 +32,9 @@ struct Progress {
 //! a plant that meets them reaches the target. There is no gain if the slope of
 //! a straight line through the means of so many generations, least squares, is
 //! less than twice its standard error, which the scatter about the line gives:
-//! it has the noise of random numbers that each generation draws anew.
+//! it has the noise of random numbers that each generation draws anew. Of
+//! several objectives both rules look at the hypervolume; its gain has to
+//! exceed twice its own standard error.
 //! @param sense of objective 0
 std::optional<std::string> finished(const StopRules& rules,
                                     const Progress& progress, Sense sense);

@@ -6,7 +6,7 @@ searches.py FOLDER [--figure FILE.png] [--evaluations N] [--seeds N]
 
 Runs a campaign (ames.toml, unless another is given) with the plant of version
 0.1 and each search, takes the best plant of the generation in which each number
-of evaluations is reached, and evaluates all of these again with many paths,
+of evaluations is reached (of all until then, where nothing is learnt), and evaluates all of these again with many paths,
 beside the baseline. Prints the gain over the baseline in %, the mean of the
 seeds with its standard error, and the seconds that all evaluations until then
 took. Cases that are in FOLDER already are not run again.
@@ -53,6 +53,8 @@ SEARCHES: dict[str, tuple[tuple[str, ...], int]] = {
         15,
     ),
 }
+RANDOM = 2
+"""Origin of a plant that follows from no other."""
 CHECKPOINTS = (
     100,
     250,
@@ -110,20 +112,27 @@ def run(name: str, base: list[str], options: argparse.Namespace) -> list[Path]:
 def best_until(
     history: Path, checkpoints: list[int]
 ) -> list[tuple[int, int, float]]:
-    """Of each checkpoint: generation, slot, seconds of all evaluations until then."""
+    """Of each checkpoint: generation, slot, seconds of all evaluations until
+    then. What learns is asked for the best of its last generation, others for
+    the best of all."""
     found: list[tuple[int, int, float]] = []
+    highest, place = -math.inf, (0, 0)
     done, seconds = 0, 0.0
     with open_history(history) as opened:
         for generation in range(len(opened.generations())):
             rows = opened.evaluations(generation)
             done += len(rows)
             seconds += float(np.sum(rows.seconds))
-            best = int(rows.slot[rows.ranking(1)[0]])
+            best = rows.ranking(1)[0]
+            value = rows.goals[0].sign * rows.objectives[best, 0]
+            learns = rows.origin[-1] != RANDOM
+            if learns or value > highest:
+                highest, place = value, (generation, int(rows.slot[best]))
             while (
                 len(found) < len(checkpoints)
                 and done >= checkpoints[len(found)]
             ):
-                found.append((generation, best, seconds))
+                found.append((*place, seconds))
     return found
 
 

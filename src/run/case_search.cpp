@@ -71,7 +71,19 @@ void CaseSearch::record(const Work& work, const Outcome& outcome) {
 }
 
 std::optional<std::string> CaseSearch::ending() const {
-    return open_.empty() ? reason_ : std::nullopt;
+    if (!open_.empty() || !is_over(first_open())) return std::nullopt;
+    return reason_.value_or("room");
+}
+
+//! Whether there will be no such generation; asked for when all that it needs
+//! is known. What a candidate follows from also decides whether there is one.
+bool CaseSearch::is_over(std::uint32_t generation) const {
+    const Optimizer& optimizer = evolution_.optimizer;
+    const auto most =
+        static_cast<std::uint32_t>(evolution_.campaign.stop.generations);
+    return generation >= most ||
+           (reason_ && optimizer.needs(generation, 0) >= reason_row_) ||
+           !history_.has_room(generation, optimizer.size(generation));
 }
 
 std::uint32_t CaseSearch::first_open() const {
@@ -106,19 +118,9 @@ bool CaseSearch::begin_generation() {
     Optimizer& optimizer = evolution_.optimizer;
     const auto generation =
         first_open() + static_cast<std::uint32_t>(open_.size());
-    if (generation >=
-        static_cast<std::uint32_t>(evolution_.campaign.stop.generations))
+    if (known_rows_ < optimizer.needs(generation, 0) || is_over(generation))
         return false;
-    const std::uint64_t needed = optimizer.needs(generation, 0);
-    if (known_rows_ < needed) return false;
-    // What a candidate follows from also decides whether there is one.
-    if (reason_ && needed >= reason_row_) return false;
-    const std::size_t size = optimizer.size(generation);
-    if (!history_.has_room(generation, size)) {
-        if (!reason_) reason_ = "room";
-        return false;
-    }
-    open_.emplace_back().size = size;
+    open_.emplace_back().size = optimizer.size(generation);
     return true;
 }
 

@@ -32,8 +32,8 @@ class CaseSearch {
     //! @throws CaseError if too many evaluations of a generation fail.
     void learn();
 
-    //! Why the search is over: the stop rule, once all that was proposed is
-    //! complete.
+    //! Why the search is over: the stop rule, or "room" if its history has none
+    //! for another generation. None before all that will be is complete.
     std::optional<std::string> ending() const;
 
   private:
@@ -49,6 +49,7 @@ class CaseSearch {
     };
 
     void extend();
+    bool is_over(std::uint32_t generation) const;
     bool begin_generation();
     void add(const std::vector<Candidate>& candidates);
     void keep(std::uint32_t generation, std::uint32_t slot,

@@ -259,6 +259,30 @@ TEST_F(EvolveCase, AStopRuleEndsAWindowAtTheSameRow) {
     EXPECT_EQ(history.size(4), 0U);
 }
 
+// All that was proposed is complete when the stop comes, and the rule holds,
+// but the window has reached further.
+TEST_F(EvolveCase, AStopBeforeTheEndOfAWindowIsNoEnd) {
+    campaign.search.window = 20;
+    campaign.stop.evaluations = 20;
+    const HistoryHeader h = header();
+    {
+        History cut = History::create(path("cut.h5"), h);
+        SumEvaluator interrupted(h.schema, stop);
+        interrupted.stop_at = 20;
+        EXPECT_EQ(evolve(cut, interrupted), Ending::drained);
+        EXPECT_EQ(cut.next_generation(), 2U);
+        EXPECT_TRUE(cut.finalists().empty());
+    }
+    // Only a new start takes a stop back.
+    stop.~StopFlag();
+    new (&stop) StopFlag;
+    History resumed = History::resume(path("cut.h5"));
+    SumEvaluator rest(h.schema, stop);
+    EXPECT_EQ(evolve(resumed, rest), Ending::finished);
+    EXPECT_EQ(resumed.finished(), "evaluations");
+    EXPECT_EQ(resumed.next_generation(), 4U);
+}
+
 TEST_F(EvolveCase, ASearchEndsWhereItsHistoryHasNoRoom) {
     campaign.search.optimizer = OptimizerKind::cma_es;
     campaign.search.cma.restarts = 3;

@@ -1,41 +1,29 @@
 #include "ideotype/run/start_plant.hpp"
 
-#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "ideotype/history/history.hpp"
-#include "ideotype/search/order.hpp"
+#include "ideotype/run/summary.hpp"
 
 namespace ideotype {
 
 namespace {
 
-//! Finalists, without the baseline.
-Population evaluated_again(const History& history) {
-    Population finalists;
-    for (const Row& row : history.finalists())
-        if (row.candidate.origin != Origin::baseline)
-            finalists.push_back({row.candidate, row.outcome.status,
-                                 row.outcome.objectives,
-                                 row.outcome.violation});
-    return finalists;
-}
-
 Genome best_of_history(const GeneSpace& genes, Genome start,
                        const std::string& path) {
     const History history = History::read(path);
     const HistoryHeader& header = history.header();
-    const Population finalists = evaluated_again(history);
-    const Sense sense = header.schema.objectives.front().sense;
-    const auto best = best_distinct(finalists, 1, {sense});
-    if (best.empty())
+    const std::vector<Row> finalists = history.finalists();
+    const std::size_t best =
+        best_finalist(finalists, header.schema.objectives.front().sense);
+    if (best == 0)
         throw Error(path +
                     ": has no plant that was evaluated again; let its "
                     "run end, or begin with a plant file");
-    const Genome& found = finalists[best.front()].candidate.genome;
+    const Genome& found = finalists[best].candidate.genome;
     for (std::size_t i = 0; i < genes.size(); ++i)
         for (std::size_t j = 0; j < header.genes.size(); ++j)
             if (header.genes[j].name == genes[i].name) start[i] = found[j];

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # From a fresh Debian 12 or 13 to an evolved canopy: installs what is missing,
 # builds, runs the quick Ames campaign on all cores, writes its report.
 # May be run again: finished parts are not repeated.
@@ -10,7 +11,7 @@ install_packages
 cmake --preset release >build-release.log 2>&1 || { cat build-release.log; exit 1; }
 cmake --build --preset release
 rm -f build-release.log
-install_analysis
+install_python
 
 campaign=campaigns/ames_quick.toml
 out=${1:-results}

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Installs what is missing, builds, and runs every test.
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -9,7 +10,7 @@ install_packages libgtest-dev libgmock-dev libbenchmark-dev hdf5-tools \
 cmake --preset dev >build-dev.log 2>&1 || { cat build-dev.log; exit 1; }
 cmake --build --preset dev
 rm -f build-dev.log
-install_analysis test
+install_python test
 
 ctest --preset dev --timeout 600 --parallel "$(nproc)" "$@"
 IDEOTYPE_EXECUTABLE=$PWD/build/dev/src/ideotype \

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Does a breeder need one plant for each case?
 
 cross_table.py CROSS.json
@@ -26,7 +27,9 @@ def case_of(plant: str) -> str:
 def cell(values: list[float]) -> str:
     if len(values) == 1:
         return f"{values[0]:+.2f}"
-    return f"{fmean(values):+.2f} ± {stdev(values) / math.sqrt(len(values)):.2f}"
+    return (
+        f"{fmean(values):+.2f} ± {stdev(values) / math.sqrt(len(values)):.2f}"
+    )
 
 
 def main(path: str) -> None:

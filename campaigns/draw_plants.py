@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Plants from the side and from above, at one scale.
 
 draw_plants.py [--ideotype PROGRAM] --to FILE.png [TITLE=]PLANT...
@@ -16,9 +17,9 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-from ideotype_analysis import HistoryError
-from ideotype_analysis.geometry import Mesh, export_plant, find_program
-from ideotype_analysis.style import new_figure
+from ideotype.analysis import HistoryError
+from ideotype.analysis.geometry import Mesh, export_plant, find_program
+from ideotype.analysis.style import new_figure
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import to_rgb
@@ -86,7 +87,9 @@ def shape_of(program: Path, plant: Path) -> Mesh:
         if done.returncode:
             raise HistoryError(f"{plant}: {done.stderr.strip()}")
         (history,) = Path(folder).glob("plant/*.h5")
-        return export_plant(program, history, ["--generation", "0", "--slot", "0"])
+        return export_plant(
+            program, history, ["--generation", "0", "--slot", "0"]
+        )
 
 
 def draw(axes: Axes, mesh: Mesh, is_side: bool) -> None:
@@ -99,13 +102,17 @@ def draw(axes: Axes, mesh: Mesh, is_side: bool) -> None:
     cosine = np.abs(normals @ LIGHT) / np.linalg.norm(normals, axis=1)
     shade = 0.55 + 0.45 * cosine
     kinds = [group.split("_")[0].rstrip("0123456789") for group in mesh.groups]
-    colors = np.array([to_rgb(COLORS[kind]) for kind in kinds]) * shade[:, None]
+    colors = (
+        np.array([to_rgb(COLORS[kind]) for kind in kinds]) * shade[:, None]
+    )
     # what is nearer to the viewer is drawn over the rest
     order = np.argsort([c[:, 2].mean() for c in corners])
     axes.add_collection(
         PolyCollection(
             [corners[i][:, :2] for i in order],
-            facecolors=colors[order], edgecolors="face", linewidths=0.3,
+            facecolors=colors[order],
+            edgecolors="face",
+            linewidths=0.3,
         )  # fmt: skip
     )
     axes.set_aspect("equal")
@@ -121,7 +128,9 @@ def main() -> None:
     try:
         program = find_program(options.ideotype)
         if program is None:
-            sys.exit("no ideotype on PATH (shapes come from it); name it with --ideotype")
+            sys.exit(
+                "no ideotype on PATH (shapes come from it); name it with --ideotype"
+            )
         shown = {}
         for plant in options.plants:
             title, _, path = plant.rpartition("=")
@@ -144,7 +153,9 @@ def main() -> None:
         side.set_title(title, fontsize=9)
         above.set_xlabel("across the row [m]")
     grid[0, 0].set(ylim=(0, top), ylabel="height [m]")
-    grid[1, 0].set(xlim=(-reach, reach), ylim=(-reach, reach), ylabel="along the row [m]")
+    grid[1, 0].set(
+        xlim=(-reach, reach), ylim=(-reach, reach), ylabel="along the row [m]"
+    )
     figure.savefig(options.to, dpi=150, pil_kwargs={"optimize": True})
 
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """What erect leaves do to canopy assimilation, by plant density.
 
 erect_leaves.py [--under CAMPAIGN] [--densities N...]
@@ -112,17 +113,22 @@ def gain(before: list[float], after: list[float]) -> tuple[float, float]:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--under", type=Path, default=HERE / "ames.toml")
-    parser.add_argument("--densities", nargs="+", type=float, default=DENSITIES)
+    parser.add_argument(
+        "--densities", nargs="+", type=float, default=DENSITIES
+    )
     options = parser.parse_args()
     rows = [gains(options.under, density) for density in options.densities]
     area = leaf_area()
     titles = " | ".join(
-        f"{density:g} m-2, LAI {area * density:.1f}" for density in options.densities
+        f"{density:g} m-2, LAI {area * density:.1f}"
+        for density in options.densities
     )
     print(f"| gross assimilation [%] | {titles} |")
     print("|---|" + "---|" * len(options.densities))
     for name, each in zip(VARIANTS, zip(*rows, strict=True), strict=True):
-        cells = " | ".join(f"{mean:+.1f} ± {error:.1f}" for mean, error in each)
+        cells = " | ".join(
+            f"{mean:+.1f} ± {error:.1f}" for mean, error in each
+        )
         print(f"| {name} | {cells} |")
 
 

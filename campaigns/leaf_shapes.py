@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Do twist, waves and drooping tips of leaves matter for the light and for breeding?
 
 leaf_shapes.py FOLDER [--seeds N] [--fields N] [--paths N] [--only WORD...]
@@ -31,7 +32,7 @@ from pathlib import Path
 from statistics import fmean, stdev
 
 import numpy as np
-from ideotype_analysis.geometry import read_obj
+from ideotype.analysis.geometry import read_obj
 from numpy.typing import NDArray
 from scipy.interpolate import BSpline
 from what_pays import ideotype
@@ -94,15 +95,21 @@ class Shape:
     total_bend: float | None = None  #: of all leaves [deg], else that of each
     twist: float = 0  #: of the tip about the midrib [deg]
     one_sense: bool = False  #: of the twist, else at random for each leaf
-    roll: float = 0  #: largest roll of the cross-section [deg], in turn to both sides
-    half_waves: int = 8  #: of the roll, base to tip, as long as the blade is wide
+    roll: float = (
+        0  #: largest roll of the cross-section [deg], in turn to both sides
+    )
+    half_waves: int = (
+        8  #: of the roll, base to tip, as long as the blade is wide
+    )
     amplitude: float = 0  #: of the margins, normal to the blade [m]
     wavelength: float = 0.15  #: of the margins [m]
 
     @property
     def varies(self) -> bool:
         """From leaf to leaf, at random."""
-        return bool(self.roll or self.amplitude or self.twist and not self.one_sense)
+        return bool(
+            self.roll or self.amplitude or self.twist and not self.one_sense
+        )
 
 
 ADEL = "ADEL, ArchiCrop, CORNIBU"
@@ -127,7 +134,9 @@ SHAPES = {
     "bend exponent 3, tips droop": Shape("E", partial(power, 3)),
     "two segments, break at 0.5": Shape(ADEL, partial(perez, 0.5)),
     "parabola and arc": Shape("Prevot 1991, ADEL's F2", prevot),
-    "parabola and arc, bend of 119 deg": Shape("the same, as measured", prevot, 119),
+    "parabola and arc, bend of 119 deg": Shape(
+        "the same, as measured", prevot, 119
+    ),
 }
 
 
@@ -153,7 +162,12 @@ def rolls(shape: Shape, halves: Numbers, draw: random.Random) -> Numbers:
 
 
 def blade(
-    shape: Shape, leaf: dict, halves: Numbers, rise: float, base: Numbers, seed: int
+    shape: Shape,
+    leaf: dict,
+    halves: Numbers,
+    rise: float,
+    base: Numbers,
+    seed: int,
 ) -> Numbers:
     """Vertices, row by row from the base and from margin to margin."""
     azimuth = math.radians(leaf["azimuth"])
@@ -188,13 +202,22 @@ def blade(
     wave = size[:, None] * u**2 * np.sin(phase + at[:, None])
     aside = halves[:, None] * u * math.cos(rise)
     above = halves[:, None] * np.abs(u) * math.sin(rise) + wave
-    points = feet[:, None] + aside[..., None] * x[:, None] + above[..., None] * n[:, None]
+    points = (
+        feet[:, None]
+        + aside[..., None] * x[:, None]
+        + above[..., None] * n[:, None]
+    )
     return points.reshape(-1, 3)
 
 
 WIDE = 2 * HALF + 1
 CELLS = [
-    [i * WIDE + j, i * WIDE + j + 1, (i + 1) * WIDE + j + 1, (i + 1) * WIDE + j]
+    [
+        i * WIDE + j,
+        i * WIDE + j + 1,
+        (i + 1) * WIDE + j + 1,
+        (i + 1) * WIDE + j,
+    ]
     for i in range(ALONG)
     for j in range(2 * HALF)
 ]
@@ -210,7 +233,10 @@ class Plant:
     """A plant of a history, as the program and as this script draw it."""
 
     def __init__(self, history: Path, folder: Path, *row: object) -> None:
-        stem = folder / f"{history.stem}_{'_'.join(str(x).strip('-') for x in row)}"
+        stem = (
+            folder
+            / f"{history.stem}_{'_'.join(str(x).strip('-') for x in row)}"
+        )
         for kind in (".toml", ".obj"):
             path = stem.with_suffix(kind)
             path.unlink(missing_ok=True)
@@ -236,7 +262,9 @@ class Plant:
             for seed in (2 * rank, 2 * rank + 1) if shape.varies else (0,):
                 own = halves
                 for _ in range(2):
-                    own = own * (wanted / area(draw(shape, halves=own, seed=seed)))
+                    own = own * (
+                        wanted / area(draw(shape, halves=own, seed=seed))
+                    )
                 variants.append((draw(shape, halves=own, seed=seed), CELLS))
         return mesh
 
@@ -264,7 +292,9 @@ def write_field(mesh: Mesh, seed: int, path: Path) -> None:
                         f"v {y + place * PLANT:.6f} {-x + row * ROW:.6f} {z:.6f}"
                     )
                 lines.append(f"g {re.match('leaf|stalk|sheath', name)[0]}")
-                lines += ["f " + " ".join(str(at[i]) for i in face) for face in faces]
+                lines += [
+                    "f " + " ".join(str(at[i]) for i in face) for face in faces
+                ]
     path.write_text("\n".join(lines) + "\n")
 
 
@@ -277,7 +307,13 @@ def leaf_light(mesh: Mesh, options: argparse.Namespace) -> list[float]:
         found = json.loads(
             ideotype(
                 *("evaluate", "--mesh", path, "--json", "--seed", field),
-                *("--period", PLANTS * PLANT, ROWS * ROW, "--paths", options.paths),
+                *(
+                    "--period",
+                    PLANTS * PLANT,
+                    ROWS * ROW,
+                    "--paths",
+                    options.paths,
+                ),
                 *("--site", 42, -93.6, -5, "--date", "2025-08-07"),
             )
         )
@@ -326,7 +362,11 @@ def main() -> None:
     parser.add_argument("--fields", type=int, default=4, metavar="N")
     parser.add_argument("--paths", type=int, default=2**19, metavar="N")
     parser.add_argument(
-        "--only", nargs="+", default=[""], metavar="WORD", help="shapes with a word"
+        "--only",
+        nargs="+",
+        default=[""],
+        metavar="WORD",
+        help="shapes with a word",
     )
     parser.add_argument("folder", type=Path, metavar="FOLDER")
     options = parser.parse_args()
@@ -334,21 +374,31 @@ def main() -> None:
         parser.error("--fields must be 2 or more (errors are from fields)")
     options.folder.mkdir(parents=True, exist_ok=True)
     histories = bred_histories(options.folder, options.seeds)
-    plants = [Plant(histories[0], options.folder, "--generation", 0, "--slot", 0)]
-    plants += [Plant(history, options.folder, "--best") for history in histories]
+    plants = [
+        Plant(histories[0], options.folder, "--generation", 0, "--slot", 0)
+    ]
+    plants += [
+        Plant(history, options.folder, "--best") for history in histories
+    ]
 
     before: list[list[float]] = []
-    print("| shape of the blades | source | light of the baseline [%] ", end="")
+    print(
+        "| shape of the blades | source | light of the baseline [%] ", end=""
+    )
     print("| of bred plants [%] | gain [%] | change of the gain | by plant |")
     print("|---|---|---|---|---|---|---|", flush=True)
 
-    def print_row(name: str, source: str, meshes: list[Mesh]) -> list[list[float]]:
+    def print_row(
+        name: str, source: str, meshes: list[Mesh]
+    ) -> list[list[float]]:
         lights = [leaf_light(mesh, options) for mesh in meshes]
         own = gains(lights)
         cells = [f"{fmean(x):.2f}" for x in (lights[0], sum(lights[1:], []))]
         cells += [f"{fmean(mean_of(own)):.2f}", "", ""]
         if before:
-            light = [changes(*pair) for pair in zip(lights, before, strict=True)]
+            light = [
+                changes(*pair) for pair in zip(lights, before, strict=True)
+            ]
             cells[:2] = [text_of(light[0]), text_of(mean_of(light[1:]))]
             gain = [
                 [x - y for x, y in zip(*pair, strict=True)]
@@ -362,7 +412,9 @@ def main() -> None:
     for i, (name, shape) in enumerate(SHAPES.items()):
         if i and not any(word in name for word in options.only):
             continue
-        lights = print_row(name, shape.source, [plant.drawn(shape) for plant in plants])
+        lights = print_row(
+            name, shape.source, [plant.drawn(shape) for plant in plants]
+        )
         before = before or lights
     if any(word in "mesh" for word in options.only):
         print_row("the program's mesh", "", [plant.mesh for plant in plants])

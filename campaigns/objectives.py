@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """What evolves for light, for assimilation, and for the carbon balance of a season.
 
 objectives.py FOLDER [--only OBJECTIVE...] [--figure FILE.png] [--generations N]
@@ -25,7 +26,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from statistics import fmean, stdev
 
-from ideotype_analysis.style import new_figure
+from ideotype.analysis.style import new_figure
 from what_pays import ideotype, leaves
 
 HERE = Path(__file__).parent
@@ -66,7 +67,10 @@ OBJECTIVES = {
     "area": Objective(
         "the same, fixed leaf area",
         SEASON,
-        (CARBON, 'traits=[{name = "turns", free = ["insertion_angle", "azimuth"]}]'),
+        (
+            CARBON,
+            'traits=[{name = "turns", free = ["insertion_angle", "azimuth"]}]',
+        ),
     ),
     "nitrogen": Objective(
         "the same, fixed nitrogen",
@@ -101,10 +105,14 @@ def settings(name: str, spacing: Spacing) -> list[str]:
     return [word for key in keys for word in ("--set", key)]
 
 
-def breed(name: str, spacing: Spacing, out: Path, search: list[str]) -> list[Path]:
+def breed(
+    name: str, spacing: Spacing, out: Path, search: list[str]
+) -> list[Path]:
     """The histories of all seeds."""
     campaign = OBJECTIVES[name].campaign
-    print(f"breeding for {name} at {spacing.name}", file=sys.stderr, flush=True)
+    print(
+        f"breeding for {name} at {spacing.name}", file=sys.stderr, flush=True
+    )
     ideotype(
         "run", campaign, *settings(name, spacing), *search,
         "--ranks", "auto", "--out", out, "--resume",
@@ -114,7 +122,10 @@ def breed(name: str, spacing: Spacing, out: Path, search: list[str]) -> list[Pat
 
 def compare(name: str, spacing: Spacing, histories: list[Path]) -> Result:
     with tempfile.TemporaryDirectory() as folder:
-        plants = [HERE / "crops" / "maize.toml", HERE / "plants" / "elite.toml"]
+        plants = [
+            HERE / "crops" / "maize.toml",
+            HERE / "plants" / "elite.toml",
+        ]
         for i, history in enumerate(histories):
             plants.append(Path(folder) / f"best{i}.toml")
             ideotype("export", history, "--best", "--to", plants[-1])
@@ -127,7 +138,9 @@ def compare(name: str, spacing: Spacing, histories: list[Path]) -> Result:
         bred = [leaves(path) for path in plants[2:]]
     values = [case[0] for case in found["by_randomisation"]]
     baseline, elite, *best = values
-    per_area = PLANT_AREA / size(leaves(plants[0])) / spacing.row / spacing.plant
+    per_area = (
+        PLANT_AREA / size(leaves(plants[0])) / spacing.row / spacing.plant
+    )
     return Result(
         over_baseline=gain(baseline, best),
         over_elite=gain(elite, best),
@@ -200,7 +213,9 @@ def draw(results: dict[tuple[str, str], Result], path: Path) -> None:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("folder", type=Path)
-    parser.add_argument("--only", nargs="+", choices=OBJECTIVES, metavar="OBJECTIVE")
+    parser.add_argument(
+        "--only", nargs="+", choices=OBJECTIVES, metavar="OBJECTIVE"
+    )
     parser.add_argument("--figure", type=Path)
     parser.add_argument("--generations", type=int, default=200)
     parser.add_argument("--seeds", type=int, default=3)

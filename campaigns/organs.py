@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """What does each organ do to the light, to differences between plants, to breeding?
 
 organs.py [--full] [--traits SET...] [--seeds N] FOLDER
@@ -52,8 +53,12 @@ def write_campaign(
     """A campaign of the project with another plant."""
     crop, organs = PLANTS[plant]
     text = (HERE / source).read_text()
-    name = re.sub(r"[^a-z0-9]+", "_", f"{Path(source).stem} {plant} {traits}")[:60]
-    text = re.sub(r'^name = "ames.*"', f'name = "{name}"', text, count=1, flags=re.M)
+    name = re.sub(r"[^a-z0-9]+", "_", f"{Path(source).stem} {plant} {traits}")[
+        :60
+    ]
+    text = re.sub(
+        r'^name = "ames.*"', f'name = "{name}"', text, count=1, flags=re.M
+    )
     text = re.sub(r"^replicates = .*\n", "", text, flags=re.M)
     text = text.replace("seed = 1", f"seed = 1\nreplicates = {seeds}", 1)
     text = text.replace(
@@ -76,7 +81,9 @@ def bred(folder: Path, campaign: Path) -> list[Path]:
 def difference(found: dict, plant: int) -> Estimate:
     """By what part a plant absorbs more than the first [%], errors paired."""
     base, own = (found["by_randomisation"][i][0] for i in (0, plant))
-    gains = [100 * (b / fmean(base) - a / fmean(base)) for a, b in zip(base, own)]
+    gains = [
+        100 * (b / fmean(base) - a / fmean(base)) for a, b in zip(base, own)
+    ]
     return fmean(gains), stdev(gains) / math.sqrt(len(gains))
 
 
@@ -134,8 +141,12 @@ def same_plants(
     for plant in plants:
         changed.append(folder / f"same_{plant.name}")
         changed[-1].write_text(with_organs(plant.read_text(), organs))
-    found = json.loads(ideotype("evaluate", *changed, "--under", under, "--json"))
-    return ", ".join(text_of(difference(found, i)) for i in range(1, len(plants)))
+    found = json.loads(
+        ideotype("evaluate", *changed, "--under", under, "--json")
+    )
+    return ", ".join(
+        text_of(difference(found, i)) for i in range(1, len(plants))
+    )
 
 
 def parts(campaign: Path) -> list[str]:
@@ -154,7 +165,9 @@ def parts(campaign: Path) -> list[str]:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("--full", action="store_true", help="breed ames.toml too")
+    parser.add_argument(
+        "--full", action="store_true", help="breed ames.toml too"
+    )
     parser.add_argument(
         "--traits", nargs="+", choices=TRAITS, default=TRAITS, metavar="SET"
     )
@@ -164,7 +177,16 @@ def main() -> None:
     folder = options.folder
     folder.mkdir(parents=True, exist_ok=True)
     sources = ["ames_quick.toml", *(["ames.toml"] if options.full else [])]
-    head = ["plant", "leaves", "stalk", "sheath", "tassel", "ear", "soil", "reflected"]
+    head = [
+        "plant",
+        "leaves",
+        "stalk",
+        "sheath",
+        "tassel",
+        "ear",
+        "soil",
+        "reflected",
+    ]
     head += ["same plants"]
     head += [f"{Path(s).stem}, {t}" for s in sources for t in options.traits]
     print("| " + " | ".join(head) + " |\n|" + "---|" * len(head), flush=True)
@@ -177,7 +199,16 @@ def main() -> None:
     histories = bred(folder, campaign)
     plants[0].unlink(missing_ok=True)
     ideotype(
-        *("export", histories[0], "--generation", 0, "--slot", 0, "--to", plants[0])
+        *(
+            "export",
+            histories[0],
+            "--generation",
+            0,
+            "--slot",
+            0,
+            "--to",
+            plants[0],
+        )
     )
     for i, history in enumerate(histories):
         plants.append(folder / f"bred_{i}.toml")
@@ -186,16 +217,24 @@ def main() -> None:
     exact = folder / "exact.toml"
     exact.write_text(
         re.sub(
-            r"(?s)(\[final\].*?paths = )\d+", r"\g<1>131072", campaign.read_text()
+            r"(?s)(\[final\].*?paths = )\d+",
+            r"\g<1>131072",
+            campaign.read_text(),
         )
     )
     for name, (crop, organs) in PLANTS.items():
-        cells = parts(write_campaign(folder, "ames_quick.toml", name, "all", 1))
+        cells = parts(
+            write_campaign(folder, "ames_quick.toml", name, "all", 1)
+        )
         same = crop != "crops/maize.toml"
-        cells.append("" if same else same_plants(folder, plants, organs, exact))
+        cells.append(
+            "" if same else same_plants(folder, plants, organs, exact)
+        )
         for source in sources:
             for traits in options.traits:
-                own = write_campaign(folder, source, name, traits, options.seeds)
+                own = write_campaign(
+                    folder, source, name, traits, options.seeds
+                )
                 cells.append(gain(own, bred(folder, own), folder))
         print(f"| {name} | " + " | ".join(cells) + " |", flush=True)
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """How fast each search gains, by evaluations and by time.
 
 searches.py FOLDER [--figure FILE.png] [--evaluations N] [--seeds N]
@@ -26,8 +27,8 @@ from pathlib import Path
 from statistics import fmean, stdev
 
 import numpy as np
-from ideotype_analysis import open_history
-from ideotype_analysis.style import new_figure, series
+from ideotype.analysis import open_history
+from ideotype.analysis.style import new_figure, series
 from what_pays import ideotype
 
 HERE = Path(__file__).parent

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """What has been bred, do the seeds agree, and what do its parts pay?
 
 what_pays.py --under CAMPAIGN HISTORY...
@@ -37,7 +38,10 @@ def mean_of(values: Values) -> Values:
 
 #: What is undone: a trait, and its new values from the old ones and the baseline's.
 VARIANTS: dict[str, tuple[str, Callable[[Values, Values], Values]]] = {
-    "azimuths of the baseline, all across the row": ("azimuth", lambda _, b: b),
+    "azimuths of the baseline, all across the row": (
+        "azimuth",
+        lambda _, b: b,
+    ),
     "all leaves along the row": (
         "azimuth",
         lambda _, b: [(azimuth + 90) % 360 for azimuth in b],
@@ -69,13 +73,21 @@ def with_values(text: str, trait: str, values: Values) -> str:
     head, *tables = text.split("[[leaf]]")
     # other organs, which follow the last leaf, have lengths too
     parts = (
-        re.sub(rf"^{trait} = .*$", f"{trait} = {value}", table, count=1, flags=re.M)
+        re.sub(
+            rf"^{trait} = .*$",
+            f"{trait} = {value}",
+            table,
+            count=1,
+            flags=re.M,
+        )
         for table, value in zip(tables, values, strict=True)
     )
     return "[[leaf]]".join([head, *parts])
 
 
-def write_variants(history: Path, baseline: list[Leaf], folder: Path) -> list[Path]:
+def write_variants(
+    history: Path, baseline: list[Leaf], folder: Path
+) -> list[Path]:
     """The best plant, and then each variant."""
     best = folder / "best.toml"
     ideotype("export", history, "--best", "--to", best)
@@ -104,7 +116,9 @@ def print_traits(plants: list[list[Leaf]]) -> None:
     print("|---|---|---|---|---|")
     for rank, same in enumerate(zip(*plants, strict=True), start=1):
         cells = (
-            ", ".join(form.get(name, "{:.0f}").format(leaf[name]) for leaf in same)
+            ", ".join(
+                form.get(name, "{:.0f}").format(leaf[name]) for leaf in same
+            )
             for name in names
         )
         print(f"| {rank} | {' | '.join(cells)} |")
@@ -113,7 +127,9 @@ def print_traits(plants: list[list[Leaf]]) -> None:
         cells = (
             "{:+.2f}".format(
                 fmean(
-                    alike(name, *([leaf[name] for leaf in one] for one in pair))
+                    alike(
+                        name, *([leaf[name] for leaf in one] for one in pair)
+                    )
                     for pair in pairs
                 )
             )
@@ -129,18 +145,25 @@ def study(
     with tempfile.TemporaryDirectory() as folder:
         paths = write_variants(history, baseline, Path(folder))
         best = leaves(paths[0])
-        found = json.loads(ideotype("evaluate", *paths, "--under", under, "--json"))
+        found = json.loads(
+            ideotype("evaluate", *paths, "--under", under, "--json")
+        )
     means = [row[0] for row in found["mean"]]
     errors = [row[0] for row in found["standard_error"]]
     return best, [
-        (100 * (mean / means[0] - 1), 100 / means[0] * math.hypot(error, errors[0]))
+        (
+            100 * (mean / means[0] - 1),
+            100 / means[0] * math.hypot(error, errors[0]),
+        )
         for mean, error in zip(means[1:], errors[1:], strict=True)
     ]
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("--under", type=Path, required=True, metavar="CAMPAIGN")
+    parser.add_argument(
+        "--under", type=Path, required=True, metavar="CAMPAIGN"
+    )
     parser.add_argument("histories", nargs="+", type=Path, metavar="HISTORY")
     options = parser.parse_args()
     baseline = leaves(Path(__file__).parent / "crops" / "maize.toml")
@@ -154,9 +177,13 @@ def main() -> None:
         mean = fmean(x for x, _ in each)
         error = math.hypot(*(e for _, e in each)) / len(each)
         if len(each) > 1:
-            error = max(error, stdev(x for x, _ in each) / math.sqrt(len(each)))
+            error = max(
+                error, stdev(x for x, _ in each) / math.sqrt(len(each))
+            )
         by_seed = ", ".join(f"{x:+.2f} ± {e:.2f}" for x, e in each)
-        print(f"| {name} | {mean:+.2f} ± {error:.2f} | {by_seed} |", flush=True)
+        print(
+            f"| {name} | {mean:+.2f} ± {error:.2f} | {by_seed} |", flush=True
+        )
 
 
 if __name__ == "__main__":

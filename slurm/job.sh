@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # What the batch scripts share; sourced with `here` the folder slurm.
 # run_until_complete CAMPAIGN OUT [CASE] is one start of a job: it resumes what
 # is there, drains ahead of the time limit, and puts the job back into the queue

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Sourced by slurm/submit and by slurm/job.sh, with `here` the folder slurm.
 # Sets what the site says, and the program `ideotype`.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Settings of a site. Copy this file to slurm/sites/NAME.sh, change it, and use
 # it with `slurm/submit --site NAME`. slurm/submit reads it where you are, and
 # every job where it runs.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "declaration.hpp"
 #include "ideotype/core/units.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
 #include <list>
 #include <optional>
@@ -10,8 +11,8 @@
 #include "ideotype/cli/verbs.hpp"
 #include "ideotype/core/routine.hpp"
 #include "ideotype/parallel/dispatcher.hpp"
-#include "ideotype/run/evaluator.hpp"
 #include "ideotype/run/progress.hpp"
+#include "ideotype/stand/stand.hpp"
 #include "json.hpp"
 
 namespace ideotype {
@@ -96,10 +97,10 @@ class CrossEvaluator : public Evaluator {
         shared.case_index = task.case_index;
         shared.is_final = true;
         const Plant& plant = cross_.plants.at(task.slot).plant;
-        const CanopyReport report =
-            ideotype::evaluate(request_of(shared, cross_.under, column.chosen,
-                                          column.scenario, plant),
-                               device_);
+        const CanopyReport report = ideotype::evaluate(
+            request_of(sampling_of(shared, cross_.under, column.chosen),
+                       cross_.under, column.scenario, plant),
+            device_);
         Outcome outcome = to_outcome(cross_.under, plant, report);
         outcome.quantities.clear();
         for (const Measured& each : measure_numbers(report))

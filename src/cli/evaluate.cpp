@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <bit>
 
 #include <fmt/format.h>
@@ -5,9 +6,9 @@
 #include "ideotype/cli/choose_row.hpp"
 #include "ideotype/cli/verbs.hpp"
 #include "ideotype/light/device.hpp"
-#include "ideotype/run/evaluator.hpp"
 #include "ideotype/run/progress.hpp"
 #include "ideotype/run/summary.hpp"
+#include "ideotype/stand/stand.hpp"
 #include "light_output.hpp"
 
 namespace ideotype {
@@ -80,8 +81,9 @@ std::vector<Study> studies(const Task& task, const Campaign& campaign,
     const Device device(isa);
     std::vector<Study> all;
     for (const Case& each : scenarios(chosen)) {
-        CanopyRequest request = request_of(task, campaign, each,
-                                           scenario_of(campaign, each), plant);
+        CanopyRequest request =
+            request_of(sampling_of(task, campaign, each), campaign,
+                       scenario_of(campaign, each), plant);
         request.details.sunlit = true;
         if (accuracy) request.accuracy = *accuracy;
         const double began = now();

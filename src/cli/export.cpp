@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <cctype>
 #include <filesystem>
 #include <optional>
@@ -9,7 +10,7 @@
 #include "ideotype/cli/choose_row.hpp"
 #include "ideotype/cli/verbs.hpp"
 #include "ideotype/crop/measures.hpp"
-#include "ideotype/run/evaluator.hpp"
+#include "ideotype/stand/stand.hpp"
 #include "mesh_files.hpp"
 
 namespace ideotype {
@@ -71,8 +72,8 @@ std::vector<Estimate> light_on_faces(CanopyRequest request, std::size_t faces,
 void write_shape(const ExportOptions& options, const ChosenRow& row,
                  const std::string& title, bool is_lit, const Plant& grown) {
     CanopyRequest request =
-        request_of(row.task, row.campaign, row.chosen,
-                   scenario_of(row.campaign, row.chosen), grown);
+        request_of(sampling_of(row.task, row.campaign, row.chosen),
+                   row.campaign, scenario_of(row.campaign, row.chosen), grown);
     const Mesh plant = build_plant(grown, request.tessellation);
     const Spacing& spacing = request.scenario.field.spacing;
     Shape shape{

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "ideotype/fidelity/choice.hpp"
 
 #include <algorithm>
@@ -9,8 +10,8 @@
 
 #include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/hash.hpp"
-#include "ideotype/run/evaluator.hpp"
 #include "ideotype/run/progress.hpp"
+#include "ideotype/stand/stand.hpp"
 
 namespace ideotype {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "ideotype/fidelity/parameters.hpp"
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/run/evaluator.hpp"
+#include "ideotype/stand/stand.hpp"
 
 namespace ideotype {
 
@@ -215,8 +216,8 @@ CanopyRequest request_of(const Variant& variant, std::size_t case_index,
     const Campaign& campaign = variant.campaign;
     const Case chosen = case_of(variant, case_index);
     CanopyRequest request =
-        request_of({}, campaign, chosen, scenario_of(campaign, chosen),
-                   grow(campaign.crop, genome));
+        request_of(sampling_of({}, campaign, chosen), campaign,
+                   scenario_of(campaign, chosen), grow(campaign.crop, genome));
     SeriesIllumination& light = request.scenario.light;
     light = illuminate(light.series, campaign.sky_model,
                        chosen.spacing.row_direction, variant.skies,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "ideotype/fidelity/probe.hpp"
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 
 #include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/hash.hpp"
-#include "ideotype/run/evaluator.hpp"
+#include "ideotype/stand/stand.hpp"
 
 namespace ideotype {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "ideotype/fidelity/trade.hpp"
 
 #include <algorithm>
@@ -7,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "ideotype/core/error.hpp"
-#include "ideotype/run/evaluator.hpp"
 #include "ideotype/run/progress.hpp"
+#include "ideotype/stand/stand.hpp"
 
 namespace ideotype {
 
@@ -199,8 +200,8 @@ class Survey {
 int needed_paths(const Campaign& campaign, const Case& chosen,
                  const Device& device, const Genome& genome) {
     CanopyRequest request =
-        request_of({}, campaign, chosen, scenario_of(campaign, chosen),
-                   grow(campaign.crop, genome));
+        request_of(sampling_of({}, campaign, chosen), campaign,
+                   scenario_of(campaign, chosen), grow(campaign.crop, genome));
     request.accuracy = campaign.sampling;
     const CanopyReport report = evaluate(request, device);
     return static_cast<int>(

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "ideotype/run/evolve_case.hpp"
 
 #include <utility>
 
 #include "case_search.hpp"
-#include "ideotype/run/evaluator.hpp"
 #include "ideotype/run/sensitivity.hpp"
+#include "ideotype/stand/stand.hpp"
 
 namespace ideotype {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "ideotype/run/provenance.hpp"
 
 #include <fmt/format.h>
@@ -8,10 +9,10 @@
 #include "ideotype/core/version.hpp"
 #include "ideotype/light/device.hpp"
 #include "ideotype/parallel/session.hpp"
-#include "ideotype/run/evaluator.hpp"
 #include "ideotype/run/machines.hpp"
 #include "ideotype/run/progress.hpp"
 #include "ideotype/run/sensitivity.hpp"
+#include "ideotype/stand/stand.hpp"
 
 namespace ideotype {
 

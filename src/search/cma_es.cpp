@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "ideotype/search/cma_es.hpp"
 
 #include <cmath>

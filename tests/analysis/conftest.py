@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Sample histories made to the letter of analysis/FORMAT.md."""
 
 from __future__ import annotations

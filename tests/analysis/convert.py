@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Makes a history of format 2.0 of one of 1.0, without the package.
 
 `convert.py OLD NEW`: the layout is that of FORMAT.md; what 1.0 did not keep,
@@ -88,9 +89,14 @@ class _Conversion:
             "trait": [word[2] for word in words],
             "leaf": np.array([int(word[1]) for word in words], "i4"),
             "unit": list(traits["unit"].asstr()[:]),
-            **{n: traits[n][:] for n in ("lower", "upper", "is_circular", "is_free")},
+            **{
+                n: traits[n][:]
+                for n in ("lower", "upper", "is_circular", "is_free")
+            },
         }
-        counts = (len(self.source[g]["status"]) for g in ("evaluations", "final"))
+        counts = (
+            len(self.source[g]["status"]) for g in ("evaluations", "final")
+        )
         layout = Layout(
             self.target,
             *counts,
@@ -139,7 +145,9 @@ class _Conversion:
             for name, at in self.columns.items():
                 if name + end in new:
                     has_axis = self.quantities[name].axis
-                    new[name + end][:] = table[:, at] if has_axis else table[:, at[0]]
+                    new[name + end][:] = (
+                        table[:, at] if has_axis else table[:, at[0]]
+                    )
             for i, (name, _, _) in enumerate(self.objectives):
                 new[name + end][:] = old[f"objectives{end}"][:, i]
             if self.per_area:
@@ -164,7 +172,10 @@ class _Conversion:
         for name in ("finished", "reason", "wall_time"):
             value = self.source["state"][name][()]
             self.target["state"][name][()] = value
-        sessions, texts = self.source["sessions"][:], self.source["messages"][:]
+        sessions, texts = (
+            self.source["sessions"][:],
+            self.source["messages"][:],
+        )
         for name in SESSION:
             new = self.target["sessions"][name]
             new[:] = sessions[name][: len(new)]

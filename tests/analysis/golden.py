@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Figures that must stay the same, bit for bit, through changes of the program.
 
 `golden.py write` makes tests/data/golden/*.txt anew with the program that
@@ -28,7 +29,13 @@ MESHES = {
         *("maize1.obj", "--period", ".76", ".15", "--sky", "clear"),
         *("--date", "2025-08-07", "--site", "42", "-93.6", "-5"),
     ],
-    "mesh_plot": ["maize1.obj", "--boundary", "isolated", "--ground-area", ".114"]
+    "mesh_plot": [
+        "maize1.obj",
+        "--boundary",
+        "isolated",
+        "--ground-area",
+        ".114",
+    ]
     + ["--sky", "overcast"],
 }
 
@@ -93,7 +100,15 @@ def _mesh_figures(options: list[str]) -> dict[str, np.ndarray]:
     path = str(DATA / "reference" / mesh)
     found: dict[str, np.ndarray] = {}
     report = json.loads(
-        _run("evaluate", "--mesh", path, *others, "--tolerance", ".003", "--json")
+        _run(
+            "evaluate",
+            "--mesh",
+            path,
+            *others,
+            "--tolerance",
+            ".003",
+            "--json",
+        )
     )
     _flatten("", report, found)
     found.pop("seconds")

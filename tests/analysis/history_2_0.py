@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The figures of a history of format 2.0 by the names that 1.0 had for them."""
 
 from __future__ import annotations
@@ -26,7 +27,10 @@ def figures(file: h5py.File) -> dict[str, np.ndarray]:
         found[f"{part}.violation.standard_error"] = 0 * violation
         fitness = np.where(violation > 0, -violation, rows["objectives"][:, 0])
         found[f"{part}.fitness"] = np.where(status == 3, -np.inf, fitness)
-        found[f"{part}.status"], found[f"{part}.origin"] = status, rows["origin"][:]
+        found[f"{part}.status"], found[f"{part}.origin"] = (
+            status,
+            rows["origin"][:],
+        )
         found[f"{part}.parents"] = _slots(file, rows["parents"][:])
     generations = file["generations"]
     for name in ("best", "best_standard_error", "mean", "spread", "diversity"):

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Makes small histories to the letter of analysis/FORMAT.md, without the
 program.
 
@@ -93,7 +94,9 @@ class MadeHistory:
         shift: float = 0.0,
         labels: Mapping[str, object] = {},
         extra: Mapping[str, Extra] = {},
-        objectives: Sequence[tuple[str, str]] = (("absorbed_par", "maximise"),),
+        objectives: Sequence[tuple[str, str]] = (
+            ("absorbed_par", "maximise"),
+        ),
         draws: bool = True,
     ) -> None:
         """Creates everything, empty, but the dataset `without`. `attributes`
@@ -103,7 +106,9 @@ class MadeHistory:
         self._shift = shift
         self._objectives = [name for name, _ in objectives]
         self._extra = {name: part for name, (_, part) in extra.items()}
-        self._measured = QUANTITIES | {n: kind for n, (kind, _) in extra.items()}
+        self._measured = QUANTITIES | {
+            n: kind for n, (kind, _) in extra.items()
+        }
         self._lock_path = Path(f"{path}.lock")
         self._lock = self._lock_path.open("w")
         fcntl.flock(self._lock, fcntl.LOCK_EX)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Words of the format that all made histories use."""
 
 from __future__ import annotations

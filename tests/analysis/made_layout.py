@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Lays out an empty history of format 2.0 to the letter of
 analysis/FORMAT.md."""
 
@@ -124,7 +125,9 @@ class Layout:
         for axis, labels in self.labels.items():
             self._scale(at[axis], list(labels), AXES_UNITS.get(axis, "1"))
 
-        def add(name: str, fill: object, dtype: object, units: str, *axes: str) -> None:
+        def add(
+            name: str, fill: object, dtype: object, units: str, *axes: str
+        ) -> None:
             shape = (n, *(len(self.file[axis]) for axis in axes))
             values = np.full(shape, fill, dtype)
             self._add(f"{group}/{name}", values, (row, *axes), units, dtype)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The numbers in the made histories: all known from a formula here."""
 
 from __future__ import annotations

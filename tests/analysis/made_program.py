@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Stands in for `ideotype export`: ten square leaves and a stalk.
 
 Started as `made_program.py export HISTORY ROW... --to FILE`. The leaves of
@@ -35,7 +36,10 @@ def main() -> None:
         first = 4 * leaf + 1
         corners = " ".join(str(first + i) for i in range(4))
         lines += [f"g leaf{leaf + 1:02}", f"f {corners}"]
-    lines += ["g stalk", f"f {4 * LEAVES + 1} {4 * LEAVES + 2} {4 * LEAVES + 3}"]
+    lines += [
+        "g stalk",
+        f"f {4 * LEAVES + 1} {4 * LEAVES + 2} {4 * LEAVES + 3}",
+    ]
     Path(arguments[arguments.index("--to") + 1]).write_text("\n".join(lines))
 
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A page on a phone: Chromium without a window, 390 points wide, touched by
 fingers. It is told what to do over a pipe, in the DevTools protocol."""
 
@@ -51,7 +52,9 @@ class Phone:
         assert "exceptionDetails" not in said, said
         return said["result"].get("value")
 
-    def swipe(self, start: tuple[float, float], step: tuple[float, float]) -> None:
+    def swipe(
+        self, start: tuple[float, float], step: tuple[float, float]
+    ) -> None:
         """One finger, from a point on the screen in ten steps."""
         x, y = start
         touch = "Input.dispatchTouchEvent"
@@ -65,7 +68,9 @@ class Phone:
         """One finger."""
         for kind, points in (("Start", [{"x": x, "y": y}]), ("End", [])):
             self.ask(
-                "Input.dispatchTouchEvent", type=f"touch{kind}", touchPoints=points
+                "Input.dispatchTouchEvent",
+                type=f"touch{kind}",
+                touchPoints=points,
             )
 
     def press(self, key: str) -> None:
@@ -96,7 +101,9 @@ class Phone:
 
 
 @contextlib.contextmanager
-def phone_with(page: Path, folder: Path, width: int = WIDTH) -> Iterator[Phone]:
+def phone_with(
+    page: Path, folder: Path, width: int = WIDTH
+) -> Iterator[Phone]:
     """The page on a phone, or on a wider screen."""
     name = next(filter(shutil.which, NAMES), None)
     if name is None:

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The program itself, and a campaign that takes it a second."""
 
 from __future__ import annotations
@@ -101,7 +102,9 @@ def run_shortened(folder: Path, name: str) -> list[Path]:
     for key, value in (("population", 8), ("generations", 2)):
         text, count = re.subn(rf"(?m)^{key} = \d+$", f"{key} = {value}", text)
         assert count == 1, key
-    campaign = shutil.copytree(CAMPAIGNS, folder / "campaigns") / f"{name}.toml"
+    campaign = (
+        shutil.copytree(CAMPAIGNS, folder / "campaigns") / f"{name}.toml"
+    )
     campaign.write_text(text)
     output_of("run", campaign, "--out", folder)
     return sorted((folder / name).glob("*.h5"))

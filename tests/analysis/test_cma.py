@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """CMA-ES against a published implementation that is told the same points."""
 
 import os

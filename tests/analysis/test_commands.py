@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The commands, as a user starts them."""
 
 from __future__ import annotations
@@ -57,8 +58,14 @@ def test_a_finished_history_is_summarized(finished: Path) -> None:
 def test_gains_are_a_table_with_a_line_for_each_case(sweep: Path) -> None:
     done = summary(sweep, "--gains")
     assert (done.returncode, done.stderr) == (0, "")
-    table = [x.split("|") for x in done.stdout.split("\n") if x.startswith("|")]
-    assert [word.strip() for word in table[0][1:4]] == ["case", "seeds", "baseline"]
+    table = [
+        x.split("|") for x in done.stdout.split("\n") if x.startswith("|")
+    ]
+    assert [word.strip() for word in table[0][1:4]] == [
+        "case",
+        "seeds",
+        "baseline",
+    ]
     assert all(len(row) == len(table[0]) for row in table)
     assert {row[2].strip() for row in table[2:]} == {"2"} and len(table) == 4
     assert all("±" in row[6] for row in table[2:])

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Cases against each other."""
 
 from __future__ import annotations
@@ -8,13 +9,13 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
-from ideotype_analysis import HistoryError
-from ideotype_analysis.comparison import ELITE, draw_energy, draw_gains
-from ideotype_analysis.cross import Cross, draw_cross
-from ideotype_analysis.places import draw_latitudes, draw_spacings
-from ideotype_analysis.study import open_study
-from ideotype_analysis.summary import summarize
-from ideotype_analysis.tables import gains
+from ideotype.analysis import HistoryError
+from ideotype.analysis.comparison import ELITE, draw_energy, draw_gains
+from ideotype.analysis.cross import Cross, draw_cross
+from ideotype.analysis.places import draw_latitudes, draw_spacings
+from ideotype.analysis.study import open_study
+from ideotype.analysis.summary import summarize
+from ideotype.analysis.tables import gains
 from made_history import MadeHistory
 from made_layout import seal
 from made_numbers import final_absorbed
@@ -36,10 +37,15 @@ def make(
     made.close()
 
 
-def test_spacings_have_a_line_for_each_distance_of_rows(tmp_path: Path) -> None:
+def test_spacings_have_a_line_for_each_distance_of_rows(
+    tmp_path: Path,
+) -> None:
     for rows in (15, 30):
         for plants in (3, 6):
-            place = {"row_spacing": rows * INCH, "plant_spacing": plants * INCH}
+            place = {
+                "row_spacing": rows * INCH,
+                "plant_spacing": plants * INCH,
+            }
             make(tmp_path / f"{rows}x{plants}_r1.h5", **place)
     with open_study(tmp_path) as study:
         figure = draw_spacings(study.cases())
@@ -50,7 +56,9 @@ def test_spacings_have_a_line_for_each_distance_of_rows(tmp_path: Path) -> None:
         for rows in ("0.381", "0.762")
         for who in ("baseline", "best")
     ]
-    lines = [line for line in figure.axes[1].lines if len(line.get_xdata()) == 2]
+    lines = [
+        line for line in figure.axes[1].lines if len(line.get_xdata()) == 2
+    ]
     # 15 x 6 and 30 x 3 inches have as many plants; no line joins them
     assert all(np.diff(line.get_xdata())[0] > 1 for line in lines)
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Which way figures from above are turned."""
 
 from __future__ import annotations
@@ -8,12 +9,12 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
-from ideotype_analysis.case import Case
-from ideotype_analysis.stand import places, row_direction
-from ideotype_analysis.geometry import Mesh
-from ideotype_analysis.plan import draw_plan, draw_roses
-from ideotype_analysis.shape import draw_azimuths
-from ideotype_analysis.study import open_study
+from ideotype.analysis.case import Case
+from ideotype.analysis.stand import places, row_direction
+from ideotype.analysis.geometry import Mesh
+from ideotype.analysis.plan import draw_plan, draw_roses
+from ideotype.analysis.shape import draw_azimuths
+from ideotype.analysis.study import open_study
 from made_layout import seal
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
@@ -92,7 +93,9 @@ def test_a_stand_goes_on_and_a_plot_alone_ends(
 ) -> None:
     with open_study(finished) as study:
         around = places(study.cases()[0], 2)
-    expected = {(0.762 * i, 0.1524 * j) for i in (-1, 0, 1) for j in range(-2, 3)}
+    expected = {
+        (0.762 * i, 0.1524 * j) for i in (-1, 0, 1) for j in range(-2, 3)
+    }
     assert not around[0].any()
     assert {tuple(place) for place in around} == expected
     alone = '[field]\nboundary = "isolated"\nrows = 1\nplants = 3'

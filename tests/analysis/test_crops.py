@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Crops with traits of any kind, as the program evolves them."""
 
 from __future__ import annotations
@@ -7,18 +8,18 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from ideotype_analysis import HistoryError
-from ideotype_analysis.azimuths import azimuths
-from ideotype_analysis.case import Case
-from ideotype_analysis.correlation import draw_correlation
-from ideotype_analysis.profile_curve import curve
-from ideotype_analysis.sensitivity import draw_sensitivity
-from ideotype_analysis.shape import (
+from ideotype.analysis import HistoryError
+from ideotype.analysis.azimuths import azimuths
+from ideotype.analysis.case import Case
+from ideotype.analysis.correlation import draw_correlation
+from ideotype.analysis.profile_curve import curve
+from ideotype.analysis.sensitivity import draw_sensitivity
+from ideotype.analysis.shape import (
     draw_plant_traits,
     draw_profiles,
     draw_traits,
 )
-from ideotype_analysis.study import open_study
+from ideotype.analysis.study import open_study
 from real_program import output_of, run_crop
 
 FREE = ["azimuth_deviation", "leaf_plane", "height", "length_profile"]
@@ -46,7 +47,9 @@ def profile_of(case: Case, trait: str, leaves: int) -> np.ndarray:
     return curve(points, np.linspace(0, 1, leaves))
 
 
-def test_azimuths_are_those_of_the_program(maize: Path, tmp_path: Path) -> None:
+def test_azimuths_are_those_of_the_program(
+    maize: Path, tmp_path: Path
+) -> None:
     told = leaves_of(maize, tmp_path)["azimuth_deg"] % 360
     with open_study(maize) as study:
         (case,) = study.cases()
@@ -83,7 +86,9 @@ def test_profiles_that_shift_are_those_of_the_program(
     assert told == pytest.approx(np.clip(base + shifts, 0, 90))
 
 
-def test_only_bred_traits_have_panels(maize: Path, sorghum: list[Path]) -> None:
+def test_only_bred_traits_have_panels(
+    maize: Path, sorghum: list[Path]
+) -> None:
     with open_study(maize) as study:
         (case,) = study.cases()
         leaves, plants = draw_traits(case), draw_plant_traits(case)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Histories with a damaged byte, and what goes on without them."""
 
 from __future__ import annotations
@@ -7,8 +8,8 @@ import time
 from pathlib import Path
 
 import pytest
-from ideotype_analysis import HistoryError, open_study, trial
-from ideotype_analysis.trial import Trial
+from ideotype.analysis import HistoryError, open_study, trial
+from ideotype.analysis.trial import Trial
 from test_commands import report, summary
 
 SAMPLE = Path(__file__).parents[1] / "data" / "history" / "format_1_0.h5"
@@ -19,7 +20,7 @@ UNREADABLE = 10_000
 """A byte within the numbers of a deflated dataset."""
 ABORTS = """
 import os
-from ideotype_analysis import trial
+from ideotype.analysis import trial
 trial._read = lambda path: os.abort() if path.stem == "bad" else None
 trial.serve()
 """
@@ -125,7 +126,9 @@ def test_the_exit_code_tells_what_was_left_out(folder: Path) -> None:
     assert "does not finish reading it (stopped after 10 s)" in lines[2]
     assert summary(folder / "b.h5").returncode == 0
     assert summary(folder / "d.h5").returncode == 1
-    assert "3 done without the histories" in " ".join(report("--help").stdout.split())
+    assert "3 done without the histories" in " ".join(
+        report("--help").stdout.split()
+    )
 
 
 def test_the_reader_finds_the_package_without_a_path(

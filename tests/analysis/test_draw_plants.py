@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Pictures of plants, as campaigns/README.md makes them."""
 
 from __future__ import annotations

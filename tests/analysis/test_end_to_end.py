@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The package on a file of the program itself.
 
 IDEOTYPE_EXECUTABLE names the built program: a tiny campaign is run with it.
@@ -14,10 +15,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from ideotype_analysis import HistoryError, Rows, open_history
-from ideotype_analysis.geometry import find_program
-from ideotype_analysis.scene import export_plants
-from ideotype_analysis.study import open_study
+from ideotype.analysis import HistoryError, Rows, open_history
+from ideotype.analysis.geometry import find_program
+from ideotype.analysis.scene import export_plants
+from ideotype.analysis.study import open_study
 from real_program import start
 
 PROMISED = {
@@ -181,7 +182,9 @@ def test_a_run_is_followed_and_survives_its_kill(
         assert history.state().missing_bytes == 0
 
 
-def test_a_real_file_that_was_cut_short_is_refused(own: Path, tmp_path: Path) -> None:
+def test_a_real_file_that_was_cut_short_is_refused(
+    own: Path, tmp_path: Path
+) -> None:
     data = own.read_bytes()
     (tmp_path / "cut.h5").write_bytes(data[: len(data) // 2])
     with pytest.raises(HistoryError, match="cut short"):

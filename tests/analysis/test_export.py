@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Exported plants and fields, opened with the readers of VTK, which are those
 of ParaView."""
 
@@ -8,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from ideotype_analysis import open_history
+from ideotype.analysis import open_history
 from numpy.typing import NDArray
 from real_program import output_of
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The trade of speed for accuracy in a report."""
 
 from __future__ import annotations
@@ -7,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from ideotype_analysis import HistoryError
-from ideotype_analysis.fidelity import draw_fidelity, read_fidelity
+from ideotype.analysis import HistoryError
+from ideotype.analysis.fidelity import draw_fidelity, read_fidelity
 
 
 def estimate(mean: float, error: float) -> dict[str, float]:

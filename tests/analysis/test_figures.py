@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What the figures show."""
 
 from __future__ import annotations
@@ -8,17 +9,17 @@ import matplotlib
 import numpy as np
 import pytest
 from conftest import SHIFTS
-from ideotype_analysis import HistoryError
-from ideotype_analysis.convergence import draw_convergence
-from ideotype_analysis.profiles import (
+from ideotype.analysis import HistoryError
+from ideotype.analysis.convergence import draw_convergence
+from ideotype.analysis.profiles import (
     draw_hours,
     draw_layers,
     draw_leaves,
     draw_parts,
 )
-from ideotype_analysis.shape import draw_azimuths, draw_traits
-from ideotype_analysis.study import open_study
-from ideotype_analysis.style import RC, unit_label
+from ideotype.analysis.shape import draw_azimuths, draw_traits
+from ideotype.analysis.study import open_study
+from ideotype.analysis.style import RC, unit_label
 from made_numbers import (
     BASELINE,
     ERROR,
@@ -36,7 +37,9 @@ from matplotlib.figure import Figure
 
 def bars(axes: Axes, label: str) -> tuple[np.ndarray, np.ndarray]:
     """Values and half-lengths of the vertical bars of that label."""
-    (found,) = [c for c in axes.containers if (c.get_label() or "_").startswith(label)]
+    (found,) = [
+        c for c in axes.containers if (c.get_label() or "_").startswith(label)
+    ]
     line, _, (segments,) = found.lines
     ends = np.array(segments.get_segments())
     return line.get_ydata(), (ends[:, 1, 1] - ends[:, 0, 1]) / 2
@@ -162,7 +165,9 @@ def test_azimuths_are_polar_and_averaged_on_the_circle(
     axes, _ = figure.axes
     assert axes.name == "polar"
     (mean,) = [
-        line for line in axes.lines if line.get_label() == "circular mean ± deviation"
+        line
+        for line in axes.lines
+        if line.get_label() == "circular mean ± deviation"
     ]
     first = np.rad2deg(mean.get_xdata()[0])
     # slots 11 ... 6 and 4 ... 1 at 355 + slot deg
@@ -212,7 +217,8 @@ def test_seeds_are_a_band(sweep: Path) -> None:
     (band,) = [
         c
         for c in axes.collections
-        if c.get_label() == "best of its generation (not evaluated again), range of seeds"
+        if c.get_label()
+        == "best of its generation (not evaluated again), range of seeds"
     ]
     edges = band.get_paths()[0].vertices
     at_start = edges[edges[:, 0] == 0, 1]

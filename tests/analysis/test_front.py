@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Fronts of several objectives: which plants are in them, and how the report
 lets a reader choose one."""
 
@@ -10,20 +11,20 @@ from pathlib import Path
 from typing import Any
 
 import h5py
-import ideotype_analysis
+import ideotype
 import numpy as np
 import pytest
 from browser import run_in_browser
-from ideotype_analysis import open_history, open_study
-from ideotype_analysis.blocks import Section, Viewer
-from ideotype_analysis.case_figures import figures_of
-from ideotype_analysis.commands import report
-from ideotype_analysis.front import non_dominated
-from ideotype_analysis.front_figures import draw_front, draw_hypervolume
-from ideotype_analysis.page import render
-from ideotype_analysis.scene import export_plants, scene_of
-from ideotype_analysis.style import BEST
-from ideotype_analysis.summary import summarize
+from ideotype.analysis import open_history, open_study
+from ideotype.analysis.blocks import Section, Viewer
+from ideotype.analysis.case_figures import figures_of
+from ideotype.analysis.commands import report
+from ideotype.analysis.front import non_dominated
+from ideotype.analysis.front_figures import draw_front, draw_hypervolume
+from ideotype.analysis.page import render
+from ideotype.analysis.scene import export_plants, scene_of
+from ideotype.analysis.style import BEST
+from ideotype.analysis.summary import summarize
 from made_history import MadeHistory
 from made_kinds import Measured
 from made_layout import seal
@@ -100,7 +101,10 @@ def test_members_that_fall_off_are_told(history: Path) -> None:
     with open_history(history) as opened:
         front = opened.front()
         said = summarize(opened)
-    assert "\nfront        2 of 3 plants are still in it, evaluated again\n" in said
+    assert (
+        "\nfront        2 of 3 plants are still in it, evaluated again\n"
+        in said
+    )
     assert front is not None and front.is_final
     assert front.is_kept.tolist() == KEPT
     assert [front.number(i) for i in range(3)] == [1, 2, 3]
@@ -133,7 +137,9 @@ def test_before_the_finals_it_is_that_of_the_last_generation(
     front = fronts[1]
     assert front is not None and not front.is_final
     # all have the same leaf area
-    assert front.members["absorbed_par"].values == [absorbed(1, POPULATION - 1)]
+    assert front.members["absorbed_par"].values == [
+        absorbed(1, POPULATION - 1)
+    ]
     assert front.is_kept.tolist() == [True] and front.number(0) == 1
 
 
@@ -170,7 +176,9 @@ def test_figures_of_fronts(tmp_path: Path) -> None:
         assert band.max() == pytest.approx(hypervolume(4) + ERROR)
 
 
-def test_histories_without_a_hypervolume_lack_its_figure(tmp_path: Path) -> None:
+def test_histories_without_a_hypervolume_lack_its_figure(
+    tmp_path: Path,
+) -> None:
     make(tmp_path / "old.h5", without="generations/hypervolume")
     with open_study(tmp_path) as study:
         names = figures_of(study.cases()[0]).keys()
@@ -218,7 +226,9 @@ def page_of(folder: Path, program: Path | None, history: Path) -> Path:
     return page
 
 
-def test_each_plant_has_the_shape_of_its_row(history: Path, program: Path) -> None:
+def test_each_plant_has_the_shape_of_its_row(
+    history: Path, program: Path
+) -> None:
     """Leaves of a slot are 2 cm longer than those of the one before."""
     with open_study(history) as study:
         (case,) = study.cases()
@@ -243,7 +253,9 @@ def test_a_plant_of_the_front_is_chosen(
             assert numbers[2] < plant[0]
         else:  # both on one screen
             assert chart[3] < plant[1] < plant[3] < min(HEIGHT, numbers[1])
-        for i, (left, top, right, bottom) in enumerate(labels := phone.value(LABELS)):
+        for i, (left, top, right, bottom) in enumerate(
+            labels := phone.value(LABELS)
+        ):
             assert chart[0] - 1 <= left < right <= chart[2] + 1
             assert chart[1] - 1 <= top < bottom <= chart[3] + 1
             for a, b, c, d in labels[:i]:
@@ -263,7 +275,9 @@ def test_a_plant_of_the_front_is_chosen(
         phone.press("ArrowRight")
         looks.append(phone.value(LOOK))
         assert phone.value(CELLS)[0][2] == "plant 3"
-        about = phone.value('document.activeElement.getAttribute("aria-label")')
+        about = phone.value(
+            'document.activeElement.getAttribute("aria-label")'
+        )
         assert about.endswith("fallen off the front")
         phone.press("End")
         looks.append(phone.value(LOOK))
@@ -305,7 +319,9 @@ def test_without_shapes_the_front_is_there_all_the_same(
         assert "not shown; the" in phone.value("document.body.innerText")
 
 
-def test_of_three_objectives_two_are_chosen(program: Path, tmp_path: Path) -> None:
+def test_of_three_objectives_two_are_chosen(
+    program: Path, tmp_path: Path
+) -> None:
     path = make(tmp_path / "case.h5", [LIGHT, LEAVES, AREA])
     page = page_of(tmp_path, program, path)
     choose = """
@@ -324,12 +340,16 @@ def test_of_three_objectives_two_are_chosen(program: Path, tmp_path: Path) -> No
             f"{leaves}, {light}", f"LAI, {light}", f"LAI, {leaves}",
         ]  # fmt: skip
         after = phone.value(text)
-    assert before[0].startswith(f"{leaves} [MJ") and before[0].endswith("maximised →")
+    assert before[0].startswith(f"{leaves} [MJ") and before[0].endswith(
+        "maximised →"
+    )
     assert after[0] == "← LAI [m² m⁻²], minimised"
     assert after[1].startswith(f"↑ {leaves} [MJ")
 
 
-def test_scenarios_stand_beside_the_plant(program: Path, tmp_path: Path) -> None:
+def test_scenarios_stand_beside_the_plant(
+    program: Path, tmp_path: Path
+) -> None:
     """Also readers take an axis that they do not know."""
     path = make(
         tmp_path / "case.h5",
@@ -341,7 +361,7 @@ def test_scenarios_stand_beside_the_plant(program: Path, tmp_path: Path) -> None
             )
         },
     )
-    rows = ideotype_analysis.open(path)
+    rows = ideotype.open(path)
     assert list(rows.absorbed_par_by_scenario.scenario.values) == SCENARIOS
     with open_study(path) as study:
         frame = study.frame()
@@ -361,7 +381,11 @@ def test_scenarios_stand_beside_the_plant(program: Path, tmp_path: Path) -> None
 
 def test_a_report_of_a_front_that_the_program_bred(tmp_path: Path) -> None:
     campaign = write_campaign(tmp_path, 3)
-    keys = ("search.optimizer=nsga2", "objective.minimise=lai", "final.candidates=4")
+    keys = (
+        "search.optimizer=nsga2",
+        "objective.minimise=lai",
+        "final.candidates=4",
+    )
     sets = [word for key in keys for word in ("--set", key)]
     printed = output_of("run", campaign, "--out", tmp_path, *sets)
     said = re.search(r"(\d) of (\d) are still in the front", printed)
@@ -370,7 +394,9 @@ def test_a_report_of_a_front_that_the_program_bred(tmp_path: Path) -> None:
     out = tmp_path / "report"
     arguments = [path, "-o", out, "--ideotype", executable()]
     assert report([str(argument) for argument in arguments]) == 0
-    assert (out / "figures" / f"{path.stem.removesuffix('_r1')}_front.png").exists()
+    assert (
+        out / "figures" / f"{path.stem.removesuffix('_r1')}_front.png"
+    ).exists()
     script = """
       const look = () => document.getElementById("view").toDataURL();
       const before = look();

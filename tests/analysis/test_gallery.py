@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Figures as files."""
 
 from __future__ import annotations
@@ -5,8 +6,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from ideotype_analysis.blocks import Drawing, Picture
-from ideotype_analysis.gallery import draw
+from ideotype.analysis.blocks import Drawing, Picture
+from ideotype.analysis.gallery import draw
 from matplotlib.figure import Figure
 from PIL import Image
 

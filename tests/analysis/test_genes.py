@@ -1,10 +1,11 @@
+# SPDX-License-Identifier: Apache-2.0
 """What genes are called."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
-from ideotype_analysis.genes import Genes
+from ideotype.analysis.genes import Genes
 
 TRAITS = ["fold", "droop", "fold", "droop", "height", *["size_profile"] * 3]
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The program gives the figures of tests/data/golden, bit for bit."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What a history says."""
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ import h5py
 import numpy as np
 import pytest
 from conftest import WriterProcess
-from ideotype_analysis import HistoryError, open_history
+from ideotype.analysis import HistoryError, open_history
 from made_history import MadeHistory
 from made_kinds import ORIGIN
 from made_layout import seal
@@ -207,7 +208,12 @@ def test_generations_may_differ_in_size(tmp_path: Path) -> None:
         seal(file)
     with open_history(tmp_path / "sizes.h5") as history:
         rows = history.evaluations()
-        assert [len(history.evaluations(g)) for g in range(4)] == [12, 10, 14, 0]
+        assert [len(history.evaluations(g)) for g in range(4)] == [
+            12,
+            10,
+            14,
+            0,
+        ]
     assert list(np.bincount(rows.generation)) == [12, 10, 14]
     assert list(rows.slot[20:24]) == [8, 9, 0, 1]
 

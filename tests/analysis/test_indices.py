@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What is read of a sensitivity study, and how a report tells it."""
 
 from __future__ import annotations
@@ -8,10 +9,10 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
-from ideotype_analysis import HistoryError, open_history
-from ideotype_analysis.case import Case
-from ideotype_analysis.commands import report
-from ideotype_analysis.indices import draw_indices
+from ideotype.analysis import HistoryError, open_history
+from ideotype.analysis.case import Case
+from ideotype.analysis.commands import report
+from ideotype.analysis.indices import draw_indices
 from real_program import output_of
 
 CAMPAIGN = Path(__file__).parents[2] / "campaigns" / "ames_quick.toml"
@@ -62,8 +63,10 @@ def test_indices_are_read_by_quantity(path: Path) -> None:
     assert lai.unit == "m2 m-2"
     main = lai.index["total" if "total" in lai.index else "mu_star"]
     np.testing.assert_allclose(main[2:], 0, atol=1e-12)
-    assert np.all(lai.standard_error["total" if "total" in lai.index
-                                     else "mu_star"][:2] > 0)
+    assert np.all(
+        lai.standard_error["total" if "total" in lai.index else "mu_star"][:2]
+        > 0
+    )
 
 
 def test_a_damaged_index_is_noticed(path: Path, tmp_path: Path) -> None:

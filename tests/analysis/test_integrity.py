@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Histories that changed after they were written are noticed."""
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ import h5py
 import numpy as np
 import pytest
 from conftest import WriterProcess
-from ideotype_analysis import HistoryError, open_history, open_study
+from ideotype.analysis import HistoryError, open_history, open_study
 from made_history import MadeHistory
 from made_layout import seal
 
@@ -50,7 +51,9 @@ def test_a_changed_value_is_named(
     assert what in str(error)
 
 
-def test_a_changed_attribute_is_noticed(finished: Path, tmp_path: Path) -> None:
+def test_a_changed_attribute_is_noticed(
+    finished: Path, tmp_path: Path
+) -> None:
     path = tmp_path / "damaged.h5"
     shutil.copy(finished, path)
     with h5py.File(path, "r+") as file:
@@ -59,7 +62,9 @@ def test_a_changed_attribute_is_noticed(finished: Path, tmp_path: Path) -> None:
         open_history(path)
 
 
-def test_what_is_not_committed_may_change(drained: Path, tmp_path: Path) -> None:
+def test_what_is_not_committed_may_change(
+    drained: Path, tmp_path: Path
+) -> None:
     path = tmp_path / "case.h5"
     shutil.copy(drained, path)
     with h5py.File(path, "r+") as file:

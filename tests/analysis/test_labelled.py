@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Histories as labelled arrays, in every state and of both formats."""
 
 from __future__ import annotations
@@ -5,7 +6,7 @@ from __future__ import annotations
 import time
 from pathlib import Path
 
-import ideotype_analysis
+import ideotype
 import numpy as np
 import pytest
 import xarray
@@ -16,7 +17,7 @@ from test_sample import SAMPLE
 
 
 def test_a_finished_file_is_labelled(finished: Path) -> None:
-    rows = ideotype_analysis.open(finished)
+    rows = ideotype.open(finished)
     assert rows.sizes["row"] == 6 * POPULATION
     for name, kind in QUANTITIES.items():
         array = rows[name]
@@ -33,9 +34,9 @@ def test_a_finished_file_is_labelled(finished: Path) -> None:
     draws = rows.objectives_by_randomisation.sel(objective="absorbed_par")
     light = rows.objectives.sel(objective="absorbed_par")
     assert np.allclose(draws.mean("randomisation"), light, equal_nan=True)
-    genes = ideotype_analysis.open(finished, "genes")
+    genes = ideotype.open(finished, "genes")
     assert genes.trait.sel(gene="leaf07_width").item() == "width"
-    finalists = ideotype_analysis.open(finished, "final")
+    finalists = ideotype.open(finished, "final")
     assert finalists.objectives.dims == ("finalist", "objective")
 
 
@@ -51,18 +52,18 @@ def test_only_recorded_rows_of_a_live_and_a_killed_file(
     writer.do("propose 1")
     writer.do("record 1 3")
     for _ in range(2):
-        rows = ideotype_analysis.open(writer.path)
+        rows = ideotype.open(writer.path)
         expected = [*range(POPULATION), POPULATION + 3]
         assert list(rows.row.values) == expected
         assert rows.absorbed_par.values[-1] == absorbed(1, 3)
-        everything = ideotype_analysis.open(writer.path, all_rows=True)
+        everything = ideotype.open(writer.path, all_rows=True)
         assert everything.sizes["row"] > 2 * POPULATION
         assert set(everything.status.values[POPULATION:]) == {0, 1, 2}
         writer.kill()
 
 
 def test_a_file_of_format_1_0_is_presented_in_the_same_way() -> None:
-    rows = ideotype_analysis.open(SAMPLE)
+    rows = ideotype.open(SAMPLE)
     assert rows.absorbed_by_layer.dims == ("row", "layer")
     assert list(rows.layer.values[:2]) == [0.125, 0.375]
     assert list(rows.light_source.values) == ["beam", "sky", "scattered"]
@@ -81,11 +82,11 @@ def test_a_real_run_is_opened_while_it_runs_and_after_its_kill(
         while count < 10:
             assert time.monotonic() < deadline and run.poll() is None
             for path in (tmp_path / "tiny").glob("*.h5"):
-                count = ideotype_analysis.open(path).sizes["row"]
+                count = ideotype.open(path).sizes["row"]
     finally:
         run.kill()
         run.wait()
-    rows = ideotype_analysis.open(path)
+    rows = ideotype.open(path)
     assert rows.sizes["row"] >= count
     assert rows.absorbed_by_leaf.notnull().all()
     total = rows.absorbed_by_leaf.sum("leaf")

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """NSGA-II against a published implementation."""
 
 from __future__ import annotations
@@ -6,10 +7,10 @@ import os
 import subprocess
 from pathlib import Path
 
-import ideotype_analysis
+import ideotype
 import numpy as np
 import pytest
-from ideotype_analysis import open_history
+from ideotype.analysis import open_history
 from numpy.typing import NDArray
 from pymoo.algorithms.moo.nsga2 import NSGA2
 from pymoo.indicators.hv import HV
@@ -94,7 +95,7 @@ def test_histories_have_the_hypervolume_of_each_generation(
     with open_history(path) as history:
         volume = history.generations().hypervolume
     assert volume is not None
-    costs = ideotype_analysis.open(path).objectives.values * [-1, 1]
+    costs = ideotype.open(path).objectives.values * [-1, 1]
     rows = len(costs) // 4
     of_front = HV(ref_point=costs[:rows].max(axis=0))
     expected = [of_front(costs[: rows * g]) for g in range(1, 5)]

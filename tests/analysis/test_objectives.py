@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The scripts of campaigns/ about what light is for, and what finds it."""
 
 from __future__ import annotations

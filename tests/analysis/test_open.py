@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Files in every state that a writer can leave them in."""
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from pathlib import Path
 import h5py
 import pytest
 from conftest import WriterProcess
-from ideotype_analysis import (
+from ideotype.analysis import (
     HistoryError,
     NotAHistory,
     UnsupportedVersion,
@@ -95,7 +96,7 @@ def test_any_setting_of_file_locking_will_do(
     if is_killed:
         writer.kill()
     program = (
-        "import sys; from ideotype_analysis import open_history; "
+        "import sys; from ideotype.analysis import open_history; "
         "print(len(open_history(sys.argv[1]).evaluations()))"
     )
     done = subprocess.run(
@@ -204,7 +205,9 @@ def test_dimensions_without_scales_are_refused(tmp_path: Path) -> None:
     MadeHistory(path).close()
     with h5py.File(path, "r+") as file:
         file["evaluations/loose"] = [1.0, 2.0]
-    with pytest.raises(HistoryError, match="dimensions of /evaluations have no"):
+    with pytest.raises(
+        HistoryError, match="dimensions of /evaluations have no"
+    ):
         open_history(path)
 
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Organs besides leaves, as the report shows them."""
 
 from __future__ import annotations
@@ -7,10 +8,10 @@ import re
 from pathlib import Path
 
 import pytest
-from ideotype_analysis.commands import report
-from ideotype_analysis.comparison import draw_energy, shares
-from ideotype_analysis.study import open_study
-from ideotype_analysis.tables import organs
+from ideotype.analysis.commands import report
+from ideotype.analysis.comparison import draw_energy, shares
+from ideotype.analysis.study import open_study
+from ideotype.analysis.tables import organs
 from real_program import executable
 
 

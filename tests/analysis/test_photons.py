@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Axes of light."""
 
 from __future__ import annotations
@@ -6,17 +7,17 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from ideotype_analysis.case import Case
-from ideotype_analysis.convergence import draw_convergence
-from ideotype_analysis.places import draw_latitudes
-from ideotype_analysis.profiles import (
+from ideotype.analysis.case import Case
+from ideotype.analysis.convergence import draw_convergence
+from ideotype.analysis.places import draw_latitudes
+from ideotype.analysis.profiles import (
     draw_hours,
     draw_layers,
     draw_leaves,
     draw_parts,
 )
-from ideotype_analysis.study import open_study
-from ideotype_analysis.style import axis_label
+from ideotype.analysis.study import open_study
+from ideotype.analysis.style import axis_label
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A report of what the program itself has written: a history, its accuracy
 measured, its plants under each other's light."""
 
@@ -9,9 +10,9 @@ from pathlib import Path
 
 import pytest
 from browser import run_in_browser
-from ideotype_analysis import open_history
-from ideotype_analysis.commands import report
-from ideotype_analysis.fidelity import read_fidelity
+from ideotype.analysis import open_history
+from ideotype.analysis.commands import report
+from ideotype.analysis.fidelity import read_fidelity
 from real_program import executable, output_of, write_campaign
 
 
@@ -30,7 +31,9 @@ def fidelity(tmp_path_factory: pytest.TempPathFactory) -> Path:
     plant.write_text("[[leaf]]".join([head, leaves[3], leaves[7]]))
     path = folder / "fidelity.json"
     options = ("--seconds", 0, "--tolerance", 1e-5, "--json", path)
-    path.with_suffix(".txt").write_text(output_of("fidelity", campaign, *options))
+    path.with_suffix(".txt").write_text(
+        output_of("fidelity", campaign, *options)
+    )
     return path
 
 
@@ -45,13 +48,19 @@ def cross(own: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
-def test_keys_to_paste_are_told_also_where_none_is_so_accurate(fidelity: Path) -> None:
+def test_keys_to_paste_are_told_also_where_none_is_so_accurate(
+    fidelity: Path,
+) -> None:
     told = fidelity.with_suffix(".txt").read_text()
     value, difference = told.split("\n# ")[1:]
     assert value.startswith("value to 0.001 % is not met")
     assert difference.startswith("difference to 0.001 % is not met")
     assert re.search(r"^\[light\]\npaths = \d+$", value, re.MULTILINE)
-    unmet = [c for c in json.loads(fidelity.read_text())["choices"] if not c["is_met"]]
+    unmet = [
+        c
+        for c in json.loads(fidelity.read_text())["choices"]
+        if not c["is_met"]
+    ]
     assert {choice["tolerance"] for choice in unmet} >= {1e-5}
     for choice in unmet:
         assert "check" not in choice

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The report: what the page says and shows, and that a browser shows it."""
 
 from __future__ import annotations
@@ -14,14 +15,14 @@ from pathlib import Path
 
 import pytest
 from browser import run_in_browser
-from ideotype_analysis import HistoryError
-from ideotype_analysis.case_figures import CASE_FIGURES
-from ideotype_analysis.commands import report
-from ideotype_analysis.cross import read_cross
-from ideotype_analysis.geometry import export_plant, find_program
-from ideotype_analysis.progress import Progress
-from ideotype_analysis.study import open_study
-from ideotype_analysis.tables import gains
+from ideotype.analysis import HistoryError
+from ideotype.analysis.case_figures import CASE_FIGURES
+from ideotype.analysis.commands import report
+from ideotype.analysis.cross import read_cross
+from ideotype.analysis.geometry import export_plant, find_program
+from ideotype.analysis.progress import Progress
+from ideotype.analysis.study import open_study
+from ideotype.analysis.tables import gains
 from made_history import MadeHistory
 from made_numbers import final_absorbed
 from made_program import AREA, FACES
@@ -117,7 +118,9 @@ def test_the_page_says_what_was_gained(made: Made) -> None:
     # two seeds, 1.5 % over 11 and 0.1 more in the second
     assert "ames_0807_762x152_all 2 11.0000 ± 0.0069" in words
     assert re.search(r"0\.2[12] ± 0\.64 ", words)
-    over_elite = [100 * ((final_absorbed(2) + shift) / ELITE - 1) for shift in (0, 0.1)]
+    over_elite = [
+        100 * ((final_absorbed(2) + shift) / ELITE - 1) for shift in (0, 0.1)
+    ]
     assert f"{sum(over_elite) / 2:.1f} ± 5.7" in words
 
 
@@ -126,7 +129,8 @@ def test_missing_things_are_plain_sentences(made: Made) -> None:
     for trait in ("profile over leaf position", "trait of the whole plant"):
         assert words.count(f"not drawn, no {trait} is bred.") == len(CASES)
     assert (
-        "Spacings compared: not drawn, all cases have the same plant density." in words
+        "Spacings compared: not drawn, all cases have the same plant density."
+        in words
     )
     assert "4.57 mol for each MJ of PAR" in words
     assert "Saturated" not in words and "Provisional" not in words
@@ -212,7 +216,9 @@ def test_a_browser_shows_the_page(made: Made, tmp_path: Path) -> None:
 
 def test_the_browser_test_sees_errors(tmp_path: Path) -> None:
     page = tmp_path / "bad.html"
-    page.write_text("<html><head></head><body><script>missing()</script></body></html>")
+    page.write_text(
+        "<html><head></head><body><script>missing()</script></body></html>"
+    )
     _, errors = run_in_browser(page, "return 1;", tmp_path)
     assert any("missing is not defined" in error for error in errors)
 
@@ -248,7 +254,9 @@ def test_what_is_missing_or_saturated_is_told(
     text = (tmp_path / "out" / "report.html").read_text()
     assert "&lt;full&gt;.h5" in text and "<full>" not in text
     words = plain(text)
-    assert re.search(r"Saturated, the best being [^.]*: ames-aug-30x6-all", words)
+    assert re.search(
+        r"Saturated, the best being [^.]*: ames-aug-30x6-all", words
+    )
     assert "name it with --ideotype PATH" in words
     assert "The plants are not shown" in words and "<canvas" not in text
     assert "the history has no figures by height layer" in words

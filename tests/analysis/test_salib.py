@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Sensitivity indices against SALib, which is told the same rows."""
 
 import os
@@ -104,7 +105,9 @@ def test_elementary_effects(function, genes, first, total):
     )
     for row, name in enumerate(("mu", "mu_star", "sigma")):
         np.testing.assert_allclose(
-            ours[row, ::2], np.asarray(published[name], float), rtol=1e-10,
+            ours[row, ::2],
+            np.asarray(published[name], float),
+            rtol=1e-10,
             atol=1e-10,
         )
     width = np.asarray(published["mu_star_conf"], float) / 1.96

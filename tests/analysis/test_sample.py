@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A history that a program of format 1.0 wrote (see tests/data/history), and
 the same in format 2.0: both read the same."""
 
@@ -8,13 +9,13 @@ from dataclasses import fields
 from pathlib import Path
 
 import h5py
-import ideotype_analysis
+import ideotype
 import numpy as np
 import pytest
 from convert import convert
-from ideotype_analysis import History, open_history, open_study
-from ideotype_analysis.summary import summarize
-from ideotype_analysis.tables import gains
+from ideotype.analysis import History, open_history, open_study
+from ideotype.analysis.summary import summarize
+from ideotype.analysis.tables import gains
 
 SAMPLE = Path(__file__).parents[1] / "data" / "history" / "format_1_0.h5"
 
@@ -25,7 +26,9 @@ def converted(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(params=["1.0", "2.0"])
-def sample(request: pytest.FixtureRequest, converted: Path) -> Iterator[History]:
+def sample(
+    request: pytest.FixtureRequest, converted: Path
+) -> Iterator[History]:
     path = SAMPLE if request.param == "1.0" else converted
     with open_history(path) as history:
         assert history.attributes["format_version"] == request.param
@@ -46,16 +49,24 @@ def test_both_formats_have_the_same_figures(converted: Path) -> None:
                     assert np.array_equal(getattr(was[name], what), expected)
             for field in fields(was)[3:]:
                 found = getattr(was, field.name)
-                assert np.array_equal(found, getattr(now, field.name)), field.name
+                assert np.array_equal(found, getattr(now, field.name)), (
+                    field.name
+                )
         was, now = old.generations(), new.generations()
         assert list(was.first_row) == list(now.first_row)
         assert list(was.best_row) == list(now.best_row)
         assert list(was.best.values) == list(now.best.values)
-    for group in ("evaluations", "final", "generations", "genes", "objectives"):
-        for name, array in ideotype_analysis.open(converted, group).variables.items():
+    for group in (
+        "evaluations",
+        "final",
+        "generations",
+        "genes",
+        "objectives",
+    ):
+        for name, array in ideotype.open(converted, group).variables.items():
             if name == "checksum":
                 continue
-            same = ideotype_analysis.open(SAMPLE, group).variables[name]
+            same = ideotype.open(SAMPLE, group).variables[name]
             assert array.dims == same.dims, name
             assert np.array_equal(array.values, same.values), name
 
@@ -64,7 +75,9 @@ def test_a_table_says_that_errors_are_not_paired() -> None:
     with open_study(SAMPLE) as study:
         notes = [block.text for block in gains(study.cases(), None)[1:]]
     (note,) = [note for note in notes if "as independent" in note]
-    assert note.startswith("Errors of gains take baseline and best as independent")
+    assert note.startswith(
+        "Errors of gains take baseline and best as independent"
+    )
 
 
 def test_light_per_leaf_area_follows_from_the_exact_leaf_area() -> None:

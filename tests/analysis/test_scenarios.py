@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Plants that are bred for several scenarios."""
 
 from __future__ import annotations
@@ -5,14 +6,14 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-import ideotype_analysis
+import ideotype
 import numpy as np
 import pytest
-from ideotype_analysis import Case, HistoryError, open_study
-from ideotype_analysis.places import draw_latitudes, draw_spacings
-from ideotype_analysis.scene import export_plants, scene_of
-from ideotype_analysis.stand import places
-from ideotype_analysis.tables import scenarios
+from ideotype.analysis import Case, HistoryError, open_study
+from ideotype.analysis.places import draw_latitudes, draw_spacings
+from ideotype.analysis.scene import export_plants, scene_of
+from ideotype.analysis.stand import places
+from ideotype.analysis.tables import scenarios
 from made_history import MadeHistory
 from made_kinds import Measured
 from real_program import output_of, write_campaign
@@ -36,7 +37,7 @@ def test_rows_tell_each_scenario_and_are_found_again(tmp_path: Path) -> None:
     output_of("run", campaign, "--out", tmp_path)
     (path,) = (tmp_path / "tiny").glob("*.h5")
     assert path.name == "all_0807_762x152_all_r1.h5"
-    rows = ideotype_analysis.open(path)
+    rows = ideotype.open(path)
     by_scenario = rows.absorbed_par_by_scenario
     assert list(by_scenario.scenario.values) == ["ames", "south"]
     worst = rows.objectives.sel(objective="absorbed_par")
@@ -82,7 +83,10 @@ def test_a_report_tells_scenarios_apart(tmp_path: Path) -> None:
     make(tmp_path, "[]", latitude=50.0)
     cases = cases_of(tmp_path)
     (table,) = scenarios(cases)
-    assert [row[0] for row in table.rows] == ['["day"]: dense', '["day"]: wide']
+    assert [row[0] for row in table.rows] == [
+        '["day"]: dense',
+        '["day"]: wide',
+    ]
     assert table.rows[1][1].startswith("5.5000\u00a0±")
     assert table.rows[1][3].startswith("1.50\u00a0±")
     assert table.caption.startswith("Absorbed PAR by scenario [MJ")
@@ -106,6 +110,8 @@ def test_what_varies_between_scenarios_is_not_that_of_the_first(
         with pytest.raises(HistoryError, match="all cases have the same"):
             draw(cases)
     with open_study(tmp_path) as study:
-        shown = [(case, export_plants(case, program)) for case in study.cases()]
+        shown = [
+            (case, export_plants(case, program)) for case in study.cases()
+        ]
         scene = json.loads(scene_of(shown))
     assert [len(case["quantities"]) for case in scene["cases"]] == [1, 2]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A season of weather: what the program writes of it, and how it is drawn."""
 
 from __future__ import annotations
@@ -8,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from ideotype_analysis import open_history, open_study
-from ideotype_analysis.profiles import draw_hours, draw_parts
+from ideotype.analysis import open_history, open_study
+from ideotype.analysis.profiles import draw_hours, draw_parts
 from real_program import CAMPAIGNS, executable, output_of, write_campaign
 
 _CLIMATE = Path(__file__).parents[1] / "data" / "campaign" / "july.toml"
@@ -53,7 +54,9 @@ def test_hours_and_days_sum_to_the_mean_day(season: Path) -> None:
     weather = season.parents[1] / _WEATHER
     table = np.genfromtxt(weather, delimiter=",", skip_header=1, max_rows=240)
     mol = table[:, 1].sum() * 3600 / 10 / 1e6
-    assert best.estimate("incident").mean == pytest.approx(mol / 4.57, rel=1e-9)
+    assert best.estimate("incident").mean == pytest.approx(
+        mol / 4.57, rel=1e-9
+    )
 
 
 def test_a_season_is_drawn_by_hour_and_by_day(season: Path) -> None:
@@ -68,18 +71,29 @@ def test_a_season_is_drawn_by_hour_and_by_day(season: Path) -> None:
     assert len(parts.axes[0].get_yticks()) == 5
 
 
-def test_a_row_is_the_same_without_the_file(season: Path, tmp_path: Path) -> None:
+def test_a_row_is_the_same_without_the_file(
+    season: Path, tmp_path: Path
+) -> None:
     alone = shutil.copy(season, tmp_path)
     assert "bit for bit" in output_of("evaluate", alone, "--best")
 
 
-def test_a_run_is_not_resumed_with_other_weather(season: Path, campaign: Path) -> None:
+def test_a_run_is_not_resumed_with_other_weather(
+    season: Path, campaign: Path
+) -> None:
     weather = campaign.parent / _WEATHER
     text = weather.read_text()
     weather.write_text(text.replace(",25.1,", ",25.2,", 1))
     try:
         done = subprocess.run(
-            [executable(), "run", campaign, "--out", campaign.parent, "--resume"],
+            [
+                executable(),
+                "run",
+                campaign,
+                "--out",
+                campaign.parent,
+                "--resume",
+            ],
             capture_output=True,
             text=True,
             check=False,

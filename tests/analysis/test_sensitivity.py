@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Which traits matter."""
 
 from __future__ import annotations
@@ -7,12 +8,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from ideotype_analysis import HistoryError, open_history
-from ideotype_analysis.correlation import (
+from ideotype.analysis import HistoryError, open_history
+from ideotype.analysis.correlation import (
     draw_correlation,
     rank_correlation,
 )
-from ideotype_analysis.sensitivity import (
+from ideotype.analysis.sensitivity import (
     Predictor,
     Sensitivity,
     centred,
@@ -23,7 +24,7 @@ from ideotype_analysis.sensitivity import (
     regress,
     sensitivity,
 )
-from ideotype_analysis.study import open_study
+from ideotype.analysis.study import open_study
 from made_numbers import LEAVES
 
 PLANTS = 2000
@@ -157,7 +158,7 @@ def test_only_clear_effects_are_drawn(
         is_clear = found.is_clear.copy()
         is_clear[strongest] = False
         hidden = replace(found, is_clear=is_clear)
-        module = "ideotype_analysis.sensitivity.sensitivity"
+        module = "ideotype.analysis.sensitivity.sensitivity"
         monkeypatch.setattr(module, lambda _: hidden)
         left, right, _ = draw_sensitivity(case).axes
         listed = [label.get_text() for label in left.get_yticklabels()]

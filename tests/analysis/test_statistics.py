@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Circles, errors and units."""
 
 from __future__ import annotations
@@ -7,9 +8,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from ideotype_analysis import Estimate
-from ideotype_analysis.circle import circular_deviation, circular_mean
-from ideotype_analysis.estimate import difference, relative_gain
+from ideotype.analysis import Estimate
+from ideotype.analysis.circle import circular_deviation, circular_mean
+from ideotype.analysis.estimate import difference, relative_gain
 
 
 def test_359_and_1_are_neighbours() -> None:

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Many histories together."""
 
 from __future__ import annotations
@@ -8,8 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import SHIFTS, WriterProcess
-from ideotype_analysis import Estimate, HistoryError, open_study
-from ideotype_analysis.interval import interval
+from ideotype.analysis import Estimate, HistoryError, open_study
+from ideotype.analysis.interval import interval
 from made_history import MadeHistory
 from made_numbers import BASELINE, POPULATION, absorbed, final_absorbed
 
@@ -149,7 +150,9 @@ def test_saturation_is_told_from_room(sweep: Path, tmp_path: Path) -> None:
 def test_studies_cases_and_histories_tell_what_they_are(sweep: Path) -> None:
     with open_study(sweep) as study:
         assert repr(study) == "<Study, histories: 4>"
-        assert repr(study.cases()[0]) == "<Case ames_0807_762x152_all, seeds: 2>"
+        assert (
+            repr(study.cases()[0]) == "<Case ames_0807_762x152_all, seeds: 2>"
+        )
         assert repr(study[0]) == f"<History {study[0].path}>"
 
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The 3D view, by its pixels."""
 
 from __future__ import annotations
@@ -10,9 +11,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from browser import run_in_browser
-from ideotype_analysis.blocks import Picture, Section, Viewer
-from ideotype_analysis.page import render
-from ideotype_analysis.scene import packed
+from ideotype.analysis.blocks import Picture, Section, Viewer
+from ideotype.analysis.page import render
+from ideotype.analysis.scene import packed
 from phone import WIDTH, phone_with
 from PIL import Image
 
@@ -52,7 +53,11 @@ def scene_of(direction: float | None = 90.0) -> str:
         "name": "made",
         "front": None,
         "plants": [
-            {"title": f"{name}: {TITLE}", "shape": 0, **packed(np.array(vertices))}
+            {
+                "title": f"{name}: {TITLE}",
+                "shape": 0,
+                **packed(np.array(vertices)),
+            }
             for name in ("baseline", "best")
         ],
         "quantities": [
@@ -90,12 +95,15 @@ PIXELS = """
 """
 
 
-NEARER = PIXELS + """
+NEARER = (
+    PIXELS
+    + """
   const at = (plant, side) => color(
     panel * (plant + 0.5) + side * 0.25 * view.dataset.scale,
     view.clientHeight / 2);
   return [[at(0, -1), at(0, 1)], [at(1, -1), at(1, 1)]];
 """
+)
 """Colours of what is nearer on the left and on the right of each plant."""
 
 
@@ -114,17 +122,24 @@ def test_what_is_nearer_hides_what_crosses_it(tmp_path: Path) -> None:
 
 
 def test_plants_have_their_size(tmp_path: Path) -> None:
-    script = PIXELS + """
+    script = (
+        PIXELS
+        + """
       const at = (across) => color(
         panel / 2 + across * view.dataset.scale, view.clientHeight / 2);
       return [0.48, 0.52].map((across) => at(across));
     """
-    shown, errors = run_in_browser(page_of(tmp_path, scene_of()), script, tmp_path)
+    )
+    shown, errors = run_in_browser(
+        page_of(tmp_path, scene_of()), script, tmp_path
+    )
     assert errors == []
     assert shown[0] != [255, 255, 255] == shown[1]
 
 
-def test_organs_without_light_have_colours_of_their_own(tmp_path: Path) -> None:
+def test_organs_without_light_have_colours_of_their_own(
+    tmp_path: Path,
+) -> None:
     scene = json.loads(scene_of())
     scene["cases"][0]["quantities"][0]["values"] = [[None, 1.0], [0.0, None]]
     page = page_of(tmp_path, json.dumps(scene))
@@ -139,7 +154,9 @@ def test_the_ground_shows_north_from_above(
     tmp_path: Path, direction: float | None
 ) -> None:
     """The black of the arrow's faces, over the ground around the plant."""
-    script = PIXELS + """
+    script = (
+        PIXELS
+        + """
       click("[data-view=above]");
       const { data, width } = context.getImageData(
         0, 0, dense * panel, view.height - 30 * dense);
@@ -156,6 +173,7 @@ def test_the_ground_shows_north_from_above(
           view.clientHeight / 2 + 0.5 * view.dataset.scale),
       };
     """
+    )
     page = page_of(tmp_path, scene_of(direction))
     shown, errors = run_in_browser(page, script, tmp_path)
     assert errors == []
@@ -172,7 +190,9 @@ def test_the_ground_shows_north_from_above(
 
 
 def test_neighbours_come_on_request(tmp_path: Path) -> None:
-    script = PIXELS + """
+    script = (
+        PIXELS
+        + """
       const look = () => [Number(view.dataset.faces), view.toDataURL()];
       const [alone, first] = look();
       click("#view-neighbours");
@@ -181,13 +201,18 @@ def test_neighbours_come_on_request(tmp_path: Path) -> None:
       const [again, third] = look();
       return [alone, many, again, first !== second, first === third];
     """
-    shown, errors = run_in_browser(page_of(tmp_path, scene_of()), script, tmp_path)
+    )
+    shown, errors = run_in_browser(
+        page_of(tmp_path, scene_of()), script, tmp_path
+    )
     assert errors == []
     assert shown == [4, 4 * (1 + len(NEIGHBOURS)), 4, True, True]
 
 
 def test_scale_and_colour_bar_are_labelled(tmp_path: Path) -> None:
-    script = PIXELS + """
+    script = (
+        PIXELS
+        + """
       const row = context.getImageData(
         0, dense * (view.clientHeight - 10), dense * panel, 1).data;
       let dark = 0;
@@ -201,7 +226,10 @@ def test_scale_and_colour_bar_are_labelled(tmp_path: Path) -> None:
           .backgroundImage,
       };
     """
-    shown, errors = run_in_browser(page_of(tmp_path, scene_of()), script, tmp_path)
+    )
+    shown, errors = run_in_browser(
+        page_of(tmp_path, scene_of()), script, tmp_path
+    )
     assert errors == []
     assert shown["metres"] in (0.5, 1)
     length = shown["metres"] * shown["scale"]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The weather that a history holds is what pvlib, which is independent code,
 reads from the same file: a whole typical year, and small files of other
 formats."""
@@ -93,9 +94,13 @@ def test_weather_is_what_pvlib_reads(name: str, tmp_path: Path) -> None:
     # Diffuse light as given, but with the sun at or below the horizon, and where
     # the beam would be more than there is outside the atmosphere.
     is_up = cosine > 0.02
-    outside = pvlib.irradiance.get_extra_radiation(at, 1361.1).to_numpy() * cosine
+    outside = (
+        pvlib.irradiance.get_extra_radiation(at, 1361.1).to_numpy() * cosine
+    )
     plain = is_up & (ghi - dhi < 0.99 * outside)
     diffuse = np.array(weather["diffuse"])
-    assert diffuse[plain] == pytest.approx(PAR * np.minimum(dhi, ghi)[plain], abs=1e-9)
+    assert diffuse[plain] == pytest.approx(
+        PAR * np.minimum(dhi, ghi)[plain], abs=1e-9
+    )
     assert plain[ghi > 0].mean() > 0.9
     assert np.array(weather["beam"])[cosine < -0.01] == pytest.approx(0)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What single traits are worth, as campaigns/what_pays.py tells it."""
 
 from __future__ import annotations

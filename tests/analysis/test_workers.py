@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Reports drawn by several processes."""
 
 from __future__ import annotations
@@ -11,9 +12,9 @@ from pathlib import Path
 
 import pytest
 from conftest import WriterProcess
-from ideotype_analysis.report import write_report
-from ideotype_analysis.study import open_study
-from ideotype_analysis.workers import workers
+from ideotype.analysis.report import write_report
+from ideotype.analysis.study import open_study
+from ideotype.analysis.workers import workers
 
 
 def meet(folder: Path, number: int) -> tuple[int, int]:
@@ -57,7 +58,9 @@ def test_any_number_of_processes_makes_the_same_report(
         folder = tmp_path / str(jobs)
         with open_study(first) as study:
             written = write_report(study, folder, jobs=jobs)
-        assert sorted(written.figures) == sorted((folder / "figures").iterdir())
+        assert sorted(written.figures) == sorted(
+            (folder / "figures").iterdir()
+        )
         content.append(
             [path.read_bytes() for path in (written.page, *written.figures)]
         )

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 //! What accuracy costs: for each stand, light and tolerance the error that
 //! evaluations report, the time of the processor they take, the figure of merit
 //! 1 / (relative variance x core-seconds), and what the variance is made of.
@@ -33,7 +34,7 @@ constexpr Setting settings[] = {
 //! 14 instants of a clear day, and so many rows of so many plants of version
 //! 0.1, so that figures compare.
 Campaign ames(int plants) {
-    Campaign campaign = Stand::ames();
+    Campaign campaign = BenchStand::ames();
     campaign.crop.baseline =
         read_plant(IDEOTYPE_CAMPAIGNS "/plants/b73_v01.toml");
     campaign.days[0].value.step_minutes = 60;
@@ -41,7 +42,7 @@ Campaign ames(int plants) {
     return campaign;
 }
 
-void change(Stand& stand, const Setting& setting) {
+void change(BenchStand& stand, const Setting& setting) {
     Scenario& scenario = stand.request.scenario;
     scenario.optics = {setting.surface, setting.surface, setting.soil_albedo};
     if (!setting.has_sky) {
@@ -59,7 +60,7 @@ struct Origins {
 };
 
 //! With the workload that a tolerance takes.
-Origins origins_of(const Stand& stand, const Accuracy& accuracy) {
+Origins origins_of(const BenchStand& stand, const Accuracy& accuracy) {
     const Field field = stand.field(stand.baseline);
     const Scene scene = stand.scene(field);
     const Illumination& light = stand.request.scenario.light.light;
@@ -99,7 +100,7 @@ Origins origins_of(const Stand& stand, const Accuracy& accuracy) {
 
 void print_row(int plants, const Setting& setting, int randomisations,
                double tolerance) {
-    Stand stand(ames(plants));
+    BenchStand stand(ames(plants));
     change(stand, setting);
     CanopyRequest& request = stand.request;
     request.accuracy = {1 << 24, randomisations, tolerance};

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 //! The bias of canopy assimilation by the light of pieces of leaves: of noise
 //! in that light, against the number of paths, and of the size of pieces; and
 //! whether standard errors are honest.
@@ -125,7 +126,7 @@ class Canopy {
 
     const Scenario& scenario() const { return stand_.request.scenario; }
 
-    Stand stand_;
+    BenchStand stand_;
     Field field_;
     Pieces pieces_;
     std::optional<Scene> scene_;
@@ -222,7 +223,7 @@ void print_pieces() {
 //! gross assimilation.
 class Costs {
   public:
-    Costs(const Stand& stand, double tolerance, int repeats) {
+    Costs(const BenchStand& stand, double tolerance, int repeats) {
         CanopyRequest request = stand.request;
         request.accuracy = {1 << 22, 16, tolerance};
         for (int i = 1; i <= repeats; ++i) {
@@ -278,7 +279,7 @@ void print_cost(int repeats) {
         "error % | ratio | at equal error "
         "|\n|---|---|---|---|---|---|---|---|\n");
     for (const char* name : {"ames", "bondville"}) {
-        const Stand stand(
+        const BenchStand stand(
             read_campaign(fmt::format("{}/{}.toml", IDEOTYPE_CAMPAIGNS, name)));
         for (const double tolerance : {.008, .003, .001}) {
             fmt::print("| {} | {} | {} |\n", name, tolerance,

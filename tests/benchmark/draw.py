@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Draws the figures of README.md from what benchmarks wrote.
 
 Usage: draw.py accuracy BEFORE AFTER FOLDER, with the tables of `accuracy`,
        draw.py scaling SCALING.json FOLDER, with the output of
            `benchmarks --benchmark_format=json`.
 """
+
 import json
 import math
 import sys

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 //! The parts of an evaluation, whole evaluations to a tolerance, a generation.
 #include <cmath>
 
@@ -5,6 +6,7 @@
 #include <sys/resource.h>
 
 #include "ideotype/light/transport.hpp"
+#include "ideotype/run/evaluator.hpp"
 #include "stand.hpp"
 
 namespace ideotype {
@@ -12,13 +14,13 @@ namespace ideotype {
 namespace {
 
 void geometry(benchmark::State& state) {
-    const Stand stand(Stand::ames());
+    const BenchStand stand(BenchStand::ames());
     for (auto _ : state) benchmark::DoNotOptimize(stand.field(stand.baseline));
 }
 BENCHMARK(geometry)->Unit(benchmark::kMillisecond);
 
 void scene(benchmark::State& state) {
-    const Stand stand(Stand::ames());
+    const BenchStand stand(BenchStand::ames());
     const Field field = stand.field(stand.baseline);
     std::size_t faces = 0;
     for (auto _ : state) faces = stand.scene(field).faces();
@@ -27,7 +29,7 @@ void scene(benchmark::State& state) {
 BENCHMARK(scene)->Unit(benchmark::kMillisecond);
 
 void light(benchmark::State& state) {
-    const Stand stand(Stand::ames());
+    const BenchStand stand(BenchStand::ames());
     const Field field = stand.field(stand.baseline);
     const Scene traced = stand.scene(field);
     const Accuracy accuracy = stand.campaign.sampling;
@@ -42,7 +44,7 @@ void light(benchmark::State& state) {
 }
 BENCHMARK(light)->Unit(benchmark::kMillisecond);
 
-CanopyReport evaluate(const Stand& stand, const Accuracy& accuracy,
+CanopyReport evaluate(const BenchStand& stand, const Accuracy& accuracy,
                       std::uint32_t generation = 0) {
     CanopyRequest request = stand.request;
     request.accuracy = accuracy;
@@ -52,7 +54,7 @@ CanopyReport evaluate(const Stand& stand, const Accuracy& accuracy,
 
 //! The fewest paths, in eight randomisations, that meet a tolerance on average
 //! of some draws: errors fall with paths to a power near -0.55.
-int paths_for(const Stand& stand, double tolerance) {
+int paths_for(const BenchStand& stand, double tolerance) {
     constexpr int trial = 4096;
     double squares = 0;
     constexpr std::uint32_t draws = 8;
@@ -68,7 +70,7 @@ int paths_for(const Stand& stand, double tolerance) {
 
 //! 10^-2, 10^-3, 10^-4 as the relative standard error of the leaves' light.
 void evaluation(benchmark::State& state) {
-    const Stand stand(Stand::ames());
+    const BenchStand stand(BenchStand::ames());
     const double tolerance = std::pow(10, -static_cast<double>(state.range(0)));
     const Accuracy accuracy{paths_for(stand, tolerance), 8};
     double error = 0;
@@ -83,7 +85,7 @@ BENCHMARK(evaluation)
 
 //! As a worker does it: a population with the campaign's accuracy.
 void generation(benchmark::State& state) {
-    const Campaign campaign = Stand::ames();
+    const Campaign campaign = BenchStand::ames();
     CanopyEvaluator evaluator(campaign, Device::supported_isas().back());
     const Genome baseline = baseline_numbers(campaign.crop);
     for (auto _ : state)
@@ -101,7 +103,7 @@ BENCHMARK(generation)->Unit(benchmark::kMillisecond)->Iterations(1);
 //! Peak of a process that does nothing but evaluate [MiB]; run it alone, as
 //! table.sh does.
 void memory(benchmark::State& state) {
-    const Campaign campaign = Stand::ames();
+    const Campaign campaign = BenchStand::ames();
     CanopyEvaluator evaluator(campaign, Device::supported_isas().back());
     const Genome baseline = baseline_numbers(campaign.crop);
     for (auto _ : state)

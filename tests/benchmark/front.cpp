@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // front SEED... : a front of absorbed light against leaf area at Ames by
 // NSGA-II, when parents are evaluated again in each generation, under the
 // random numbers of their children, and when they keep what they had; after the

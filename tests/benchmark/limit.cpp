@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 //! What Embree can do at all with this scene: the faces of the cell and of its
 //! neighbours, rays without wraps, scattering or tallies. The only file outside
 //! src/light that uses Embree.
@@ -117,7 +118,7 @@ void set_lane(RayHit& packet, std::size_t lane, const Rays& rays,
 template <class RayHit>
 void trace_packets(benchmark::State& state) {
     constexpr std::size_t lanes = sizeof(RayHit::ray.org_x) / sizeof(float);
-    const Stand stand(Stand::ames());
+    const BenchStand stand(BenchStand::ames());
     const Field field = stand.field(stand.baseline);
     const RawScene raw(field, RTC_SCENE_FLAG_ROBUST, RTC_BUILD_QUALITY_MEDIUM);
     const Rays rays(field);
@@ -151,7 +152,7 @@ enum class Order { tiles, shuffled };
 
 void trace_single(benchmark::State& state, RTCSceneFlags flags,
                   RTCBuildQuality quality, Order order) {
-    const Stand stand(Stand::ames());
+    const BenchStand stand(BenchStand::ames());
     const Field field = stand.field(stand.baseline);
     const RawScene raw(field, flags, quality);
     const Rays rays(field);
@@ -207,7 +208,7 @@ BENCHMARK_CAPTURE(trace_single, shuffled_compact, robust_compact, medium,
 
 template <RTCBuildQuality quality>
 void raw_build(benchmark::State& state) {
-    const Stand stand(Stand::ames());
+    const BenchStand stand(BenchStand::ames());
     const Field field = stand.field(stand.baseline);
     for (auto _ : state)
         benchmark::DoNotOptimize(RawScene(field, robust, quality).scene());

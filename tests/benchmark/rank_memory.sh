@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Prints what memory the ranks of a run take, with MPI and HDF5: the peak, and
 # the private, file-backed and shared parts of it; libraries are counted in
 # every rank, though all share them.
 # Usage: tests/benchmark/rank_memory.sh IDEOTYPE CAMPAIGN [RANKS]
 set -euo pipefail
 if [ $# -lt 2 ]; then
-    sed -n '2,5s/^# //p' "$0" >&2
+    sed -n '3,6s/^# //p' "$0" >&2
     exit 2
 fi
 program=$1

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 //! Cost against plants, leaves, faces, hours and sites; table.sh fits the
 //! exponents.
 #include <string>
 
 #include <benchmark/benchmark.h>
 
+#include "ideotype/run/evaluator.hpp"
 #include "stand.hpp"
 
 namespace ideotype {
@@ -11,7 +13,7 @@ namespace ideotype {
 namespace {
 
 void measure(benchmark::State& state, Campaign campaign, double size) {
-    Stand stand(std::move(campaign));
+    BenchStand stand(std::move(campaign));
     stand.request.accuracy = {1024, 8};
     for (auto _ : state)
         benchmark::DoNotOptimize(evaluate(stand.request, stand.device));
@@ -19,7 +21,7 @@ void measure(benchmark::State& state, Campaign campaign, double size) {
 }
 
 void plants(benchmark::State& state) {
-    Campaign campaign = Stand::ames();
+    Campaign campaign = BenchStand::ames();
     campaign.field.rows = campaign.field.plants =
         static_cast<int>(state.range(0));
     measure(state, campaign, 1.0 * campaign.field.rows * campaign.field.rows);
@@ -29,7 +31,7 @@ BENCHMARK(plants)->Arg(1)->Arg(3)->Arg(10)->Arg(32)->Arg(100)->Unit(
 
 //! The baseline's leaves several times over, each time a little turned.
 void leaves(benchmark::State& state) {
-    Campaign campaign = Stand::ames();
+    Campaign campaign = BenchStand::ames();
     std::vector<Leaf>& leaves = campaign.crop.baseline.leaves;
     const std::vector<Leaf> own = std::exchange(leaves, {});
     for (int i = 0; i < state.range(0); ++i) {
@@ -46,7 +48,7 @@ BENCHMARK(leaves)->RangeMultiplier(2)->Range(5, 80)->Unit(
 
 //! Cells along a leaf, two faces each.
 void faces(benchmark::State& state) {
-    Campaign campaign = Stand::ames();
+    Campaign campaign = BenchStand::ames();
     campaign.tessellation.cells_along = static_cast<int>(state.range(0));
     measure(state, campaign, 2.0 * static_cast<double>(state.range(0)));
 }
@@ -55,7 +57,7 @@ BENCHMARK(faces)->RangeMultiplier(2)->Range(4, 64)->Unit(
 
 //! Instants of the day, with the same number of paths in all.
 void hours(benchmark::State& state) {
-    Campaign campaign = Stand::ames();
+    Campaign campaign = BenchStand::ames();
     campaign.days[0].value.step_minutes =
         780.0 / static_cast<double>(state.range(0));
     measure(state, campaign, static_cast<double>(state.range(0)) + 1);
@@ -66,7 +68,7 @@ BENCHMARK(hours)->RangeMultiplier(2)->Range(6, 208)->Unit(
 //! A worker's whole work for a campaign of so many sites: their light, and one
 //! evaluation for each.
 void sites(benchmark::State& state) {
-    Campaign campaign = Stand::ames();
+    Campaign campaign = BenchStand::ames();
     campaign.replicates = 1;
     const Site ames = campaign.sites[0];
     campaign.sites.clear();

@@ -1,26 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "stand.hpp"
 
 namespace ideotype {
 
-Campaign Stand::ames() {
+Campaign BenchStand::ames() {
     return read_campaign(IDEOTYPE_CAMPAIGNS "/ames.toml");
 }
 
-Stand::Stand(Campaign changed)
+BenchStand::BenchStand(Campaign changed)
     : campaign(std::move(changed)),
       chosen(cases(campaign).front()),
       baseline(baseline_numbers(campaign.crop)),
-      request(request_of({}, campaign, chosen, scenario_of(campaign, chosen),
+      request(request_of(sampling_of({}, campaign, chosen), campaign,
+                         scenario_of(campaign, chosen),
                          campaign.crop.baseline)),
       device(Device::supported_isas().back()) {}
 
-Field Stand::field(const Genome& genome) const {
+Field BenchStand::field(const Genome& genome) const {
     return draw_field(
         build_plant(grow(campaign.crop, genome), campaign.tessellation),
         request.scenario.field, request.randomness);
 }
 
-Scene Stand::scene(const Field& field) const {
+Scene BenchStand::scene(const Field& field) const {
     return build_scene(device, field);
 }
 

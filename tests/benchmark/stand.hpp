@@ -1,18 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include "ideotype/light/illumination.hpp"
 #include "ideotype/light/scene.hpp"
-#include "ideotype/run/evaluator.hpp"
+#include "ideotype/stand/stand.hpp"
 
 namespace ideotype {
 
 //! The baseline at Ames under its day, with what may be changed about it
 //! first.
-struct Stand {
+struct BenchStand {
     //! campaigns/ames.toml
     static Campaign ames();
 
-    explicit Stand(Campaign changed);
+    explicit BenchStand(Campaign changed);
 
     Field field(const Genome& genome) const;
     Scene scene(const Field& field) const;

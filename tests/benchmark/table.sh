@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Prints one table of all benchmarks: times, ratios to what Embree can do at
 # all, exponents of cost, memory, and the share of time inside Embree.
 # Usage: tests/benchmark/table.sh BENCHMARKS [OPTION...], with the executable
 # (build/dev/tests/benchmark/benchmarks) and options of Google Benchmark.
 set -euo pipefail
 if [ $# -lt 1 ]; then
-    sed -n '2,5s/^# //p' "$0" >&2
+    sed -n '3,6s/^# //p' "$0" >&2
     exit 2
 fi
 benchmarks=$1

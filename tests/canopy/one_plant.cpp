@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Evaluates plants of two leaves on a clear day with nothing but the canopy
 // library.
 #include <cstdio>

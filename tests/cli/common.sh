@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Shared by the tests of the program: $1 the executable, $2 the project, $3 a
 # folder for this test alone.
 set -euo pipefail

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 //! `run` on ranks of which some lack instruction sets, as on a cluster of
 //! different nodes: only rank 0 has all of this machine.
 //! Usage: mpirun -n RANKS mixed_cluster CAMPAIGN OUT ISAS

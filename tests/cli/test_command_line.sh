@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Every verb, its output and its exit code.
 . "$(dirname "$0")/common.sh"
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Disks that are too small, fill up or are read-only, and files that are cut
 # short: a clear message, nothing lost, and on with --resume.
 . "$(dirname "$0")/common.sh"

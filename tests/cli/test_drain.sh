@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # A run that is drained and resumed gives bitwise what an uninterrupted run
 # gives; what would break the contract is refused. Kills: tests/stress.
 . "$(dirname "$0")/common.sh"

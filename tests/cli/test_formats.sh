@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Histories of an earlier format, and damaged ones of today's.
 . "$(dirname "$0")/common.sh"
 

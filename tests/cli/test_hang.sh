@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # A worker that hangs, here one that is stopped, is passed over: the run goes
 # on without it and ends in order, with the results that it would have had.
 . "$(dirname "$0")/common.sh"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # `run --ranks` starts MPI by itself, with nothing set for it; signals end it in
 # order with exit code 5, and what it says goes on, typed as it is said.
 . "$(dirname "$0")/common.sh"

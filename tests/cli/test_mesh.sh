@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # evaluate --mesh: its output and its errors.
 . "$(dirname "$0")/common.sh"
 

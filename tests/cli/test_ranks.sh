@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Results are bitwise the same alone, under mpirun, and for any number of
 # ranks, also more than there are candidates.
 . "$(dirname "$0")/common.sh"

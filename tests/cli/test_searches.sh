@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Where CMA-ES begins, and what an export tells of each search.
 . "$(dirname "$0")/common.sh"
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # A season of weather: the same bits with any number of ranks, and after a kill.
 . "$(dirname "$0")/common.sh"
 write_campaign season 8 60

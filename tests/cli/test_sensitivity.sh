@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # A sensitivity study: the same bits for any number of ranks and after a stop,
 # rows that can be computed again, failed rows, and what is refused.
 . "$(dirname "$0")/common.sh"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Many cases in one job give bitwise what each gives alone, also when the job
 # is drained and resumed, and a case that fails does not stop the others.
 . "$(dirname "$0")/common.sh"

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: Apache-2.0
 # The walk to a crop of one's own in campaigns/README.md, as a user takes it.
 source "$(dirname "$0")/common.sh"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Skies are sampled in proportion to radiance times cos z: seen point by
 // point, in statistics of random directions and in their mean.
 #include <algorithm>

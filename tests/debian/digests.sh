@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # digests.sh IDEOTYPE: digests of results, to compare the bits of two builds on
 # one machine: all figures of an evaluation, and all rows of a short run.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # What run.sh runs inside of the new root: both commands of README.md, then
 # versions, times and digests of results to compare between two Debians.
 set -euo pipefail

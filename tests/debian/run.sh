@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Runs both commands of README.md on a fresh Debian of another suite, as root
 # and with its own packages, on a clone of what is committed here; then tells
 # versions and results.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any text is either a campaign, whose resolved form reads back to itself, or
 // an InputError. A migrated text has nothing left to migrate.
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any bytes are either a finite mesh or an InputError.
 #include <cmath>
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any bytes are either weather without gaps or an InputError.
 #include <cmath>
 #include <cstddef>

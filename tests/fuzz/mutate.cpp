@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `fuzz_X SECONDS SEED_FILE...`: where there is no libFuzzer, tries changed
 // copies of the files, always in the same order: a second run in a debugger
 // ends at the same input.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Suns, rays and fields at the limits.
 #include <chrono>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Days and numbers of paths at the limits.
 #include <cmath>
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Leaves and optics at the limits.
 #include <algorithm>
 #include <cmath>

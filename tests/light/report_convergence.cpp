@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -5,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "ideotype/light/report.hpp"
-#include "ideotype/run/evaluator.hpp"
+#include "ideotype/stand/stand.hpp"
 #include "light_report.hpp"
 
 namespace ideotype {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Everything at the limits of what can be asked for.
 #include <gtest/gtest.h>
 

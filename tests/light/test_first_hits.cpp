@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Depth buffers of beams against rays, and lattices of their points.
 #include <cmath>
 #include <numeric>

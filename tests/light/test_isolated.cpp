@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plots that stand alone on an infinite plane of soil.
 #include <cmath>
 #include <numbers>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What of the light leaves absorb is told apart: by origin, face and layer, and
 // how much leaf area is sunlit.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // README.md is written by light_report; these tell when it is out of date.
 #include <fstream>
 #include <sstream>

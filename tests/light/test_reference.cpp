@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exact and independently computed values, with fewer paths than the report
 // in README.md takes, and each setup of the engine with some of them.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The same light described in another way: what must not matter does not.
 #include <algorithm>
 #include <cmath>

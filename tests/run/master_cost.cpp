@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 //! What an evaluation costs rank 0: evolves a case with workers that only
 //! sleep, with the real loop, messages and history. Prints one line per
 //! duration of an evaluation; nothing is asserted.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -86,7 +87,7 @@ TEST_F(Ames, CandidatesOfAGenerationShareTheirRandomNumbers) {
 TEST_F(Ames, TheElitePlantAbsorbsMoreThanTheBaseline) {
     const Device device(Device::supported_isas().back());
     const auto absorbed = [&](const Plant& plant) {
-        return evaluate(request_of({}, campaign, all[0],
+        return evaluate(request_of(sampling_of({}, campaign, all[0]), campaign,
                                    scenario_of(campaign, all[0]), plant),
                         device)
             .light.day.leaves;
@@ -240,10 +241,10 @@ TEST(Canopy, InThePolarNightAllFiguresAreZero) {
         const Plant& baseline = campaign.crop.baseline;
         const Outcome outcome = checked_outcome(
             outcome_schema(campaign, night, campaign.sampling),
-            to_outcome(
-                campaign, baseline,
-                evaluate(request_of({}, campaign, night, scenario, baseline),
-                         device)));
+            to_outcome(campaign, baseline,
+                       evaluate(request_of(sampling_of({}, campaign, night),
+                                           campaign, scenario, baseline),
+                                device)));
         EXPECT_EQ(outcome.status, Status::done) << outcome.message;
         EXPECT_EQ(outcome.objectives[0].mean, 0);
         EXPECT_EQ(outcome.objectives[0].standard_error, 0);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -6,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "ideotype/core/error.hpp"
-#include "ideotype/run/evaluator.hpp"
 #include "ideotype/run/evolve_case.hpp"
 #include "ideotype/run/provenance.hpp"
+#include "ideotype/stand/stand.hpp"
 #include "once.hpp"
 
 namespace ideotype {

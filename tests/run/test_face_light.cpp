@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <utility>
 
 #include <gtest/gtest.h>
 
-#include "ideotype/run/evaluator.hpp"
+#include "ideotype/stand/stand.hpp"
 
 namespace ideotype {
 namespace {
@@ -64,8 +65,8 @@ class FaceLight : public ::testing::Test {
     const Case chosen = cases(campaign)[0];
     const double ground = chosen.spacing.row * chosen.spacing.plant;
     CanopyRequest request =
-        request_of({}, campaign, chosen, scenario_of(campaign, chosen),
-                   campaign.crop.baseline);
+        request_of(sampling_of({}, campaign, chosen), campaign,
+                   scenario_of(campaign, chosen), campaign.crop.baseline);
     const Mesh plant =
         build_plant(campaign.crop.baseline, campaign.tessellation);
     const Device device{Device::supported_isas().back()};

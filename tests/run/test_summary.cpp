@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
 
 #include <gtest/gtest.h>
 
-#include "ideotype/run/evaluator.hpp"
 #include "ideotype/run/provenance.hpp"
 #include "ideotype/run/summary.hpp"
+#include "ideotype/stand/stand.hpp"
 
 namespace ideotype {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 //! Evolves cases with the real master's loop, dispatcher and messages on a
 //! simulated cluster: see README.md.
 #include <algorithm>

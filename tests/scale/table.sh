@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Efficiency on a simulated cluster: see README.md.
 # Usage: tests/scale/table.sh [RANKS...]    after a build of preset dev
 # EVALUATIONS for each worker in a generation of all cases; GENERATIONS.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Evaluations that the package cma needs: the bounds of test_cma_es.cpp."""
 
 import warnings

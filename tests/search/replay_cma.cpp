@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads from standard input: the dimension, the population, the number of
 // generations, the step size, whether learning rates adapt (0 or 1), the mean,
 // and the points of each generation, best first. Prints after each: mean, step

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `sort`: reads the number of points, that of objectives, and the points, which
 // are minimised; prints the front of each and its crowding distance in there.
 // `volume`: reads the same; prints the hypervolume relative to the last point.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Arguments: sobol or morris, genes, of how many in each group (1: none),
 // samples, levels. Prints the rows of the design over unit ranges. If values of
 // the rows, with standard errors of 0, follow on standard input, prints the

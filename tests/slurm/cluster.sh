@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # A real SLURM on this machine, in one folder and on local ports: source it,
 # then start_cluster FOLDER NODES, and stop_cluster at the end. Needs
 # slurmctld, slurmd, slurm-client and munge; leaves nothing outside FOLDER.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # All tests on clusters side by side, since they mostly wait for SLURM: each
 # has a cluster, ports and a folder of its own.
 # test_all.sh IDEOTYPE PROJECT FOLDER

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # All cases in one job over two nodes, started by mpirun and by srun, and a case
 # submitted by hand, without slurm/submit.
 . "$(dirname "$0")/../cli/common.sh"

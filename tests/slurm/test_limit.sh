@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # A job that gets to its time limit drains ahead of it and is requeued until
 # all cases are complete.
 . "$(dirname "$0")/../cli/common.sh"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Jobs that are cancelled, whose worker is killed or whose node goes down lose
 # nothing; a job that gets nowhere is not requeued for ever.
 . "$(dirname "$0")/../cli/common.sh"

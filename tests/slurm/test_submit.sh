@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # What slurm/submit says and refuses without a cluster.
 . "$(dirname "$0")/../cli/common.sh"
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # A sweep as an array over two nodes of a real SLURM: a task that is requeued
 # and one that drains in the middle resume, a second submit adds nothing, and
 # all histories are bitwise those of local runs.

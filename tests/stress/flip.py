@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Flips single bits of a finished history and looks at what readers make of it.
 
     flip.py IDEOTYPE FILE.h5 [FLIPS] [SEED]
@@ -19,7 +20,7 @@ import tempfile
 from pathlib import Path
 
 LIMIT = 60  # [s]
-_SUMMARY = "import sys, ideotype_analysis.commands as c; sys.exit(c.summary())"
+_SUMMARY = "import sys, ideotype.analysis.commands as c; sys.exit(c.summary())"
 
 
 def said_of(ideotype: str, path: Path, folder: Path) -> tuple[str, str] | str:
@@ -36,7 +37,11 @@ def said_of(ideotype: str, path: Path, folder: Path) -> tuple[str, str] | str:
     for reader in readers:
         try:
             done = subprocess.run(
-                reader, capture_output=True, text=True, errors="replace", timeout=LIMIT
+                reader,
+                capture_output=True,
+                text=True,
+                errors="replace",
+                timeout=LIMIT,
             )
         except subprocess.TimeoutExpired:
             return "hangs"

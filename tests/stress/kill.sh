@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Kills runs at random times, looks at what is left, resumes, and compares with
 # an uninterrupted run bit for bit: see README.md.
 # kill.sh IDEOTYPE [KILLS] [SEED] [day|season] [KEY=VALUE...]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Looks at the history of a killed run, as a reader of the analysis would.
 
 look.py WHOLE KILLED REPORTED: WHOLE is the history of an uninterrupted run and
@@ -9,7 +10,7 @@ from __future__ import annotations
 import sys
 
 import numpy as np
-from ideotype_analysis import Rows, open_history
+from ideotype.analysis import Rows, open_history
 
 
 def values(rows: Rows) -> list[np.ndarray]:

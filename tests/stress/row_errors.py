@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Are the standard errors of a history those that its rows have?
 
 row_errors.py PROGRAM HISTORY [ROWS] [TOLERANCE]: takes ROWS (50) finished rows at
@@ -12,13 +13,17 @@ import subprocess
 import sys
 
 import numpy as np
-from ideotype_analysis import open_history
+from ideotype.analysis import open_history
 
 
-def main(program: str, path: str, count: str = "50", tolerance: str = "1e-4") -> None:
+def main(
+    program: str, path: str, count: str = "50", tolerance: str = "1e-4"
+) -> None:
     with open_history(path) as history:
         rows = history.evaluations().done
-    chosen = np.random.default_rng(1).choice(len(rows), int(count), replace=False)
+    chosen = np.random.default_rng(1).choice(
+        len(rows), int(count), replace=False
+    )
     was, deviations, left = [], [], []
     for index in chosen:
         words = [
@@ -28,7 +33,9 @@ def main(program: str, path: str, count: str = "50", tolerance: str = "1e-4") ->
             "--json",
         ]
         answer = subprocess.run(
-            [program, "evaluate", path, *words], check=True, capture_output=True
+            [program, "evaluate", path, *words],
+            check=True,
+            capture_output=True,
         )
         row = json.loads(answer.stdout)["row"]
         was.append(row["was"]["standard_error"] / row["was"]["mean"])

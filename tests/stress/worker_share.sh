@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Which share of their time workers evaluate: a sweep of 6 latitudes and 20
 # generations, all cases in one job and one case after the other, these also
 # with a window instead of generations.

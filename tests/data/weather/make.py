@@ -60,8 +60,7 @@ def make_nsrdb(table):
         "Source,Location ID,City,State,Country,Latitude,Longitude,Time Zone,"
         "Elevation,Local Time Zone",
         f"NSRDB,1,-,-,-,{LATITUDE},{LONGITUDE},{OFFSET},273,{OFFSET}",
-        "Year,Month,Day,Hour,Minute,GHI,DNI,DHI,Temperature,"
-        "Relative Humidity",
+        "Year,Month,Day,Hour,Minute,GHI,DNI,DHI,Temperature,Relative Humidity",
     ]
     rows = [
         f"{t.year},{t.month},{t.day},{t.hour},30,{r.ghi:.0f},{r.dni:.0f},"

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a report is made of."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A figure that is still to be drawn, by any process: `make` is a
+    function of a module, or a partial of one."""
+
+    name: str
+    caption: str
+    make: Callable[[], Figure]
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A figure in the page; its files have the same name."""
+
+    name: str
+    caption: str
+    data: str
+    """WebP, base64."""
+
+
+@dataclass(frozen=True)
+class Note:
+    """A plain sentence."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Table:
+    """Cells are texts; the first column is a heading."""
+
+    header: Sequence[str]
+    rows: Sequence[Sequence[str]]
+    caption: str = ""
+
+
+@dataclass(frozen=True)
+class Listing:
+    """A text that is shown as it is, folded."""
+
+    title: str
+    text: str
+
+
+@dataclass(frozen=True)
+class Viewer:
+    """The 3D view; the scene is JSON."""
+
+    scene: str
+    caption: str
+
+
+Block = Drawing | Picture | Note | Table | Listing | Viewer
+
+
+@dataclass
+class Section:
+    """A part of the page. A folded one opens at a click."""
+
+    title: str
+    blocks: list[Block] = field(default_factory=list)
+    is_folded: bool = False
+
+    def note(self, text: str) -> None:
+        """Adds a sentence."""
+        self.blocks.append(Note(text))

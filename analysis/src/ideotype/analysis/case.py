@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A case of a campaign with all its seeds."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import suppress
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .estimate import Estimate
+from .file import HistoryError
+from .front import Front
+from .history import History
+from .interval import Interval, interval
+from .pair import Pair
+from .rows import Evaluation, Rows, join
+
+_SMALL = 1e-12
+_BY_ORGAN = "absorbed_by_organ"
+_TAKEN = ("stalk_fraction", "soil_fraction")
+
+
+class Case:
+    """The replicates of one case: the same light, field and genes, other
+    random numbers. What is asked for once is remembered, so that all figures
+    show the same moment of a run."""
+
+    def __init__(
+        self, name: str, histories: Sequence[History], light: str = ""
+    ) -> None:
+        """`light` is what cross-evaluations call the case, by default as
+        `name`."""
+        self.name = name
+        self.light = light or name
+        self.histories = tuple(histories)
+        self.attributes = histories[0].attributes
+        self.genes = histories[0].genes
+        self.is_isolated = histories[0].is_isolated
+        self.resolved = histories[0].resolved
+
+    def __repr__(self) -> str:
+        return f"<Case {self.name}, seeds: {len(self.histories)}>"
+
+    @property
+    def is_sensitivity(self) -> bool:
+        """Whether it is a sensitivity study and no search."""
+        return self.histories[0].is_sensitivity
+
+    @cached_property
+    def _known(self) -> tuple[tuple[History, Pair], ...]:
+        found = ((h, h.comparison()) for h in self.histories)
+        return tuple((h, pair) for h, pair in found if pair is not None)
+
+    def remember(self) -> None:
+        """Reads what several figures show, so that a copy in another process
+        shows the same moment of a run."""
+        with suppress(HistoryError):
+            _ = self._known, self._latest, self.fronts
+
+    def is_over(self, axis: str) -> bool:
+        """Whether each plant is evaluated in all of the "site"s, "day"s,
+        "climate"s or "spacing"s of its campaign: what the case has of one is
+        then that of the first."""
+        return axis in self.resolved.get("objective", {}).get("over", ())
+
+    @property
+    def pairs(self) -> tuple[Pair, ...]:
+        """Baseline and best of each seed that has both."""
+        return tuple(pair for _, pair in self._known)
+
+    @cached_property
+    def fronts(self) -> tuple[tuple[History, Front], ...]:
+        """Of several objectives, that of each seed which has one yet."""
+        found = ((h, h.front()) for h in self.histories)
+        return tuple((h, front) for h, front in found if front is not None)
+
+    @property
+    def is_final(self) -> bool:
+        """All seeds have their final evaluations."""
+        return len(self.pairs) == len(self.histories) and all(
+            pair.is_final for pair in self.pairs
+        )
+
+    @cached_property
+    def _winner(self) -> tuple[History, Pair]:
+        self.need_pairs()
+        rows = join([pair.best.row for _, pair in self._known])
+        return self._known[int(rows.ranking(1)[0])]
+
+    @property
+    def best_history(self) -> History:
+        """The history that holds the best plant of all seeds."""
+        return self._winner[0]
+
+    @property
+    def best_pair(self) -> Pair:
+        """Baseline and best of that history."""
+        return self._winner[1]
+
+    @property
+    def best(self) -> Evaluation:
+        """The best plant of all seeds."""
+        return self.best_pair.best
+
+    @property
+    def baseline(self) -> Evaluation:
+        """The unbred plant, as evaluated beside the best."""
+        return self.best_pair.baseline
+
+    def need_pairs(self) -> None:
+        """Raises HistoryError if no seed has baseline and best."""
+        if not self.pairs:
+            raise HistoryError("baseline and best are not evaluated yet")
+
+    @cached_property
+    def _latest(self) -> tuple[Rows, NDArray[np.int64]]:
+        """Last complete generations, and the number of each row's history."""
+        parts = [history.latest().done for history in self.histories]
+        seed = np.repeat(np.arange(len(parts)), [len(p) for p in parts])
+        return join(parts), seed
+
+    def top(self, count: int) -> Rows:
+        """The fittest plants of the last complete generations of all seeds
+        together, best first.
+
+        Raises HistoryError if there is none."""
+        rows = self._latest[0].top(count)
+        if not len(rows):
+            raise HistoryError("no plant is evaluated yet")
+        return rows
+
+    def seeds_of_top(self, count: int) -> int:
+        """From how many seeds those plants come."""
+        rows, seed = self._latest
+        return len(set(seed[rows.ranking(count)]))
+
+    def gains(self) -> list[Estimate]:
+        """best - baseline of each seed, in the unit of the objective."""
+        return [pair.difference for pair in self.pairs]
+
+    def gain(self) -> Interval:
+        """Mean over seeds of best - baseline."""
+        self.need_pairs()
+        return interval(self.gains())
+
+    def relative_gain(self) -> Interval:
+        """Mean over seeds of the gain [%]."""
+        self.need_pairs()
+        return interval([pair.gain for pair in self.pairs])
+
+    def gain_per_leaf_area(self) -> Interval:
+        """Mean over seeds of the gain in PAR per leaf area [%].
+
+        Raises HistoryError if it is not known."""
+        self.need_pairs()
+        return interval([pair.gain_per_leaf_area for pair in self.pairs])
+
+    def mean(self, who: str, name: str | None = None) -> Interval:
+        """Mean over seeds of a column of "baseline" or "best", by default of
+        the objective.
+
+        Raises HistoryError if it is not known."""
+        self.need_pairs()
+        plants = [getattr(pair, who) for pair in self.pairs]
+        return interval(
+            [p.objective if name is None else p.estimate(name) for p in plants]
+        )
+
+    def light_by_organ(self, who: str) -> dict[str, Interval]:
+        """What each organ but leaves of "baseline" or "best" absorbs over the
+        incident PAR; stalks, sheaths and all others together where the
+        history does not tell them apart."""
+        self.need_pairs()
+        plants = [getattr(pair, who) for pair in self.pairs]
+        try:
+            profiles = [plant.profile(_BY_ORGAN) for plant in plants]
+        except HistoryError:
+            return {"stalk": self.mean(who, "stalk_fraction")}
+        parts = [
+            profile.over(plant.estimate("incident").mean)
+            for profile, plant in zip(profiles, plants)
+        ]
+        return {
+            name: interval([part[name] for part in parts])
+            for name in parts[0]
+            if name != "leaves"
+        }
+
+    def headroom(self) -> Estimate:
+        """How much more the leaves of the best plant could absorb if other
+        organs and soil took nothing: incident (1 - reflected) - absorbed. Reflected
+        light is lost to any canopy of these leaves.
+
+        The light is shared out in every randomisation, so that the figure is
+        what other organs and soil take, and its standard error at most the sum of
+        theirs; absorbed and reflected light have larger ones, which cancel.
+
+        Raises HistoryError if there is no such ceiling, or a quantity is
+        missing."""
+        best = self.best
+        if best.row.goals[0].name != "absorbed_par":
+            raise HistoryError("the objective is not absorbed PAR alone")
+        if self.is_isolated:
+            raise HistoryError("a plot alone is lit from its sides too")
+        if best.row.with_axis("scenario"):
+            raise HistoryError("the objective is taken over scenarios")
+        names = ("incident", "reflected_fraction", *_TAKEN)
+        incident, reflected, *taken = map(best.estimate, names)
+        return Estimate(
+            incident.mean * (1 - reflected.mean) - best.objective.mean,
+            incident.mean * sum(part.standard_error for part in taken),
+            best.objective.unit,
+        )
+
+    def is_saturated(self) -> bool:
+        """The best is within its standard error of the ceiling: nearly all
+        light is absorbed, and breeding can't gain more."""
+        error = self.best.objective.standard_error
+        return self.headroom().mean <= max(error, _SMALL)

@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The commands ideotype-summary and ideotype-report."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shlex
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from .file import HistoryError
+from .progress import Progress
+from .study import Study, open_study
+from .summary import summarize
+
+
+_EXIT_CODES = (
+    "Exit codes: 0 ok, 1 failed, 2 wrong usage, 3 done without the histories "
+    "that can't be read, which are named."
+)
+
+
+def summary(arguments: Sequence[str] | None = None) -> int:
+    """Prints summaries and returns the exit code: 0, 1 if no file can be
+    used, 2 for a wrong command line, 3 if only some files can be used."""
+    parser = argparse.ArgumentParser(
+        prog="ideotype-summary",
+        description="Prints a summary of each history, also while it is "
+        "being written.",
+        epilog=_EXIT_CODES,
+    )
+    _add_results(parser)
+    parser.add_argument(
+        "--gains",
+        action="store_true",
+        help="print the report's table of gains instead, as Markdown: a line "
+        "for each case, its seeds put together",
+    )
+    return _guard(parser, arguments, _summarize)
+
+
+def report(arguments: Sequence[str] | None = None) -> int:
+    """Writes a report and returns the exit code, as summary does."""
+    parser = argparse.ArgumentParser(
+        prog="ideotype-report",
+        description="Writes one HTML page about all histories, which needs "
+        "nothing else to be viewed, and its figures as PNG and PDF; also "
+        "while they are being written.",
+        epilog=_EXIT_CODES,
+    )
+    _add_results(parser)
+    parser.add_argument(
+        "-o",
+        "--output",
+        type=Path,
+        default=Path("report"),
+        metavar="DIR",
+        help="gets report.html and figures/ (default: report)",
+    )
+    parser.add_argument(
+        "--cross",
+        type=Path,
+        metavar="FILE",
+        help="a cross-evaluation, .json or .csv",
+    )
+    parser.add_argument(
+        "--fidelity",
+        type=Path,
+        metavar="FILE",
+        help="what ideotype fidelity --json has written",
+    )
+    parser.add_argument(
+        "--ideotype",
+        metavar="PATH",
+        help="the program, which knows the shape of plants (default: "
+        "IDEOTYPE_EXECUTABLE, else ideotype on PATH)",
+    )
+    parser.add_argument(
+        "-j",
+        "--jobs",
+        type=int,
+        default=0,
+        metavar="N",
+        help="processes that draw figures (default: one per core)",
+    )
+    return _guard(parser, arguments, _report)
+
+
+def _add_results(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "results",
+        nargs="+",
+        metavar="RESULTS",
+        help="histories (.h5), folders of them, or patterns",
+    )
+
+
+def _guard(
+    parser: argparse.ArgumentParser,
+    arguments: Sequence[str] | None,
+    run: Callable[[argparse.Namespace, Study], None],
+) -> int:
+    options = parser.parse_args(arguments)
+    try:
+        with open_study(*options.results, skip_damaged=True) as study:
+            for error in study.damaged:
+                print(f"{parser.prog}: left out: {error}", file=sys.stderr)
+            run(options, study)
+            return 3 if study.damaged else 0
+    except BrokenPipeError:
+        # Whoever read our output has seen enough; nothing is left to flush.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
+    except (HistoryError, OSError) as error:
+        print(f"{parser.prog}: {error}", file=sys.stderr)
+        return 1
+
+
+def _summarize(options: argparse.Namespace, study: Study) -> None:
+    if options.gains:
+        # Here, so that summaries need not wait for the plotting library.
+        from .tables import gains, markdown
+
+        print(markdown(gains(study.cases(), cross=None)), flush=True)
+    else:
+        print("\n\n".join(map(summarize, study)), flush=True)
+
+
+def _report(options: argparse.Namespace, study: Study) -> None:
+    # Here, so that summaries and wrong command lines need not wait for the
+    # plotting library.
+    from .cross import read_cross
+    from .fidelity import read_fidelity
+    from .geometry import find_program
+    from .report import write_report
+
+    # Processes use all cores; more threads in each would be in their way.
+    os.environ.setdefault("OMP_NUM_THREADS", "1")
+    program = find_program(options.ideotype)
+    cross = read_cross(options.cross) if options.cross else None
+    fidelity = read_fidelity(options.fidelity) if options.fidelity else None
+    written = write_report(
+        study,
+        options.output,
+        cross=cross,
+        fidelity=fidelity,
+        program=program,
+        command=shlex.join(["ideotype-report", *sys.argv[1:]]),
+        progress=Progress(),
+        jobs=options.jobs or len(os.sched_getaffinity(0)),
+    )
+    size = written.page.stat().st_size / 1e6
+    print(f"{written.page} ({size:.1f} MB)")
+    print(
+        f"{len(written.figures)} figure files in "
+        f"{written.page.parent / 'figures'}",
+        flush=True,
+    )

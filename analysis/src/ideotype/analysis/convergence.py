@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The objective over all generations."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+from numpy.typing import NDArray
+
+from . import style
+from .case import Case
+from .file import HistoryError
+from .photons import label_light
+from .state import Generations
+
+
+def draw_convergence(case: Case) -> Figure:
+    """The first objective by generation, numbered from 0 as in the file,
+    against the baseline, and the best evaluated again. Of one seed: best with
+    standard error, mean with the spread of the population. Of several: means
+    over seeds, with the range of seeds as a band."""
+    runs = [history.generations() for history in case.histories]
+    runs = [run for run in runs if len(run)]
+    if not runs:
+        raise HistoryError("no generation is complete yet")
+    figure = style.new_figure(style.WIDTH, 4.8)
+    axes = figure.add_subplot()
+    if len(runs) == 1:
+        _draw_seed(axes, runs[0])
+    else:
+        _draw_seeds(axes, runs)
+    count = max(map(len, runs))
+    if case.pairs:
+        _draw_pairs(axes, case, count)
+    objective = case.histories[0].objectives[0]
+    label_light(axes, "y", objective.name, objective.unit)
+    axes.set_xlabel("generation")
+    _set_ticks(axes, count, case.is_final)
+    seeds = f", {len(runs)} seeds" if len(runs) > 1 else ""
+    axes.set_title(f"{case.name}{seeds}")
+    figure.legend(loc="outside lower center", ncols=2, fontsize=8)
+    return figure
+
+
+def _draw_seed(axes: Axes, run: Generations) -> None:
+    number = range(len(run))
+    axes.errorbar(
+        number,
+        run.best.values,
+        run.best.standard_error,
+        color=style.BEST,
+        marker="o",
+        markersize=3,
+        elinewidth=1,
+        label="best of its generation ± standard error (not evaluated again)",
+    )
+    mean, spread = run.mean.values, run.spread.values
+    axes.plot(number, mean, color=style.MEAN, label="mean")
+    _fill(
+        axes, mean - spread, mean + spread, style.MEAN,
+        "mean ± standard deviation",
+    )  # fmt: skip
+
+
+def _draw_seeds(axes: Axes, runs: list[Generations]) -> None:
+    for what, color, label in (
+        ("best", style.BEST, "best of its generation (not evaluated again)"),
+        ("mean", style.MEAN, "mean of the population"),
+    ):
+        table = _by_generation([getattr(run, what).values for run in runs])
+        axes.plot(
+            range(table.shape[1]),
+            np.nanmean(table, axis=0),
+            color=color,
+            marker="o" if what == "best" else None,
+            markersize=3,
+            label=f"{label}, mean of seeds",
+        )
+        _fill(
+            axes, np.nanmin(table, axis=0), np.nanmax(table, axis=0), color,
+            f"{label}, range of seeds",
+        )  # fmt: skip
+
+
+def _by_generation(columns: list[NDArray]) -> NDArray:
+    """[seeds, generations]; NaN where a seed has not come so far."""
+    table = np.full((len(columns), max(map(len, columns))), np.nan)
+    for row, column in zip(table, columns):
+        row[: len(column)] = column
+    return table
+
+
+def _fill(
+    axes: Axes, lower: NDArray, upper: NDArray, color: str, label: str
+) -> None:
+    axes.fill_between(
+        range(len(lower)), lower, upper,
+        color=color, alpha=0.2, linewidth=0, label=label,
+    )  # fmt: skip
+
+
+def _draw_pairs(axes: Axes, case: Case, end: int) -> None:
+    baseline = case.baseline.objective
+    axes.axhline(
+        baseline.mean,
+        color=style.BASELINE,
+        linestyle="--",
+        label="baseline ± standard error",
+    )
+    axes.axhspan(
+        baseline.mean - baseline.standard_error,
+        baseline.mean + baseline.standard_error,
+        color=style.BASELINE,
+        alpha=0.15,
+        linewidth=0,
+    )
+    again = [pair.best.objective for pair in case.pairs if pair.is_final]
+    if again:
+        axes.errorbar(
+            [end] * len(again),
+            [best.mean for best in again],
+            [best.standard_error for best in again],
+            color=style.ANEW,
+            marker="D",
+            linestyle="none",
+            label="best plant, evaluated again ± standard error",
+        )
+
+
+def _set_ticks(axes: Axes, count: int, has_final: bool) -> None:
+    """Whole generations, and "final" after them for the final evaluation."""
+    ticks = MaxNLocator(8, integer=True).tick_values(0, max(count - 1, 1))
+    room = 0.07 * count if has_final else 0
+    shown = [int(t) for t in ticks if 0 <= t <= min(count - 1, count - room)]
+    labels = [str(t) for t in shown]
+    if has_final:
+        shown.append(count)
+        labels.append("final")
+    axes.set_xticks(shown, labels)

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Cross-evaluation: every plant under the light of every case."""
+
+from __future__ import annotations
+
+import csv
+import json
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from . import style
+from .case import Case
+from .estimate import Estimate, relative_gain
+from .file import HistoryError
+from .interval import Interval, interval
+
+
+@dataclass(frozen=True)
+class Cross:
+    """Mean and standard error are [plants, cases], in the unit of the
+    objective; NaN where a plant was not evaluated."""
+
+    plants: tuple[str, ...]
+    cases: tuple[str, ...]
+    mean: NDArray[np.float64]
+    standard_error: NDArray[np.float64]
+
+    def estimate(self, plant: str, case: str) -> Estimate | None:
+        """None if there is no such figure."""
+        if plant not in self.plants or case not in self.cases:
+            return None
+        at = self.plants.index(plant), self.cases.index(case)
+        if np.isnan(self.mean[at]):
+            return None
+        return Estimate(float(self.mean[at]), float(self.standard_error[at]))
+
+    def seeds_together(self) -> list[tuple[str, list[Interval | None]]]:
+        """Plants by name, "ames_all" for the best of ames_all_r1, ames_all_r2
+        and so on, with their means under each case; None where none of them
+        was evaluated."""
+        members: dict[str, list[str]] = {}
+        for plant in self.plants:
+            name = re.sub(r"[_-]r\d+$", "", plant)
+            members.setdefault(name, []).append(plant)
+        table = []
+        for name, plants in members.items():
+            # Of a single one the name with its seed tells more.
+            name = name if len(plants) > 1 else plants[0]
+            row: list[Interval | None] = []
+            for case in self.cases:
+                known = [self.estimate(plant, case) for plant in plants]
+                found = [figure for figure in known if figure]
+                row.append(interval(found) if found else None)
+            table.append((name, row))
+        return table
+
+    def relative_gain(self, case: Case, plant: str) -> Interval | None:
+        """Gain [%] of the best of a case's seeds over a plant under the same
+        light; None if the plant was not evaluated there."""
+        known = [
+            self.estimate(plant, name) for name in (case.name, case.light)
+        ]
+        if (other := known[0] or known[1]) is None:
+            return None
+        return interval(
+            [relative_gain(pair.best.objective, other) for pair in case.pairs]
+        )
+
+
+def read_cross(path: str | Path) -> Cross:
+    """Reads JSON {"plants": [names], "cases": [names], "mean": [[...]],
+    "standard_error": [[...]]}, a row per plant; or CSV with the header
+    plant,case,mean,standard_error.
+
+    Raises FileNotFoundError, or HistoryError if it is something else."""
+    path = Path(path)
+    text = path.read_text(encoding="utf-8")
+    try:
+        cross = _from_csv(text) if path.suffix == ".csv" else _from_json(text)
+    except (KeyError, ValueError, TypeError) as error:
+        raise HistoryError(
+            f"{path}: not a cross-evaluation ({error!r}); it should be JSON "
+            "with plants, cases, mean and standard_error, or CSV with a "
+            "column for each"
+        ) from error
+    if not cross.plants or not cross.cases:
+        raise HistoryError(f"{path}: no plant or no case in it")
+    return cross
+
+
+def _from_json(text: str) -> Cross:
+    data = json.loads(text)
+    plants, cases = tuple(data["plants"]), tuple(data["cases"])
+    shape = len(plants), len(cases)
+    mean = np.array(data["mean"], dtype=float).reshape(shape)
+    error = np.array(data["standard_error"], dtype=float).reshape(shape)
+    return Cross(plants, cases, mean, error)
+
+
+def _from_csv(text: str) -> Cross:
+    rows = list(csv.DictReader(text.splitlines()))
+    plants = tuple(dict.fromkeys(row["plant"] for row in rows))
+    cases = tuple(dict.fromkeys(row["case"] for row in rows))
+    mean = np.full((len(plants), len(cases)), np.nan)
+    error = mean.copy()
+    for row in rows:
+        at = plants.index(row["plant"]), cases.index(row["case"])
+        mean[at] = float(row["mean"])
+        error[at] = float(row["standard_error"])
+    return Cross(plants, cases, mean, error)
+
+
+def draw_cross(cross: Cross) -> Figure:
+    """Each plant under each case, the seeds of a case put together, in % of
+    the best there; below it half of its 95 % confidence interval."""
+    table = cross.seeds_together()
+    mean, error = (
+        np.array(
+            [
+                [getattr(x, what) if x else np.nan for x in row]
+                for _, row in table
+            ]
+        )
+        for what in ("mean", "half_width")
+    )
+    best = np.nanmax(mean, axis=0)
+    share, error = 100 * mean / best, 100 * error / best
+    width = 3.2 + 0.95 * len(cross.cases)
+    figure = style.new_figure(width, 2.4 + 0.5 * len(table))
+    axes = figure.add_subplot()
+    image = axes.imshow(share, cmap="viridis", aspect="auto")
+    axes.grid(visible=False)
+    middle = (np.nanmin(share) + np.nanmax(share)) / 2
+    for (i, j), value in np.ndenumerate(share):
+        if np.isnan(value):
+            continue
+        axes.text(
+            j, i, f"{value:.2f}\n±{error[i, j]:.2f}",
+            ha="center", va="center", fontsize=8,
+            color="white" if value < middle else "black",
+        )  # fmt: skip
+    axes.set_xticks(
+        range(len(cross.cases)), cross.cases, rotation=30, ha="right"
+    )
+    axes.set_yticks(range(len(table)), [name for name, _ in table])
+    axes.set_xlabel("under the light of")
+    axes.set_ylabel("plant")
+    figure.colorbar(image, label="% of the best there")
+    return figure

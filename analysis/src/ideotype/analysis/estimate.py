@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Figures with their standard errors, and the units that they come in."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+ACRE = 4046.8564224
+"""An international acre [m2]."""
+
+MWH_PER_ACRE_PER_MJ_PER_M2 = ACRE / 3600.0
+"""One MJ m-2 expressed in MWh acre-1 (1 MWh = 3600 MJ): 1.12413."""
+
+MOL_PER_MJ_PAR = 4.57
+"""Photons per energy of sunlight in the PAR band [mol MJ-1] (McCree 1972,
+doi:10.1016/0002-1571(72)90045-3)."""
+
+DAILY_ENERGY = "MJ m-2 day-1"
+
+_FROM_DAILY_ENERGY = {
+    "MWh acre-1 day-1": MWH_PER_ACRE_PER_MJ_PER_M2,
+    "mol m-2 day-1": MOL_PER_MJ_PAR,
+}
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A figure and its standard error, in the same unit; a standard error
+    that is not known is NaN."""
+
+    mean: float
+    standard_error: float
+    unit: str = "1"
+    draws: NDArray[np.float64] = field(
+        default_factory=lambda: np.empty(0), compare=False, repr=False
+    )
+    """In independent randomisations, which another figure may share; empty
+    if they are not known."""
+
+    def scaled(self, factor: float, unit: str) -> Estimate:
+        """The same in another unit, for an exact factor."""
+        return Estimate(
+            factor * self.mean,
+            abs(factor) * self.standard_error,
+            unit,
+            factor * self.draws,
+        )
+
+    def in_common_units(self) -> list[Estimate]:
+        """Itself, and for daily PAR [MJ m-2 day-1] also in
+        [MWh acre-1 day-1] and [mol m-2 day-1]."""
+        others = _FROM_DAILY_ENERGY if self.unit == DAILY_ENERGY else {}
+        return [self] + [self.scaled(f, unit) for unit, f in others.items()]
+
+    def number(self) -> str:
+        """Mean and error without the unit; the error decides the digits."""
+        if math.isfinite(self.standard_error) and self.standard_error > 0:
+            digits = 1 - math.floor(math.log10(self.standard_error))
+            digits = min(max(digits, 0), 9)
+            error = f"{self.standard_error:.{digits}f}"
+            return f"{self.mean:.{digits}f} +- {error}"
+        if self.standard_error == 0:
+            return f"{self.mean:.6g} +- 0"
+        return f"{self.mean:.6g} +- unknown"
+
+    def __str__(self) -> str:
+        return f"{self.number()} {self.unit}"
+
+
+def difference(a: Estimate, b: Estimate) -> Estimate:
+    """a - b. The standard error is that of their randomisations one by one
+    where both have them, else that of independent figures."""
+    return Estimate(a.mean - b.mean, _error(a, b, 1.0), a.unit)
+
+
+def relative_gain(best: Estimate, baseline: Estimate) -> Estimate:
+    """100 (best / baseline - 1) [%], with a standard error to first order,
+    paired as in difference()."""
+    if baseline.mean == 0:
+        return Estimate(math.nan, math.nan, "%")
+    ratio = best.mean / baseline.mean
+    error = _error(best, baseline, ratio) / abs(baseline.mean)
+    return Estimate(100 * (ratio - 1), 100 * error, "%")
+
+
+def _error(a: Estimate, b: Estimate, factor: float) -> float:
+    """Standard error of a - factor b."""
+    if (count := len(a.draws)) > 1 and count == len(b.draws):
+        scatter = np.std(a.draws - factor * b.draws, ddof=1)
+        return float(scatter) / math.sqrt(count)
+    return math.hypot(a.standard_error, factor * b.standard_error)

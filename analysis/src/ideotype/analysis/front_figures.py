@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Figures of several objectives: the front, and how it grew."""
+
+from __future__ import annotations
+
+from itertools import combinations, zip_longest
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+from numpy.typing import NDArray
+
+from . import style
+from .case import Case
+from .file import HistoryError
+from .rows import Rows
+
+_MARKERS = "os^vP"
+"""Of seeds, as in front.js."""
+
+
+def draw_front(case: Case) -> Figure:
+    """Each two objectives against each other: the fronts of all seeds with
+    standard errors, the baseline, and the last generation as it was evaluated
+    then, as far as it lies within the axes."""
+    if not case.fronts:
+        raise HistoryError("no front is evaluated yet")
+    goals = case.histories[0].objectives
+    pairs = [*combinations(range(len(goals)), 2)]
+    columns = min(len(pairs), 2)
+    rows = -(-len(pairs) // columns)
+    space = " " if columns == 1 else "\n"
+    figure = style.new_figure(style.WIDTH, 1.0 + rows * 6.6 / (columns + 0.5))
+    panels = figure.subplots(rows, columns, squeeze=False).ravel()
+    for axes, pair in zip_longest(panels, pairs):
+        if pair is None:
+            axes.set_visible(False)
+            continue
+        up, across = pair
+        _draw_pair(axes, case, [across, up])
+        x, y = (
+            f"{style.axis_label(goals[k].name, goals[k].unit)},{space}"
+            f"{goals[k].sense}d"
+            for k in (across, up)
+        )
+        axes.set_xlabel(x, fontsize=8)
+        axes.set_ylabel(y, fontsize=8)
+    handles, labels = panels[0].get_legend_handles_labels()
+    figure.legend(
+        handles, labels, loc="outside lower center", ncols=3, fontsize=8
+    )
+    figure.suptitle(case.name, fontsize=10)
+    return figure
+
+
+def _draw_pair(axes: Axes, case: Case, shown: list[int]) -> None:
+    for seed, (_, front) in enumerate(case.fronts):
+        of = f" of seed {seed + 1}" if len(case.histories) > 1 else ""
+        marker = _MARKERS[seed % len(_MARKERS)]
+        for which, color, face, label in (
+            (front.is_kept, style.BEST, style.BEST, "front"),
+            (~front.is_kept, style.ANEW, "white", "fallen off"),
+        ):
+            rows = front.members.take(which)
+            if len(rows):
+                style_of = {"color": color, "markerfacecolor": face}
+                _draw_rows(axes, rows, shown, marker, label + of, **style_of)
+    baseline = case.fronts[0][1].baseline.row
+    _draw_rows(axes, baseline, shown, "D", "baseline", color=style.BASELINE)
+    axes.set(xlim=axes.get_xlim(), ylim=axes.get_ylim())
+    others = np.concatenate(
+        [history.latest().done.objectives for history, _ in case.fronts]
+    )
+    axes.plot(
+        *others[:, shown].T, ".", color=style.QUIET, alpha=0.5, zorder=0,
+        label="last generation, not evaluated again",
+    )  # fmt: skip
+
+
+def _draw_rows(
+    axes: Axes, rows: Rows, shown: list[int], marker: str, label: str,
+    **colors: str,
+) -> None:  # fmt: skip
+    x, y = rows.objectives[:, shown].T
+    x_error, y_error = rows.objectives_standard_error[:, shown].T
+    axes.errorbar(
+        x, y, y_error, x_error, marker=marker, linestyle="none", elinewidth=1,
+        label=label, **colors,
+    )  # fmt: skip
+
+
+def draw_hypervolume(case: Case) -> Figure:
+    """What the front dominates, by generation: a line for each seed, with its
+    standard error as a band."""
+    runs = [history.generations().hypervolume for history in case.histories]
+    known = [
+        (seed, run)
+        for seed, run in enumerate(runs, start=1)
+        if run is not None and len(run.values)
+    ]
+    if not known:
+        raise HistoryError("the histories do not tell the hypervolume")
+    figure = style.new_figure(style.WIDTH, 3.6)
+    axes = figure.add_subplot()
+    for seed, run in known:
+        color, _ = style.series(seed - 1)
+        number: NDArray = np.arange(len(run.values))
+        lower, upper = (
+            run.values + sign * run.standard_error for sign in (-1, 1)
+        )
+        axes.fill_between(
+            number, lower, upper, color=color, alpha=0.2, linewidth=0
+        )
+        axes.plot(number, run.values, color=color, label=f"seed {seed}")
+    axes.set_xlabel("generation")
+    axes.set_ylabel(style.axis_label("hypervolume", known[0][1].unit))
+    axes.xaxis.set_major_locator(MaxNLocator(8, integer=True))
+    axes.set_title(case.name)
+    if len(runs) > 1:
+        figure.legend(loc="outside lower center", ncols=6, fontsize=8)
+    return figure

@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the page knows of fronts: a chart to choose plants from, and the
+numbers beside each."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from .case import Case
+from .estimate import Estimate, relative_gain
+from .pair import Pair
+from .rows import Evaluation, join
+from .tables import UNKNOWN
+from .style import axis_label, short, unit_label, words
+
+_ERROR = "±\u00a0"
+"""Never apart from its number."""
+
+_BOOKKEEPING = ("balance_error", "paths", "capped")
+"""Scalar quantities that say nothing of a plant."""
+
+
+def front_scene(case: Case) -> dict[str, Any]:
+    """The front of a case that has one, for front.js. Its members are the
+    plants after the baseline."""
+    first = case.fronts[0][1]
+    names = _quantities(first.baseline)
+    return {
+        "told": told(case),
+        "first": _first(case),
+        "seeds": len(case.histories),
+        "axes": [
+            {
+                "name": words(goal.name),
+                "label": axis_label(goal.name, goal.unit),
+                "sense": goal.sense,
+            }
+            for goal in first.members.goals
+        ],
+        "baseline": _objectives(first.baseline),
+        "others": [
+            [short(x) for x in row]
+            for history, _ in case.fronts
+            for row in history.latest().done.objectives
+        ],
+        "quantities": [
+            _titled(name, first.baseline.estimate(name)) for name in names
+        ],
+        "members": [
+            {
+                "title": _title(case, seed, front.number(i)),
+                "seed": seed,
+                "is_kept": bool(front.is_kept[i]),
+                "objectives": _objectives(front.one(i)),
+                "numbers": _numbers(front.pair(i), names),
+                "scenarios": _scenarios(front.pair(i)),
+            }
+            for seed, (_, front) in enumerate(case.fronts)
+            for i in range(len(front.members))
+        ],
+    }
+
+
+def _first(case: Case) -> int:
+    """The member that is shown first: the best in the first objective, as
+    elsewhere in the page."""
+    members = join([front.members for _, front in case.fronts])
+    return int(members.ranking(1)[0])
+
+
+def told(case: Case) -> str:
+    """How many members of the fronts of all seeds are still in them."""
+    fronts = [front for _, front in case.fronts]
+    count = sum(len(front.members) for front in fronts)
+    if not all(front.is_final for front in fronts):
+        return (
+            f"Provisional: {count} plants that are not all evaluated again. "
+            "Noise flatters a front."
+        )
+    kept = sum(int(front.is_kept.sum()) for front in fronts)
+    text = f"Evaluated again, {kept} of {count} plants are still in the front"
+    text += " of their seed" * (len(fronts) > 1)
+    if kept == count:
+        return f"{text}."
+    return (
+        f"{text}; {count - kept} {'has' if count - kept == 1 else 'have'} "
+        "fallen off, since another plant is as good in all objectives and "
+        "better in one."
+    )
+
+
+def _title(case: Case, seed: int, number: int) -> str:
+    of = f" of seed {seed + 1}" if len(case.histories) > 1 else ""
+    return f"plant {number}{of}"
+
+
+def _quantities(plant: Evaluation) -> list[str]:
+    """Objectives, then all other quantities of a plant that are one number."""
+    goals = [goal.name for goal in plant.row.goals]
+    others = plant.row.quantities.values()
+    return goals + [
+        each.name
+        for each in others
+        if each.axis is None and each.name not in (*goals, *_BOOKKEEPING)
+    ]
+
+
+def _titled(name: str, of: Estimate) -> str:
+    unit = "" if of.unit == "1" else f" [{unit_label(of.unit)}]"
+    return f"{words(name)}{unit}"
+
+
+def _objectives(plant: Evaluation) -> list[list[float]]:
+    """Value and standard error of each."""
+    found = (plant.estimate(goal.name) for goal in plant.row.goals)
+    return [[short(x.mean), short(x.standard_error)] for x in found]
+
+
+def _numbers(pair: Pair, names: list[str]) -> list[list[str]]:
+    """Of each quantity: baseline, plant, by how many % it is higher."""
+    return [
+        [
+            _text(pair.baseline.estimate(name)),
+            _text(pair.best.estimate(name)),
+            _gain(pair.gain_in(name)),
+        ]
+        for name in names
+    ]
+
+
+def _scenarios(pair: Pair) -> list[dict[str, Any]]:
+    """The same in each scenario that an objective is taken over."""
+    return [
+        {
+            "title": _titled(quantity.name, Estimate(0, 0, quantity.unit)),
+            "rows": [
+                [
+                    str(label),
+                    _text(was),
+                    _text(now),
+                    _gain(relative_gain(now, was)),
+                ]
+                for label, was, now in zip(
+                    pair.best.profile(quantity.name).labels,
+                    pair.baseline.profile(quantity.name).estimates(),
+                    pair.best.profile(quantity.name).estimates(),
+                )
+            ],
+        }
+        for quantity in pair.best.row.with_axis("scenario")
+    ]
+
+
+def _text(of: Estimate) -> str:
+    if of.standard_error == 0:
+        return _signed(f"{of.mean:.4g}")
+    return _signed(
+        of.number().replace(" +- unknown", "").replace("+- ", _ERROR)
+    )
+
+
+def _gain(gain: Estimate) -> str:
+    """ "+1.50 ± 0.06"."""
+    if not math.isfinite(gain.mean):
+        return UNKNOWN
+    text = f"{gain.mean:+.2f} {_ERROR}{gain.standard_error:.2f}"
+    return _signed(text.removesuffix(f" {_ERROR}0.00"))
+
+
+def _signed(text: str) -> str:
+    return text.replace("-", "\N{MINUS SIGN}")

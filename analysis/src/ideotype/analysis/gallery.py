@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Figures as files, and small enough for a page."""
+
+from __future__ import annotations
+
+import base64
+import io
+import re
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+from typing import Any, TypeGuard
+
+import matplotlib
+from matplotlib.figure import Figure
+from PIL import Image
+
+from .blocks import Block, Drawing, Note, Picture, Section
+from .file import HistoryError
+from .progress import Progress
+from .style import RC
+from .workers import Map
+
+_BYTES = 5_000_000
+"""Of all pictures in a page: in base64, and with plants, less than 8 MB."""
+
+_SIZES = ((0.7, 80), (0.6, 75), (0.5, 65), (0.5, 40), (0.4, 30))
+"""Pixels of a picture in the page over those of the file, and quality; the
+first is sharp when enlarged, the last still legible."""
+
+_FILE_BYTES = 150_000
+"""Of a PNG file, for documents."""
+
+_COLORS = 256
+
+
+def draw_all(
+    sections: Sequence[Section], folder: Path, run: Map, progress: Progress
+) -> list[Path]:
+    """Puts pictures in the place of drawings, and returns their files, PNG
+    and PDF. `run` is map() or does the same."""
+    folder.mkdir(parents=True, exist_ok=True)
+    drawings = [b for s in sections for b in s.blocks if _is_drawing(b)]
+    most = _BYTES / max(len(drawings), 1)
+    drawn = iter(run(partial(draw, folder, most), drawings))
+    parts = [s for s in sections if any(map(_is_drawing, s.blocks))]
+    progress.start(len(parts))
+    for section in parts:
+        progress.part(section.title)
+        section.blocks = [
+            next(drawn) if _is_drawing(block) else block
+            for block in section.blocks
+        ]
+    progress.done()
+    return [
+        folder / f"{block.name}.{end}"
+        for section in parts
+        for block in section.blocks
+        if isinstance(block, Picture)
+        for end in ("png", "pdf")
+    ]
+
+
+def _is_drawing(block: Block) -> TypeGuard[Drawing]:
+    return isinstance(block, Drawing)
+
+
+def draw(folder: Path, most: float, drawing: Drawing) -> Block:
+    """The picture, of at most so many bytes in the page, and its files; or
+    where the data are missing, a sentence that says so."""
+    name = file_name(drawing.name)
+    with matplotlib.rc_context(RC):
+        try:
+            figure = drawing.make()
+        except HistoryError as reason:
+            what = drawing.caption.split(".")[0]
+            return Note(f"{what}: not drawn, {reason}.")
+        image = _painted(figure)
+        # Laid out once is enough, and the same in both files.
+        figure.set_layout_engine("none")
+        pdf = folder / f"{name}.pdf"
+        figure.savefig(pdf, metadata={"CreationDate": None})
+    (folder / f"{name}.png").write_bytes(_png(image))
+    return Picture(name, drawing.caption, _small(image, most))
+
+
+def _painted(figure: Figure) -> Image.Image:
+    data = io.BytesIO()
+    figure.savefig(data, format="png", pil_kwargs={"compress_level": 1})
+    with Image.open(data) as file:
+        return file.convert("RGB")
+
+
+def _png(image: Image.Image) -> bytes:
+    """The content of a file: with all colours and pixels if there is room,
+    else with the best 256 colours and, of very large figures, fewer
+    pixels."""
+    data = _encoded(image, "PNG", optimize=True)
+    while len(data) > _FILE_BYTES:
+        few = image.quantize(_COLORS, dither=Image.Dither.NONE)
+        data = _encoded(few, "PNG", optimize=True)
+        image = _scaled(image, 0.85)
+    return data
+
+
+def _encoded(image: Image.Image, kind: str, **options: Any) -> bytes:
+    data = io.BytesIO()
+    image.save(data, format=kind, **options)
+    return data.getvalue()
+
+
+def _scaled(image: Image.Image, scale: float) -> Image.Image:
+    size = round(scale * image.width), round(scale * image.height)
+    return image.resize(size, Image.Resampling.LANCZOS)
+
+
+def file_name(name: str) -> str:
+    """Letters, digits, - and _ of a name; the rest becomes _."""
+    return re.sub(r"[^\w-]+", "_", name)
+
+
+def _small(image: Image.Image, most: float) -> str:
+    """For the page: a format made for it, and as many pixels as fit into so
+    many bytes."""
+    for scale, quality in _SIZES:
+        data = _encoded(_scaled(image, scale), "WEBP", quality=quality)
+        if len(data) <= most:
+            break
+    return base64.b64encode(data).decode("ascii")

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The genes of a case: names, traits, units and bounds."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .style import unit_label
+
+Kind = Literal["leaf", "plant", "profile"]
+"""What a trait has a gene of: each leaf, the plant, or each point of a
+smooth curve over leaf position, at equal distances from the lowest leaf to
+the highest."""
+
+
+@dataclass(frozen=True)
+class Genes:
+    """One entry per gene, in the order of a genome."""
+
+    names: tuple[str, ...]
+    traits: tuple[str, ...]
+    """Such as "length"."""
+    leaves: NDArray[np.int64]
+    """Ranks; 1 is the lowest leaf, 0 no single one."""
+    units: tuple[str, ...]
+    lower: NDArray[np.float64]
+    upper: NDArray[np.float64]
+    is_circular: NDArray[np.bool_]
+    """lower and upper are the same point."""
+    is_free: NDArray[np.bool_]
+    """Bred; the others keep the baseline's value."""
+
+    def columns(self, trait: str) -> NDArray[np.int64]:
+        """Genes of a trait, lowest leaf or point first."""
+        found = [i for i, name in enumerate(self.traits) if name == trait]
+        return np.array(sorted(found, key=lambda i: self.leaves[i]), dtype=int)
+
+    def kind(self, trait: str) -> Kind:
+        """What its genes are of."""
+        columns = self.columns(trait)
+        if self.leaves[columns].any():
+            return "leaf"
+        return "profile" if len(columns) > 1 else "plant"
+
+    def bred(self, kind: Kind) -> list[str]:
+        """Traits of that kind with a free gene."""
+        free = dict.fromkeys(
+            t for t, is_free in zip(self.traits, self.is_free) if is_free
+        )
+        return [trait for trait in free if self.kind(trait) == kind]
+
+    def number(self, gene: int) -> int:
+        """Leaf rank, or point of a profile from 1; 0 for a plant's trait."""
+        trait = self.traits[gene]
+        if self.kind(trait) == "profile":
+            return int(np.flatnonzero(self.columns(trait) == gene)[0]) + 1
+        return int(self.leaves[gene])
+
+    def words(self, gene: int) -> str:
+        """ "insertion angle of leaf 3", "length profile, point 2 of 4"."""
+        name, number = self.traits[gene], self.number(gene)
+        trait = name.replace("_", " ")
+        if self.leaves[gene]:
+            return f"{trait} of leaf {number}"
+        if number:
+            return f"{trait}, point {number} of {len(self.columns(name))}"
+        return trait
+
+    def label(self, trait: str) -> str:
+        """Of an axis: "insertion angle [°]", "height [1]" of a factor."""
+        unit = unit_label(self.units[self.columns(trait)[0]])
+        return f"{trait.replace('_', ' ')} [{unit}]"

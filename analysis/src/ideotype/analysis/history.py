@@ -1,0 +1,293 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A history: one case of a campaign, as FORMAT.md specifies it."""
+
+from __future__ import annotations
+
+import tomllib
+from functools import cached_property
+from pathlib import Path
+from types import TracebackType
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .file import HistoryError, missing_bytes, text, writer_of
+from .format_1 import Format1, open_datasets
+from .front import Front, front_of
+from .genes import Genes
+from .indices import GROUP, Indices, read_indices
+from .integrity import verify
+from .pair import Pair
+from .quantity import Objective, Quantity
+from .row_reader import RowReader
+from .rows import Evaluation, Origin, Rows, Status
+from .state import Generations, Session, State
+
+_SESSION = ("started", "host", "command", "ranks")
+_SESSION_2 = ("program", "compiler", "libraries")
+
+
+def open_history(path: str | Path) -> History:
+    """Opens a history to read: finished, stopped, killed, or being written.
+
+    Raises FileNotFoundError, or HistoryError if the file is no history, is
+    damaged, or is of another major format version. HDF5 may take minutes over
+    a damaged file: where one is to be expected, Trial.open() reads it for a
+    limited time first."""
+    history = History(path)
+    try:
+        history.verify()
+    except BaseException:
+        history.close()
+        raise
+    return history
+
+
+class History:
+    """A context manager. Every call looks at the file again, so that calling
+    again follows a run; complete rows never change."""
+
+    def __init__(self, path: str | Path) -> None:
+        self.path = Path(path)
+        data = open_datasets(path)
+        try:
+            self.datasets = data
+            self.attributes = data.attributes()
+            self.population = int(self.attributes["population"])
+            self.genes = Genes(
+                *(data.texts(f"genes/{name}") for name in ("gene", "trait")),
+                data.read("genes/leaf").astype(int),
+                data.texts("genes/unit"),
+                *(data.read(f"genes/{name}") for name in ("lower", "upper")),
+                *(
+                    data.read(f"genes/{name}").astype(bool)
+                    for name in ("is_circular", "is_free")
+                ),
+            )
+            names = ("objective", "unit", "sense")
+            columns = [data.texts(f"objectives/{name}") for name in names]
+            self.objectives = tuple(map(Objective, *columns))
+            self._rows = RowReader(data, self.genes, self.objectives)
+        except KeyError as error:
+            data.close()
+            raise HistoryError(f"{path}: has no {error}") from error
+        except HistoryError:
+            data.close()
+            raise
+
+    def verify(self) -> None:
+        """Compares what is recorded with its checksums; a file of format 1.0
+        has none. Raises HistoryError if a part is damaged."""
+        if not isinstance(self.datasets, Format1):
+            verify(self.datasets)
+
+    def __repr__(self) -> str:
+        return f"<History {self.path}>"
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Closes the file."""
+        self.datasets.close()
+
+    def evaluations(self, generation: int | None = None) -> Rows:
+        """Complete evaluations, done or failed: all, or of one generation,
+        which need not be committed."""
+        if generation is None:
+            return self._rows.read("evaluations", 0, None)
+        if generation < 0:
+            raise ValueError(f"generation {generation} is negative")
+        first = int(self.datasets.read("generations/first_row")[generation])
+        count = int(self.datasets.read("generations/count")[generation])
+        return self._rows.read("evaluations", first, first + count)
+
+    def finalists(self) -> Rows:
+        """Complete final evaluations; slot 0 is the baseline."""
+        return self._rows.read("final", 0, None)
+
+    def generations(self) -> Generations:
+        """Summaries of the committed generations."""
+        committed = self.datasets.read("generations/committed").astype(bool)
+        count = len(committed) if committed.all() else int(committed.argmin())
+
+        def read(name: str) -> NDArray:
+            return self.datasets.read(f"generations/{name}", 0, count)
+
+        known = {*self.datasets.names("generations")}
+
+        def quantity(name: str) -> Quantity:
+            units = self.datasets.units(f"generations/{name}")
+            has_error = f"{name}_standard_error" in known
+            unknown = np.full(count, np.nan)
+            error = read(f"{name}_standard_error") if has_error else unknown
+            return Quantity(name, units, read(name), error)
+
+        integers = (
+            "first_row",
+            "count",
+            "best_row",
+            "failures",
+            "evaluations",
+        )
+        quantities = ("best", "mean", "spread", "diversity", "wall_time")
+        return Generations(
+            **{name: read(name).astype(int) for name in integers},
+            **{name: quantity(name) for name in quantities},
+            hypervolume=(
+                quantity("hypervolume") if "hypervolume" in known else None
+            ),
+        )
+
+    def baseline(self) -> Evaluation | None:
+        """The unbred plant: its final evaluation if the finals are complete,
+        else its latest in the run; None if there is none yet."""
+        if (pair := self._final_pair()) is not None:
+            return pair.baseline
+        done = self.evaluations().done
+        found = np.flatnonzero(done.origin == Origin.BASELINE)
+        return done.one(int(found[-1]), False) if len(found) else None
+
+    def best(self) -> Evaluation | None:
+        """The fittest finalist but the baseline if the finals are complete.
+        Else, provisionally, the fittest of the last committed generation, or
+        of all rows before the first; None if nothing is done yet."""
+        if (pair := self._final_pair()) is not None:
+            return pair.best
+        top = self.latest().top(1)
+        return top.one(0, False) if len(top) else None
+
+    def comparison(self) -> Pair | None:
+        """Baseline and best, if both are known."""
+        if (pair := self._final_pair()) is not None:
+            return pair
+        baseline, best = self.baseline(), self.best()
+        if baseline is None or best is None:
+            return None
+        return Pair(baseline, best)
+
+    def front(self) -> Front | None:
+        """Of several objectives, the finalists but the baseline if the finals
+        are complete, and which of them no other dominates. Else,
+        provisionally, the front of the last committed generation, or of all
+        rows before the first. None if there is one objective, or nothing is
+        done yet."""
+        if len(self.objectives) < 2:
+            return None
+        if (done := self._finals()) is not None:
+            return front_of(done.take(done.slot > 0), done.one(0, True))
+        baseline = self.baseline()
+        return baseline and front_of(self.latest(), baseline)
+
+    def latest(self) -> Rows:
+        """The last committed generation, or all complete rows before the
+        first commit."""
+        count = len(self.generations())
+        return self.evaluations(count - 1 if count else None)
+
+    @property
+    def is_sensitivity(self) -> bool:
+        """Whether the rows are those of a sensitivity study, of which no
+        plant is the best."""
+        return GROUP in self.datasets.names("/")
+
+    def sensitivity(self) -> dict[str, Indices]:
+        """What a finished sensitivity study found, by quantity; empty before
+        that, and of a search."""
+        return read_indices(self.datasets)
+
+    def state(self) -> State:
+        """Whether the case is running, stopped, interrupted or finished."""
+        finished = bool(self.datasets.read("state/finished"))
+        return State(
+            writer_of(self.path),
+            finished,
+            self.datasets.texts("state/reason")[0] if finished else "",
+            float(self.datasets.read("state/wall_time")),
+            missing_bytes(self.path),
+        )
+
+    def sessions(self) -> list[Session]:
+        """The starts of the program, oldest first."""
+        known = {*self.datasets.names("sessions")}
+        columns = {
+            name: self.datasets.read(f"sessions/{name}")
+            for name in (*_SESSION, *_SESSION_2)
+            if name in known
+        }
+        rows = (dict(zip(columns, row)) for row in zip(*columns.values()))
+        return [
+            Session(
+                **{
+                    name: int(value) if name == "ranks" else text(value)
+                    for name, value in row.items()
+                }
+            )
+            for row in rows
+            if text(row["started"])
+        ]
+
+    def messages(self) -> list[str]:
+        """What the user should know, oldest first."""
+        return [line for line in self.datasets.texts("messages/text") if line]
+
+    def campaign(self, form: str = "source") -> str:
+        """The campaign file, "source" as the user wrote it or "resolved"
+        with every default."""
+        return self.datasets.texts(f"campaign/{form}")[0]
+
+    @cached_property
+    def resolved(self) -> dict[str, Any]:
+        """The campaign with every default; empty if the history does not have
+        it."""
+        try:
+            return tomllib.loads(self.campaign("resolved"))
+        except (HistoryError, tomllib.TOMLDecodeError):
+            return {}
+
+    @property
+    def is_isolated(self) -> bool:
+        """Whether the plants are a plot alone, lit from all sides, and not a
+        stand without end."""
+        return self.resolved.get("field", {}).get("boundary") == "isolated"
+
+    def read_all(self) -> None:
+        """Reads all that the other calls read. Raises HistoryError if some of
+        it is missing or damaged."""
+        self.evaluations()
+        self.finalists()
+        self.generations()
+        self.sensitivity()
+        self.state()
+        self.sessions()
+        self.messages()
+        for form in ("source", "resolved"):
+            self.campaign(form)
+
+    def _finals(self) -> Rows | None:
+        """The finalists that are done, the baseline first, once it is and
+        none of the others is pending."""
+        status = self.datasets.read("final/status")
+        if not len(status) or status[0] != Status.DONE:
+            return None
+        if np.any(status == Status.PROPOSED):
+            return None
+        return self.finalists().done
+
+    def _final_pair(self) -> Pair | None:
+        """The finalists' verdict, once none of them is pending."""
+        if (done := self._finals()) is None:
+            return None
+        bred = done.take(done.slot > 0).top(1)
+        return (
+            Pair(done.one(0, True), bred.one(0, True)) if len(bred) else None
+        )

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Whether a file of format 2.0 still holds what was written: FORMAT.md says
+what its checksums are of."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .datasets import Datasets
+from .file import HistoryError
+from .rows import Status
+
+_HEADER = ("campaign", "genes", "objectives")
+_TABLES = ("evaluations", "final", "sensitivity")
+_NOT_HASHED = ("generation", "committed", "checksum")
+
+
+def verify(data: Datasets) -> None:
+    """Compares header, committed generations and recorded finalists with
+    their checksums.
+
+    Raises HistoryError, naming the file and the first that differs."""
+    _check(
+        data, "the header", _header(data), data.attributes().get("checksum")
+    )
+    # First what tells that the rest is complete.
+    committed = data.read("generations/committed").astype(bool)
+    status = data.read("final/status")
+    table = _columns(data, "generations", _NOT_HASHED)
+    rows = _columns(data, "evaluations", ())
+    sums = data.texts("generations/checksum")
+    count = len(committed) if committed.all() else int(committed.argmin())
+    for g in range(count):
+        first = int(table["first_row"][g])
+        last = first + int(table["count"][g])
+        found = _digest(
+            *((name, values[first:last]) for name, values in rows.items()),
+            *((name, values[g : g + 1]) for name, values in table.items()),
+        )
+        _check(data, f"generation {g}", found, sums[g])
+    _check_rows(
+        data, "final", "finalist", np.flatnonzero(status >= Status.DONE)
+    )
+    if "sensitivity" in _tables(data) and data.read("state/finished"):
+        quantities = range(len(data.read("sensitivity/quantity")))
+        _check_rows(data, "sensitivity", "sensitivity", quantities)
+
+
+def _tables(data: Datasets) -> list[str]:
+    """Groups whose scales are part of the header."""
+    known = {*data.names("/")}
+    return [name for name in _TABLES if name in known]
+
+
+def _check_rows(
+    data: Datasets, group: str, name: str, rows: Iterable[int]
+) -> None:
+    columns = _columns(data, group, ("checksum",))
+    sums = data.texts(f"{group}/checksum")
+    for i in rows:
+        found = _digest(
+            *((name, values[i : i + 1]) for name, values in columns.items())
+        )
+        _check(data, f"{name} {i}", found, sums[i])
+
+
+def _check(data: Datasets, what: str, found: str, kept: object) -> None:
+    if found != kept:
+        raise HistoryError(
+            f"{data.path}: damaged: {what} does not have its checksum; copy "
+            "the file again or resume from a backup"
+        )
+
+
+def _header(data: Datasets) -> str:
+    names = sorted({*data.attributes()} - {"checksum"})
+    paths = [f"/{group}/{n}" for group in _HEADER for n in data.names(group)]
+    for group in _tables(data):
+        paths += [
+            f"/{group}/{name}"
+            for name in data.names(group)
+            if data.axes(f"{group}/{name}") == (name,)
+        ]
+    return _digest(
+        *((name, data.attribute_bytes(name)) for name in names),
+        *((path, data.read(path)) for path in sorted(paths)),
+    )
+
+
+def _columns(
+    data: Datasets, group: str, without: Iterable[str]
+) -> dict[str, NDArray]:
+    """All but scales, by name."""
+    return {
+        name: data.read(f"{group}/{name}")
+        for name in sorted({*data.names(group)} - {*without})
+        if data.axes(f"{group}/{name}") != (name,)
+    }
+
+
+def _digest(*parts: tuple[str, NDArray | bytes]) -> str:
+    digest = hashlib.sha256()
+    for name, content in parts:
+        digest.update(name.encode() + b"\0")
+        digest.update(
+            content if isinstance(content, bytes) else content.tobytes()
+        )
+    return digest.hexdigest()

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Means over seeds with confidence intervals."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from .estimate import Estimate
+
+_NORMAL = 1.960
+
+
+def student(degrees_of_freedom: int) -> float:
+    """The two-sided 95 % quantile of Student's t."""
+    # Here, since it takes as long to load as all else together.
+    from scipy.special import stdtrit
+
+    return float(stdtrit(degrees_of_freedom, 0.975))
+
+
+@dataclass(frozen=True)
+class Interval:
+    """A mean over seeds with its 95 % confidence interval."""
+
+    mean: float
+    half_width: float
+    """NaN if it is not known."""
+    unit: str
+    seeds: int
+
+    def __str__(self) -> str:
+        """ "+1.50 ± 0.06 %"."""
+        if not math.isfinite(self.half_width):
+            return f"{self.mean:.4g} {self.unit}, error unknown"
+        digits = 2
+        if self.half_width > 0:
+            digits = min(
+                max(1 - math.floor(math.log10(self.half_width)), 0), 6
+            )
+        text = f"{self.mean:.{digits}f} ± {self.half_width:.{digits}f}"
+        return text if self.unit == "1" else f"{text} {self.unit}"
+
+    def plus(self, other: Interval) -> Interval:
+        """Both together, of the same seeds and unit; the half-width is the
+        most that it can be, since they need not be independent."""
+        half_width = self.half_width + other.half_width
+        return Interval(
+            self.mean + other.mean, half_width, self.unit, self.seeds
+        )
+
+
+def interval(figures: Sequence[Estimate]) -> Interval:
+    """The 95 % confidence interval of the mean of independent seeds: Student's
+    t over their scatter, or the normal one of their standard errors where that
+    is wider, as it is for a single seed and for seeds that agree by chance."""
+    if not figures:
+        raise ValueError("no figure to average")
+    means = np.array([figure.mean for figure in figures])
+    errors = np.array([figure.standard_error for figure in figures])
+    count = len(means)
+    measured = _NORMAL * float(np.sqrt(np.sum(errors**2))) / count
+    half_width = measured
+    if count > 1:
+        scatter = float(means.std(ddof=1)) / math.sqrt(count)
+        half_width = float(np.nanmax([measured, student(count - 1) * scatter]))
+    return Interval(float(means.mean()), half_width, figures[0].unit, count)

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is known of plants: values with units, axes and standard errors."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .estimate import Estimate
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Axis:
+    """The second dimension of a quantity."""
+
+    name: str
+    labels: NDArray
+    """Numbers or words."""
+    units: str = "1"
+
+    def __eq__(self, other: object) -> bool:
+        return (
+            isinstance(other, Axis)
+            and self.name == other.name
+            and np.array_equal(self.labels, other.labels)
+        )
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """[rows], or [rows, axis]; NaN where it is not known."""
+
+    name: str
+    unit: str
+    values: Floats
+    standard_error: Floats
+    axis: Axis | None = None
+
+    def take(self, index: NDArray) -> Quantity:
+        """The rows of a mask or of row numbers."""
+        values, error = self.values[index], self.standard_error[index]
+        return Quantity(self.name, self.unit, values, error, self.axis)
+
+
+@dataclass(frozen=True)
+class Profile:
+    """A quantity of one plant along its axis, such as the local clock time
+    [h] or the rank of leaves."""
+
+    labels: NDArray
+    unit: str
+    values: Floats
+    standard_error: Floats
+
+    def estimates(self) -> list[Estimate]:
+        """Of each label."""
+        pairs = zip(self.values, self.standard_error)
+        return [
+            Estimate(float(x), float(error), self.unit) for x, error in pairs
+        ]
+
+    def over(self, whole: float) -> dict[str, Estimate]:
+        """Each label's part of an exact whole in the same unit."""
+        return {
+            str(label): part.scaled(1 / whole, "1")
+            for label, part in zip(self.labels, self.estimates())
+        }
+
+
+@dataclass(frozen=True)
+class Objective:
+    """What evolution looks at."""
+
+    name: str
+    unit: str
+    sense: str
+    """maximise or minimise"""
+
+    @property
+    def sign(self) -> int:
+        """1 where larger is better, else -1."""
+        return -1 if self.sense == "minimise" else 1

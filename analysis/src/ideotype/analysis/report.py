@@ -1,0 +1,284 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The report: one page that needs nothing else, and figures as files."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import partial
+from pathlib import Path
+
+from . import tables
+from .blocks import Block, Drawing, Note, Section, Viewer
+from .case import Case
+from .case_figures import figures_of
+from .comparison import draw_energy, draw_gains
+from .cross import Cross, draw_cross
+from .fidelity import Fidelity, draw_fidelity
+from .file import HistoryError
+from .gallery import draw_all
+from .indices import draw_indices
+from .page import render
+from .places import draw_latitudes, draw_spacings
+from .plan import draw_plan
+from .progress import Progress
+from .provenance import provenance
+from .scene import Plants, export_plants, scene_of
+from .study import Study
+from .workers import workers
+
+_PLAN = (
+    "Plan view. The plant among its neighbours, all turned alike; dashed: "
+    "rows."
+)
+_VIEW = (
+    "Baseline (left) and {} (right). Leaves are coloured by what they "
+    "absorb over the day; sheaths are dull green, stalks and other organs grey, "
+    "neighbours pale and all turned alike. Lines on the ground are the rows. Drag (on a touch screen "
+    "sideways) or use the arrow keys to turn; pinch, Ctrl and the wheel, or + "
+    "and - to zoom; Home to start again."
+)
+_FRONT = (
+    "Front: plants that no other betters in all objectives, evaluated again, "
+    "with standard errors. Choose one with a click, a tap or the arrow keys: it "
+    "is shown beside the baseline, with its numbers ± standard errors. By how "
+    "much they are higher has paired errors in objectives; in all else it takes "
+    "both plants as independent. Of the last generation, pale, only what lies "
+    "within the axes is drawn. "
+)
+_READING = (
+    "All figures use the palette of Okabe and Ito and the maps viridis and "
+    "PuOr, which the colour-blind can tell apart; lines also differ by marker "
+    "or dash. Black is always the baseline, blue the best plant. Axes of "
+    "photons take 4.57 mol for each MJ of PAR (McCree 1972)."
+)
+
+
+@dataclass(frozen=True)
+class Written:
+    """What a report left on the disk."""
+
+    page: Path
+    figures: list[Path] = field(default_factory=list)
+
+
+def write_report(
+    study: Study,
+    folder: str | Path,
+    *,
+    cross: Cross | None = None,
+    fidelity: Fidelity | None = None,
+    program: Path | None = None,
+    command: str = "",
+    progress: Progress | None = None,
+    jobs: int = 1,
+) -> Written:
+    """Writes report.html and figures/ into the folder, over those of an
+    earlier report. `program` is the ideotype that exports shapes of plants,
+    `command` what the page names as its origin. `jobs` processes draw the
+    figures; with several, a script needs `if __name__ == "__main__":`.
+
+    Raises HistoryError if nothing is evaluated in any history, OSError if
+    the folder can't be written."""
+    folder = Path(folder)
+    every = study.cases()
+    cases = [case for case in every if not case.is_sensitivity]
+    studies = [case for case in every if case.is_sensitivity]
+    if not studies and not any(case.pairs for case in cases):
+        raise HistoryError(
+            f"{study[0].path}: baseline and best are not evaluated yet"
+            f"{'' if len(study) == 1 else ', nor in the other histories'}; "
+            "try again when a generation is complete"
+        )
+    for case in cases:
+        case.remember()
+    with workers(jobs) as run:
+        plants = list(run(partial(_plants, program), cases))
+        shapes = [
+            (case, found if isinstance(found, Plants) else None)
+            for case, found in zip(cases, plants)
+            if isinstance(found, Plants) or case.fronts
+        ]
+        searched = [
+            _overview(study, cases, cross),
+            _places(cases, cross),
+            _view(shapes),
+            *map(_case, cases, plants),
+        ]
+        if len(cases) == 1:
+            searched[3].is_folded = False
+        sections = [
+            *(searched if cases else ()),
+            *map(_study, studies),
+            *_trade(fidelity),
+            _provenance(every, command),
+        ]
+        figures = draw_all(
+            sections,
+            folder / "figures",
+            run,
+            progress or Progress(io.StringIO()),
+        )
+    page = folder / "report.html"
+    fresh = page.with_suffix(".html.part")
+    fresh.write_text(render(_title(every), _subtitle(study), sections))
+    fresh.replace(page)
+    return Written(page, figures)
+
+
+def _title(cases: Sequence[Case]) -> str:
+    names = {str(c.attributes.get("campaign", c.name)) for c in cases}
+    return f"Ideotypes of {', '.join(sorted(names))}"
+
+
+def _subtitle(study: Study) -> str:
+    cases = len(study.cases())
+    return (
+        f"{cases} case{'s' * (cases != 1)}, {len(study)} "
+        f"histor{'ies' if len(study) > 1 else 'y'}"
+    )
+
+
+def _overview(
+    study: Study, cases: Sequence[Case], cross: Cross | None
+) -> Section:
+    section = Section("Gains")
+    for error in study.damaged:
+        section.note(f"A history is left out. {error}.")
+    section.blocks += tables.gains(cases, cross)
+    section.blocks += tables.scenarios(cases)
+    section.blocks.append(
+        Drawing(
+            "gains",
+            "Gains over the baseline by case. Mean over seeds with its 95 % "
+            "confidence interval; grey strokes are single seeds.",
+            partial(draw_gains, cases, cross),
+        )
+    )
+    section.blocks.append(
+        Drawing(
+            "energy",
+            "Energy balance. Parts of the incident PAR; error bars are 95 % "
+            "confidence intervals over seeds.",
+            partial(draw_energy, cases),
+        )
+    )
+    section.blocks += tables.organs(cases)
+    section.blocks += [tables.balance(cases), Note(_READING)]
+    return section
+
+
+def _places(cases: Sequence[Case], cross: Cross | None) -> Section:
+    bars = "Error bars are 95 % confidence intervals over seeds."
+    section = Section("Latitudes, spacings, cross-evaluation")
+    section.blocks += [
+        Drawing(
+            "latitudes",
+            f"Latitudes compared. {bars}",
+            partial(draw_latitudes, cases),
+        ),
+        Drawing(
+            "spacings",
+            f"Spacings compared. {bars}",
+            partial(draw_spacings, cases),
+        ),
+    ]
+    if cross is None:
+        section.note("Cross-evaluation: none is given (--cross FILE).")
+    else:
+        section.blocks.append(
+            Drawing(
+                "cross",
+                "Cross-evaluation. Each plant under the light of each case, "
+                "in % of the best there ± half of the 95 % confidence "
+                "interval; the seeds of a case are put together.",
+                partial(draw_cross, cross),
+            )
+        )
+    return section
+
+
+def _view(shapes: list[tuple[Case, Plants | None]]) -> Section:
+    has_front = any(case.fronts for case, _ in shapes)
+    front = "Front, and its " if has_front else ""
+    section = Section((front + "plants in three dimensions").capitalize())
+    if shapes:
+        caption = (
+            _FRONT + _VIEW.format("the plant that is chosen, or the best")
+            if has_front
+            else _VIEW.format("best plant")
+        )
+        section.blocks.append(Viewer(scene_of(shapes), caption))
+    else:
+        section.note("The plants are not shown; each case below says why.")
+    return section
+
+
+def _plants(program: Path | None, case: Case) -> Plants | Note:
+    """The shapes of baseline and best, or why they are not known."""
+    try:
+        return export_plants(case, program)
+    except HistoryError as reason:
+        return Note(f"Plan view and 3D view: not drawn, {reason}.")
+
+
+def _case(case: Case, plants: Plants | Note) -> Section:
+    section = Section(case.name, is_folded=True)
+    for name, (draw, caption) in figures_of(case).items():
+        section.blocks.append(
+            Drawing(f"{case.name}_{name}", caption, partial(draw, case))
+        )
+        if name == "roses":
+            section.blocks.append(_plan(case, plants))
+    return section
+
+
+def _study(case: Case) -> Section:
+    section = Section(f"Sensitivity of {case.name}")
+    section.blocks.append(
+        Drawing(
+            f"{case.name}_indices",
+            "What the objective depends on. Sobol' indices: the share of its "
+            "variance that a factor makes by itself, and together with all "
+            "others; or elementary effects by Morris. Factors vary evenly in "
+            "their ranges. Noise is taken off, but not of μ*. The 15 that matter "
+            "most, with 95 % intervals.",
+            partial(draw_indices, case),
+        )
+    )
+    return section
+
+
+def _plan(case: Case, plants: Plants | Note) -> Block:
+    if isinstance(plants, Note):
+        return plants
+    return Drawing(
+        f"{case.name}_plan",
+        _PLAN,
+        partial(draw_plan, case, plants.baseline, plants.best),
+    )
+
+
+def _trade(fidelity: Fidelity | None) -> list[Section]:
+    if fidelity is None:
+        return []
+    section = Section("Speed for accuracy")
+    section.blocks.append(
+        Drawing(
+            "fidelity",
+            f"Speed for accuracy in {fidelity.case}. Lines: the cheapest "
+            "settings for each error, as predicted; points: some of them "
+            "evaluated again, with standard errors. One field serves all "
+            "randomisations of a generation; finalists have a field each.",
+            partial(draw_fidelity, fidelity),
+        )
+    )
+    return [section]
+
+
+def _provenance(cases: Sequence[Case], command: str) -> Section:
+    section = Section("Provenance", provenance(cases))
+    if command:
+        section.note(f"This page was made by: {command}")
+    return section

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How the plants of a case stand."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .case import Case
+
+
+def row_direction(case: Case) -> float | None:
+    """Of the case's rows [deg], clockwise from north; azimuth 0 points there.
+    None if the history does not say it."""
+    name = case.attributes.get("spacing")
+    for spacing in case.resolved.get("spacing", []):
+        if spacing.get("name") == name and "row_direction" in spacing:
+            return float(spacing["row_direction"])
+    return None
+
+
+def places(case: Case, plants: int = 1) -> list[NDArray[np.float64]]:
+    """Of a plant, which comes first, and of its neighbours [m]: across the
+    rows and along them, in one row on each side and so many plants before
+    and behind. A plot alone has no more than its own; a history that does
+    not say its distances, or is of several, has the plant only."""
+    if case.is_over("spacing"):
+        return [np.zeros(2)]
+    row = float(case.attributes.get("row_spacing", 0))
+    plant = float(case.attributes.get("plant_spacing", 0))
+    rows = 1
+    if case.is_isolated:
+        field = case.resolved.get("field", {})
+        rows = min(rows, (int(field.get("rows", 1)) - 1) // 2)
+        plants = min(plants, (int(field.get("plants", 1)) - 1) // 2)
+    found = [
+        np.array([row * i, plant * j])
+        for i in range(-rows, rows + 1)
+        for j in range(-plants, plants + 1)
+        if (row or not i) and (plant or not j)
+    ]
+    return sorted(found, key=lambda place: bool(place.any()))

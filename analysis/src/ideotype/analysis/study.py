@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Many histories together: the cases of campaigns and their replicates."""
+
+from __future__ import annotations
+
+import glob
+import os
+import re
+from collections import Counter
+from collections.abc import Iterator
+from contextlib import ExitStack
+from pathlib import Path
+from types import TracebackType
+from typing import TYPE_CHECKING, Self
+
+from .case import Case
+from .file import HistoryError
+from .history import History
+from .trial import Trial
+
+if TYPE_CHECKING:
+    import pandas
+
+Place = str | os.PathLike[str]
+
+
+def open_study(*places: Place, skip_damaged: bool = False) -> Study:
+    """Opens histories: files, folders (looked through to any depth) and glob
+    patterns, in the order of their names and each only once. Each is read in
+    another process first, since damaged ones can stop a process for minutes.
+
+    Raises FileNotFoundError or HistoryError, naming what can't be used and
+    what to do about it; with `skip_damaged` only if no history can be used,
+    and else remembers the errors of the others in `damaged`."""
+    return Study(find_histories(*places), skip_damaged)
+
+
+def find_histories(*places: Place) -> list[Path]:
+    """The files that places stand for. Raises as open_study."""
+    if not places:
+        raise HistoryError("no file, folder or pattern is given")
+    found: dict[Path, Path] = {}
+    for place in places:
+        for path in _histories_of(place):
+            found.setdefault(path.resolve(), path)
+    return list(found.values())
+
+
+def _histories_of(place: Place) -> list[Path]:
+    path = Path(place)
+    if path.is_dir():
+        files = sorted(path.rglob("*.h5"))
+        if not files:
+            raise HistoryError(
+                f"{path}: no history (.h5) in this folder; give the one that "
+                "`ideotype run --out` wrote to"
+            )
+        return files
+    if not path.exists() and glob.has_magic(str(place)):
+        matches = sorted(glob.glob(str(place), recursive=True))
+        if not matches:
+            raise HistoryError(f"{place}: no file matches this pattern")
+        return [file for match in matches for file in _histories_of(match)]
+    if not path.exists():
+        raise FileNotFoundError(f"{path}: no such file")
+    return [path]
+
+
+class Study:
+    """A context manager, and a sequence of its histories."""
+
+    def __init__(self, paths: list[Path], skip_damaged: bool = False) -> None:
+        self._histories: list[History] = []
+        self.damaged: list[Exception] = []
+        """Why histories were left out."""
+        with ExitStack() as stack, Trial() as trial:
+            for path in paths:
+                try:
+                    history = stack.enter_context(trial.open(path))
+                except (HistoryError, OSError) as error:
+                    if not skip_damaged:
+                        raise
+                    self.damaged.append(error)
+                else:
+                    self._histories.append(history)
+            if not self._histories:
+                raise self.damaged[0]
+            self._stack = stack.pop_all()
+
+    def __repr__(self) -> str:
+        return f"<Study, histories: {len(self)}>"
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Lets go of all files."""
+        self._stack.close()
+
+    def __len__(self) -> int:
+        return len(self._histories)
+
+    def __iter__(self) -> Iterator[History]:
+        return iter(self._histories)
+
+    def __getitem__(self, index: int) -> History:
+        return self._histories[index]
+
+    def cases(self) -> list[Case]:
+        """Replicates put together, in the order of the files. What differs in
+        campaign, objectives or optimizer is another case, and names say by
+        which of them where they need to."""
+        members: dict[_Identity, list[History]] = {}
+        for history in self._histories:
+            members.setdefault(_identity(history), []).append(history)
+        shared = Counter(name for _, name in {key[:2] for key in members})
+        return [
+            Case(
+                _called(key, [*members]),
+                each,
+                # Cross-evaluations do not tell campaigns.
+                light=key[1] if shared[key[1]] == 1 else "",
+            )
+            for key, each in members.items()
+        ]
+
+    def frame(self) -> pandas.DataFrame:
+        """All complete evaluations of all histories, one a row; the unit of
+        a column is .attrs["units"][column]."""
+        from .frame import frame_of
+
+        return frame_of(self._histories)
+
+
+_Identity = tuple[str, str, str, str]
+"""Campaign, name, objectives, optimizer."""
+
+
+def _identity(history: History) -> _Identity:
+    goals = (f"{'less ' * (g.sign < 0)}{g.name}" for g in history.objectives)
+    return (
+        str(history.attributes.get("campaign", "")),
+        name_without_replicate(history),
+        ", ".join(goals),
+        history.resolved.get("search", {}).get("optimizer", "ga"),
+    )
+
+
+def _called(key: _Identity, keys: list[_Identity]) -> str:
+    name = key[1]
+    if len({campaign for campaign, *_ in keys}) > 1:
+        name = f"{key[0]}: {name}"
+    alike = [other for other in keys if other[:2] == key[:2]]
+    told = [
+        mine for mine, all_of in zip(key, zip(*alike)) if {*all_of} != {mine}
+    ]
+    return f"{name} ({'; '.join(told)})" if told else name
+
+
+def name_without_replicate(history: History) -> str:
+    """ "ames_0807_762x152_all" of "ames_0807_762x152_all_r2"."""
+    name = str(history.attributes.get("case", history.path.stem))
+    return re.sub(r"[_-]r\d+$", "", name)

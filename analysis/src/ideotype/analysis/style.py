@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How all figures look. Colours are those of Okabe and Ito, and viridis:
+both can be told apart by the colour-blind."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+BASELINE = "#000000"
+BEST = "#0072B2"
+MEAN = "#009E73"
+ANEW = "#D55E00"
+QUIET = "#8C8C8C"
+
+WIDTH = 7.2
+"""Of a figure that fills a printed page, without loss of size [inches]."""
+
+_SERIES_COLORS = (
+    *("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"),
+    "#000000",
+)
+_SERIES_MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*")
+
+RC: dict[Any, Any] = {
+    "font.size": 9.0,
+    "axes.titlesize": 10.0,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "grid.color": "#E3E3E3",
+    "grid.linewidth": 0.6,
+    "axes.axisbelow": True,
+    "legend.frameon": False,
+    "lines.linewidth": 1.5,
+    "lines.markersize": 4.5,
+    "errorbar.capsize": 2.0,
+    "pdf.fonttype": 42,
+    "savefig.dpi": 200,
+}
+
+_LIGHT_UNITS = ("MJ m-2 day-1", "W m-2")
+"""Per area of ground, or of leaf where the name says so."""
+
+_SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def new_figure(width: float, height: float) -> Figure:
+    """An empty figure [inches]; it belongs to no window and no global list."""
+    return Figure(figsize=(width, height), layout="constrained")
+
+
+def unit_label(unit: str) -> str:
+    """A unit as it is printed: "MJ m-2" has a raised -2, "deg" is "°"."""
+    raised = re.sub(
+        r"(?<=[A-Za-z])-?\d+", lambda m: m[0].translate(_SUPERSCRIPT), unit
+    )
+    return re.sub(r"\bdeg\b", "°", raised)
+
+
+def axis_label(name: str, unit: str) -> str:
+    """ "absorbed PAR [MJ m⁻² day⁻¹ of ground]" of a column's name and unit."""
+    if unit == "1":
+        return words(name)
+    is_light = unit in _LIGHT_UNITS
+    area = " of leaf" if "leaf_area" in name else " of ground"
+    return f"{words(name)} [{unit_label(unit)}{area if is_light else ''}]"
+
+
+def words(name: str) -> str:
+    """ "absorbed PAR" of "absorbed_par"."""
+    spaced = name.replace("_", " ")
+    spaced = re.sub(r"\b(par|lai)\b", lambda m: m[0].upper(), spaced)
+    return re.sub(r"\bfapar\b", "fAPAR", spaced)
+
+
+def short(value: float) -> float:
+    """A number of as many digits as a drawing in the page needs."""
+    return float(f"{value:.7g}")
+
+
+def series(index: int) -> tuple[str, str]:
+    """Colour and marker of a line among several; the marker tells apart
+    lines whose colours repeat."""
+    return (
+        _SERIES_COLORS[index % len(_SERIES_COLORS)],
+        _SERIES_MARKERS[index % len(_SERIES_MARKERS)],
+    )
+
+
+def organ_color(group: str) -> str:
+    """Of a group of a mesh that is no leaf: a muted green for sheaths and
+    what is as green, grey for the rest."""
+    return "#7E9470" if group.startswith("sheath") else "#969696"
+
+
+def ranked_colors(count: int) -> NDArray[np.float64]:
+    """Colours from the fittest, dark, to the least fit, bright; the palest
+    end of viridis does not show on white."""
+    return colormaps["viridis"](np.linspace(0.0, 0.9, max(count, 1)))

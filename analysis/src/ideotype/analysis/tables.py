@@ -1,0 +1,271 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The tables of a report."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from .blocks import Block, Note, Table
+from .case import Case
+from .comparison import ELITE
+from .cross import Cross
+from .estimate import relative_gain
+from .file import HistoryError
+from .interval import Interval, interval
+from .style import axis_label, unit_label
+
+UNKNOWN = "–"
+"""In a cell without a figure."""
+
+_GAINS = (
+    *("case", "seeds", "baseline", "best", "gain", "gain [%]"),
+    *("LAI baseline", "LAI best", "gain per leaf area [%]"),
+    *("over elite [%]", "left to the ceiling [%]"),
+)
+
+
+def gains(cases: Sequence[Case], cross: Cross | None) -> list[Block]:
+    """What each case gains, and what should be known about it."""
+    rows = [_gain_row(case, cross) for case in cases]
+    blocks: list[Block] = [
+        Table(
+            _GAINS,
+            rows,
+            "Means over seeds ± half of the 95 % confidence interval, in "
+            f"{_unit(cases)}, of plants evaluated again after the evolution.",
+        )
+    ]
+    blocks += [Note(text) for text in _remarks(cases, cross)]
+    return blocks
+
+
+def markdown(blocks: Sequence[Block]) -> str:
+    """Tables and notes as text that is legible as it is."""
+    return "\n\n".join(
+        block.text if isinstance(block, Note) else _markdown_table(block)
+        for block in blocks
+        if isinstance(block, Note | Table)
+    )
+
+
+def _markdown_table(table: Table) -> str:
+    rows = [table.header, *table.rows]
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    lines = [
+        "| " + " | ".join(map(str.ljust, row, widths)) + " |" for row in rows
+    ]
+    rule = "|" + "|".join("-" * (width + 2) for width in widths) + "|"
+    return "\n".join([lines[0], rule, *lines[1:], "", table.caption]).replace(
+        "\u00a0", " "
+    )
+
+
+def _unit(cases: Sequence[Case]) -> str:
+    units = {c.best.objective.unit for c in cases if c.pairs}
+    return " or ".join(sorted(map(unit_label, units))) or "no unit yet"
+
+
+def _gain_row(case: Case, cross: Cross | None) -> list[str]:
+    seeds = str(len(case.histories))
+    if not case.pairs:
+        return [case.name, seeds, *[UNKNOWN] * (len(_GAINS) - 2)]
+    elite = cross.relative_gain(case, ELITE) if cross else None
+    return [
+        case.name,
+        seeds,
+        _bare(case.mean("baseline")),
+        _bare(case.mean("best")),
+        _bare(case.gain()),
+        _bare(case.relative_gain()),
+        _lai(case, "baseline"),
+        _lai(case, "best"),
+        _per_leaf_area(case),
+        _bare(elite) if elite else UNKNOWN,
+        _room(case),
+    ]
+
+
+def _bare(figure: Interval) -> str:
+    # kept on one line by the browser
+    return str(replace(figure, unit="1")).replace(" ", "\u00a0")
+
+
+def _lai(case: Case, who: str) -> str:
+    try:
+        lai = case.mean(who, "lai")
+    except HistoryError:
+        return UNKNOWN
+    # Exact for a single plant: seeds give it a scatter, nothing else.
+    return _bare(lai) if lai.half_width > 1e-9 else f"{lai.mean:.2f}"
+
+
+def _per_leaf_area(case: Case) -> str:
+    try:
+        return _bare(case.gain_per_leaf_area())
+    except HistoryError:
+        return UNKNOWN
+
+
+def _room(case: Case) -> str:
+    try:
+        room = case.headroom()
+    except HistoryError:
+        return UNKNOWN
+    ceiling = room.mean + case.best.objective.mean
+    error = 100 * room.standard_error / ceiling
+    return f"{100 * room.mean / ceiling:.2f} ± {1.96 * error:.2f}".replace(
+        " ", "\u00a0"
+    )
+
+
+def _remarks(cases: Sequence[Case], cross: Cross | None) -> list[str]:
+    remarks = [
+        "The interval is Student's t over the scatter of the seeds, or that "
+        "of their standard errors where it is wider; with a single seed it "
+        "knows nothing of how seeds differ. Standard errors of gains over the "
+        "baseline are paired: baseline and best share random numbers, and are "
+        "compared randomisation by randomisation.",
+        "LAI is the one-sided leaf area per ground area, which is known "
+        "without error; the gain per leaf area is that in absorbed PAR per "
+        "one-sided leaf area.",
+        "The ceiling is what leaves would absorb if other organs and soil "
+        "took nothing: incident light less what the best plant's canopy reflects.",
+    ]
+    if cross is None or ELITE not in cross.plants:
+        remarks.append(
+            "The gain over the elite plant is not known: it needs a "
+            f"cross-evaluation (--cross) with a plant called {ELITE}."
+        )
+    else:
+        remarks.append(
+            "The error of the gain over the elite plant takes both as "
+            "independent: a cross-evaluation has random numbers of its own."
+        )
+    named: dict[str, list[str]] = {}
+    for case in cases:
+        for remark in _case_remarks(case, cross):
+            named.setdefault(remark, []).append(case.name)
+    return remarks + [
+        f"{remark}: {', '.join(names)}." for remark, names in named.items()
+    ]
+
+
+def _case_remarks(case: Case, cross: Cross | None) -> Iterator[str]:
+    if not case.pairs:
+        yield "Nothing to compare yet"
+        return
+    if case.fronts:
+        yield (
+            "Of several objectives the gain is that of the first, and the best "
+            "plant the one of the front that has most of it"
+        )
+    if not all(pair.is_paired for pair in case.pairs):
+        yield (
+            "Errors of gains take baseline and best as independent and are "
+            "mostly too large, since the history has no randomisations that "
+            "both share"
+        )
+    if not case.is_final:
+        yield (
+            "Provisional, since not all seeds have their final evaluation, "
+            "and the best of many noisy figures is too high on average"
+        )
+    if (
+        cross
+        and ELITE in cross.plants
+        and cross.relative_gain(case, ELITE) is None
+    ):
+        yield (
+            "The gain over the elite plant is not known, since the "
+            "cross-evaluation does not have it under these cases (of a name "
+            "in several campaigns it needs to say which, CAMPAIGN: CASE)"
+        )
+    try:
+        if case.is_saturated():
+            yield (
+                "Saturated, the best being within its standard error of the "
+                "ceiling, so that absorption can't tell better plants any more"
+            )
+    except HistoryError as reason:
+        yield f"Without a ceiling, since {reason}"
+
+
+def organs(cases: Sequence[Case]) -> list[Table]:
+    """What organs other than leaves take, where histories tell it."""
+    plants = [
+        (f"{case.name} {who}", case.light_by_organ(who))
+        for case in cases
+        if case.pairs
+        for who in ("baseline", "best")
+    ]
+    names = list(dict.fromkeys(name for _, parts in plants for name in parts))
+    if names == ["stalk"]:
+        return []
+    rows = [
+        [plant, *(_percent(parts.get(name)) for name in names)]
+        for plant, parts in plants
+    ]
+    return [
+        Table(
+            ("plant", *(name.replace("_", " ") for name in names)),
+            rows,
+            "PAR that organs other than leaves absorb, in % of the incident: "
+            "means over seeds ± half of the 95 % confidence interval.",
+        )
+    ]
+
+
+def scenarios(cases: Sequence[Case]) -> list[Table]:
+    """Each objective in every scenario that it is taken over."""
+    found: dict[str, list[list[str]]] = {}
+    for case in cases:
+        goals = case.best.row.with_axis("scenario") if case.pairs else []
+        for goal in goals:
+            rows = found.setdefault(axis_label(goal.name, goal.unit), [])
+            baseline, best = (
+                zip(*(p.profile(goal.name).estimates() for p in plants))
+                for plants in zip(*((p.baseline, p.best) for p in case.pairs))
+            )
+            labels = case.best.profile(goal.name).labels
+            for label, was, now in zip(labels, baseline, best):
+                gains = [*map(relative_gain, now, was)]
+                cells = [_bare(interval(each)) for each in (was, now, gains)]
+                rows.append([f"{case.name}: {label}", *cells])
+    return [
+        Table(
+            ("case: scenario", "baseline", "best", "gain [%]"),
+            rows,
+            f"{title[0].upper()}{title[1:]}: means over seeds ± half of the "
+            "95 % confidence interval; that of gains takes baseline and best "
+            "as independent.",
+        )
+        for title, rows in found.items()
+    ]
+
+
+def _percent(share: Interval | None) -> str:
+    if share is None:
+        return UNKNOWN
+    half_width = 100 * share.half_width
+    return _bare(replace(share, mean=100 * share.mean, half_width=half_width))
+
+
+def balance(cases: Sequence[Case]) -> Note:
+    """How well the energy balance closes."""
+    errors = [
+        abs(pair_member.estimate("balance_error").mean)
+        for case in cases
+        for pair in case.pairs
+        for pair_member in (pair.baseline, pair.best)
+        if "balance_error" in pair_member.row.quantities
+    ]
+    if not errors:
+        return Note("The histories do not say how well the balance closes.")
+    return Note(
+        "Leaves, other organs, soil and reflected light add up to the light "
+        "that enters; the largest deviation of all plants shown is "
+        f"{np.max(errors):.1g} of it."
+    )

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Work for all cores."""
+
+from __future__ import annotations
+
+import multiprocessing
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
+from typing import Any
+
+Map = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
+
+
+@contextmanager
+def workers(count: int) -> Iterator[Map]:
+    """A map() by so many processes, whose results come in the order of their
+    arguments; of a single one map() itself.
+
+    Raises OSError if a process is killed."""
+    if count < 2:
+        yield map
+        return
+    context = multiprocessing.get_context("forkserver")
+    context.set_forkserver_preload(["ideotype.analysis.report"])
+    pool = ProcessPoolExecutor(count, mp_context=context)
+    try:
+        yield pool.map
+    except BrokenProcessPool as error:
+        raise OSError(
+            "a process that draws figures was killed (out of memory?); try "
+            "with fewer, --jobs 1"
+        ) from error
+    finally:
+        pool.shutdown(cancel_futures=True)

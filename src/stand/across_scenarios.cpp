@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ideotype/stand/across_scenarios.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "ideotype/canopy/quantities.hpp"
+#include "ideotype/search/order.hpp"
+#include "ideotype/stand/stand.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! What tells a scenario from the others of its case.
+std::string label(const Campaign& campaign, const Case& scenario) {
+    std::string text;
+    const auto add = [&](bool is_named, const std::string& name) {
+        if (is_named) text += (text.empty() ? "" : "_") + name;
+    };
+    add(is_over(campaign, "site"), scenario.site.name);
+    add(is_over(campaign, "day") || is_over(campaign, "climate"),
+        scenario.day_name);
+    add(is_over(campaign, "spacing"), scenario.spacing_name);
+    return text;
+}
+
+bool has_same_axes(const Quantity& quantity, const QuantitySet& a,
+                   const QuantitySet& b) {
+    return b.has(quantity.name) &&
+           std::all_of(quantity.axes.begin(), quantity.axes.end(),
+                       [&](const std::string& axis) {
+                           return a.axis(axis).coordinates ==
+                                  b.axis(axis).coordinates;
+                       });
+}
+
+double mean_of(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.) /
+           static_cast<double>(values.size());
+}
+
+}  // namespace
+
+QuantitySet measured_in(const Campaign& campaign, const Case& scenario) {
+    return canopy_quantities(campaign.crop.baseline, canopy_layers(campaign),
+                             light_of(campaign, scenario),
+                             campaign.field.boundary,
+                             campaign.photosynthesis.has_value());
+}
+
+AcrossScenarios::AcrossScenarios(const Campaign& campaign, const Case& chosen)
+    : across_(campaign.across), aims_(aims(campaign)) {
+    std::vector<QuantitySet> sets;
+    std::vector<std::string> labels;
+    for (const Case& each : scenarios(chosen)) {
+        sets.push_back(measured_in(campaign, each));
+        labels.push_back(label(campaign, each));
+    }
+    const QuantitySet& first = sets.front();
+    for (const Quantity& each : first.quantities) {
+        if (!std::all_of(sets.begin(), sets.end(), [&](const QuantitySet& set) {
+                return has_same_axes(each, first, set);
+            }))
+            continue;
+        measured_.quantities.push_back(each);
+        shared_.push_back({first.size(each), {}});
+        for (const QuantitySet& set : sets)
+            shared_.back().begins.push_back(set.offset(each.name));
+    }
+    for (const Axis& axis : first.axes)
+        if (std::any_of(measured_.quantities.begin(),
+                        measured_.quantities.end(), [&](const Quantity& each) {
+                            return std::count(each.axes.begin(),
+                                              each.axes.end(), axis.name) > 0;
+                        }))
+            measured_.axes.push_back(axis);
+    measured_.axes.push_back(
+        {"scenario", "", "what plants are evaluated under", labels});
+    for (const Aim& aim : aims_)
+        measured_.quantities.push_back({aim.quantity + "_by_scenario",
+                                        unit_of(aim.quantity),
+                                        aim.quantity + " in each scenario",
+                                        {"scenario"}});
+}
+
+void AcrossScenarios::combine_objective(const std::vector<Outcome>& each,
+                                        std::size_t objective,
+                                        Outcome& all) const {
+    const std::size_t count = each.front().randomisations.size() / aims_.size();
+    const std::size_t first = objective * count;
+    const auto at = [&](const Outcome& one) {
+        return one.objectives[objective];
+    };
+    if (across_ == Across::worst) {
+        const auto worst = std::max_element(
+            each.begin(), each.end(), [&](const Outcome& a, const Outcome& b) {
+                return is_better(at(a).mean, at(b).mean,
+                                 aims_[objective].sense);
+            });
+        all.objectives.push_back(at(*worst));
+        const auto from =
+            worst->randomisations.begin() + static_cast<std::ptrdiff_t>(first);
+        all.randomisations.insert(all.randomisations.end(), from,
+                                  from + static_cast<std::ptrdiff_t>(count));
+        return;
+    }
+    std::vector<double> means, values;
+    for (const Outcome& one : each) means.push_back(at(one).mean);
+    for (std::size_t r = first; r < first + count; ++r) {
+        std::vector<double> of_scenarios;
+        for (const Outcome& one : each)
+            of_scenarios.push_back(one.randomisations[r]);
+        values.push_back(mean_of(of_scenarios));
+    }
+    all.objectives.push_back({mean_of(means), estimate(values).standard_error});
+    all.randomisations.insert(all.randomisations.end(), values.begin(),
+                              values.end());
+}
+
+Outcome AcrossScenarios::combine(const std::vector<Outcome>& each) const {
+    Outcome all;
+    all.status = Status::done;
+    for (std::size_t k = 0; k < aims_.size(); ++k)
+        combine_objective(each, k, all);
+    for (const Outcome& one : each)
+        all.violation = std::max(all.violation, one.violation);
+    for (const auto& [size, begins] : shared_)
+        for (std::size_t i = 0; i < size; ++i) {
+            std::vector<double> means, errors;
+            for (std::size_t s = 0; s < each.size(); ++s) {
+                const Estimate& x = each[s].quantities[begins[s] + i];
+                means.push_back(x.mean);
+                errors.push_back(x.standard_error);
+            }
+            all.quantities.push_back({mean_of(means), mean_of(errors)});
+        }
+    for (std::size_t k = 0; k < aims_.size(); ++k)
+        for (const Outcome& one : each)
+            all.quantities.push_back(one.objectives[k]);
+    return all;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ideotype/stand/stand.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ideotype/canopy/quantities.hpp"
+#include "ideotype/core/hash.hpp"
+#include "ideotype/light/tolerance.hpp"
+
+namespace ideotype {
+
+Accuracy accuracy_of(const Task& task, const Campaign& campaign) {
+    if (task.is_final) return campaign.final_rule.sampling;
+    Accuracy accuracy = campaign.sampling;
+    if (campaign.first_tolerance > 0 && campaign.stop.generations > 1) {
+        const double left = 1 - static_cast<double>(task.generation) /
+                                    (campaign.stop.generations - 1);
+        accuracy.tolerance *=
+            std::pow(campaign.first_tolerance / accuracy.tolerance, left);
+    }
+    return accuracy;
+}
+
+Randomness randomness_of(const Task& task, const Campaign& campaign,
+                         const Case& chosen) {
+    if (task.is_final)
+        return {derive_seed(chosen.seed, "final"), 0, 0,
+                Randomness::Fields::each};
+    if (is_sensitivity(campaign))
+        return {chosen.seed, task.generation,
+                task.slot * static_cast<std::uint32_t>(
+                                campaign.sampling.randomisations),
+                Randomness::Fields::common};
+    return {chosen.seed, task.generation};
+}
+
+double final_effort(const Campaign& campaign) {
+    const auto paths = [](const Accuracy& accuracy) {
+        return static_cast<double>(accuracy.all_paths());
+    };
+    const Accuracy& final = campaign.final_rule.sampling;
+    // With a tolerance an evaluation may need the least that there is.
+    Accuracy usual = campaign.sampling;
+    if (usual.tolerance > 0) usual.paths = std::min(usual.paths, fewest_paths);
+    return std::max<double>(paths(final) / paths(usual), final.randomisations);
+}
+
+Layers canopy_layers(const Campaign& campaign) {
+    constexpr double thickness = 0.25;
+    return {thickness,
+            static_cast<std::size_t>(std::ceil(campaign.reach / thickness))};
+}
+
+Scenario scenario_of(const Campaign& campaign, const Case& chosen) {
+    FieldForm field = campaign.field;
+    field.spacing = chosen.spacing;
+    return {field,
+            illuminate(light_of(campaign, chosen), campaign.sky_model,
+                       chosen.spacing.row_direction, Skies::shared,
+                       campaign.sun_dates),
+            campaign.optics};
+}
+
+CanopyRequest request_of(const Sampling& sampling, const Campaign& campaign,
+                         const Scenario& scenario, Plant plant) {
+    return {
+        std::move(plant),        scenario,
+        canopy_layers(campaign), sampling.accuracy,
+        sampling.randomness,     {.photosynthesis = campaign.photosynthesis},
+        campaign.tessellation};
+}
+
+OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
+                             const Accuracy& accuracy) {
+    OutcomeSchema schema;
+    schema.measured = chosen.scenarios.empty()
+                          ? measured_in(campaign, chosen)
+                          : AcrossScenarios(campaign, chosen).measured();
+    schema.randomisations = static_cast<std::size_t>(accuracy.randomisations);
+    for (const Aim& aim : aims(campaign))
+        schema.objectives.push_back(
+            {aim.quantity, unit_of(aim.quantity), aim.sense});
+    return schema;
+}
+
+Outcome to_outcome(const Campaign& campaign, const Plant& plant,
+                   const CanopyReport& report) {
+    Outcome outcome;
+    outcome.status = Status::done;
+    for (const Aim& aim : aims(campaign)) {
+        const auto [mean, values] = measure_objective(aim.quantity, report);
+        outcome.objectives.push_back(mean);
+        outcome.randomisations.insert(outcome.randomisations.end(),
+                                      values.begin(), values.end());
+    }
+    outcome.violation = violation(campaign.constraints, campaign.crop.traits,
+                                  plant, report.lai);
+    outcome.quantities = measure(report);
+    return outcome;
+}
+
+Sampling sampling_of(const Task& task, const Campaign& campaign,
+                     const Case& chosen) {
+    return {accuracy_of(task, campaign), randomness_of(task, campaign, chosen)};
+}
+
+Stand::Stand(const Campaign& campaign, const Case& chosen)
+    : campaign_(campaign),
+      cases_(scenarios(chosen)),
+      schema_(outcome_schema(campaign, chosen, campaign.sampling)),
+      final_schema_(schema_) {
+    final_schema_.randomisations =
+        static_cast<std::size_t>(campaign.final_rule.sampling.randomisations);
+    if (!chosen.scenarios.empty()) across_.emplace(campaign, chosen);
+}
+
+void Stand::prepare() {
+    if (!scenarios_.empty()) return;
+    for (const Case& each : cases_)
+        scenarios_.push_back(scenario_of(campaign_, each));
+}
+
+Outcome Stand::evaluate(const Plant& plant, const Sampling& sampling,
+                        const Device& device) {
+    prepare();
+    std::vector<Outcome> outcomes;
+    for (const Scenario& scenario : scenarios_)
+        outcomes.push_back(to_outcome(
+            campaign_, plant,
+            ideotype::evaluate(request_of(sampling, campaign_, scenario, plant),
+                               device)));
+    return across_ ? across_->combine(outcomes) : std::move(outcomes.front());
+}
+
+}  // namespace ideotype

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/core/error.hpp"
+#include "ideotype/stand/stand.hpp"
+
+namespace ideotype {
+namespace {
+
+//! ames_quick with more lines before the first [[day]] and below [objective].
+Campaign changed(const std::string& before_day, const std::string& objective) {
+    std::string text =
+        read_campaign(std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml")
+            .resolved;
+    const auto insert = [&](const std::string& more, const std::string& at,
+                            std::size_t offset) {
+        text.insert(text.find(at) + offset, more);
+    };
+    insert(before_day, "[[day]]", 0);
+    insert(objective, "[objective]\n", 12);
+    return parse_campaign(text, "changed.toml");
+}
+
+constexpr auto south =
+    "[[site]]\nname = \"south\"\nlatitude = 25\nlongitude = -100\n"
+    "utc_offset = -6\n";
+constexpr auto narrow =
+    "[[spacing]]\nname = \"narrow\"\nrow = 0.381\nplant = 0.1524\n"
+    "row_direction = 90\n";
+
+Campaign over_sites(const std::string& how) {
+    return changed(south, "over = [\"site\"]\nscenarios = \"" + how + "\"\n");
+}
+
+Outcome evaluated(const Campaign& campaign, const Task& task = {}) {
+    const Case chosen = cases(campaign).at(task.case_index);
+    return Stand(campaign, chosen)
+        .evaluate(campaign.crop.baseline, sampling_of(task, campaign, chosen),
+                  Device(Device::supported_isas().back()));
+}
+
+//! The outcomes of the same plant in a case for each site, with the random
+//! numbers of this one.
+std::vector<Outcome> separately(const Case& robust) {
+    const Campaign campaign = changed(south, "");
+    const Device device(Device::supported_isas().back());
+    std::vector<Outcome> each;
+    for (Case one : cases(campaign)) {
+        one.seed = robust.seed;
+        const Plant& plant = campaign.crop.baseline;
+        each.push_back(to_outcome(
+            campaign, plant,
+            evaluate(request_of(sampling_of({}, campaign, one), campaign,
+                                scenario_of(campaign, one), plant),
+                     device)));
+    }
+    return each;
+}
+
+TEST(AcrossScenarios, TheMeanIsThatOfSeparateEvaluationsWithTheSameSeeds) {
+    const Campaign campaign = over_sites("mean");
+    const Case robust = cases(campaign).at(0);
+    const std::vector<Outcome> each = separately(robust);
+    ASSERT_EQ(each.size(), 2u);
+    const Outcome mean = evaluated(campaign);
+    EXPECT_DOUBLE_EQ(
+        mean.objectives[0].mean,
+        (each[0].objectives[0].mean + each[1].objectives[0].mean) / 2);
+    ASSERT_EQ(mean.randomisations.size(), each[0].randomisations.size());
+    for (std::size_t r = 0; r < mean.randomisations.size(); ++r)
+        EXPECT_DOUBLE_EQ(
+            mean.randomisations[r],
+            (each[0].randomisations[r] + each[1].randomisations[r]) / 2);
+    EXPECT_DOUBLE_EQ(mean.objectives[0].standard_error,
+                     estimate(mean.randomisations).standard_error);
+
+    const OutcomeSchema schema =
+        outcome_schema(campaign, robust, campaign.sampling);
+    ASSERT_TRUE(has_form(schema, mean));
+    EXPECT_EQ(find(schema, mean, "absorbed_par")->mean,
+              mean.objectives[0].mean);
+    const std::size_t by = schema.measured.offset("absorbed_par_by_scenario");
+    for (std::size_t s = 0; s < 2; ++s)
+        EXPECT_EQ(mean.quantities.at(by + s).mean, each[s].objectives[0].mean);
+    EXPECT_EQ(std::get<std::vector<std::string>>(
+                  schema.measured.axis("scenario").coordinates),
+              (std::vector<std::string>{"ames", "south"}));
+}
+
+TEST(AcrossScenarios, TheWorstIsTheSmallerOfWhatIsMaximised) {
+    const Campaign campaign = over_sites("worst");
+    const std::vector<Outcome> each = separately(cases(campaign).at(0));
+    const std::size_t smaller =
+        each[0].objectives[0].mean < each[1].objectives[0].mean ? 0 : 1;
+    const Outcome worst = evaluated(campaign);
+    EXPECT_EQ(worst.objectives[0].mean, each[smaller].objectives[0].mean);
+    EXPECT_EQ(worst.objectives[0].standard_error,
+              each[smaller].objectives[0].standard_error);
+    EXPECT_EQ(worst.randomisations, each[smaller].randomisations);
+    EXPECT_NE(each[0].objectives[0].mean, each[1].objectives[0].mean);
+}
+
+TEST(AcrossScenarios, ConstraintsHoldInTheScenarioWhereTheyFailMost) {
+    Campaign campaign = changed(narrow, "over = [\"spacing\"]\n");
+    const OutcomeSchema schema =
+        outcome_schema(campaign, cases(campaign).at(0), campaign.sampling);
+    const double mean_lai = find(schema, evaluated(campaign), "lai")->mean;
+    // Twice the density has twice the leaf area.
+    const double lai = mean_lai / 1.5;
+    campaign.constraints.lai = {0, lai};
+    EXPECT_NEAR(evaluated(campaign).violation, 1, 1e-6);
+}
+
+TEST(AcrossScenarios, AxesOfScenariosAreNoAxesOfCases) {
+    const Campaign both = changed(std::string(south) + narrow,
+                                  "over = [\"site\", \"spacing\"]\n");
+    const std::vector<Case> all = cases(both);
+    ASSERT_EQ(all.size(), 1u);
+    EXPECT_EQ(all[0].name, "all_0807_all_all_r1");
+    ASSERT_EQ(all[0].scenarios.size(), 4u);
+    std::vector<std::string> names;
+    for (const Case& each : all[0].scenarios) {
+        names.push_back(each.name);
+        EXPECT_EQ(each.seed, all[0].seed);
+    }
+    EXPECT_EQ(names[1], "ames_0807_762x152_all_r1");
+    EXPECT_EQ(names[2], "south_0807_narrow_all_r1");
+    EXPECT_EQ(parse_campaign(both.resolved, "again").resolved, both.resolved);
+    EXPECT_EQ(
+        cases(changed(std::string(south) + narrow, "over = [\"spacing\"]\n"))
+            .size(),
+        2u);
+    // No campaign of before has changed.
+    EXPECT_EQ(changed("", "").resolved.find("scenarios"), std::string::npos);
+    EXPECT_THROW(changed("", "over = [\"climate\"]\n"), InputError);
+    EXPECT_THROW(changed("", "over = [\"traits\"]\n"), InputError);
+}
+
+TEST(AcrossScenarios, HoursThatDifferHaveNoMean) {
+    const Campaign campaign = changed(
+        "[[day]]\ndate = 2025-06-21\nname = \"june\"\nstart = 05:00:00\n"
+        "end = 21:00:00\n",
+        "over = [\"day\"]\n");
+    const QuantitySet measured =
+        outcome_schema(campaign, cases(campaign).at(0), {}).measured;
+    EXPECT_FALSE(measured.has("absorbed_by_hour"));
+    EXPECT_TRUE(measured.has("absorbed_by_leaf"));
+    EXPECT_TRUE(has_form(
+        outcome_schema(campaign, cases(campaign).at(0), campaign.sampling),
+        evaluated(campaign)));
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -6,8 +6,8 @@
 #include <CLI/CLI.hpp>
 
 #include "campaign_argument.hpp"
-#include "ideotype/cli/mesh_study.hpp"
 #include "ideotype/cli/verbs.hpp"
+#include "ideotype/stand/mesh_study.hpp"
 #include "mesh_command.hpp"
 #include "run_command.hpp"
 #include "sensitivity_command.hpp"

@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/cli/mesh_study.hpp"
+#include "ideotype/cli/verbs.hpp"
+#include "ideotype/run/progress.hpp"
+#include "ideotype/stand/mesh_study.hpp"
 #include "light_output.hpp"
 
 namespace ideotype {
@@ -66,7 +68,8 @@ Span span_of(const MeshOptions& options) {
     return has_day(options) ? Span::day : Span::single;
 }
 
-Json to_json(const MeshReport& report, const MeshOptions& options) {
+Json to_json(const MeshReport& report, const MeshOptions& options,
+             double seconds) {
     Json json{{"mesh", options.path},
               {"boundary", boundary_name(options)},
               {"light", light_name(options)}};
@@ -84,15 +87,16 @@ Json to_json(const MeshReport& report, const MeshOptions& options) {
                              {"is_met", !report.canopy.is_capped},
                              {"most_paths", most_tolerance_paths}};
     json["seed"] = options.seed;
-    json["seconds"] = report.seconds;
+    json["seconds"] = seconds;
     json["warnings"] = report.warnings;
     return json;
 }
 
-void print_report(const MeshReport& report, const MeshOptions& options) {
+void print_report(const MeshReport& report, const MeshOptions& options,
+                  double seconds) {
     fmt::print("{}, {}, {}\n{:.4g} m2 of ground, {} paths, {:.2g} s\n",
                options.path, boundary_name(options), light_name(options),
-               report.canopy.ground_area, report.canopy.paths, report.seconds);
+               report.canopy.ground_area, report.canopy.paths, seconds);
     fmt::print(
         "reflectance and transmittance: leaf {} {}, stalk {} {}, soil {} 0\n",
         options.leaf.reflectance, options.leaf.transmittance,
@@ -104,15 +108,17 @@ void print_report(const MeshReport& report, const MeshOptions& options) {
 }  // namespace
 
 ExitCode evaluate_mesh(const MeshOptions& options) {
+    const double began = now();
     const MeshReport report = study(options);
+    const double seconds = now() - began;
     for (const std::string& warning : report.warnings)
         fmt::print(stderr, "ideotype: warning: {}: {}\n", options.path,
                    warning);
     if (report.canopy.is_capped) warn_of_tolerance(report, options.tolerance);
     if (options.is_json)
-        fmt::print("{}\n", to_text(to_json(report, options)));
+        fmt::print("{}\n", to_text(to_json(report, options, seconds)));
     else
-        print_report(report, options);
+        print_report(report, options, seconds);
     return ExitCode::ok;
 }
 

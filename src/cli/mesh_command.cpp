@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "ideotype/cli/mesh_options.hpp"
+#include "ideotype/stand/mesh_options.hpp"
 
 namespace ideotype {
 

@@ -216,7 +216,7 @@ CanopyRequest request_of(const Variant& variant, std::size_t case_index,
     const Campaign& campaign = variant.campaign;
     const Case chosen = case_of(variant, case_index);
     CanopyRequest request =
-        request_of(sampling_of({}, campaign, chosen), campaign,
+        request_of(sampling_of(Task{}, campaign, chosen), campaign,
                    scenario_of(campaign, chosen), grow(campaign.crop, genome));
     SeriesIllumination& light = request.scenario.light;
     light = illuminate(light.series, campaign.sky_model,

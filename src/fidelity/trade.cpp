@@ -200,7 +200,7 @@ class Survey {
 int needed_paths(const Campaign& campaign, const Case& chosen,
                  const Device& device, const Genome& genome) {
     CanopyRequest request =
-        request_of(sampling_of({}, campaign, chosen), campaign,
+        request_of(sampling_of(Task{}, campaign, chosen), campaign,
                    scenario_of(campaign, chosen), grow(campaign.crop, genome));
     request.accuracy = campaign.sampling;
     const CanopyReport report = evaluate(request, device);

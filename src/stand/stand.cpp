@@ -10,31 +10,6 @@
 
 namespace ideotype {
 
-Accuracy accuracy_of(const Task& task, const Campaign& campaign) {
-    if (task.is_final) return campaign.final_rule.sampling;
-    Accuracy accuracy = campaign.sampling;
-    if (campaign.first_tolerance > 0 && campaign.stop.generations > 1) {
-        const double left = 1 - static_cast<double>(task.generation) /
-                                    (campaign.stop.generations - 1);
-        accuracy.tolerance *=
-            std::pow(campaign.first_tolerance / accuracy.tolerance, left);
-    }
-    return accuracy;
-}
-
-Randomness randomness_of(const Task& task, const Campaign& campaign,
-                         const Case& chosen) {
-    if (task.is_final)
-        return {derive_seed(chosen.seed, "final"), 0, 0,
-                Randomness::Fields::each};
-    if (is_sensitivity(campaign))
-        return {chosen.seed, task.generation,
-                task.slot * static_cast<std::uint32_t>(
-                                campaign.sampling.randomisations),
-                Randomness::Fields::common};
-    return {chosen.seed, task.generation};
-}
-
 double final_effort(const Campaign& campaign) {
     const auto paths = [](const Accuracy& accuracy) {
         return static_cast<double>(accuracy.all_paths());
@@ -98,11 +73,6 @@ Outcome to_outcome(const Campaign& campaign, const Plant& plant,
                                   plant, report.lai);
     outcome.quantities = measure(report);
     return outcome;
-}
-
-Sampling sampling_of(const Task& task, const Campaign& campaign,
-                     const Case& chosen) {
-    return {accuracy_of(task, campaign), randomness_of(task, campaign, chosen)};
 }
 
 Stand::Stand(const Campaign& campaign, const Case& chosen)

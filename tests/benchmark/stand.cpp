@@ -11,7 +11,7 @@ BenchStand::BenchStand(Campaign changed)
     : campaign(std::move(changed)),
       chosen(cases(campaign).front()),
       baseline(baseline_numbers(campaign.crop)),
-      request(request_of(sampling_of({}, campaign, chosen), campaign,
+      request(request_of(sampling_of(Task{}, campaign, chosen), campaign,
                          scenario_of(campaign, chosen),
                          campaign.crop.baseline)),
       device(Device::supported_isas().back()) {}

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "ideotype/cli/mesh_study.hpp"
+#include "ideotype/stand/mesh_study.hpp"
 
 namespace ideotype {
 namespace {

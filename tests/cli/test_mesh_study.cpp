@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "ideotype/canopy/quantities.hpp"
-#include "ideotype/cli/mesh_study.hpp"
+#include "ideotype/stand/mesh_study.hpp"
 
 namespace ideotype {
 namespace {

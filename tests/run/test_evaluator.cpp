@@ -87,9 +87,10 @@ TEST_F(Ames, CandidatesOfAGenerationShareTheirRandomNumbers) {
 TEST_F(Ames, TheElitePlantAbsorbsMoreThanTheBaseline) {
     const Device device(Device::supported_isas().back());
     const auto absorbed = [&](const Plant& plant) {
-        return evaluate(request_of(sampling_of({}, campaign, all[0]), campaign,
-                                   scenario_of(campaign, all[0]), plant),
-                        device)
+        return evaluate(
+                   request_of(sampling_of(Task{}, campaign, all[0]), campaign,
+                              scenario_of(campaign, all[0]), plant),
+                   device)
             .light.day.leaves;
     };
     const Estimate b = absorbed(campaign.crop.baseline);
@@ -242,7 +243,7 @@ TEST(Canopy, InThePolarNightAllFiguresAreZero) {
         const Outcome outcome = checked_outcome(
             outcome_schema(campaign, night, campaign.sampling),
             to_outcome(campaign, baseline,
-                       evaluate(request_of(sampling_of({}, campaign, night),
+                       evaluate(request_of(sampling_of(Task{}, campaign, night),
                                            campaign, scenario, baseline),
                                 device)));
         EXPECT_EQ(outcome.status, Status::done) << outcome.message;

@@ -65,7 +65,7 @@ class FaceLight : public ::testing::Test {
     const Case chosen = cases(campaign)[0];
     const double ground = chosen.spacing.row * chosen.spacing.plant;
     CanopyRequest request =
-        request_of(sampling_of({}, campaign, chosen), campaign,
+        request_of(sampling_of(Task{}, campaign, chosen), campaign,
                    scenario_of(campaign, chosen), campaign.crop.baseline);
     const Mesh plant =
         build_plant(campaign.crop.baseline, campaign.tessellation);

@@ -52,7 +52,7 @@ std::vector<Outcome> separately(const Case& robust) {
         const Plant& plant = campaign.crop.baseline;
         each.push_back(to_outcome(
             campaign, plant,
-            evaluate(request_of(sampling_of({}, campaign, one), campaign,
+            evaluate(request_of(sampling_of(Task{}, campaign, one), campaign,
                                 scenario_of(campaign, one), plant),
                      device)));
     }

@@ -9,6 +9,7 @@
 #include "ideotype/campaign/campaign.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/parallel/session.hpp"
+#include "ideotype/stand/mesh_options.hpp"
 
 namespace ideotype {
 
@@ -43,6 +44,9 @@ struct StatusOptions {
     bool only_resumable = false;  //!< print only files to be resumed
 };
 ExitCode status(const StatusOptions& options);
+
+//! `evaluate --mesh FILE.obj`: studies and prints.
+ExitCode evaluate_mesh(const MeshOptions& options);
 
 //! Which plant of a history is meant.
 struct RowChoice {

@@ -7,19 +7,10 @@
 #include "ideotype/campaign/campaign.hpp"
 #include "ideotype/canopy/canopy.hpp"
 #include "ideotype/light/device.hpp"
-#include "ideotype/search/task.hpp"
 #include "ideotype/stand/across_scenarios.hpp"
+#include "ideotype/stand/sampling.hpp"
 
 namespace ideotype {
-
-//! How accurate a task is: finalists are evaluated more finely.
-Accuracy accuracy_of(const Task& task, const Campaign& campaign);
-
-//! The random numbers of a task: common to all candidates of a generation;
-//! fresh ones for all finalists. Rows of a sensitivity study have light of
-//! their own, in one field.
-Randomness randomness_of(const Task& task, const Campaign& campaign,
-                         const Case& chosen);
 
 //! How many times longer the evaluation of a finalist takes, about: it has
 //! more paths, and a field for each randomisation.
@@ -31,16 +22,6 @@ Layers canopy_layers(const Campaign& campaign);
 //! What the plants of a case are evaluated under, or in the first of its
 //! scenarios; worth keeping for all of them.
 Scenario scenario_of(const Campaign& campaign, const Case& chosen);
-
-//! How a plant is evaluated: how accurately, and with which random numbers.
-struct Sampling {
-    Accuracy accuracy;
-    Randomness randomness;
-};
-
-//! That of a task.
-Sampling sampling_of(const Task& task, const Campaign& campaign,
-                     const Case& chosen);
 
 //! How a plant is evaluated in a scenario of a campaign.
 CanopyRequest request_of(const Sampling& sampling, const Campaign& campaign,

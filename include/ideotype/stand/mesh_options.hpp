@@ -39,6 +39,7 @@ struct MeshOptions {
     std::string climate;         //!< file of a season's light; "": none
     std::string photosynthesis;  //!< file with this table; "": none
     bool is_exact = false;       //!< assimilation without bias, slowly
+    bool is_by_face = false;     //!< also the light on each face
 
     Lambertian leaf{0.05, 0.05};
     Lambertian stalk{0.31, 0.12};

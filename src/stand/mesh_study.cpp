@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/cli/mesh_study.hpp"
+#include "ideotype/stand/mesh_study.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,6 @@
 #include "ideotype/campaign/campaign.hpp"
 #include "ideotype/crop/obj_reader.hpp"
 #include "ideotype/light/device.hpp"
-#include "ideotype/run/progress.hpp"
 
 namespace ideotype {
 
@@ -133,7 +132,8 @@ Accuracy accuracy_of(const MeshOptions& options) {
 
 CanopyRequest to_request(const MeshOptions& options, Field field,
                          std::vector<std::string>& warnings) {
-    Details details{.sunlit = true, .exact = options.is_exact};
+    Details details{
+        .sunlit = true, .faces = options.is_by_face, .exact = options.is_exact};
     if (!options.photosynthesis.empty()) {
         details.photosynthesis = read_photosynthesis(options.photosynthesis);
         if (!has_day(options)) details.photosynthesis->photons = 1;
@@ -153,11 +153,17 @@ CanopyRequest to_request(const MeshOptions& options, Field field,
 
 MeshReport study(const MeshOptions& options) {
     check(options);
-    const double began = now();
     ObjMesh obj = read_obj(options.path);
+    MeshReport result = study(std::move(obj.mesh), options);
+    result.warnings.insert(result.warnings.begin(), obj.warnings.begin(),
+                           obj.warnings.end());
+    return result;
+}
+
+MeshReport study(Mesh mesh, const MeshOptions& options) {
+    check(options);
     MeshReport result;
-    result.warnings = std::move(obj.warnings);
-    Field field = field_of(std::move(obj.mesh), options);
+    Field field = field_of(std::move(mesh), options);
     const double top = height(field.mesh);
     if (top > usual_height)
         result.warnings.push_back(fmt::format(
@@ -171,7 +177,6 @@ MeshReport study(const MeshOptions& options) {
     result.canopy =
         evaluate(to_request(options, std::move(field), result.warnings),
                  Device(Device::supported_isas().back()));
-    result.seconds = now() - began;
     return result;
 }
 

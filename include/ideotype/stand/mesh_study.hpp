@@ -6,15 +6,14 @@
 #include <vector>
 
 #include "ideotype/canopy/canopy.hpp"
-#include "ideotype/cli/mesh_options.hpp"
 #include "ideotype/core/error.hpp"
+#include "ideotype/stand/mesh_options.hpp"
 
 namespace ideotype {
 
 //! What light does in a mesh. Of single lights, level ground receives 1.
 struct MeshReport {
     CanopyReport canopy;
-    double seconds = 0;
     std::vector<std::string> warnings;
 };
 
@@ -26,7 +25,7 @@ inline constexpr std::uint64_t most_tolerance_paths = std::uint64_t{1} << 28;
 //! @throws Error, also of wrong usage.
 MeshReport study(const MeshOptions& options);
 
-//! `evaluate --mesh FILE.obj`: studies and prints.
-ExitCode evaluate_mesh(const MeshOptions& options);
+//! The same for a mesh that is here; the path of the options is not used.
+MeshReport study(Mesh mesh, const MeshOptions& options);
 
 }  // namespace ideotype

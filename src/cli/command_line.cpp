@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "declare_verbs.hpp"
+#include "describe.hpp"
 #include "ideotype/cli/ranks.hpp"
 #include "ideotype/cli/verbs.hpp"
 #include "ideotype/run/provenance.hpp"
@@ -71,6 +72,7 @@ int run_command_line(int argc, char** argv) {
     const std::vector<std::string> words(argv, argv + argc);
     std::function<int()> action;
     declare_verbs(app, words, action);
+    declare_describe(app);
 
     const Launch launch = launch_of_this_process();
     // What is wrong with a command line rank 0 tells. Others that end with a

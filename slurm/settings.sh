@@ -16,9 +16,11 @@ load_site() {
     . "$site"
 }
 
-# The program: $IDEOTYPE, a build in this folder, or one on the PATH.
+# The program: $IDEOTYPE, that which these scripts were installed or built with,
+# or one on the PATH.
 find_program() {
-    local candidate candidates=("$here/../build/release/src/ideotype"
+    local candidate candidates=("$here/ideotype"
+        "$here/../build/release/src/ideotype"
         "$(command -v ideotype || true)")
     [ -z "${IDEOTYPE:-}" ] || candidates=("$IDEOTYPE")
     for candidate in "${candidates[@]}"; do

@@ -6,8 +6,11 @@
 #include <map>
 #include <sstream>
 #include <string_view>
-#include <tiny_obj_loader.h>
 #include <utility>
+
+#define TINYOBJLOADER_USE_DOUBLE
+#define TINYOBJLOADER_IMPLEMENTATION
+#include <tiny_obj_loader.h>
 
 #include <fmt/format.h>
 

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: Apache-2.0
+# What `cmake --install` puts where: the CMake package `ideotype` with the
+# library that evaluates canopies, and the program with all that belongs to it.
+include(CMakePackageConfigHelpers)
+
+install(FILES LICENSE README.md CHANGELOG.md TYPE DOC)
+
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/ideotype)
+foreach(area ${library})
+    set_target_properties(ideotype_${area} PROPERTIES EXPORT_NAME ${area})
+    install(TARGETS ideotype_${area} EXPORT ideotype ARCHIVE
+        INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    if(EXISTS ${PROJECT_SOURCE_DIR}/include/ideotype/${area})
+        install(DIRECTORY include/ideotype/${area}
+            DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ideotype)
+    endif()
+endforeach()
+install(EXPORT ideotype NAMESPACE ideotype:: DESTINATION ${package}
+    FILE ideotypeTargets.cmake)
+configure_package_config_file(src/ideotypeConfig.cmake.in
+    ideotypeConfig.cmake INSTALL_DESTINATION ${package})
+write_basic_package_version_file(ideotypeConfigVersion.cmake
+    COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/ideotypeConfig.cmake
+    ${PROJECT_BINARY_DIR}/ideotypeConfigVersion.cmake DESTINATION ${package})
+
+if(NOT IDEOTYPE_PROGRAM)
+    return()
+endif()
+set(data ${CMAKE_INSTALL_DATADIR}/ideotype)
+install(TARGETS ideotype RUNTIME)
+install(DIRECTORY campaigns DESTINATION ${data} PATTERN figures EXCLUDE)
+install(FILES ${PROJECT_BINARY_DIR}/src/man RENAME ideotype.1
+    DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${PROJECT_BINARY_DIR}/src/bash RENAME ideotype
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${PROJECT_BINARY_DIR}/src/zsh RENAME _ideotype
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+install(DIRECTORY slurm DESTINATION ${data} USE_SOURCE_PERMISSIONS)
+# How the SLURM scripts find the program.
+file(RELATIVE_PATH program ${CMAKE_INSTALL_FULL_DATADIR}/ideotype/slurm
+    ${CMAKE_INSTALL_FULL_BINDIR}/ideotype)
+install(CODE "file(CREATE_LINK \"${program}\"
+    \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${data}/slurm/ideotype\" SYMBOLIC)")

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: Apache-2.0
+# Looks for all libraries, then tells at once which are missing and what they
+# are called elsewhere. Most are headers only.
+
+set(systems Debian Fedora Spack conda)
+set(how_Debian "Debian, Ubuntu    apt install")
+set(how_Fedora "RHEL with EPEL    dnf install")
+set(how_Spack "Spack             spack install")
+set(how_conda "conda             conda install -c conda-forge")
+set(missing "")
+
+# note_missing(NAME DEBIAN FEDORA SPACK CONDA): what packages have it.
+macro(note_missing name)
+    string(APPEND missing "\n    ${name}")
+    set(packages ${ARGN})
+    foreach(system package IN ZIP_LISTS systems packages)
+        string(APPEND how_${system} " ${package}")
+    endforeach()
+endmacro()
+
+# need(NAME PACKAGE [FIND ARGUMENTS...] PACKAGES DEBIAN FEDORA SPACK CONDA)
+macro(need name package)
+    cmake_parse_arguments(need "" "" "FIND;PACKAGES" ${ARGN})
+    find_package(${package} QUIET ${need_FIND})
+    if(NOT ${package}_FOUND)
+        note_missing("${name}" ${need_PACKAGES})
+    endif()
+endmacro()
+
+# Debian 12 has Embree 3, Debian 13 has Embree 4.
+find_package(embree 4 QUIET)
+need("Embree 3 or 4" embree FIND 3
+    PACKAGES libembree-dev embree-devel embree embree)
+need(GLM glm PACKAGES libglm-dev glm-devel glm glm)
+need("{fmt}" fmt PACKAGES libfmt-dev fmt-devel fmt fmt)
+need(OpenSSL OpenSSL FIND COMPONENTS Crypto
+    PACKAGES libssl-dev openssl-devel openssl openssl)
+# The library of this header has numbers of one type, as somebody chose.
+find_path(TINYOBJLOADER_INCLUDE_DIR tiny_obj_loader.h)
+mark_as_advanced(TINYOBJLOADER_INCLUDE_DIR)
+if(NOT TINYOBJLOADER_INCLUDE_DIR)
+    note_missing(tinyobjloader libtinyobjloader-dev tinyobjloader-devel
+        tinyobjloader tinyobjloader)
+endif()
+if(IDEOTYPE_PROGRAM OR IDEOTYPE_PYTHON)
+    need(toml++ tomlplusplus PACKAGES
+        libtomlplusplus-dev tomlplusplus-devel tomlplusplus tomlplusplus)
+    need(Eigen Eigen3 PACKAGES libeigen3-dev eigen3-devel eigen eigen)
+endif()
+if(IDEOTYPE_PROGRAM)
+    need(MPI MPI FIND COMPONENTS CXX PACKAGES
+        "libopenmpi-dev openmpi-bin" openmpi-devel openmpi openmpi)
+    # Dimension scales come with HDF5's high-level library.
+    need("HDF5 with its high-level library" HDF5 FIND COMPONENTS C HL
+        PACKAGES libhdf5-dev hdf5-devel hdf5+hl hdf5)
+    need(CLI11 CLI11 PACKAGES libcli11-dev cli11-devel cli11 cli11)
+    need("JSON for Modern C++" nlohmann_json PACKAGES
+        nlohmann-json3-dev json-devel nlohmann-json nlohmann_json)
+    if(BUILD_TESTING)
+        need("GoogleTest, or -DBUILD_TESTING=OFF" GTest PACKAGES
+            "libgtest-dev libgmock-dev" "gtest-devel gmock-devel"
+            googletest "gtest gmock")
+    endif()
+endif()
+
+if(missing)
+    foreach(system ${systems})
+        string(APPEND ways "\n    ${how_${system}}")
+    endforeach()
+    message(FATAL_ERROR "Libraries are missing:${missing}\n"
+        "Install them with one of${ways}\n"
+        "or name the folders that have them in CMAKE_PREFIX_PATH.")
+endif()

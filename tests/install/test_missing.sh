@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# What the build says where libraries are missing: all of them at once.
+. "$(dirname "$0")/../cli/common.sh"
+
+# $1 the expected exit code, $2 an option, the rest libraries that are missing.
+configure() {
+    local without=()
+    for library in "${@:3}"; do
+        without+=("-DCMAKE_DISABLE_FIND_PACKAGE_$library=ON")
+    done
+    rm -rf built
+    expect "$1" cmake -S "$project" -B built "$2" "${without[@]}"
+}
+
+configure 1 -DIDEOTYPE_PROGRAM=ON embree CLI11 HDF5
+says "^ *Embree 3 or 4$"
+says "^ *HDF5 with its high-level library$"
+says "^ *CLI11$"
+says "apt install libembree-dev libhdf5-dev libcli11-dev$"
+says "dnf install embree-devel hdf5-devel cli11-devel$"
+says "spack install embree hdf5+hl cli11$"
+says "conda-forge embree hdf5 cli11$"
+configure 1 -DIDEOTYPE_PROGRAM=ON MPI OpenSSL fmt glm \
+    tomlplusplus Eigen3 nlohmann_json GTest
+says "apt install libglm-dev libfmt-dev libssl-dev libtomlplusplus-dev libeigen3-dev libopenmpi-dev openmpi-bin nlohmann-json3-dev libgtest-dev libgmock-dev$"
+# The library alone does without most of them.
+configure 0 -DIDEOTYPE_PROGRAM=OFF tomlplusplus Eigen3 MPI HDF5 CLI11 \
+    nlohmann_json GTest

@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# The installed program and what comes with it.
+. "$(dirname "$0")/../cli/common.sh"
+build=$4
+
+DESTDIR=$folder/root expect 0 cmake --install "$build" --prefix /opt/ideotype
+prefix=$folder/root/opt/ideotype share=$folder/root/opt/ideotype/share
+expect 0 "$prefix/bin/ideotype" check "$share/ideotype/campaigns/ames_quick.toml"
+for file in doc/ideotype/LICENSE man/man1/ideotype.1 \
+    bash-completion/completions/ideotype zsh/site-functions/_ideotype; do
+    [ -s "$share/$file" ] || fail "there is no $file"
+done
+
+# The SLURM scripts find the program that they were installed with.
+unset IDEOTYPE
+expect 0 "$share/ideotype/slurm/submit" --dry-run \
+    "$share/ideotype/campaigns/ames_quick.toml"
+says "share/ideotype/slurm/campaign.sbatch"
+write_campaign plain 6 2
+cat >batch.sh <<BATCH
+here=$share/ideotype/slurm
+. "\$here/settings.sh"
+find_program
+echo "\$ideotype"
+BATCH
+expect 0 bash batch.sh
+says "^$prefix/bin/ideotype$"

@@ -141,7 +141,12 @@ Campaign read_campaign(const std::string& path,
                        const std::vector<std::string>& settings) {
     const std::optional<std::string> text = read_text(path);
     if (!text) throw Error("cannot read " + path);
-    return parse(*text, path, PlantSource::file_or_table, settings);
+    return read_campaign_text(*text, path, settings);
+}
+
+Campaign read_campaign_text(const std::string& text, const std::string& path,
+                            const std::vector<std::string>& settings) {
+    return parse(text, path, PlantSource::file_or_table, settings);
 }
 
 Plant read_plant(const std::string& path) {

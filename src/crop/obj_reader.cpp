@@ -20,10 +20,6 @@
 
 namespace ideotype {
 
-namespace {
-
-//! What a group is made of that is named as `export` names groups: "stalk...",
-//! "sheath...", or in a field "plant004_stalk...".
 Tissue tissue_of(std::string_view name) {
     constexpr std::string_view plant = "plant";
     if (name.starts_with(plant)) {
@@ -36,6 +32,8 @@ Tissue tissue_of(std::string_view name) {
     if (name.starts_with("stalk")) return Tissue::stalk;
     return name.starts_with("sheath") ? Tissue::sheath : Tissue::leaf;
 }
+
+namespace {
 
 //! Collects what the library finds in the statements.
 class ObjBuilder {

@@ -1,6 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/string.h>
+
+#include "bindings.hpp"
+#include "ideotype/core/version.hpp"
+#include "ideotype/light/device.hpp"
 
 NB_MODULE(_core, module) {
-    module.doc() = "The evaluation of canopies, compiled.";
+    using namespace ideotype;
+    module.doc() =
+        "The compiled part of ideotype. Use the names of `ideotype` instead: "
+        "these may change.";
+    python::translate_errors();
+    module.def("library_version", &Device::library_version,
+               "Name and version of the ray tracing library.");
+    python::bind_stand(module);
+    python::bind_mesh(module);
 }

@@ -207,6 +207,11 @@ std::vector<Case> scenarios(const Case& chosen);
 Campaign read_campaign(const std::string& path,
                        const std::vector<std::string>& settings = {});
 
+//! The same of the text of a campaign file that would be at this path: files
+//! that it names are looked for from there.
+Campaign read_campaign_text(const std::string& text, const std::string& path,
+                            const std::vector<std::string>& settings = {});
+
 //! Parses the text of a resolved campaign; file is used in messages.
 //! parse_campaign(c.resolved, f).resolved == c.resolved.
 //! @throws InputError

@@ -2,11 +2,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ideotype/core/mesh.hpp"
 
 namespace ideotype {
+
+//! What a group is made of that is named as `export` names groups: "stalk...",
+//! "sheath...", or in a field "plant004_stalk...".
+Tissue tissue_of(std::string_view group);
 
 //! Surfaces read from a file, and what the user should know about them.
 struct ObjMesh {

@@ -1,0 +1,256 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The light in any mesh."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Sequence
+from datetime import date
+from os import PathLike
+from typing import Any
+
+import numpy as np
+import xarray
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._errors import Error
+
+Pair = tuple[float, float]
+
+
+class Canopy:
+    """A mesh whose light can be found: see `ideotype.mesh`."""
+
+    def __init__(
+        self,
+        vertices: ArrayLike,
+        faces: ArrayLike | Sequence[Sequence[int]],
+        groups: Sequence[str] | None = None,
+    ) -> None:
+        self._vertices = _vertices(vertices)
+        self._faces = _faces(faces, len(self._vertices))
+        names = ["leaf"] * len(self._faces) if groups is None else list(groups)
+        if len(names) != len(self._faces):
+            raise Error(
+                f"groups has {len(names)} names for {len(self._faces)} faces; "
+                "give the name of each face's organ"
+            )
+        self._names = list(dict.fromkeys(names))
+        places = {name: i for i, name in enumerate(self._names)}
+        self._face_group = np.array([places[x] for x in names], np.int64)
+
+    def evaluate(
+        self,
+        *,
+        period: Pair | None = None,
+        isolated: bool = False,
+        ground_area: float | None = None,
+        field: tuple[int, int, float, float] | None = None,
+        jitter: float = 0,
+        sun: Pair | None = None,
+        sky: str | None = None,
+        site: tuple[float, float, float] | None = None,
+        day: date | str | None = None,
+        beam_ppfd: float | None = None,
+        sky_ppfd: float | None = None,
+        climate: str | PathLike[str] = "",
+        photosynthesis: str | PathLike[str] = "",
+        exact: bool = False,
+        leaf: Pair = (0.05, 0.05),
+        stalk: Pair = (0.31, 0.12),
+        sheath: Pair = (0.09, 0.0),
+        soil_albedo: float = 0.1,
+        tolerance: float = 1e-3,
+        paths: int | None = None,
+        by_face: bool = False,
+        seed: int = 1,
+    ) -> xarray.Dataset:
+        """Where light goes, as `ideotype evaluate --mesh` tells it.
+
+        period: of the lattice on which the mesh repeats, along x and y [m].
+        isolated: the mesh alone on endless soil, with `ground_area` [m2] that
+            light per area refers to.
+        field: rows, plants of a row, row and plant spacing [m]: repeats the
+            mesh as a plant at x = y = 0, in rows along y, each turned at
+            random by up to `jitter` [deg].
+        sun: elevation and azimuth, clockwise from north = +y [deg]; level
+            ground receives 1, or `beam_ppfd` [umol m-2 s-1].
+        sky: "uniform", "overcast" or "clear"; level ground receives 1, or
+            `sky_ppfd` [umol m-2 s-1].
+        site: latitude, longitude [deg] and UTC offset [h]: the sun and sky of
+            a clear `day`, "2021-07-01".
+        climate: file with the tables [site] and [climate] of a campaign.
+        photosynthesis: file with this table, for assimilation; `exact` as
+            `--exact` of the command line.
+        leaf, stalk, sheath: reflectance and transmittance. Groups whose names
+            begin with "stalk" or "sheath" are such, all others leaves.
+        tolerance: relative standard error of the leaves' light; or so many
+            `paths`.
+        by_face: also the light that each face absorbs.
+
+        Returns a Dataset: `incident` on the ground; what `leaves`, `stalks`
+        (all other organs) and `soil` absorb and what is `reflected`, per area
+        of ground; `absorbed` by `group`; `absorbed_by_layer`, of leaves by
+        height; quantities that a history has, of a single light those that are
+        no rates; and NAME_standard_error of each.
+
+        Raises Error if options contradict each other."""
+        options = _core.MeshOptions()
+        if period is not None:
+            options.set_period(*period)
+        if isolated:
+            options.set_isolated()
+        options.ground_area = ground_area
+        if field is not None:
+            options.set_field(*field, jitter)
+        if sun is not None:
+            options.set_sun(*sun)
+        if sky is not None:
+            options.set_sky(sky)
+        if (site is None) != (day is None):
+            raise Error("site and day go together; give both or neither")
+        if site is not None and day is not None:
+            on = day if isinstance(day, date) else date.fromisoformat(day)
+            options.set_day(site, on.year, on.month, on.day)
+        options.beam_ppfd, options.sky_ppfd = beam_ppfd, sky_ppfd
+        options.climate = os.fspath(climate)
+        options.photosynthesis = os.fspath(photosynthesis)
+        options.is_exact, options.is_by_face = exact, by_face
+        options.set_optics(leaf, stalk, sheath, soil_albedo)
+        options.tolerance, options.paths = tolerance, paths
+        options.seed = seed
+        try:
+            found = _core.evaluate_mesh(
+                self._vertices,
+                self._faces,
+                self._face_group,
+                self._names,
+                options,
+            )
+        except Error as error:
+            raise type(error)(_in_python(str(error))) from None
+        if options.is_day:
+            return _dataset(found, "MJ m-2 day-1", 1e-6)
+        is_ppfd = beam_ppfd is not None or sky_ppfd is not None
+        return _dataset(found, "umol m-2 s-1" if is_ppfd else "1", 1)
+
+
+def mesh(
+    vertices: ArrayLike,
+    faces: ArrayLike | Sequence[Sequence[int]],
+    *,
+    groups: Sequence[str] | None = None,
+) -> Canopy:
+    """Any surfaces, such as those of trimesh, PlantGL or an own plant model.
+
+    vertices: [vertices, 3] in metres; x is east, y is north, z is up.
+    faces: of three or four corners each, [faces, 3], [faces, 4] or a list of
+        both; counted from 0.
+    groups: name of the organ that each face is of; "leaf" if not given.
+
+    Raises Error if arrays do not fit together."""
+    return Canopy(vertices, faces, groups)
+
+
+def _vertices(given: ArrayLike) -> NDArray[np.float64]:
+    vertices = np.ascontiguousarray(given, float)
+    if vertices.ndim != 2 or vertices.shape[1] != 3:
+        raise Error(
+            f"vertices are an array of {vertices.shape}; give [vertices, 3]"
+        )
+    bad = np.flatnonzero(~np.isfinite(vertices).all(axis=1))
+    if bad.size:
+        raise Error(
+            f"vertices[{bad[0]}] is {vertices[bad[0]]}; coordinates must be "
+            "finite"
+        )
+    return vertices
+
+
+def _faces(
+    given: ArrayLike | Sequence[Sequence[int]], vertices: int
+) -> NDArray[np.int64]:
+    """[faces, 4]; triangles repeat their last corner."""
+    every: Any = given  # rows may differ in length, unlike an array's
+    rows = [list(face) for face in every]
+    for i, row in enumerate(rows):
+        if len(row) not in (3, 4):
+            raise Error(
+                f"faces[{i}] has {len(row)} corners; divide it into triangles"
+            )
+        for corner in row:
+            if int(corner) != corner or not 0 <= corner < vertices:
+                raise Error(
+                    f"faces[{i}] has corner {corner}; vertices are 0 to "
+                    f"{vertices - 1}"
+                )
+    if not rows:
+        raise Error("faces is empty; a mesh needs at least one face")
+    return np.array(
+        [row + row[2:3] * (4 - len(row)) for row in rows], np.int64
+    )
+
+
+def _in_python(message: str) -> str:
+    """The names of arguments in the place of those of options."""
+    return re.sub(
+        r"--([a-z-]+)", lambda found: found[1].replace("-", "_"), message
+    )
+
+
+def _dataset(found: dict[str, Any], unit: str, scale: float) -> xarray.Dataset:
+    """`scale` turns what is found into the unit."""
+    arrays: dict[str, Any] = {}
+
+    def add(
+        name: str,
+        dims: tuple[str, ...],
+        mean: Any,
+        error: Any,
+        units: str = unit,
+        meaning: str = "",
+    ) -> None:
+        about = {"units": units, "long_name": meaning or name}
+        arrays[name] = (dims, mean, about)
+        arrays[f"{name}_standard_error"] = (dims, error, {"units": units})
+
+    for name, (mean, error) in found["budget"].items():
+        add(name, (), scale * mean, scale * error)
+    groups = scale * found["absorbed_by_group"]
+    add("absorbed", ("group",), groups[:, 0], groups[:, 1])
+    layers = scale * found["absorbed_by_layer"]
+    add("absorbed_by_layer", ("layer",), layers[:, 0], layers[:, 1])
+    faces = scale * found["absorbed_by_face"]
+    if len(faces):
+        # Of the face's one-sided area.
+        add("absorbed_by_face", ("face",), faces[:, 0], faces[:, 1])
+    for name, units, meaning, mean, error in found["numbers"]:
+        add(name, (), mean, error, units, meaning)
+    arrays["incident"] = ((), scale * found["incident"], {"units": unit})
+    arrays.pop("incident_standard_error", None)  # exact
+    if "gross_assimilation" in found:
+        # Of a single light it is that of a second [mol].
+        is_day = unit.endswith("day-1")
+        moles = 1 if is_day else 1e6
+        of = "mol m-2 day-1" if is_day else "umol m-2 s-1"
+        mean, error = (moles * x for x in found["gross_assimilation"])
+        loss = moles * found["net_loss"]
+        add("gross_assimilation", (), mean, error, of)
+        add("net_assimilation", (), mean - loss, error, of)
+    middles = found["layer_thickness"] * (np.arange(len(layers)) + 0.5)
+    return xarray.Dataset(
+        arrays,
+        {
+            "group": found["groups"],
+            "layer": ("layer", middles, {"units": "m"}),
+        },
+        {
+            "paths": found["paths"],
+            "ground_area": found["ground_area"],
+            "balance_error": found["balance_error"],
+            "is_tolerance_met": not found["is_capped"],
+            "warnings": found["warnings"],
+        },
+    )

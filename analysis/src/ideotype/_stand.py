@@ -1,0 +1,345 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The plants of a campaign, evaluated here."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from os import PathLike
+from pathlib import Path
+from typing import Any, Self
+
+import numpy as np
+import pandas as pd
+import tomli_w
+import xarray
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._errors import Error
+from ._geometry import Mesh
+
+_GENES = (
+    "name",
+    "trait",
+    "leaf",
+    "unit",
+    "lower",
+    "upper",
+    "baseline",
+    "is_free",
+    "is_circular",
+)
+
+Settings = Mapping[str, Any] | Iterable[str]
+"""Keys of a campaign in the place of what its file says:
+{"light.paths": 1024} or ["light.paths=1024"]."""
+
+
+class Stand:
+    """How plants stand and what lights them: one case of a campaign.
+
+    `Stand(tables)` takes the tables of a campaign file as dictionaries, with
+    every key that a file may have; files that it names are looked for in
+    `folder`. `Stand.from_campaign` reads such a file. What keys mean:
+    campaigns/README.md.
+
+    Threads may share a stand: evaluations run without the interpreter's lock.
+    """
+
+    def __init__(
+        self,
+        tables: Mapping[str, Any],
+        *,
+        folder: str | PathLike[str] = ".",
+        case: int = 0,
+        settings: Settings = (),
+        isa: str | None = None,
+    ) -> None:
+        """Raises InputError with all problems of the tables, whose lines are
+        those of `tomli_w.dumps(tables)`."""
+        self._case = _core.CaseStand.from_text(
+            tomli_w.dumps(tables),
+            os.path.join(os.fspath(folder), "campaign.toml"),
+            case,
+            _settings(settings),
+            isa or "",
+        )
+
+    @classmethod
+    def from_campaign(
+        cls,
+        path: str | PathLike[str],
+        *,
+        case: int = 0,
+        settings: Settings = (),
+        isa: str | None = None,
+    ) -> Self:
+        """A case of a campaign file, or of another with `settings`.
+
+        `isa` is the instruction set of the ray tracer, else the widest that
+        this processor has. Raises InputError with all problems of the file,
+        Error if there is no such file or case."""
+        return cls._of(
+            _core.CaseStand.from_file(
+                os.fspath(path), case, _settings(settings), isa or ""
+            )
+        )
+
+    @classmethod
+    def from_history(
+        cls, path: str | PathLike[str], genome: ArrayLike = ()
+    ) -> Self:
+        """What the plants of a history were evaluated in, with its
+        instruction set. A sensitivity study also varies keys of its campaign:
+        then it is that of the row with this genome.
+
+        Raises as `ideotype.open_history`, and Error if this processor lacks
+        the instruction set."""
+        from .analysis import open_history
+
+        with open_history(Path(path)) as history:
+            return cls._of(
+                _core.CaseStand.from_history(
+                    history.campaign("resolved"),
+                    os.fspath(path),
+                    str(history.attributes["case"]),
+                    [float(x) for x in np.asarray(genome, float)],
+                    str(history.attributes["isa"]),
+                )
+            )
+
+    @classmethod
+    def _of(cls, case: _core.CaseStand) -> Self:
+        stand = cls.__new__(cls)
+        stand._case = case
+        return stand
+
+    @property
+    def name(self) -> str:
+        """Of the case."""
+        return self._case.name
+
+    @property
+    def isa(self) -> str:
+        """Instruction set of the ray tracer."""
+        return self._case.isa
+
+    @property
+    def campaign(self) -> str:
+        """The whole campaign as TOML: every key with its value."""
+        return self._case.resolved
+
+    @property
+    def warnings(self) -> list[str]:
+        """What may be wrong with the campaign."""
+        return self._case.warnings
+
+    @property
+    def genes(self) -> pd.DataFrame:
+        """A row for each number of a genome, in their order: name, trait, leaf
+        (rank from the lowest, 1; 0: not of one leaf), unit, lower, upper,
+        baseline, is_free (bred in this case), is_circular (lower and upper
+        are the same)."""
+        return pd.DataFrame(self._case.genes, columns=list(_GENES))
+
+    @property
+    def baseline(self) -> NDArray[np.float64]:
+        """The genome of the baseline plant, [genes]."""
+        return self._column("baseline")
+
+    @property
+    def bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Lower and upper bounds of the genes that are free, [free genes]
+        each."""
+        free = self._free
+        return self._column("lower")[free], self._column("upper")[free]
+
+    @property
+    def objectives(self) -> dict[str, str]:
+        """What the campaign searches for: "maximise" or "minimise" by the
+        name of the quantity."""
+        return {
+            name: "maximise" if is_maximised else "minimise"
+            for name, _, is_maximised in self._case.objectives
+        }
+
+    @property
+    def quantities(self) -> pd.DataFrame:
+        """What evaluations measure: name, unit, meaning, axes, is_exact (it
+        has no standard error)."""
+        columns = ["name", "unit", "meaning", "axes", "is_exact"]
+        return pd.DataFrame(self._case.quantities, columns=columns)
+
+    def evaluate(
+        self,
+        genomes: ArrayLike,
+        quantities: Sequence[str] | None = None,
+        *,
+        tolerance: float | None = None,
+        seed: int | None = None,
+        generation: int = 0,
+        final: bool = False,
+        threads: int | None = None,
+    ) -> xarray.Dataset:
+        """What light does in a stand of each of these plants.
+
+        genomes: [plants, genes], or [plants, free genes] if the others are
+            those of the baseline; one plant may be [genes]. In the units of
+            `genes`. Numbers beyond their bounds are evaluated as they are; a
+            measure that a plant cannot have is moved to its limit.
+        quantities: names of `quantities`; all if not given.
+        tolerance: relative standard error of the leaves' light, at most 0.05,
+            with as few paths as that takes; else that of the campaign.
+        seed: of the random numbers, in the place of the campaign's.
+        generation: whose fields and random numbers they are; plants of one
+            generation share them. A row of a history has the same bits.
+        final: as finalists are evaluated again, and as `ideotype compare`
+            does: with the accuracy of [final] and many fields.
+        threads: that share the plants, else as many as there are processors.
+            The result does not depend on it.
+
+        Returns a Dataset over `plant` and the axes of the quantities: each
+        quantity and, unless it is exact, NAME_standard_error; `violation` of
+        the constraints; `objective_by_randomisation`; and `message`, "" or why
+        the evaluation failed, whose numbers are then NaN.
+
+        Raises Error if names or numbers are impossible."""
+        plants = self._plants(genomes)
+        wanted = self._wanted(quantities)
+
+        def one(genome: NDArray[np.float64]) -> tuple[Any, ...]:
+            return self._case.evaluate(
+                genome, generation, final, seed, tolerance
+            )
+
+        found = _map(one, plants, threads or _processors())
+        return self._dataset(found, wanted)
+
+    def mesh(self, genome: ArrayLike) -> Mesh:
+        """The surfaces of one plant: its foot at the origin, y along the row,
+        z up [m]."""
+        return Mesh.of(*self._case.mesh(self._plants(genome)[0]))
+
+    def crop_file(self, genome: ArrayLike) -> str:
+        """The text of a crop file with this plant as its baseline."""
+        return self._case.crop_text(self._plants(genome)[0])
+
+    @property
+    def _free(self) -> NDArray[np.bool_]:
+        return np.array([gene[7] for gene in self._case.genes], bool)
+
+    def _column(self, name: str) -> NDArray[np.float64]:
+        at = _GENES.index(name)
+        return np.array([gene[at] for gene in self._case.genes], float)
+
+    def _plants(self, genomes: ArrayLike) -> NDArray[np.float64]:
+        """[plants, genes]"""
+        given = np.atleast_2d(np.asarray(genomes, float))
+        free = self._free
+        if given.ndim != 2 or given.shape[1] not in (free.size, free.sum()):
+            raise Error(
+                f"genomes are an array of {np.shape(genomes)}; give "
+                f"[plants, {free.size}] for all genes or "
+                f"[plants, {free.sum()}] for those that are free"
+            )
+        bad = np.argwhere(~np.isfinite(given))
+        if bad.size:
+            row, column = map(int, bad[0])
+            raise Error(
+                f"genomes[{row}, {column}] is {given[row, column]}; numbers "
+                "must be finite"
+            )
+        if given.shape[1] == free.size:
+            return np.ascontiguousarray(given)
+        plants = np.tile(self.baseline, (len(given), 1))
+        plants[:, free] = given
+        return plants
+
+    def _wanted(self, names: Sequence[str] | None) -> list[str]:
+        known = [each[0] for each in self._case.quantities]
+        if names is None:
+            return known
+        if isinstance(names, str):
+            names = [names]
+        for name in names:
+            if name not in known:
+                raise Error(
+                    f"there is no quantity '{name}'; use some of "
+                    + ", ".join(known)
+                )
+        return list(names)
+
+    def _dataset(
+        self, found: list[tuple[Any, ...]], wanted: list[str]
+    ) -> xarray.Dataset:
+        axes = {each[0]: each for each in self._case.axes}
+        messages = [each[1] for each in found]
+        numbers = np.array([each[5] for each in found]).reshape(
+            len(found), -1, 2
+        )
+        arrays: dict[str, Any] = {}
+        begin = 0
+        for name, unit, meaning, along, is_exact in self._case.quantities:
+            shape = tuple(len(axes[axis][3]) for axis in along)
+            size = int(np.prod(shape))
+            part = numbers[:, begin : begin + size]
+            begin += size
+            if name not in wanted:
+                continue
+            dims = ("plant", *along)
+            about = {"units": unit, "long_name": meaning}
+            whole = part.reshape(len(found), *shape, 2)
+            arrays[name] = (dims, whole[..., 0], about)
+            if not is_exact:
+                error = {"units": unit, "long_name": "standard error"}
+                arrays[f"{name}_standard_error"] = (dims, whole[..., 1], error)
+        arrays["violation"] = ("plant", np.array([each[4] for each in found]))
+        arrays["message"] = ("plant", np.array(messages, dtype=object))
+        names = [each[0] for each in self._case.objectives]
+        arrays["objective_by_randomisation"] = (
+            ("plant", "objective", "randomisation"),
+            np.array([each[3] for each in found]),
+        )
+        used = {axis for dims, *_ in arrays.values() for axis in dims}
+        labels = {
+            name: (name, each[3], {"units": each[1], "long_name": each[2]})
+            for name, each in axes.items()
+            if name in used
+        }
+        return xarray.Dataset(
+            arrays,
+            {**labels, "objective": names},
+            {"case": self.name, "isa": self.isa},
+        )
+
+
+def _settings(settings: Settings) -> list[str]:
+    if isinstance(settings, str):
+        return [settings]
+    if isinstance(settings, Mapping):
+        return [f"{key}={_toml(value)}" for key, value in settings.items()]
+    return list(settings)
+
+
+def _toml(value: Any) -> str:
+    return tomli_w.dumps({"x": value}).partition("=")[2].strip()
+
+
+def _processors() -> int:
+    try:
+        return len(os.sched_getaffinity(0))
+    except AttributeError:  # not on every system
+        return os.cpu_count() or 1
+
+
+def _map(one: Any, plants: NDArray[np.float64], threads: int) -> list[Any]:
+    if threads <= 1 or len(plants) <= 1:
+        return [one(plant) for plant in plants]
+    with ThreadPoolExecutor(min(threads, len(plants))) as pool:
+        try:
+            return list(pool.map(one, plants))
+        except BaseException:
+            pool.shutdown(cancel_futures=True)
+            raise

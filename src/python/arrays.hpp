@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+
+#include "ideotype/core/estimate.hpp"
+#include "ideotype/core/mesh.hpp"
+
+namespace ideotype::python {
+
+//! A contiguous array that is only read.
+template <class Number, int dimensions>
+using Input = nanobind::ndarray<const Number, nanobind::ndim<dimensions>,
+                                nanobind::c_contig, nanobind::device::cpu>;
+
+template <class Number>
+using Output = nanobind::ndarray<nanobind::numpy, Number>;
+
+//! An array of numpy that owns a copy of numbers.
+template <class Number>
+Output<Number> to_array(const std::vector<Number>& numbers,
+                        std::initializer_list<std::size_t> shape) {
+    auto owned = std::make_unique<std::vector<Number>>(numbers);
+    Number* data = owned->data();
+    nanobind::capsule owner(owned.release(), [](void* pointer) noexcept {
+        delete static_cast<std::vector<Number>*>(pointer);
+    });
+    return Output<Number>(data, shape, owner);
+}
+
+//! [numbers, 2]: means and standard errors.
+inline Output<double> to_array(const std::vector<Estimate>& estimates) {
+    std::vector<double> numbers;
+    for (const Estimate& x : estimates) {
+        numbers.push_back(x.mean);
+        numbers.push_back(x.standard_error);
+    }
+    return to_array(numbers, {estimates.size(), 2});
+}
+
+inline std::vector<double> to_vector(const Input<double, 1>& array) {
+    return {array.data(), array.data() + array.size()};
+}
+
+}  // namespace ideotype::python

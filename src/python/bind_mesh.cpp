@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "ideotype/canopy/quantities.hpp"
+#include "ideotype/core/error.hpp"
+#include "ideotype/crop/obj_reader.hpp"
+#include "ideotype/stand/mesh_study.hpp"
+
+namespace ideotype::python {
+
+namespace nb = nanobind;
+
+namespace {
+
+using Two = std::tuple<double, double>;
+using Three = std::tuple<double, double, double>;
+
+//! @throws Error if an index is none, or a coordinate is not finite.
+Mesh to_mesh(const Input<double, 2>& vertices,
+             const Input<std::int64_t, 2>& faces,
+             const Input<std::int64_t, 1>& face_group,
+             const std::vector<std::string>& groups) {
+    Mesh mesh;
+    for (std::size_t i = 0; i < vertices.shape(0); ++i)
+        mesh.vertices.push_back(
+            {vertices(i, 0), vertices(i, 1), vertices(i, 2)});
+    for (std::size_t i = 0; i < faces.shape(0); ++i) {
+        const auto corner = [&](std::size_t k) {
+            return static_cast<std::uint32_t>(faces(i, k));
+        };
+        mesh.faces.push_back({corner(0), corner(1), corner(2), corner(3)});
+        mesh.face_group.push_back(static_cast<std::uint32_t>(face_group(i)));
+    }
+    for (const std::string& name : groups)
+        mesh.groups.push_back({name, tissue_of(name)});
+    return mesh;
+}
+
+nb::tuple to_tuple(const Estimate& x) {
+    return nb::make_tuple(x.mean, x.standard_error);
+}
+
+nb::dict to_dict(const MeshReport& report, bool is_day) {
+    const CanopyReport& canopy = report.canopy;
+    const BudgetEstimate& day = canopy.light.day;
+    nb::dict dict;
+    dict["incident"] = day.incident;
+    nb::dict budget;
+    if (canopy.boundary == Boundary::isolated)
+        budget["entered"] = to_tuple(day.entered);
+    budget["leaves"] = to_tuple(day.leaves);
+    budget["stalks"] = to_tuple(day.stalks);
+    budget["soil"] = to_tuple(day.soil);
+    budget["reflected"] = to_tuple(day.reflected);
+    dict["budget"] = budget;
+    std::vector<std::string> names;
+    for (const Group& group : canopy.groups) names.push_back(group.name);
+    dict["groups"] = names;
+    dict["absorbed_by_group"] = to_array(canopy.light.groups);
+    dict["absorbed_by_layer"] = to_array(canopy.light.layers);
+    dict["layer_thickness"] = canopy.layers.thickness;
+    dict["absorbed_by_face"] = to_array(canopy.faces);
+    nb::list numbers;
+    for (const auto& [quantity, estimate] : measure_numbers(canopy)) {
+        const bool is_rate = quantity.unit != "1" && quantity.unit != "m2 m-2";
+        if (is_day || !is_rate)
+            numbers.append(nb::make_tuple(quantity.name, quantity.unit,
+                                          quantity.meaning, estimate.mean,
+                                          estimate.standard_error));
+    }
+    dict["numbers"] = numbers;
+    if (canopy.assimilation) {
+        const AssimilationReport& all = *canopy.assimilation;
+        dict["gross_assimilation"] = to_tuple(all.gross);
+        dict["net_loss"] = all.net_loss();
+    }
+    dict["balance_error"] = canopy.light.balance_error;
+    dict["ground_area"] = canopy.ground_area;
+    dict["paths"] = canopy.paths;
+    dict["is_capped"] = canopy.is_capped;
+    dict["warnings"] = report.warnings;
+    return dict;
+}
+
+std::optional<SkyModel> to_sky(const std::optional<std::string>& name) {
+    if (!name) return std::nullopt;
+    if (*name == "uniform") return SkyModel::uniform;
+    if (*name == "overcast") return SkyModel::overcast;
+    if (*name == "clear") return SkyModel::clear;
+    throw Error("there is no sky '" + *name +
+                    "'; use \"uniform\", \"overcast\" or \"clear\"",
+                ExitCode::usage);
+}
+
+Lambertian to_surface(const Two& pair) {
+    return {std::get<0>(pair), std::get<1>(pair)};
+}
+
+}  // namespace
+
+void bind_mesh(nb::module_& module) {
+    nb::class_<MeshOptions>(module, "MeshOptions")
+        .def(nb::init<>())
+        .def("set_period",
+             [](MeshOptions& x, double along_x, double along_y) {
+                 x.period = {along_x, along_y};
+             })
+        .def("set_isolated",
+             [](MeshOptions& x) { x.boundary = Boundary::isolated; })
+        .def_rw("ground_area", &MeshOptions::ground_area)
+        .def("set_field",
+             [](MeshOptions& x, int rows, int plants, double row, double plant,
+                double jitter) {
+                 x.field.emplace();
+                 x.field->rows = rows;
+                 x.field->plants = plants;
+                 x.field->spacing.row = row;
+                 x.field->spacing.plant = plant;
+                 x.field->jitter = jitter;
+             })
+        .def("set_sun",
+             [](MeshOptions& x, double elevation, double azimuth) {
+                 x.sun = {90 - elevation, azimuth};
+             })
+        .def("set_sky", [](MeshOptions& x,
+                           const std::string& name) { x.sky = to_sky(name); })
+        .def("set_day",
+             [](MeshOptions& x, const Three& site, int year, int month,
+                int day) {
+                 x.site.emplace();
+                 std::tie(x.site->latitude, x.site->longitude,
+                          x.site->utc_offset) = site;
+                 x.date = Date{year, month, day};
+             })
+        .def_rw("beam_ppfd", &MeshOptions::beam_ppfd)
+        .def_rw("sky_ppfd", &MeshOptions::sky_ppfd)
+        .def_rw("climate", &MeshOptions::climate)
+        .def_rw("photosynthesis", &MeshOptions::photosynthesis)
+        .def_rw("is_exact", &MeshOptions::is_exact)
+        .def_rw("is_by_face", &MeshOptions::is_by_face)
+        .def("set_optics",
+             [](MeshOptions& x, const Two& leaf, const Two& stalk,
+                const Two& sheath, double soil) {
+                 x.leaf = to_surface(leaf);
+                 x.stalk = to_surface(stalk);
+                 x.sheath = to_surface(sheath);
+                 x.soil_albedo = soil;
+             })
+        .def_rw("tolerance", &MeshOptions::tolerance)
+        .def_rw("paths", &MeshOptions::paths)
+        .def_rw("seed", &MeshOptions::seed)
+        .def_prop_ro("is_day", &has_day);
+    module.def(
+        "evaluate_mesh",
+        [](const Input<double, 2>& vertices,
+           const Input<std::int64_t, 2>& faces,
+           const Input<std::int64_t, 1>& face_group,
+           const std::vector<std::string>& groups, const MeshOptions& options) {
+            Mesh mesh = to_mesh(vertices, faces, face_group, groups);
+            MeshReport report;
+            {
+                const nb::gil_scoped_release released;
+                report = study(std::move(mesh), options);
+            }
+            return to_dict(report, has_day(options));
+        },
+        nb::arg("vertices"), nb::arg("faces"), nb::arg("face_group"),
+        nb::arg("groups"), nb::arg("options"));
+}
+
+}  // namespace ideotype::python

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/unique_ptr.h>
+#include <nanobind/stl/vector.h>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "ideotype/campaign/migration.hpp"
+#include "stand.hpp"
+
+namespace ideotype::python {
+
+namespace nb = nanobind;
+
+namespace {
+
+using Settings = std::vector<std::string>;
+
+std::unique_ptr<CaseStand> of_case(Campaign campaign, int index,
+                                   const std::string& path,
+                                   const std::string& isa) {
+    const Case chosen = case_at(campaign, index, path);
+    return std::make_unique<CaseStand>(std::move(campaign), chosen, isa);
+}
+
+std::unique_ptr<CaseStand> from_file(const std::string& path, int index,
+                                     const Settings& settings,
+                                     const std::string& isa) {
+    return of_case(read_campaign(path, settings), index, path, isa);
+}
+
+std::unique_ptr<CaseStand> from_text(const std::string& text,
+                                     const std::string& path, int index,
+                                     const Settings& settings,
+                                     const std::string& isa) {
+    return of_case(read_campaign_text(text, path, settings), index, path, isa);
+}
+
+//! Of the resolved campaign of a history, also of an earlier version.
+std::unique_ptr<CaseStand> from_history(const std::string& text,
+                                        const std::string& path,
+                                        const std::string& name, Genome genome,
+                                        const std::string& isa) {
+    Campaign campaign = parse_campaign(migrated(text, path).text, path);
+    if (!genome.empty()) campaign = at_keys(campaign, genome);
+    for (const Case& each : cases(campaign))
+        if (each.name == name)
+            return std::make_unique<CaseStand>(std::move(campaign), each, isa);
+    throw Error(path + ": the campaign in this history has no case " + name);
+}
+
+nb::list genes(const CaseStand& stand) {
+    const std::vector<double> baseline =
+        baseline_numbers(stand.campaign().crop);
+    nb::list list;
+    for (std::size_t i = 0; i < stand.genes().size(); ++i) {
+        const Gene& gene = stand.genes()[i];
+        list.append(nb::make_tuple(gene.name, gene.trait, gene.leaf, gene.unit,
+                                   gene.lower, gene.upper, baseline.at(i),
+                                   gene.is_free, gene.is_circular));
+    }
+    return list;
+}
+
+nb::list objectives(const CaseStand& stand) {
+    nb::list list;
+    for (const Objective& each : stand.schema().objectives)
+        list.append(nb::make_tuple(each.name, each.unit,
+                                   each.sense == Sense::maximise));
+    return list;
+}
+
+nb::list axes(const CaseStand& stand) {
+    nb::list list;
+    for (const Axis& axis : stand.schema().measured.axes)
+        list.append(nb::make_tuple(
+            axis.name, axis.unit, axis.meaning,
+            std::visit([](const auto& each) { return nb::cast(each); },
+                       axis.coordinates)));
+    return list;
+}
+
+nb::list quantities(const CaseStand& stand) {
+    nb::list list;
+    for (const Quantity& each : stand.schema().measured.quantities)
+        list.append(nb::make_tuple(each.name, each.unit, each.meaning,
+                                   each.axes,
+                                   each.certainty == Certainty::exact));
+    return list;
+}
+
+nb::tuple evaluate(CaseStand& stand, const Input<double, 1>& genome,
+                   std::uint32_t generation, bool is_final,
+                   std::optional<std::uint64_t> seed,
+                   std::optional<double> tolerance) {
+    const Genome numbers = to_vector(genome);
+    Outcome outcome;
+    {
+        const nb::gil_scoped_release released;
+        outcome =
+            stand.evaluate(numbers, {generation, is_final, seed, tolerance});
+    }
+    const std::size_t count = outcome.objectives.size();
+    return nb::make_tuple(
+        outcome.status == Status::done, outcome.message,
+        to_array(outcome.objectives),
+        to_array(outcome.randomisations,
+                 {count, outcome.randomisations.size() /
+                             std::max<std::size_t>(count, 1)}),
+        outcome.violation, to_array(outcome.quantities));
+}
+
+//! vertices [n, 3] in m, faces [m, 4], group of each face, names of groups.
+nb::tuple mesh(const CaseStand& stand, const Input<double, 1>& genome) {
+    const Mesh mesh = stand.mesh(to_vector(genome));
+    std::vector<double> vertices;
+    for (const glm::dvec3& x : mesh.vertices)
+        vertices.insert(vertices.end(), {x.x, x.y, x.z});
+    std::vector<std::uint32_t> faces;
+    for (const auto& face : mesh.faces)
+        faces.insert(faces.end(), face.begin(), face.end());
+    std::vector<std::string> groups;
+    for (const Group& group : mesh.groups) groups.push_back(group.name);
+    return nb::make_tuple(to_array(vertices, {mesh.vertices.size(), 3}),
+                          to_array(faces, {mesh.faces.size(), 4}),
+                          to_array(mesh.face_group, {mesh.face_group.size()}),
+                          groups);
+}
+
+std::vector<std::string> warnings(const CaseStand& stand) {
+    std::vector<std::string> texts;
+    for (const Problem& each : stand.campaign().warnings)
+        texts.push_back(to_string(each));
+    return texts;
+}
+
+}  // namespace
+
+void bind_stand(nb::module_& module) {
+    using Released = nb::call_guard<nb::gil_scoped_release>;
+    nb::class_<CaseStand>(module, "CaseStand")
+        .def_static("from_file", &from_file, Released(), nb::arg("path"),
+                    nb::arg("case"), nb::arg("settings"), nb::arg("isa"))
+        .def_static("from_text", &from_text, Released(), nb::arg("text"),
+                    nb::arg("path"), nb::arg("case"), nb::arg("settings"),
+                    nb::arg("isa"))
+        .def_static("from_history", &from_history, Released(), nb::arg("text"),
+                    nb::arg("path"), nb::arg("case"), nb::arg("genome"),
+                    nb::arg("isa"))
+        .def_prop_ro("name", [](const CaseStand& x) { return x.chosen().name; })
+        .def_prop_ro("isa", &CaseStand::isa)
+        .def_prop_ro("resolved",
+                     [](const CaseStand& x) { return x.campaign().resolved; })
+        .def_prop_ro("warnings", &warnings)
+        .def_prop_ro("genes", &genes)
+        .def_prop_ro("objectives", &objectives)
+        .def_prop_ro("axes", &axes)
+        .def_prop_ro("quantities", &quantities)
+        .def("evaluate", &evaluate, nb::arg("genome"), nb::arg("generation"),
+             nb::arg("is_final"), nb::arg("seed").none(),
+             nb::arg("tolerance").none())
+        .def("mesh", &mesh, nb::arg("genome"))
+        .def("crop_text",
+             [](const CaseStand& x, const Input<double, 1>& genome) {
+                 return crop_text(x.campaign(),
+                                  grow(x.campaign().crop, to_vector(genome)));
+             });
+}
+
+}  // namespace ideotype::python

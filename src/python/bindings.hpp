@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+namespace ideotype::python {
+
+//! Errors become exceptions of ideotype._errors.
+void translate_errors();
+
+void bind_stand(nanobind::module_& module);
+void bind_mesh(nanobind::module_& module);
+
+}  // namespace ideotype::python

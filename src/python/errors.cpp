@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <nanobind/stl/string.h>
+
+#include "bindings.hpp"
+#include "ideotype/core/error.hpp"
+
+namespace ideotype::python {
+
+namespace nb = nanobind;
+
+namespace {
+
+//! A list of (file, line, column, what).
+nb::list to_list(const std::vector<Problem>& problems) {
+    nb::list list;
+    for (const Problem& each : problems)
+        list.append(nb::make_tuple(each.where.file, each.where.line,
+                                   each.where.column, each.what));
+    return list;
+}
+
+}  // namespace
+
+void translate_errors() {
+    nb::register_exception_translator(
+        [](const std::exception_ptr& thrown, void*) {
+            const auto errors = [] {
+                return nb::module_::import_("ideotype._errors");
+            };
+            try {
+                std::rethrow_exception(thrown);
+            } catch (const InputError& error) {
+                const nb::object type = errors().attr("InputError");
+                const nb::object instance =
+                    type(error.what(), to_list(error.problems()));
+                PyErr_SetObject(type.ptr(), instance.ptr());
+            } catch (const Error& error) {
+                PyErr_SetString(errors().attr("Error").ptr(), error.what());
+            }
+        });
+}
+
+}  // namespace ideotype::python

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stand.hpp"
+
+namespace ideotype::python {
+
+CaseStand::CaseStand(Campaign campaign, const Case& chosen,
+                     const std::string& isa)
+    : campaign_(std::move(campaign)),
+      chosen_(chosen),
+      genes_(gene_space(campaign_, chosen_)),
+      stand_(campaign_, chosen_),
+      devices_(isa.empty() ? Device::supported_isas().back() : isa) {
+    devices_.with([](const Device&) {});  // the processor has it
+    stand_.prepare();
+}
+
+Outcome CaseStand::evaluate(const Genome& genome,
+                            const SamplingRequest& request) {
+    const Sampling sampling = sampling_of(request, campaign_, chosen_);
+    OutcomeSchema schema = stand_.schema(request.is_final);
+    schema.randomisations =
+        static_cast<std::size_t>(sampling.accuracy.randomisations);
+    try {
+        const Plant plant = grow(campaign_.crop, genome);
+        return checked_outcome(schema, devices_.with([&](const Device& device) {
+            return stand_.evaluate(plant, sampling, device);
+        }));
+    } catch (const std::exception& error) {
+        return failed_outcome(schema, error.what());
+    }
+}
+
+Mesh CaseStand::mesh(const Genome& genome) const {
+    return build_plant(grow(campaign_.crop, genome), campaign_.tessellation);
+}
+
+}  // namespace ideotype::python

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "ideotype/light/device.hpp"
+#include "ideotype/stand/stand.hpp"
+
+namespace ideotype::python {
+
+//! Devices, of which each thread that evaluates borrows one.
+class Devices {
+  public:
+    explicit Devices(std::string isa) : isa_(std::move(isa)) {}
+
+    const std::string& isa() const { return isa_; }
+
+    //! Calls with a device that no other thread uses.
+    template <class Action>
+    auto with(Action action) {
+        std::unique_ptr<Device> device = take();
+        struct Return {
+            Devices& devices;
+            std::unique_ptr<Device>& device;
+            ~Return() {
+                const std::lock_guard lock(devices.mutex_);
+                devices.idle_.push_back(std::move(device));
+            }
+        } give_back{*this, device};
+        return action(*device);
+    }
+
+  private:
+    std::unique_ptr<Device> take() {
+        const std::lock_guard lock(mutex_);
+        if (idle_.empty()) return std::make_unique<Device>(isa_);
+        std::unique_ptr<Device> device = std::move(idle_.back());
+        idle_.pop_back();
+        return device;
+    }
+
+    std::string isa_;
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<Device>> idle_;
+};
+
+//! The plants of one case of a campaign. Several threads may evaluate.
+class CaseStand {
+  public:
+    //! @param isa "": the widest that this processor has
+    //! @throws Error if there is no such case
+    CaseStand(Campaign campaign, const Case& chosen, const std::string& isa);
+    CaseStand(const CaseStand&) = delete;
+    CaseStand& operator=(const CaseStand&) = delete;
+
+    const Campaign& campaign() const { return campaign_; }
+    const Case& chosen() const { return chosen_; }
+    const GeneSpace& genes() const { return genes_; }
+    const std::string& isa() const { return devices_.isa(); }
+    const OutcomeSchema& schema() const { return stand_.schema(false); }
+
+    //! A failure of the evaluation is an outcome that says so.
+    //! @throws Error if the request is impossible
+    Outcome evaluate(const Genome& genome, const SamplingRequest& request);
+
+    //! At the origin, y along the row [m].
+    Mesh mesh(const Genome& genome) const;
+
+  private:
+    Campaign campaign_;
+    Case chosen_;
+    GeneSpace genes_;
+    Stand stand_;
+    Devices devices_;
+};
+
+}  // namespace ideotype::python

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The light in meshes from Python."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from real_program import CAMPAIGNS, executable
+
+import ideotype
+
+SQUARE = np.array([[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], float)
+BLACK = {"leaf": (0.0, 0.0), "soil_albedo": 0.0}
+
+
+def half_cover() -> ideotype.Canopy:
+    """A black square of 1 m2 over 2 m2 of ground."""
+    return ideotype.mesh(SQUARE, [[0, 1, 2, 3]])
+
+
+def test_a_square_takes_the_light_of_its_shadow() -> None:
+    found = half_cover().evaluate(
+        period=(2, 1), sun=(90, 0), **BLACK, paths=4096, by_face=True
+    )
+    assert found.incident == 1
+    assert found.leaves.item() == pytest.approx(0.5, abs=1e-3)
+    assert found.soil.item() == pytest.approx(0.5, abs=1e-3)
+    assert found.absorbed.sel(group="leaf") == found.leaves
+    assert found.absorbed_by_face.item() == pytest.approx(1, abs=2e-3)
+    assert found.lai.item() == pytest.approx(0.5)
+    assert found.attrs["balance_error"] < 1e-12
+
+
+def test_triangles_and_quadrilaterals_may_be_mixed() -> None:
+    two = ideotype.mesh(SQUARE, [[0, 1, 2], [0, 2, 3]], groups=["a", "stalk"])
+    found = two.evaluate(period=(2, 1), sun=(90, 0), **BLACK, stalk=(0, 0))
+    assert list(found.group.values) == ["a", "stalk"]
+    assert found.leaves.item() == pytest.approx(0.25, abs=1e-3)
+    assert found.stalks.item() == pytest.approx(0.25, abs=1e-3)
+
+
+def test_a_mesh_has_the_bits_of_the_command_line(tmp_path: Path) -> None:
+    stand = ideotype.Stand.from_campaign(CAMPAIGNS / "ames_quick.toml")
+    plant = stand.mesh(stand.baseline)
+    path = tmp_path / "plant.obj"
+    lines, group = [], ""
+    lines += [f"v {x!r} {y!r} {z!r}" for x, y, z in plant.vertices.tolist()]
+    for face, name in zip(plant.faces, plant.groups):
+        if name != group:
+            lines.append(f"g {name}")
+        group = name
+        lines.append("f " + " ".join(str(i + 1) for i in face))
+    path.write_text("\n".join(lines) + "\n")
+    said = subprocess.run(
+        [
+            *(executable(), "evaluate", "--mesh", path, "--json"),
+            *("--field", "2", "2", ".762", ".15", "--jitter", "10"),
+            *("--site", "42", "-93.6", "-5", "--date", "2021-07-01"),
+            *("--paths", "2048"),
+        ],
+        check=True,
+        capture_output=True,
+        text=True,
+    ).stdout
+    told = json.loads(said)
+    found = ideotype.mesh(
+        plant.vertices, plant.faces, groups=plant.groups
+    ).evaluate(
+        field=(2, 2, 0.762, 0.15),
+        jitter=10,
+        site=(42, -93.6, -5),
+        day="2021-07-01",
+        paths=2048,
+    )
+    assert found.incident.item() == 1e-6 * told["incident"]
+    for name, value in told["quantities"].items():
+        assert found[name].item() == pytest.approx(value["mean"], rel=1e-15)
+    for group, value in told["groups"].items():
+        part = found.absorbed.sel(group=group) / found.incident
+        assert part.item() == pytest.approx(value["mean"], rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ({"sun": (90, 0)}, "period X Y is missing"),
+        ({"period": (1, 1)}, "sun"),
+        ({"period": (1, 1), "sky": "grey"}, "no sky 'grey'"),
+        ({"period": (1, 1), "site": (42, 0, 0)}, "site and day go together"),
+        ({"isolated": True, "sun": (90, 0)}, "needs ground_area"),
+    ],
+)
+def test_impossible_options_are_errors(
+    options: dict[str, object], words: str
+) -> None:
+    with pytest.raises(ideotype.Error, match=words) as caught:
+        half_cover().evaluate(**options)  # type: ignore[arg-type]
+    assert "--" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("vertices", "faces", "groups", "words"),
+    [
+        (SQUARE[:, :2], [[0, 1, 2]], None, r"give \[vertices, 3\]"),
+        (SQUARE, [[0, 1, 4]], None, r"faces\[0\] has corner 4"),
+        (SQUARE, [[0, 1, -1]], None, r"faces\[0\] has corner -1"),
+        (SQUARE, [[0, 1]], None, r"faces\[0\] has 2 corners"),
+        (SQUARE, [], None, "faces is empty"),
+        (SQUARE * np.nan, [[0, 1, 2]], None, r"vertices\[0\]"),
+        (SQUARE, [[0, 1, 2]], ["a", "b"], "2 names for 1 faces"),
+    ],
+)
+def test_impossible_meshes_are_errors(
+    vertices: np.ndarray, faces: list, groups: list | None, words: str
+) -> None:
+    with pytest.raises(ideotype.Error, match=words):
+        ideotype.mesh(vertices, faces, groups=groups)

@@ -1,0 +1,285 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Plants evaluated in Python: the same bits as those of the program."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+import threading
+import time
+from datetime import date
+from datetime import time as clock
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray
+from real_program import CAMPAIGNS, executable, write_campaign
+
+import ideotype
+
+AMES = CAMPAIGNS / "ames_quick.toml"
+FAST = {"light.paths": 64, "light.tolerance": 0, "final.paths": 64}
+
+
+@pytest.fixture(scope="module")
+def stand() -> ideotype.Stand:
+    return ideotype.Stand.from_campaign(AMES, settings=FAST)
+
+
+@pytest.fixture(scope="module")
+def history(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("stand")
+    campaign = write_campaign(folder, 2)
+    subprocess.run(
+        [executable(), "run", campaign, "--out", folder],
+        check=True,
+        capture_output=True,
+    )
+    return next(folder.glob("*/*.h5"))
+
+
+def test_rows_of_a_history_have_the_same_bits(history: Path) -> None:
+    stand = ideotype.Stand.from_history(history)
+    rows = ideotype.open(history)
+    size = rows.sizes["row"] // 2
+    for generation in (0, 1):
+        own = rows.isel(row=slice(generation * size, (generation + 1) * size))
+        again = stand.evaluate(own.genome.values, generation=generation)
+        assert list(again.message.values) == [""] * own.sizes["row"]
+        for name in stand.quantities.name:
+            np.testing.assert_array_equal(
+                again[name].values, own[name].values, err_msg=name
+            )
+    finalists = ideotype.open(history, "final")
+    again = stand.evaluate(finalists.genome.values, final=True)
+    np.testing.assert_array_equal(
+        again.objective_by_randomisation.values,
+        finalists.objectives_by_randomisation.values,
+    )
+
+
+def test_one_plant_has_the_bits_of_the_command_line(
+    stand: ideotype.Stand,
+) -> None:
+    said = subprocess.run(
+        [
+            executable(),
+            *("evaluate", AMES, "--json", "--set", "seed=7"),
+            *("--set", "final.paths=64"),
+        ],
+        check=True,
+        capture_output=True,
+        text=True,
+    ).stdout
+    told = json.loads(said)["quantities"]
+    found = stand.evaluate(stand.baseline, seed=7, final=True)
+    for name, value in told.items():
+        assert found[name].item() == value["mean"], name
+
+
+def test_the_result_does_not_depend_on_threads(stand: ideotype.Stand) -> None:
+    rng = np.random.default_rng(1)
+    lower, upper = stand.bounds
+    genomes = rng.uniform(lower, upper, (6, len(lower)))
+    alone = stand.evaluate(genomes, threads=1)
+    xarray.testing.assert_identical(alone, stand.evaluate(genomes, threads=4))
+    assert alone.sizes["plant"] == 6
+    assert len(set(alone.absorbed_par.values)) == 6
+
+
+def test_the_interpreter_goes_on_while_a_plant_is_evaluated(
+    stand: ideotype.Stand,
+) -> None:
+    done = threading.Event()
+    counted = 0
+
+    def count() -> None:
+        nonlocal counted
+        while not done.is_set():
+            counted += 1
+            time.sleep(0.001)
+
+    counter = threading.Thread(target=count)
+    counter.start()
+    stand.evaluate(stand.baseline, tolerance=0.0005, threads=1)
+    done.set()
+    counter.join()
+    assert counted > 5  # with the lock held it would be one or two
+
+
+def test_free_genes_alone_are_a_genome() -> None:
+    settings = [*FAST_TEXTS, 'traits=[{name="a", free=["azimuth"]}]']
+    stand = ideotype.Stand.from_campaign(AMES, settings=settings)
+    genes = stand.genes
+    free = genes.is_free.values
+    assert free.sum() == 10 and set(genes.trait[free]) == {"azimuth"}
+    short = stand.baseline[free] + 5
+    whole = stand.baseline
+    whole[free] = short
+    xarray.testing.assert_identical(
+        stand.evaluate(short), stand.evaluate([whole])
+    )
+
+
+FAST_TEXTS = [f"{key}={value}" for key, value in FAST.items()]
+
+
+def test_a_tolerance_is_met_with_fresh_random_numbers(
+    stand: ideotype.Stand,
+) -> None:
+    found = [
+        stand.evaluate(
+            stand.baseline, ["absorbed_par"], tolerance=0.005, seed=seed
+        )
+        for seed in (1, 2)
+    ]
+    for each in found:
+        error = each.absorbed_par_standard_error / each.absorbed_par
+        assert error.item() < 0.008
+        assert set(each.data_vars) == {
+            "absorbed_par",
+            "absorbed_par_standard_error",
+            "violation",
+            "message",
+            "objective_by_randomisation",
+        }
+    first, second = (each.absorbed_par.item() for each in found)
+    assert first != second
+    assert first == pytest.approx(second, rel=0.04)
+
+
+def test_a_campaign_is_built_from_dictionaries() -> None:
+    tables = {
+        "name": "built",
+        "site": [
+            {
+                "name": "ames",
+                "latitude": 42.03,
+                "longitude": -93.63,
+                "utc_offset": -5,
+            }
+        ],
+        "day": [
+            {
+                "name": "july",
+                "date": date(2021, 7, 1),
+                "start": clock(7),
+                "end": clock(20),
+            }
+        ],
+        "spacing": [{"name": "wide", "row": 0.762, "plant": 0.1524}],
+        "plant": {"baseline": "crops/maize.toml"},
+        "light": {"paths": 64},
+    }
+    stand = ideotype.Stand(tables, folder=CAMPAIGNS)
+    found = stand.evaluate(stand.baseline)
+    assert 5 < found.absorbed_par.item() < 12
+    again = ideotype.Stand(tables, folder=CAMPAIGNS, settings={"seed": 3})
+    assert again.evaluate(again.baseline).absorbed_par != found.absorbed_par
+
+
+def test_all_problems_of_a_campaign_come_at_once(tmp_path: Path) -> None:
+    text = AMES.read_text().replace("latitude", "lattitude")
+    path = tmp_path / "typo.toml"
+    path.write_text(text + "\n[ligth]\npaths = 1\n")
+    with pytest.raises(ideotype.InputError) as caught:
+        ideotype.Stand.from_campaign(path)
+    problems = caught.value.problems
+    assert len(problems) >= 2
+    assert all(each.file == str(path) and each.line for each in problems)
+    assert "did you mean 'latitude'" in str(caught.value)
+    said = subprocess.run(
+        [executable(), "check", path], capture_output=True, text=True
+    ).stderr
+    assert str(caught.value).splitlines()[0] in said
+
+
+@pytest.mark.parametrize(
+    ("genomes", "words"),
+    [
+        (np.zeros(3), r"give \[plants, \d+\] for all genes"),
+        (np.zeros((2, 2, 2)), "genomes are an array of"),
+        ("nan", r"genomes\[0, 4\] is nan"),
+    ],
+)
+def test_impossible_genomes_are_errors(
+    stand: ideotype.Stand, genomes: object, words: str
+) -> None:
+    if isinstance(genomes, str):
+        genomes = stand.baseline
+        genomes[4] = np.nan
+    with pytest.raises(ideotype.Error, match=words):
+        stand.evaluate(genomes)  # type: ignore[arg-type]
+
+
+def test_impossible_requests_are_errors(stand: ideotype.Stand) -> None:
+    with pytest.raises(ideotype.Error, match="no quantity 'absorbed'"):
+        stand.evaluate(stand.baseline, ["absorbed"])
+    with pytest.raises(ideotype.Error, match="tolerance is 0.3"):
+        stand.evaluate(stand.baseline, tolerance=0.3)
+    with pytest.raises(ideotype.Error, match="cannot read"):
+        ideotype.Stand.from_campaign("gone.toml")
+    with pytest.raises(ideotype.Error, match="no case 99"):
+        ideotype.Stand.from_campaign(AMES, case=99)
+    with pytest.raises(ideotype.Error, match="avx1024"):
+        ideotype.Stand.from_campaign(AMES, isa="avx1024")
+
+
+def test_a_plant_that_is_impossible_is_a_failed_row(
+    stand: ideotype.Stand,
+) -> None:
+    huge = stand.baseline
+    huge[0] = 1e300
+    found = stand.evaluate([stand.baseline, huge], ["absorbed_par"])
+    assert found.message.values[0] == ""
+    assert np.isfinite(found.absorbed_par.values[0])
+    if found.message.values[1]:
+        assert np.isnan(found.absorbed_par.values[1])
+
+
+def test_the_crop_file_of_a_plant_gives_it_back(
+    stand: ideotype.Stand, tmp_path: Path
+) -> None:
+    plant = stand.baseline
+    plant[0] *= 1.1
+    (tmp_path / "longer.toml").write_text(stand.crop_file(plant))
+    settings = [*FAST_TEXTS, f'plant.baseline="{tmp_path}/longer.toml"']
+    again = ideotype.Stand.from_campaign(AMES, settings=settings)
+    np.testing.assert_array_equal(again.baseline, plant)
+
+
+def test_reading_does_without_the_compiled_module(history: Path) -> None:
+    code = f"""
+import sys
+sys.modules["ideotype._core"] = None
+import ideotype
+print(ideotype.open({str(history)!r}).sizes["row"])
+try:
+    ideotype.Stand
+except ideotype.Error as error:
+    print(error)
+"""
+    said = subprocess.run(
+        [sys.executable, "-c", code],
+        check=True,
+        capture_output=True,
+        text=True,
+    ).stdout.splitlines()
+    assert int(said[0]) > 0
+    assert "needs the compiled module" in said[1]
+
+
+def test_the_stub_is_that_of_the_module(tmp_path: Path) -> None:
+    own = tmp_path / "_core.pyi"
+    subprocess.run(
+        [
+            *(sys.executable, "-m", "nanobind.stubgen"),
+            *("-m", "ideotype._core", "-o", own),
+        ],
+        check=True,
+        capture_output=True,
+    )
+    kept = Path(ideotype.__file__).with_name("_core.pyi").read_text()
+    assert kept.endswith(own.read_text())

@@ -8,8 +8,10 @@ import subprocess
 import sys
 import threading
 import time
+from concurrent.futures import ProcessPoolExecutor
 from datetime import date
 from datetime import time as clock
+from multiprocessing import get_context
 from pathlib import Path
 
 import numpy as np
@@ -115,7 +117,7 @@ def test_free_genes_alone_are_a_genome() -> None:
     genes = stand.genes
     free = genes.is_free.values
     assert free.sum() == 10 and set(genes.trait[free]) == {"azimuth"}
-    short = stand.baseline[free] + 5
+    short = stand.start + 5
     whole = stand.baseline
     whole[free] = short
     xarray.testing.assert_identical(
@@ -248,6 +250,19 @@ def test_the_crop_file_of_a_plant_gives_it_back(
     settings = [*FAST_TEXTS, f'plant.baseline="{tmp_path}/longer.toml"']
     again = ideotype.Stand.from_campaign(AMES, settings=settings)
     np.testing.assert_array_equal(again.baseline, plant)
+
+
+def test_a_copy_in_another_process_gives_the_same_bits(
+    stand: ideotype.Stand,
+) -> None:
+    with ProcessPoolExecutor(1, get_context("spawn")) as pool:
+        there = pool.submit(_evaluated, stand).result()
+    assert there == _evaluated(stand)
+
+
+def _evaluated(stand: ideotype.Stand) -> bytes:
+    found = stand.evaluate(stand.baseline)
+    return found.objective_by_randomisation.values.tobytes()
 
 
 def test_reading_does_without_the_compiled_module(history: Path) -> None:

@@ -116,6 +116,10 @@ class Stand:
         stand._case = case
         return stand
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Copies, also in other processes, give the same bits."""
+        return _restored, (self.campaign, self.name, self.isa)
+
     @property
     def name(self) -> str:
         """Of the case."""
@@ -150,10 +154,22 @@ class Stand:
         return self._column("baseline")
 
     @property
+    def free(self) -> NDArray[np.bool_]:
+        """Whether a gene is bred in this case, [genes]."""
+        at = _GENES.index("is_free")
+        return np.array([gene[at] for gene in self._case.genes], bool)
+
+    @property
+    def start(self) -> NDArray[np.float64]:
+        """The baseline's genes that are free, [free genes]: where a search
+        may begin."""
+        return self.baseline[self.free]
+
+    @property
     def bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Lower and upper bounds of the genes that are free, [free genes]
         each."""
-        free = self._free
+        free = self.free
         return self._column("lower")[free], self._column("upper")[free]
 
     @property
@@ -226,10 +242,6 @@ class Stand:
         """The text of a crop file with this plant as its baseline."""
         return self._case.crop_text(self._plants(genome)[0])
 
-    @property
-    def _free(self) -> NDArray[np.bool_]:
-        return np.array([gene[7] for gene in self._case.genes], bool)
-
     def _column(self, name: str) -> NDArray[np.float64]:
         at = _GENES.index(name)
         return np.array([gene[at] for gene in self._case.genes], float)
@@ -237,7 +249,7 @@ class Stand:
     def _plants(self, genomes: ArrayLike) -> NDArray[np.float64]:
         """[plants, genes]"""
         given = np.atleast_2d(np.asarray(genomes, float))
-        free = self._free
+        free = self.free
         if given.ndim != 2 or given.shape[1] not in (free.size, free.sum()):
             raise Error(
                 f"genomes are an array of {np.shape(genomes)}; give "
@@ -313,6 +325,12 @@ class Stand:
             {**labels, "objective": names},
             {"case": self.name, "isa": self.isa},
         )
+
+
+def _restored(campaign: str, case: str, isa: str) -> Stand:
+    return Stand._of(
+        _core.CaseStand.from_history(campaign, "a stand", case, [], isa)
+    )
 
 
 def _settings(settings: Settings) -> list[str]:

@@ -15,7 +15,7 @@ while not search.stop():
     plants = [lower + point * (upper - lower) for point in points]
     found = stand.evaluate(plants, ["absorbed_par"], seed=search.countiter)
     search.tell(points, list(-found.absorbed_par.values))
-best = lower + search.mean * (upper - lower)
+best = lower + search.result.xfavorite * (upper - lower)
 pair = [stand.start, best]
 final = stand.evaluate(pair, ["absorbed_par"], final=True).absorbed_par.values
 print(f"gain {100 * (final[1] / final[0] - 1):.1f} %")

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
 import threading
@@ -13,6 +14,7 @@ from datetime import date
 from datetime import time as clock
 from multiprocessing import get_context
 from pathlib import Path
+from zipfile import ZipFile
 
 import numpy as np
 import pytest
@@ -21,6 +23,7 @@ from real_program import CAMPAIGNS, executable, write_campaign
 
 import ideotype
 
+TOP = CAMPAIGNS.parent
 AMES = CAMPAIGNS / "ames_quick.toml"
 FAST = {"light.paths": 64, "light.tolerance": 0, "final.paths": 64}
 
@@ -284,6 +287,23 @@ except ideotype.Error as error:
     ).stdout.splitlines()
     assert int(said[0]) > 0
     assert "needs the compiled module" in said[1]
+
+
+def test_what_only_reads_is_a_wheel_for_any_system(tmp_path: Path) -> None:
+    subprocess.run(
+        [
+            *(sys.executable, "-m", "pip", "wheel", "--no-build-isolation"),
+            *("--no-deps", "--quiet", "-w", tmp_path, TOP),
+        ],
+        env=os.environ | {"IDEOTYPE_PURE_PYTHON": "1"},
+        check=True,
+    )
+    (wheel,) = tmp_path.iterdir()
+    assert wheel.name.endswith("-py3-none-any.whl")
+    with ZipFile(wheel) as archive:
+        names = archive.namelist()
+    assert "ideotype/analysis/page/page.html" in names
+    assert not [name for name in names if name.endswith(".so")]
 
 
 def test_the_stub_is_that_of_the_module(tmp_path: Path) -> None:

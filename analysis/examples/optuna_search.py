@@ -5,26 +5,21 @@ import optuna
 
 import ideotype
 
-angles = 'traits=[{name = "angles", free = ["insertion_angle"]}]'
-stand = ideotype.Stand.from_campaign("campaigns/ames.toml", settings=[angles])
-genes = stand.genes[stand.genes.is_free]
+angles = {"traits": [{"name": "angles", "free": ["insertion_angle"]}]}
+stand = ideotype.Stand.from_campaign("campaigns/ames.toml", settings=angles)
+genes = stand.genes[stand.free][["name", "lower", "upper"]].values
 
 
 def absorbed_par(trial: optuna.Trial) -> float:
-    plant = [
-        trial.suggest_float(gene.name, gene.lower, gene.upper)
-        for gene in genes.itertuples()
-    ]
-    found = stand.evaluate(plant, ["absorbed_par"], seed=trial.number)
-    return found.absorbed_par.item()
+    plant = [trial.suggest_float(*gene) for gene in genes]
+    return stand.evaluate(plant, seed=trial.number).absorbed_par.item()
 
 
 optuna.logging.set_verbosity(optuna.logging.WARNING)
 sampler = optuna.samplers.TPESampler(seed=1)
 study = optuna.create_study(direction="maximize", sampler=sampler)
-study.enqueue_trial(dict(zip(genes.name, genes.baseline)))
+study.enqueue_trial(dict(zip(genes[:, 0], stand.start)))
 study.optimize(absorbed_par, n_trials=100)
-best = [study.best_params[name] for name in genes.name]
-pair = [genes.baseline, best]
-final = stand.evaluate(pair, ["absorbed_par"], final=True).absorbed_par.values
-print(f"gain {100 * (final[1] / final[0] - 1):.1f} %")
+best = [study.best_params[name] for name in genes[:, 0]]
+own, bred = stand.evaluate([stand.start, best], final=True).absorbed_par.values
+print(f"gain {100 * (bred / own - 1):.1f} %")

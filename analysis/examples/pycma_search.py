@@ -16,6 +16,5 @@ while not search.stop():
     found = stand.evaluate(plants, ["absorbed_par"], seed=search.countiter)
     search.tell(points, list(-found.absorbed_par.values))
 best = lower + search.result.xfavorite * (upper - lower)
-pair = [stand.start, best]
-final = stand.evaluate(pair, ["absorbed_par"], final=True).absorbed_par.values
-print(f"gain {100 * (final[1] / final[0] - 1):.1f} %")
+own, bred = stand.evaluate([stand.start, best], final=True).absorbed_par.values
+print(f"gain {100 * (bred / own - 1):.1f} %")

@@ -115,10 +115,12 @@ def test_the_interpreter_goes_on_while_a_plant_is_evaluated(
 
 
 def test_free_genes_alone_are_a_genome() -> None:
-    settings = [*FAST_TEXTS, 'traits=[{name="a", free=["azimuth"]}]']
+    breeding = {"traits": [{"name": "a", "free": ["azimuth"]}]}
+    settings = FAST | breeding | {"light.randomisations": np.int64(4)}
     stand = ideotype.Stand.from_campaign(AMES, settings=settings)
     genes = stand.genes
     free = genes.is_free.values
+    assert "randomisations = 4" in stand.campaign
     assert free.sum() == 10 and set(genes.trait[free]) == {"azimuth"}
     short = stand.start + 5
     whole = stand.baseline

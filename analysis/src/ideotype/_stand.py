@@ -34,7 +34,7 @@ _GENES = (
 
 Settings = Mapping[str, Any] | Iterable[str]
 """Keys of a campaign in the place of what its file says:
-{"light.paths": 1024} or ["light.paths=1024"]."""
+{"light.paths": 1024} or ["light.paths=1024"]. Tables are dictionaries."""
 
 
 class Stand:
@@ -342,7 +342,14 @@ def _settings(settings: Settings) -> list[str]:
 
 
 def _toml(value: Any) -> str:
-    return tomli_w.dumps({"x": value}).partition("=")[2].strip()
+    """On one line."""
+    if isinstance(value, Mapping):
+        pairs = (f"{key} = {_toml(each)}" for key, each in value.items())
+        return f"{{{', '.join(pairs)}}}"
+    if isinstance(value, (list, tuple, np.ndarray)):
+        return f"[{', '.join(map(_toml, value))}]"
+    plain = value.item() if isinstance(value, np.generic) else value
+    return tomli_w.dumps({"x": plain}).partition("=")[2].strip()
 
 
 def _processors() -> int:

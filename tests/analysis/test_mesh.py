@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import trimesh
 from real_program import CAMPAIGNS, executable
 
 import ideotype
@@ -41,6 +42,32 @@ def test_triangles_and_quadrilaterals_may_be_mixed() -> None:
     assert list(found.group.values) == ["a", "stalk"]
     assert found.leaves.item() == pytest.approx(0.25, abs=1e-3)
     assert found.stalks.item() == pytest.approx(0.25, abs=1e-3)
+
+
+def test_a_mesh_of_trimesh_is_taken_as_it_is() -> None:
+    box = trimesh.creation.box((1, 1, 1))
+    box.apply_translation((0, 0, 1))
+    found = ideotype.mesh(box.vertices, box.faces).evaluate(
+        period=(2, 2), sun=(90, 0), **BLACK, by_face=True
+    )
+    assert found.leaves.item() == pytest.approx(0.25, abs=1e-3)
+    assert found.sizes["face"] == len(box.faces)
+    top = box.face_normals[:, 2] > 0.5
+    lit = found.absorbed_by_face.values > 0.5
+    np.testing.assert_array_equal(lit, top)
+
+
+def test_many_faces_take_little_time() -> None:
+    n = 300
+    side = np.linspace(0, 1, n + 1)
+    x, y = np.meshgrid(side, side)
+    vertices = np.column_stack([x.ravel(), y.ravel(), np.ones(x.size)])
+    corner = (np.arange(n)[:, None] * (n + 1) + np.arange(n)).ravel()
+    faces = corner[:, None] + [0, 1, n + 2, n + 1]
+    found = ideotype.mesh(vertices, faces).evaluate(
+        period=(2, 1), sun=(90, 0), **BLACK, paths=4096
+    )
+    assert found.leaves.item() == pytest.approx(0.5, abs=1e-3)
 
 
 def test_a_mesh_has_the_bits_of_the_command_line(tmp_path: Path) -> None:

@@ -174,23 +174,29 @@ def _faces(
 ) -> NDArray[np.int64]:
     """[faces, 4]; triangles repeat their last corner."""
     every: Any = given  # rows may differ in length, unlike an array's
-    rows = [list(face) for face in every]
-    for i, row in enumerate(rows):
-        if len(row) not in (3, 4):
-            raise Error(
-                f"faces[{i}] has {len(row)} corners; divide it into triangles"
-            )
-        for corner in row:
-            if int(corner) != corner or not 0 <= corner < vertices:
-                raise Error(
-                    f"faces[{i}] has corner {corner}; vertices are 0 to "
-                    f"{vertices - 1}"
-                )
-    if not rows:
+    if not len(every):
         raise Error("faces is empty; a mesh needs at least one face")
-    return np.array(
-        [row + row[2:3] * (4 - len(row)) for row in rows], np.int64
+    sizes = {len(face) for face in every}
+    if not sizes <= {3, 4}:
+        i = next(i for i, face in enumerate(every) if len(face) not in (3, 4))
+        raise Error(
+            f"faces[{i}] has {len(every[i])} corners; divide it into triangles"
+        )
+    if len(sizes) == 2:
+        every = [[*face, *face[2:3]][:4] for face in every]
+    faces = np.asarray(every)
+    known = (
+        (faces == faces.astype(np.int64)) & (0 <= faces) & (faces < vertices)
     )
+    if not known.all():
+        i, k = np.argwhere(~known)[0]
+        raise Error(
+            f"faces[{i}] has corner {faces[i, k]}; vertices are 0 to "
+            f"{vertices - 1}"
+        )
+    if faces.shape[1] == 3:
+        faces = np.column_stack([faces, faces[:, 2]])
+    return np.ascontiguousarray(faces, np.int64)
 
 
 def _in_python(message: str) -> str:

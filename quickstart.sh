@@ -27,7 +27,6 @@ echo
 echo
 .venv/bin/ideotype-summary "$out/ames_quick"
 echo
-.venv/bin/ideotype-report "$out/ames_quick" -o "$out/ames_quick/report" \
-    --ideotype "$ideotype"
+.venv/bin/ideotype-report "$out/ames_quick" -o "$out/ames_quick/report"
 echo
 echo "everything is in $(cd "$out/ames_quick" && pwd)"

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import stat
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -11,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from made_campaign import SITES, resolved
 from made_history import MadeHistory
 from made_kinds import Measured
 from real_program import run_shortened, start
@@ -83,19 +83,8 @@ def drained(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
-SITES = {"ames": 42.0, "edmonton": 53.5}
 SHIFTS = (0.0, 0.1)
 """Of the seeds of the sweep [MJ m-2 day-1]."""
-
-
-@pytest.fixture(scope="session")
-def program(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """An executable that exports plants."""
-    path = tmp_path_factory.mktemp("bin") / "ideotype"
-    script = Path(__file__).with_name("made_program.py")
-    path.write_text(f'#!/bin/sh\nexec "{sys.executable}" "{script}" "$@"\n')
-    path.chmod(path.stat().st_mode | stat.S_IXUSR)
-    return path
 
 
 @pytest.fixture(scope="session")
@@ -110,7 +99,7 @@ def sweep(tmp_path_factory: pytest.TempPathFactory) -> Path:
         "absorbed_by_source": (sources, np.array([0.75, 0.25])),
     }
     labels = {"layer": [0.125, 0.375, 0.75], "light_source": ["beam", "sky"]}
-    for site, latitude in SITES.items():
+    for site, (latitude, angle) in SITES.items():
         for seed, shift in enumerate(SHIFTS, start=1):
             name = f"{site}_0807_762x152_all_r{seed}"
             place = {"campaign": "sweep", "case": name, "site": site}
@@ -118,6 +107,7 @@ def sweep(tmp_path_factory: pytest.TempPathFactory) -> Path:
             made = MadeHistory(
                 folder / f"{name}.h5",
                 attributes=place,
+                resolved=resolved(folding_angle=angle),
                 shift=shift,
                 labels=labels,
                 extra=extra,

@@ -55,7 +55,7 @@ ATTRIBUTES: dict[str, object] = {
     "git_dirty": "no",
     "isa": "avx2",
     "campaign": "made",
-    "case": "ames-aug-30x6-all-r1",
+    "case": "ames_0807_762x152_all_r1",
     "site": "ames",
     "day": "2025-08-07",
     "spacing": "30x6",

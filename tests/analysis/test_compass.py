@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from ideotype.analysis.case import Case
 from ideotype.analysis.stand import places, row_direction
-from ideotype.analysis.geometry import Mesh
+from ideotype._geometry import Mesh
 from ideotype.analysis.plan import draw_plan, draw_roses
 from ideotype.analysis.shape import draw_azimuths
 from ideotype.analysis.study import open_study

@@ -16,8 +16,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from ideotype.analysis import HistoryError, Rows, open_history
-from ideotype.analysis.geometry import find_program
-from ideotype.analysis.scene import export_plants
+from ideotype.analysis.scene import build_plants
 from ideotype.analysis.study import open_study
 from real_program import start
 
@@ -125,10 +124,12 @@ def test_hours_integrate_to_the_day(own: Path) -> None:
     assert joules / 1e6 == pytest.approx(best.objective.mean, rel=1e-9)
 
 
-def test_the_program_exports_the_plants_of_a_report(own: Path) -> None:
+def test_the_plants_of_a_report_have_the_sizes_of_their_genes(
+    own: Path,
+) -> None:
     with open_study(own) as study:
         (case,) = study.cases()
-        plants = export_plants(case, find_program())
+        plants = build_plants(case)
         best, genes = case.best, case.genes
     leaves = [f"leaf{leaf:02}" for leaf in range(1, 11)]
     for mesh in (plants.baseline, plants.best):

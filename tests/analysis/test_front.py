@@ -22,9 +22,10 @@ from ideotype.analysis.commands import report
 from ideotype.analysis.front import non_dominated
 from ideotype.analysis.front_figures import draw_front, draw_hypervolume
 from ideotype.analysis.page import render
-from ideotype.analysis.scene import export_plants, scene_of
+from ideotype.analysis.scene import build_plants, scene_of
 from ideotype.analysis.style import BEST
 from ideotype.analysis.summary import summarize
+from made_campaign import resolved
 from made_history import MadeHistory
 from made_kinds import Measured
 from made_layout import seal
@@ -33,11 +34,13 @@ from made_numbers import (
     LAI,
     POPULATION,
     absorbed,
+    baseline_genome,
     final_absorbed,
+    genome,
     hypervolume,
 )
 from phone import HEIGHT, phone_with
-from real_program import executable, output_of, write_campaign
+from real_program import output_of, write_campaign
 from pymoo.util.nds.non_dominated_sorting import NonDominatedSorting
 
 LIGHT, AREA = ("absorbed_par", "maximise"), ("lai", "minimise")
@@ -54,7 +57,9 @@ def make(
     **options: Any,
 ) -> Path:
     """A finished history whose finalists have LAIS."""
-    made = MadeHistory(path, objectives=objectives, **options)
+    made = MadeHistory(
+        path, objectives=objectives, resolved=resolved(), **options
+    )
     made.evolve(5)
     made.finish()
     made.close()
@@ -215,10 +220,10 @@ LABELS = f"""
 """
 
 
-def page_of(folder: Path, program: Path | None, history: Path) -> Path:
+def page_of(folder: Path, history: Path, *, has_shapes: bool = True) -> Path:
     with open_study(history) as study:
         (case,) = study.cases()
-        plants = export_plants(case, program) if program else None
+        plants = build_plants(case) if has_shapes else None
         scene = scene_of([(case, plants)])
     page = folder / "front.html"
     view = Section("Front", [Viewer(scene, "What is shown.")])
@@ -226,23 +231,26 @@ def page_of(folder: Path, program: Path | None, history: Path) -> Path:
     return page
 
 
-def test_each_plant_has_the_shape_of_its_row(
-    history: Path, program: Path
-) -> None:
-    """Leaves of a slot are 2 cm longer than those of the one before."""
+def test_each_plant_has_the_shape_of_its_row(history: Path) -> None:
     with open_study(history) as study:
         (case,) = study.cases()
-        plants = export_plants(case, program)
-    lengths = [mesh.vertices[:, 0].max() for mesh in plants.members]
-    rows = [POPULATION - slot for slot in (1, 2, 3)]
-    assert lengths == pytest.approx([0.3 + 0.02 * row for row in rows])
+        plants = build_plants(case)
+        sizes = [case.genes.columns(trait)[0] for trait in ("length", "width")]
+    rows = [baseline_genome(), *(genome(3, POPULATION - i) for i in (1, 2, 3))]
+    parts = [
+        mesh.area("leaf01") / row[sizes].prod()
+        for mesh, row in zip([plants.baseline, *plants.members], rows)
+    ]
+    # of the rectangle around a blade, which have one outline
+    assert parts == pytest.approx([parts[0]] * 4, rel=0.01)
+    assert np.array_equal(plants.best.vertices, plants.members[1].vertices)
 
 
 @pytest.mark.parametrize("width", [390, 1280])
 def test_a_plant_of_the_front_is_chosen(
-    history: Path, program: Path, tmp_path: Path, width: int
+    history: Path, tmp_path: Path, width: int
 ) -> None:
-    page = page_of(tmp_path, program, history)
+    page = page_of(tmp_path, history)
     with phone_with(page, tmp_path, width) as phone:
         assert phone.value("document.documentElement.scrollWidth") == width
         phone.value(f"{CHART}.scrollIntoView()")
@@ -288,9 +296,9 @@ def test_a_plant_of_the_front_is_chosen(
 
 
 def test_the_chart_has_error_bars_in_the_scale_of_its_axes(
-    history: Path, program: Path, tmp_path: Path
+    history: Path, tmp_path: Path
 ) -> None:
-    page = page_of(tmp_path, program, history)
+    page = page_of(tmp_path, history)
     tall = """
       [...document.querySelectorAll(".member > .error")]
         .map((bar) => bar.getBBox().height)
@@ -311,7 +319,8 @@ def test_the_chart_has_error_bars_in_the_scale_of_its_axes(
 def test_without_shapes_the_front_is_there_all_the_same(
     history: Path, tmp_path: Path
 ) -> None:
-    with phone_with(page_of(tmp_path, None, history), tmp_path) as phone:
+    page = page_of(tmp_path, history, has_shapes=False)
+    with phone_with(page, tmp_path) as phone:
         phone.value(f"{CHART}.scrollIntoView()")
         phone.tap(*phone.value(MEMBER % 0))
         assert phone.value(CELLS)[0][2] == "plant 1"
@@ -319,11 +328,9 @@ def test_without_shapes_the_front_is_there_all_the_same(
         assert "not shown; the" in phone.value("document.body.innerText")
 
 
-def test_of_three_objectives_two_are_chosen(
-    program: Path, tmp_path: Path
-) -> None:
+def test_of_three_objectives_two_are_chosen(tmp_path: Path) -> None:
     path = make(tmp_path / "case.h5", [LIGHT, LEAVES, AREA])
-    page = page_of(tmp_path, program, path)
+    page = page_of(tmp_path, path)
     choose = """
       (() => {
         const list = document.getElementById("view-pair");
@@ -347,9 +354,7 @@ def test_of_three_objectives_two_are_chosen(
     assert after[1].startswith(f"↑ {leaves} [MJ")
 
 
-def test_scenarios_stand_beside_the_plant(
-    program: Path, tmp_path: Path
-) -> None:
+def test_scenarios_stand_beside_the_plant(tmp_path: Path) -> None:
     """Also readers take an axis that they do not know."""
     path = make(
         tmp_path / "case.h5",
@@ -367,7 +372,7 @@ def test_scenarios_stand_beside_the_plant(
         frame = study.frame()
     found = frame["absorbed_par_by_scenario wide rows"].to_numpy()
     assert np.nanmax(found) == pytest.approx(absorbed(4, POPULATION - 1) / 2)
-    page = page_of(tmp_path, program, path)
+    page = page_of(tmp_path, path)
     (text,) = re.findall(r'(?s)id="scene">(.*?)</script>', page.read_text())
     members = json.loads(text)["cases"][0]["front"]["members"]
     ((table,),) = [m["scenarios"] for m in members if m["title"] == "plant 2"]
@@ -392,7 +397,7 @@ def test_a_report_of_a_front_that_the_program_bred(tmp_path: Path) -> None:
     assert said is not None
     (path,) = (tmp_path / "tiny").glob("*.h5")
     out = tmp_path / "report"
-    arguments = [path, "-o", out, "--ideotype", executable()]
+    arguments = [path, "-o", out]
     assert report([str(argument) for argument in arguments]) == 0
     assert (
         out / "figures" / f"{path.stem.removesuffix('_r1')}_front.png"

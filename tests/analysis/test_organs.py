@@ -12,7 +12,6 @@ from ideotype.analysis.commands import report
 from ideotype.analysis.comparison import draw_energy, shares
 from ideotype.analysis.study import open_study
 from ideotype.analysis.tables import organs
-from real_program import executable
 
 
 def test_light_by_organ_is_drawn_and_listed(sorghum: list[Path]) -> None:
@@ -41,7 +40,7 @@ def test_light_by_organ_is_drawn_and_listed(sorghum: list[Path]) -> None:
 def test_a_report_of_sorghum_is_complete(
     sorghum: list[Path], tmp_path: Path
 ) -> None:
-    arguments = [sorghum[0].parent, "-o", tmp_path, "--ideotype", executable()]
+    arguments = [sorghum[0].parent, "-o", tmp_path]
     assert report([str(argument) for argument in arguments]) == 0
     figures = {path.stem for path in (tmp_path / "figures").glob("*.png")}
     for case, own in (("all", "traits"), ("angle_profile", "profiles")):

@@ -13,7 +13,7 @@ from browser import run_in_browser
 from ideotype.analysis import open_history
 from ideotype.analysis.commands import report
 from ideotype.analysis.fidelity import read_fidelity
-from real_program import executable, output_of, write_campaign
+from real_program import output_of, write_campaign
 
 
 @pytest.fixture(scope="module")
@@ -88,7 +88,7 @@ def test_a_browser_shows_the_report_of_a_real_run(
     own: Path, fidelity: Path, cross: Path, tmp_path: Path
 ) -> None:
     out = tmp_path / "report"
-    arguments = [own, "-o", out, "--ideotype", executable()]
+    arguments = [own, "-o", out]
     arguments += ["--fidelity", fidelity, "--cross", cross]
     assert report([str(argument) for argument in arguments]) == 0
     script = """

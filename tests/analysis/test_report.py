@@ -9,23 +9,22 @@ import json
 import re
 import shutil
 import sys
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 
+import ideotype
 import pytest
 from browser import run_in_browser
 from ideotype.analysis import HistoryError
 from ideotype.analysis.case_figures import CASE_FIGURES
 from ideotype.analysis.commands import report
 from ideotype.analysis.cross import read_cross
-from ideotype.analysis.geometry import export_plant, find_program
 from ideotype.analysis.progress import Progress
+from ideotype.analysis.scene import build_plants
 from ideotype.analysis.study import open_study
 from ideotype.analysis.tables import gains
 from made_history import MadeHistory
 from made_numbers import final_absorbed
-from made_program import AREA, FACES
 
 CASES = ("ames_0807_762x152_all", "edmonton_0807_762x152_all")
 DRAWN = CASE_FIGURES.keys() - {"profiles", "plant_traits"}
@@ -67,14 +66,12 @@ def cross(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="session")
 def made(
     sweep: Path,
-    program: Path,
     cross: Path,
     tmp_path_factory: pytest.TempPathFactory,
 ) -> Made:
     """The report of the sweep."""
     folder = tmp_path_factory.mktemp("report")
     arguments = [sweep, "-o", folder, "--cross", cross]
-    arguments += ["--ideotype", program]
     with pytest.MonkeyPatch.context() as patch:
         log = folder / "log"
         with log.open("w") as stream:
@@ -140,7 +137,7 @@ def test_provenance_is_told(made: Made) -> None:
     words = plain(made.text)
     for told in (
         *("0123456789ab", "avx2", str(2**63 + 1), "ideotype run", "node1"),
-        *("This page was made by: ideotype-report", "# resolved"),
+        *("This page was made by: ideotype-report", "linke_turbidity = 3"),
         *(f"{case}_r{seed}.h5" for case in CASES for seed in (1, 2)),
     ):
         assert told in words
@@ -203,7 +200,8 @@ def test_a_browser_shows_the_page(made: Made, tmp_path: Path) -> None:
     """
     shown, errors = run_in_browser(made.page, script, tmp_path)
     assert errors == []
-    assert shown["faces"] == 2 * FACES
+    # leaves of 12 x 2 faces, eight sides and tops of the stalk
+    assert shown["faces"] == 2 * (10 * 24 + 16)
     # ten leaves in two plants, and smooth edges
     assert shown["colors"] > 100
     assert shown["states"] == 6 and shown["isHome"]
@@ -223,7 +221,9 @@ def test_the_browser_test_sees_errors(tmp_path: Path) -> None:
     assert any("missing is not defined" in error for error in errors)
 
 
-def test_leaf_colours_are_per_ground_and_per_leaf_area(made: Made) -> None:
+def test_leaf_colours_are_per_ground_and_per_leaf_area(
+    made: Made, sweep: Path
+) -> None:
     (text,) = re.findall(r'(?s)id="scene">(.*?)</script>', made.text)
     scene = json.loads(text)
     # all plants have the same organs
@@ -231,33 +231,46 @@ def test_leaf_colours_are_per_ground_and_per_leaf_area(made: Made) -> None:
     first = scene["cases"][0]
     assert len(first["neighbours"]) == 3 * 7 - 1
     ground, leaf = (q["values"] for q in first["quantities"])
-    plants = zip(first["plants"], ground, leaf, (AREA, 2 * AREA))
-    for plant, by_ground, by_leaf, area in plants:
+    with open_study(sweep) as study:
+        built = build_plants(study.cases()[0])
+    meshes = built.baseline, built.best
+    plants = zip(first["plants"], ground, leaf, meshes)
+    for plant, by_ground, by_leaf, mesh in plants:
         assert plant["shape"] == 0 and shape["groups"][-1] == "stalk"
         assert by_ground[-1] is by_leaf[-1] is None
         # all that the plant's leaves take, on its part of the ground
-        taken = sum(by_leaf[:-1]) * area
+        taken = sum(
+            value * mesh.area(group)
+            for value, group in zip(by_leaf[:-1], shape["groups"])
+        )
         assert taken == pytest.approx(sum(by_ground[:-1]) * 0.762 * 0.1524)
 
 
 def test_what_is_missing_or_saturated_is_told(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.delenv("IDEOTYPE_EXECUTABLE", raising=False)
-    monkeypatch.setenv("PATH", "")
+    # as in an installation without the compiled module
+    monkeypatch.setitem(sys.modules, "ideotype._core", None)
+    monkeypatch.delitem(sys.modules, "ideotype._stand", raising=False)
+    for name in ("_core", "Stand"):
+        monkeypatch.delitem(vars(ideotype), name, raising=False)
     path = tmp_path / "<full>.h5"
     made = MadeHistory(path, shift=12.2 - 0.001 - final_absorbed(2))
     made.evolve(1)
     made.finish()
     made.close()
-    assert report([str(path), "-o", str(tmp_path / "out")]) == 0
+    # in this process alone, which the others would not follow
+    assert report([str(path), "-o", str(tmp_path / "out"), "-j", "1"]) == 0
     text = (tmp_path / "out" / "report.html").read_text()
     assert "&lt;full&gt;.h5" in text and "<full>" not in text
     words = plain(text)
     assert re.search(
-        r"Saturated, the best being [^.]*: ames-aug-30x6-all", words
+        r"Saturated, the best being [^.]*: ames_0807_762x152_all", words
     )
-    assert "name it with --ideotype PATH" in words
+    assert (
+        "Plan view and 3D view: not drawn, ideotype.Stand needs the compiled "
+        "module" in words
+    )
     assert "The plants are not shown" in words and "<canvas" not in text
     assert "the history has no figures by height layer" in words
     assert "the history does not tell parts of the light" in words
@@ -269,7 +282,7 @@ def test_an_unfinished_run_is_provisional(drained: Path) -> None:
     with open_study(drained) as study:
         notes = [b.text for b in gains(study.cases(), None)[1:]]
     (note,) = [note for note in notes if note.startswith("Provisional")]
-    assert note.endswith(": ames-aug-30x6-all.")
+    assert note.endswith(": ames_0807_762x152_all.")
 
 
 def test_a_terminal_sees_one_live_line() -> None:
@@ -287,17 +300,6 @@ def test_a_terminal_sees_one_live_line() -> None:
     assert terminal.getvalue().split("\r\x1b[K")[1:] == [
         *("[1/2] ames", "[2/2] edmonton", ""),
     ]
-
-
-def test_a_failed_export_says_what_the_program_said(
-    program: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    with pytest.raises(HistoryError, match="this history is broken"):
-        export_plant(program, "broken.h5", ["--best"])
-    monkeypatch.setenv("IDEOTYPE_EXECUTABLE", str(program))
-    assert find_program() == program
-    with pytest.raises(HistoryError, match=r"gone: no program \(--ideotype"):
-        find_program(tmp_path / "gone")
 
 
 def test_a_cross_evaluation_is_json_or_csv(

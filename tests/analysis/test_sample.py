@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 from convert import convert
 from ideotype.analysis import History, open_history, open_study
+from ideotype.analysis.scene import build_plants
 from ideotype.analysis.summary import summarize
 from ideotype.analysis.tables import gains
 
@@ -142,3 +143,15 @@ def test_plain_hdf5_opens_it_and_every_dataset_has_a_unit() -> None:
         assert np.shape(genome) == (24, 40)
     assert len(found) > 40
     assert [name for name, unit in found.items() if unit is None] == []
+
+
+def test_plants_of_both_formats_have_shapes(sample: History) -> None:
+    with open_study(sample.path) as study:
+        (case,) = study.cases()
+        plants, best = build_plants(case), case.best.row.genome[0]
+        genes = case.genes
+    sizes = (genes.columns("length"), genes.columns("width"))
+    for i, (length, width) in enumerate(zip(*sizes), start=1):
+        part = plants.best.area(f"leaf{i:02}") / (best[length] * best[width])
+        assert 0.5 < part < 0.95
+    assert plants.baseline.area("leaf01") != plants.best.area("leaf01")

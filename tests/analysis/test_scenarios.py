@@ -11,9 +11,10 @@ import numpy as np
 import pytest
 from ideotype.analysis import Case, HistoryError, open_study
 from ideotype.analysis.places import draw_latitudes, draw_spacings
-from ideotype.analysis.scene import export_plants, scene_of
+from ideotype.analysis.scene import build_plants, scene_of
 from ideotype.analysis.stand import places
 from ideotype.analysis.tables import scenarios
+from made_campaign import resolved
 from made_history import MadeHistory
 from made_kinds import Measured
 from real_program import output_of, write_campaign
@@ -48,13 +49,22 @@ def test_rows_tell_each_scenario_and_are_found_again(tmp_path: Path) -> None:
         assert "case south_0807_762x152_all_r1," in found
 
 
-def make(folder: Path, over: str, **place: str | float) -> None:
+CASES = {
+    "": "ames_0807_762x152_all",
+    "site": "all_0807_762x152_all",
+    "day": "ames_all_762x152_all",
+    "spacing": "ames_0807_all_all",
+}
+"""Names by what has scenarios."""
+
+
+def make(folder: Path, over: str = "", **place: float) -> None:
     """A case that may have two scenarios, of which the second has half the
     light."""
     made = MadeHistory(
         folder / f"{len([*folder.iterdir()])}.h5",
-        resolved=f"[objective]\nover = {over}",
-        attributes={"case": over, **place},
+        resolved=resolved(*[over] * bool(over)),
+        attributes={"case": f"{CASES[over]}_r1", **place},
         labels={"scenario": ["dense", "wide"]},
         extra={
             "absorbed_par_by_scenario": (
@@ -62,7 +72,7 @@ def make(folder: Path, over: str, **place: str | float) -> None:
                 np.array([1.0, 0.5]),
             )
         }
-        if over != "[]"
+        if over
         else {},
     )
     made.evolve(1)
@@ -79,13 +89,13 @@ def cases_of(folder: Path) -> list[Case]:
 
 
 def test_a_report_tells_scenarios_apart(tmp_path: Path) -> None:
-    make(tmp_path, '["day"]')
-    make(tmp_path, "[]", latitude=50.0)
+    make(tmp_path, "day")
+    make(tmp_path, latitude=50.0)
     cases = cases_of(tmp_path)
     (table,) = scenarios(cases)
     assert [row[0] for row in table.rows] == [
-        '["day"]: dense',
-        '["day"]: wide',
+        f"{CASES['day']}: dense",
+        f"{CASES['day']}: wide",
     ]
     assert table.rows[1][1].startswith("5.5000\u00a0±")
     assert table.rows[1][3].startswith("1.50\u00a0±")
@@ -100,18 +110,16 @@ def test_a_report_tells_scenarios_apart(tmp_path: Path) -> None:
 
 
 def test_what_varies_between_scenarios_is_not_that_of_the_first(
-    program: Path, tmp_path: Path
+    tmp_path: Path,
 ) -> None:
-    make(tmp_path, '["spacing"]')
-    make(tmp_path, '["site"]', latitude=50.0, plant_spacing=0.3)
+    make(tmp_path, "spacing")
+    make(tmp_path, "site", latitude=50.0, plant_spacing=0.3)
     cases = cases_of(tmp_path)
     assert [len(places(case)) for case in cases] == [1, 9]
     for draw in (draw_latitudes, draw_spacings):
         with pytest.raises(HistoryError, match="all cases have the same"):
             draw(cases)
     with open_study(tmp_path) as study:
-        shown = [
-            (case, export_plants(case, program)) for case in study.cases()
-        ]
+        shown = [(case, build_plants(case)) for case in study.cases()]
         scene = json.loads(scene_of(shown))
     assert [len(case["quantities"]) for case in scene["cases"]] == [1, 2]

@@ -65,7 +65,7 @@ def test_cases_of_different_campaigns_stay_apart(tmp_path: Path) -> None:
         MadeHistory(tmp_path / f"{campaign}.h5", attributes=place).close()
     with open_study(tmp_path) as study:
         names = [case.name for case in study.cases()]
-    assert names == [f"{c}: ames-aug-30x6-all" for c in ("one", "two")]
+    assert names == [f"{c}: ames_0807_762x152_all" for c in ("one", "two")]
 
 
 def test_other_objectives_and_searches_are_other_cases(tmp_path: Path) -> None:
@@ -81,7 +81,7 @@ def test_other_objectives_and_searches_are_other_cases(tmp_path: Path) -> None:
     with open_study(tmp_path) as study:
         found = {case.name: len(case.histories) for case in study.cases()}
         lights = {case.light for case in study.cases()}
-    name = "ames-aug-30x6-all"
+    name = "ames_0807_762x152_all"
     assert found == {
         f"{name} (absorbed_par; ga)": 2,
         f"{name} (absorbed_par; cma_es)": 1,

@@ -89,11 +89,19 @@ class Stand:
 
     @classmethod
     def from_history(
-        cls, path: str | PathLike[str], genome: ArrayLike = ()
+        cls,
+        path: str | PathLike[str],
+        genome: ArrayLike = (),
+        *,
+        same_isa: bool = True,
     ) -> Self:
-        """What the plants of a history were evaluated in, with its
-        instruction set. A sensitivity study also varies keys of its campaign:
-        then it is that of the row with this genome.
+        """What the plants of a history were evaluated in. A sensitivity study
+        also varies keys of its campaign: then it is that of the row with this
+        genome.
+
+        `same_isa`: with the instruction set of the history, without which
+        light differs in its last digits; else the widest that this processor
+        has.
 
         Raises as `ideotype.open_history`, and Error if this processor lacks
         the instruction set."""
@@ -106,7 +114,7 @@ class Stand:
                     os.fspath(path),
                     str(history.attributes["case"]),
                     [float(x) for x in np.asarray(genome, float)],
-                    str(history.attributes["isa"]),
+                    str(history.attributes["isa"]) if same_isa else "",
                 )
             )
 

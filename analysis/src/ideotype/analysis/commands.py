@@ -72,12 +72,6 @@ def report(arguments: Sequence[str] | None = None) -> int:
         help="what ideotype fidelity --json has written",
     )
     parser.add_argument(
-        "--ideotype",
-        metavar="PATH",
-        help="the program, which knows the shape of plants (default: "
-        "IDEOTYPE_EXECUTABLE, else ideotype on PATH)",
-    )
-    parser.add_argument(
         "-j",
         "--jobs",
         type=int,
@@ -133,12 +127,10 @@ def _report(options: argparse.Namespace, study: Study) -> None:
     # plotting library.
     from .cross import read_cross
     from .fidelity import read_fidelity
-    from .geometry import find_program
     from .report import write_report
 
     # Processes use all cores; more threads in each would be in their way.
     os.environ.setdefault("OMP_NUM_THREADS", "1")
-    program = find_program(options.ideotype)
     cross = read_cross(options.cross) if options.cross else None
     fidelity = read_fidelity(options.fidelity) if options.fidelity else None
     written = write_report(
@@ -146,7 +138,6 @@ def _report(options: argparse.Namespace, study: Study) -> None:
         options.output,
         cross=cross,
         fidelity=fidelity,
-        program=program,
         command=shlex.join(["ideotype-report", *sys.argv[1:]]),
         progress=Progress(),
         jobs=options.jobs or len(os.sched_getaffinity(0)),

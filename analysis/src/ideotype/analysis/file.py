@@ -9,6 +9,8 @@ from pathlib import Path
 
 import h5py
 
+from .._errors import Error
+
 FORMAT = "ideotype-history"
 MAJOR_VERSIONS = (1, 2)
 
@@ -17,7 +19,7 @@ _SUPERBLOCK_SIZE = 48
 _OPEN_FOR_WRITING = 0x01
 
 
-class HistoryError(Exception):
+class HistoryError(Error):
     """A history can't be used; the message is meant for the user."""
 
 

@@ -14,11 +14,11 @@ from matplotlib.colors import BoundaryNorm
 from matplotlib.figure import Figure
 from matplotlib.projections.polar import PolarAxes
 
+from .._geometry import Mesh
 from . import style
 from .azimuths import azimuths
 from .case import Case
 from .compass import draw_compass
-from .geometry import Mesh
 from .shape import COUNT
 from .stand import places
 

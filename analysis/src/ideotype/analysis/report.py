@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 
+from .._errors import Error
 from . import tables
 from .blocks import Block, Drawing, Note, Section, Viewer
 from .case import Case
@@ -24,7 +25,7 @@ from .places import draw_latitudes, draw_spacings
 from .plan import draw_plan
 from .progress import Progress
 from .provenance import provenance
-from .scene import Plants, export_plants, scene_of
+from .scene import Plants, build_plants, scene_of
 from .study import Study
 from .workers import workers
 
@@ -69,15 +70,14 @@ def write_report(
     *,
     cross: Cross | None = None,
     fidelity: Fidelity | None = None,
-    program: Path | None = None,
     command: str = "",
     progress: Progress | None = None,
     jobs: int = 1,
 ) -> Written:
     """Writes report.html and figures/ into the folder, over those of an
-    earlier report. `program` is the ideotype that exports shapes of plants,
-    `command` what the page names as its origin. `jobs` processes draw the
-    figures; with several, a script needs `if __name__ == "__main__":`.
+    earlier report. `command` is what the page names as its origin. `jobs`
+    processes draw the figures; with several, a script needs
+    `if __name__ == "__main__":`.
 
     Raises HistoryError if nothing is evaluated in any history, OSError if
     the folder can't be written."""
@@ -94,7 +94,7 @@ def write_report(
     for case in cases:
         case.remember()
     with workers(jobs) as run:
-        plants = list(run(partial(_plants, program), cases))
+        plants = list(run(_plants, cases))
         shapes = [
             (case, found if isinstance(found, Plants) else None)
             for case, found in zip(cases, plants)
@@ -215,11 +215,11 @@ def _view(shapes: list[tuple[Case, Plants | None]]) -> Section:
     return section
 
 
-def _plants(program: Path | None, case: Case) -> Plants | Note:
+def _plants(case: Case) -> Plants | Note:
     """The shapes of baseline and best, or why they are not known."""
     try:
-        return export_plants(case, program)
-    except HistoryError as reason:
+        return build_plants(case)
+    except Error as reason:
         return Note(f"Plan view and 3D view: not drawn, {reason}.")
 
 

@@ -6,22 +6,23 @@ from __future__ import annotations
 
 import base64
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from matplotlib.colors import to_rgb
 from numpy.typing import NDArray
 
+import ideotype
+
+from .._geometry import Mesh
 from .case import Case
 from .file import HistoryError
-from .geometry import Mesh, export_plant
 from .front_scene import front_scene
 from .history import History
 from .quantity import Profile
-from .rows import Evaluation, Origin, Rows
+from .rows import Evaluation
 from .stand import places, row_direction
 from .style import organ_color, short, unit_label
 
@@ -43,49 +44,26 @@ class Plants:
     """Of the fronts of all seeds."""
 
 
-def export_plants(case: Case, program: Path | None) -> Plants:
-    """Raises HistoryError if the program is missing or fails."""
-    if program is None:
-        raise HistoryError(
-            "the shape of plants comes from the program `ideotype`, which was "
-            "not found; name it with --ideotype PATH"
-        )
-    case.need_pairs()
-    history = case.best_history
-    return Plants(
-        export_plant(program, history.path, _baseline_row(history)),
-        export_plant(program, history.path, ["--best"]),
-        tuple(
-            export_plant(program, history.path, row)
-            for history, front in case.fronts
-            for row in _rows_of(history, front.members)
-        ),
+def build_plants(case: Case) -> Plants:
+    """Raises HistoryError if nothing is evaluated yet, Error if there is no
+    compiled module, which knows the shapes of plants, or it cannot use a
+    history."""
+    pair = [case.baseline.row.genome[0], case.best.row.genome[0]]
+    baseline, best = _shapes(case.best_history, pair)
+    members = (
+        mesh
+        for history, front in case.fronts
+        for mesh in _shapes(history, front.members.genome)
     )
+    return Plants(baseline, best, tuple(members))
 
 
-def _baseline_row(history: History) -> list[str]:
-    first = history.evaluations(0)
-    found = np.flatnonzero(first.origin == Origin.BASELINE)
-    if not len(found):
-        raise HistoryError(f"{history.path}: generation 0 has no baseline")
-    return _row(first, int(found[0]))
-
-
-def _rows_of(history: History, plants: Rows) -> Iterator[list[str]]:
-    """Where plants stand in the run, finalists too."""
-    known = history.evaluations()
-    for genome in plants.genome:
-        found = np.flatnonzero((known.genome == genome).all(axis=1))
-        if not len(found):
-            raise HistoryError(
-                f"{history.path}: a finalist is in no generation"
-            )
-        yield _row(known, int(found[-1]))
-
-
-def _row(rows: Rows, index: int) -> list[str]:
-    place = rows.generation[index], rows.slot[index]
-    return ["--generation", str(place[0]), "--slot", str(place[1])]
+def _shapes(
+    history: History, genomes: Iterable[NDArray[np.float64]]
+) -> list[Mesh]:
+    """Which are the same with every instruction set."""
+    stand = ideotype.Stand.from_history(history.path, same_isa=False)
+    return [stand.mesh(genome) for genome in genomes]
 
 
 def scene_of(shown: Sequence[tuple[Case, Plants | None]]) -> str:

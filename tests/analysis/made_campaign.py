@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The campaign of made histories, from which their plants have shapes."""
+
+from __future__ import annotations
+
+import tomllib
+from functools import cache
+
+import ideotype
+from real_program import CAMPAIGNS
+
+SITES = {"ames": (42.0, 10), "edmonton": (53.5, 30)}
+"""Latitude, and folding angle of blades [deg]."""
+
+
+@cache
+def resolved(*over: str, folding_angle: float = 10) -> str:
+    """With every key, of two seeds. Sites, or what else is named, may be
+    scenarios."""
+    settings = {
+        "plant.baseline": str(CAMPAIGNS / "plants" / "b73_v01.toml"),
+        "replicates": 2,
+        "site": [
+            {
+                "name": name,
+                "latitude": latitude,
+                "longitude": -93.6,
+                "utc_offset": -5,
+            }
+            for name, (latitude, _) in SITES.items()
+        ],
+        "objective.over": list(over),
+    }
+    campaign = ideotype.Stand.from_campaign(
+        CAMPAIGNS / "ames_quick.toml", settings=settings
+    ).campaign
+    tables = tomllib.loads(campaign)
+    tables["plant"]["baseline"]["blade"]["folding_angle"] = folding_angle
+    return ideotype.Stand(tables).campaign

@@ -39,23 +39,32 @@ void check_verb_name(const CLI::App& app, const std::string& word) {
 void require_shared_work(const CLI::App& verb, const Launch& launch) {
     const std::string name = verb.get_name();
     if (launch.size == 1 || name == "run" || name == "sensitivity" ||
-        (name == "evaluate" && verb.count("--under") > 0))
+        name == "serve" || (name == "evaluate" && verb.count("--under") > 0))
         return;
     throw Error(
         fmt::format("{}: {} copies of this were started, which would all do "
                     "the same work; start it without mpirun or srun (run, "
-                    "sensitivity and evaluate --under share their work "
+                    "sensitivity, serve and evaluate --under share their work "
                     "between ranks)",
                     name, launch.size),
         ExitCode::usage);
+}
+
+ExitCode code_of(const std::exception& error) {
+    const auto* own = dynamic_cast<const Error*>(&error);
+    return own != nullptr ? own->exit_code() : ExitCode::runtime;
 }
 
 }  // namespace
 
 ExitCode report_error(const std::exception& error) {
     fmt::print(stderr, "ideotype: {}\n", error.what());
-    const auto* own = dynamic_cast<const Error*>(&error);
-    return own != nullptr ? own->exit_code() : ExitCode::runtime;
+    return code_of(error);
+}
+
+ExitCode report_error(const std::exception& error, const Log& log) {
+    log.write(LogLevel::error, error.what());
+    return code_of(error);
 }
 
 int run_command_line(int argc, char** argv) {

@@ -8,6 +8,7 @@
 #include "campaign_argument.hpp"
 #include "ideotype/cli/verbs.hpp"
 #include "ideotype/stand/mesh_study.hpp"
+#include "log_option.hpp"
 #include "mesh_command.hpp"
 #include "run_command.hpp"
 #include "sensitivity_command.hpp"
@@ -122,6 +123,13 @@ void declare_fidelity(CLI::App& verb, FidelityOptions& options) {
                     "also write everything to this file");
 }
 
+void declare_serve(CLI::App& verb, ServeOptions& options) {
+    add_campaign(verb, options.campaign_path, options.settings);
+    verb.add_option("--case", options.case_index, "case of the campaign")
+        ->capture_default_str();
+    add_log_level(verb, options.level);
+}
+
 void declare_export(CLI::App& verb, ExportOptions& options) {
     verb.add_option("file", options.path)->required();
     declare_row(verb, options.row);
@@ -193,6 +201,11 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
         "history, which is recomputed and compared bit for bit, or any mesh, "
         "or many plants under the cases of a campaign",
         declare_evaluate, evaluate_any);
+    add("serve",
+        "evaluate the genomes that arrive as lines of JSON on the standard "
+        "input, and answer each with a line of JSON, until the input ends; "
+        "alone, or on all ranks under mpirun or srun",
+        declare_serve, serve);
     add("fidelity",
         "measure what accuracy costs here: error and time of every setting "
         "that trades one for the other, and the cheapest that will do",

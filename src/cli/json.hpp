@@ -19,4 +19,7 @@ Json to_json(Estimate x);
 //! Indented text; bytes of names that are no UTF-8 are replaced.
 std::string to_text(const Json& json);
 
+//! The same without spaces and ends of lines.
+std::string to_line(const Json& json);
+
 }  // namespace ideotype

@@ -18,9 +18,6 @@ namespace {
 //! An evaluation is not late before it takes this many times the longest.
 constexpr double longest_factor = 20;
 
-//! How soon a stop request or a passed deadline is noticed [s].
-constexpr double attention = 0.25;
-
 std::string name_of(const Task& task) {
     return task.is_final ? fmt::format("finalist {}", task.slot)
                          : fmt::format("generation {} slot {}", task.generation,
@@ -291,8 +288,9 @@ void Dispatcher::give_up(int worker, Director& director) {
 }
 
 double Dispatcher::seconds_to_wait() const {
-    if (deadlines_.empty()) return attention;
-    return std::clamp(deadlines_.begin()->first - clock_.now(), 0.0, attention);
+    if (deadlines_.empty()) return rules_.attention;
+    return std::clamp(deadlines_.begin()->first - clock_.now(), 0.0,
+                      rules_.attention);
 }
 
 //! Takes an answer that nobody needs any more, or notices who is late.

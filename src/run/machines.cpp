@@ -57,6 +57,14 @@ Machine machine_of(const std::string& text) {
             json.at("isas").get<std::vector<std::string>>()};
 }
 
+std::vector<Machine> gather_machines(const Session& session,
+                                     const Machine& own) {
+    std::vector<Machine> machines;
+    for (const std::string& text : session.gather(to_text(own)))
+        machines.push_back(machine_of(text));
+    return machines;
+}
+
 void require_same_program(const std::vector<Machine>& machines) {
     const Machine& first = machines.front();
     for (const Machine& other : machines)

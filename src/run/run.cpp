@@ -82,14 +82,6 @@ Start prepare(const RunOptions& options, const Campaign& campaign,
     return {isa, campaign.resolved};
 }
 
-//! Those of all ranks, on rank 0.
-std::vector<Machine> machines_of(const Session& session, const Machine& own) {
-    std::vector<Machine> machines;
-    for (const std::string& text : session.gather(to_text(own)))
-        machines.push_back(machine_of(text));
-    return machines;
-}
-
 //! What a master works with.
 struct Crew {
     const Session& job;
@@ -148,7 +140,7 @@ ExitCode run(const RunOptions& options, const Session& session,
 ExitCode run_on(const Machine& own, const RunOptions& options,
                 const Session& session, StopFlag& stop) {
     if (options.wall_time) stop.request_after(*options.wall_time);
-    const std::vector<Machine> machines = machines_of(session, own);
+    const std::vector<Machine> machines = gather_machines(session, own);
     std::optional<Campaign> campaign;
     Start start;
     // Rank 0 alone looks at files. An empty text tells the others to leave.

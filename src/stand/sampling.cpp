@@ -15,8 +15,10 @@ Accuracy accuracy_of(const Task& task, const Campaign& campaign) {
     if (task.is_final) return campaign.final_rule.sampling;
     Accuracy accuracy = campaign.sampling;
     if (campaign.first_tolerance > 0 && campaign.stop.generations > 1) {
-        const double left = 1 - static_cast<double>(task.generation) /
-                                    (campaign.stop.generations - 1);
+        // Others than searches may ask for later generations.
+        const double left =
+            std::max(0.0, 1 - static_cast<double>(task.generation) /
+                                  (campaign.stop.generations - 1));
         accuracy.tolerance *=
             std::pow(campaign.first_tolerance / accuracy.tolerance, left);
     }

@@ -9,6 +9,7 @@
 #include "ideotype/campaign/campaign.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/parallel/session.hpp"
+#include "ideotype/run/log.hpp"
 #include "ideotype/stand/mesh_options.hpp"
 
 namespace ideotype {
@@ -80,6 +81,16 @@ struct CrossOptions {
     bool is_json = false;
 };
 ExitCode cross_evaluate(const CrossOptions& options);
+
+//! `serve CAMPAIGN`: evaluates the genomes that lines of the standard input ask
+//! for, and answers in lines.
+struct ServeOptions {
+    std::string campaign_path;
+    std::vector<std::string> settings;  //!< "table.key=value"
+    int case_index = 0;
+    LogLevel level = LogLevel::info;
+};
+ExitCode serve(const ServeOptions& options);
 
 //! `fidelity CAMPAIGN`: measures what accuracy costs.
 struct FidelityOptions {

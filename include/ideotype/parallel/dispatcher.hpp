@@ -47,6 +47,9 @@ struct AnswerRules {
     int attempts = 3;
     //! How many times longer a final evaluation takes than another.
     double final_effort = 1;
+    //! How soon a stop request, a passed deadline or new work of a source is
+    //! noticed while evaluations are in flight [s].
+    double attention = 0.25;
 
     double effort(const Task& task) const {
         return task.is_final ? final_effort : 1;

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "ideotype/parallel/session.hpp"
+
 namespace ideotype {
 
 //! Name of this machine, cut to 255 bytes.
@@ -32,6 +34,11 @@ Machine this_machine();
 //! One machine as a message between ranks, and back.
 std::string to_text(const Machine& machine);
 Machine machine_of(const std::string& text);
+
+//! Those of all ranks, on rank 0. Collective.
+//! @param own that of this rank
+std::vector<Machine> gather_machines(const Session& session,
+                                     const Machine& own);
 
 //! @throws Error (refused) naming what a rank computes with that the first
 //! does not, and both hosts.

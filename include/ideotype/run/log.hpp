@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace ideotype {
+
+//! What a line of a log is about; what comes first is more urgent.
+enum class LogLevel { error, warning, info, debug };
+
+//! Whether somebody looks at this standard stream (1 or 2) of the program on a
+//! terminal; if not, it is a log.
+bool is_watched(int file);
+
+//! Each line of a text with the time before it (UTC, ISO 8601).
+std::string with_time(const std::string& text);
+
+//! What a verb tells of its work on the standard error, in a log file with the
+//! time before each line.
+class Log {
+  public:
+    //! @param least the least urgent level that is told
+    explicit Log(LogLevel least);
+
+    bool tells(LogLevel level) const { return level <= least_; }
+
+    //! "ideotype: text", or "ideotype: warning: text"; may have several lines.
+    void write(LogLevel level, const std::string& text) const;
+
+  private:
+    LogLevel least_;
+    bool is_on_terminal_;
+};
+
+}  // namespace ideotype

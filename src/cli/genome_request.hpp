@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ideotype/campaign/campaign.hpp"
+#include "ideotype/stand/sampling.hpp"
+#include "json.hpp"
+
+namespace ideotype {
+
+//! The case that genomes are sent to, and what is told of each.
+struct ServedCase {
+    ServedCase(const Campaign& of, int index, const std::string& path);
+
+    const Campaign& campaign;
+    Case chosen;
+    GeneSpace genes;
+    Genome baseline;
+    //! Without the objectives by randomisation, whose number depends on the
+    //! tolerance of a request.
+    OutcomeSchema schema;
+};
+
+//! What a line asks for.
+struct GenomeRequest {
+    Json id;                 //!< that comes back with the answer; may be null
+    std::uint64_t line = 0;  //!< from 1
+    Genome genome;           //!< of all genes
+    SamplingRequest sampling{};
+    std::vector<std::string> quantities{};  //!< besides the objectives
+};
+
+//! The first line of the output: genes, objectives and quantities.
+Json hello(const ServedCase& served, int workers);
+
+//! @throws Error if the text is no JSON.
+Json parse_line(const std::string& text);
+
+//! The member `id` of an object; else null.
+Json id_of(const Json& json);
+
+//! @throws Error of what is wrong with it.
+GenomeRequest read_request(const Json& json, const ServedCase& served);
+
+//! The line about an outcome of a request.
+Json answer(const GenomeRequest& request, const Outcome& outcome,
+            const OutcomeSchema& schema);
+
+//! The line about a request that cannot be evaluated.
+Json refusal(const Json& id, std::uint64_t line, const std::string& message);
+
+}  // namespace ideotype

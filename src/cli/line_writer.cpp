@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "line_writer.hpp"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include "ideotype/core/error.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! The pipe that mpirun's own output is, if it started this process and that
+//! is one; else -1. Ranks write to mpirun, which crashes when its output is
+//! closed: a rank that has the pipe itself is told of it.
+int pipe_of_mpirun() {
+    if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) return -1;
+    const std::string process = fmt::format("/proc/{}", getppid());
+    std::string name;
+    std::getline(std::ifstream(process + "/comm"), name);
+    // On another node it is a daemon.
+    if (name != "mpirun" && name != "mpiexec" && name != "orterun" &&
+        name != "prterun")
+        return -1;
+    struct stat about {};
+    const std::string output = process + "/fd/1";
+    if (stat(output.c_str(), &about) != 0 || !S_ISFIFO(about.st_mode))
+        return -1;
+    return open(output.c_str(), O_WRONLY | O_CLOEXEC);
+}
+
+}  // namespace
+
+LineWriter::LineWriter() : file_(pipe_of_mpirun()) {
+    // Who goes away shall be told of, not kill.
+    std::signal(SIGPIPE, SIG_IGN);
+    if (file_ < 0) file_ = STDOUT_FILENO;
+}
+
+LineWriter::~LineWriter() {
+    if (file_ != STDOUT_FILENO) close(file_);
+}
+
+void LineWriter::write(const std::string& line) const {
+    const std::string bytes = line + "\n";
+    for (std::size_t done = 0; done < bytes.size();) {
+        const ssize_t count =
+            ::write(file_, bytes.data() + done, bytes.size() - done);
+        if (count < 0 && errno != EINTR)
+            throw Error(
+                errno == EPIPE
+                    ? "nobody reads the output any more (the pipe is closed)"
+                    : fmt::format("cannot write to the standard output: {}",
+                                  std::strerror(errno)));
+        if (count > 0) done += static_cast<std::size_t>(count);
+    }
+}
+
+}  // namespace ideotype

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <map>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "ideotype/cli/ranks.hpp"
+#include "ideotype/cli/verbs.hpp"
+#include "ideotype/core/routine.hpp"
+#include "ideotype/run/machines.hpp"
+#include "ideotype/run/progress.hpp"
+#include "ideotype/run/sky_table.hpp"
+#include "line_reader.hpp"
+#include "line_writer.hpp"
+#include "report_error.hpp"
+#include "request_evaluator.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! How soon a new line is noticed while evaluations are in flight [s]; looking
+//! more often would take time from them.
+constexpr double attention = 1e-3;
+
+//! Between looks at what else may have come while there is no work [s].
+constexpr double patience = 0.25;
+
+//! Answers requests until the input ends. No more of them are read than there
+//! are workers.
+class Service : public Director {
+  public:
+    Service(const ServedCase& served, const StopFlag& stop, const Log& log)
+        : served_(served), stop_(stop), log_(log) {}
+
+    //! @throws Error if nobody reads the answers.
+    ExitCode run(Dispatcher& dispatcher) {
+        dispatcher_ = &dispatcher;
+        const double began = now();
+        write(hello(served_, dispatcher.width()));
+        dispatcher.run(*this);
+        service_->result();
+        const double seconds = now() - began;
+        log_.write(LogLevel::info,
+                   fmt::format("{} genomes evaluated in {}, {:.1f} each "
+                               "second; {} lines failed",
+                               done_, format_duration(seconds),
+                               static_cast<double>(done_) / seconds, failed_));
+        if (!stop_.requested() || reader_.has_ended()) return ExitCode::ok;
+        log_.write(LogLevel::warning, "stopped before the end of the input");
+        return ExitCode::stopped;
+    }
+
+    bool start_next() override {
+        if (service_) return false;
+        service_.emplace(answer_all());
+        service_->start();
+        return true;
+    }
+
+    void on_silence(const Task& task, const std::string& what) override {
+        log_.write(LogLevel::warning,
+                   fmt::format("line {}: {}", task.slot, what));
+    }
+
+    void on_stop(int in_flight) override {
+        log_.write(LogLevel::info,
+                   fmt::format("stopping after the evaluations in flight ({})",
+                               in_flight));
+    }
+
+  private:
+    Routine<bool> answer_all() {
+        co_await dispatcher_->evaluate(
+            [this] { return next(); },
+            [this](const Work& work, const Outcome& outcome) {
+                record(work.task, outcome);
+            });
+        co_return true;
+    }
+
+    //! What can be evaluated now. With nothing in flight it waits for that;
+    //! else answers that arrive must not wait for input.
+    std::optional<Work> next() {
+        while (!stop_.requested() && !reader_.has_ended()) {
+            const bool is_idle = in_flight_.empty();
+            const auto line = reader_.next(is_idle ? patience : 0);
+            if (line)
+                if (auto request = read(*line)) {
+                    Work work = to_work(*request);
+                    in_flight_.emplace(work.task.slot, *std::move(request));
+                    return work;
+                }
+            if (!is_idle) return std::nullopt;
+        }
+        return std::nullopt;
+    }
+
+    //! None of an empty line and of one that is refused.
+    std::optional<GenomeRequest> read(const Line& line) {
+        if (line.text.find_first_not_of(" \t\r") == std::string::npos &&
+            !line.is_cut)
+            return std::nullopt;
+        Json id;
+        try {
+            if (line.is_cut)
+                throw Error(fmt::format("this line is longer than {} bytes",
+                                        LineReader::longest));
+            const Json json = parse_line(line.text);
+            id = id_of(json);
+            GenomeRequest request = read_request(json, served_);
+            request.line = line.number;
+            return request;
+        } catch (const Error& error) {
+            ++failed_;
+            write(refusal(id, line.number, error.what()));
+            return std::nullopt;
+        }
+    }
+
+    void record(const Task& task, const Outcome& outcome) {
+        const auto found = in_flight_.find(task.slot);
+        ++(outcome.status == Status::done ? done_ : failed_);
+        write(answer(found->second, outcome, served_.schema));
+        log_.write(LogLevel::debug,
+                   fmt::format("line {}: rank {}, {:.4f} s", found->second.line,
+                               outcome.worker, outcome.seconds));
+        in_flight_.erase(found);
+    }
+
+    void write(const Json& json) const { writer_.write(to_line(json)); }
+
+    const ServedCase& served_;
+    const StopFlag& stop_;
+    const Log& log_;
+    LineReader reader_{STDIN_FILENO};
+    LineWriter writer_;
+    std::map<std::uint32_t, GenomeRequest> in_flight_;  //!< by slot
+    long long done_ = 0, failed_ = 0;
+    Dispatcher* dispatcher_ = nullptr;  //!< while running
+    std::optional<Routine<bool>> service_;
+};
+
+//! What all ranks need.
+struct Shared {
+    std::string isa;
+    std::string resolved;
+};
+
+//! Rank 0 reads the campaign; if it cannot, the others get nothing.
+Shared share(const ServeOptions& options, const Session& session) {
+    const std::vector<Machine> machines =
+        gather_machines(session, this_machine());
+    Shared shared;
+    std::exception_ptr failure;
+    if (session.rank() == 0) try {
+            require_same_program(machines);
+            const Campaign campaign =
+                read_campaign(options.campaign_path, options.settings);
+            print_warnings(campaign);
+            // Looks whether there is this case.
+            const ServedCase served(campaign, options.case_index,
+                                    options.campaign_path);
+            shared = {choose_isa(machines, std::nullopt, ""),
+                      campaign.resolved};
+        } catch (...) {
+            failure = std::current_exception();
+        }
+    shared.isa = session.broadcast(shared.isa);
+    if (failure) std::rethrow_exception(failure);
+    if (shared.isa.empty()) return shared;
+    shared.resolved = session.broadcast(shared.resolved);
+    return shared;
+}
+
+//! Collective over all ranks.
+ExitCode serve_on(const Session& session, const ServeOptions& options,
+                  const StopFlag& stop, const Log& log) {
+    const auto [isa, resolved] = share(options, session);
+    if (isa.empty()) return ExitCode::ok;  // rank 0 tells why
+    const Campaign campaign = parse_campaign(resolved, options.campaign_path);
+    const ServedCase served(campaign, options.case_index,
+                            options.campaign_path);
+    RequestEvaluator evaluator(served, isa);
+    if (session.rank() != 0) {
+        serve(session, evaluator);
+        return ExitCode::ok;
+    }
+    const auto dispatcher = make_dispatcher(
+        session, evaluator, stop,
+        {campaign.answer_limits.deadline, campaign.answer_limits.attempts,
+         final_effort(campaign), attention});
+    Service service(served, stop, log);
+    ExitCode code = ExitCode::ok;
+    std::optional<Error> failure;
+    try {
+        code = service.run(*dispatcher);
+    } catch (const Error& error) {
+        failure = error;
+        code = error.exit_code();
+    }
+    // A worker that hangs would keep MPI from ending.
+    if (!dispatcher->dismiss()) {
+        if (failure) log.write(LogLevel::error, failure->what());
+        session.abort(static_cast<int>(code));
+    }
+    if (failure) throw Error(*failure);
+    return code;
+}
+
+ExitCode serve_alone(const ServeOptions& options, const StopFlag& stop,
+                     const Log& log) {
+    const Campaign campaign =
+        read_campaign(options.campaign_path, options.settings);
+    print_warnings(campaign);
+    const ServedCase served(campaign, options.case_index,
+                            options.campaign_path);
+    RequestEvaluator evaluator(served, Device::supported_isas().back());
+    const auto dispatcher = make_dispatcher(evaluator, stop);
+    return Service(served, stop, log).run(*dispatcher);
+}
+
+}  // namespace
+
+ExitCode serve(const ServeOptions& options) {
+    StopFlag stop;
+    const Log log(options.level);
+    std::optional<Session> session;
+    if (launch_of_this_process().size > 1) session.emplace();
+    try {
+        return session ? serve_on(*session, options, stop, log)
+                       : serve_alone(options, stop, log);
+    } catch (const std::exception& error) {
+        const ExitCode code = report_error(error, log);
+        // Rank 0 has told the others to leave. It would wait for ever for one
+        // that fails by itself.
+        if (session && session->rank() != 0)
+            session->abort(static_cast<int>(code));
+        return code;
+    }
+}
+
+}  // namespace ideotype

@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# How many genomes `serve` evaluates in a second, through a pipe, beside the
+# evaluations of `run`: serve_rate.sh IDEOTYPE CAMPAIGN [GENOMES [RANKS]]. Both
+# have the same number of evaluations, with a single generation of random plants.
+set -euo pipefail
+ideotype=$(realpath "$1")
+campaign=$2
+genomes=${3:-1000}
+ranks=${4:-3}
+folder=$(mktemp -d)
+trap 'rm -r "$folder"' EXIT
+start=(mpirun -n "$ranks" "$ideotype")
+[ "$ranks" -gt 1 ] || start=("$ideotype")
+settings=(--set "search.population=$genomes" --set stop.generations=1
+    --set search.optimizer=random --set final.candidates=1)
+"${start[@]}" run "$campaign" --out "$folder" "${settings[@]}" >"$folder/run.log"
+history=$(find "$folder" -name "*.h5" | head -n 1)
+"$ideotype" export "$history" --generations --to "$folder/plants.csv"
+# The columns of genes, as requests.
+"$ideotype" serve "$campaign" </dev/null 2>/dev/null |
+    grep -o '"name":"[^"]*","trait":"[^"]*","leaf":[0-9]*,"unit":"[^"]*"' |
+    sed -E 's/"name":"([^"]*)".*"unit":"([^"]*)"/\1_\2/' >"$folder/genes"
+awk -F , 'NR == FNR { wanted[++count] = $1; next }
+    !seen { for (i = 1; i <= NF; ++i) at[$i] = i; seen = 1; next }
+    { line = ""
+      for (i = 1; i <= count; ++i) line = line (i > 1 ? "," : "") $at[wanted[i]]
+      print "{\"id\":" FNR - 2 ",\"genome\":[" line "]}" }' \
+    "$folder/genes" "$folder/plants.csv" >"$folder/requests"
+cat "$folder/requests" | "${start[@]}" serve "$campaign" >"$folder/answers" \
+    2>"$folder/serve.log"
+done=$(grep -c '"status":"done"' "$folder/answers" || true)
+[ "$done" = "$genomes" ] || { tail -n 2 "$folder/answers" >&2; exit 1; }
+grep -o "generation 0, .* evaluations/s" "$folder/run.log" | sed 's/^/run:   /'
+grep -o "[0-9]* genomes .*second" "$folder/serve.log" | sed 's/^/serve: /'

@@ -6,12 +6,14 @@ cd "$(dirname "$0")"
 . .ci/install
 
 install_packages libgtest-dev libgmock-dev libbenchmark-dev hdf5-tools \
-    slurmctld slurmd slurm-client munge procps chromium "libsimgrid-dev?"
+    slurmctld slurmd slurm-client munge procps chromium doxygen \
+    "libsimgrid-dev?"
 cmake --preset dev >build-dev.log 2>&1 || { cat build-dev.log; exit 1; }
 cmake --build --preset dev
 rm -f build-dev.log
-install_python test
+install_python test,docs
 
+docs/build
 ctest --preset dev --timeout 600 --parallel "$(nproc)" "$@"
 IDEOTYPE_EXECUTABLE=$PWD/build/dev/src/ideotype \
     .venv/bin/python -m pytest -q tests/analysis

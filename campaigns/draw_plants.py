@@ -92,10 +92,10 @@ def shape_of(program: Path, plant: Path) -> Mesh:
         )
 
 
-def draw(axes: Axes, mesh: Mesh, is_side: bool) -> None:
+def draw(axes: Axes, mesh: Mesh, is_side: bool, turn: float = TURN) -> None:
     x, y, z = mesh.vertices.T
     if is_side:
-        c, s = np.cos(TURN), np.sin(TURN)
+        c, s = np.cos(turn), np.sin(turn)
         x, y, z = c * x + s * y, z, s * x - c * y
     corners = [np.array([x, y, z]).T[list(face)] for face in mesh.faces]
     normals = np.array([np.cross(c[1] - c[0], c[2] - c[0]) for c in corners])

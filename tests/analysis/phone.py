@@ -40,6 +40,10 @@ class Phone:
         )  # fmt: skip
         self.ask("Emulation.setTouchEmulationEnabled", enabled=True)
         self.ask("Page.enable")
+        self.show(page)
+
+    def show(self, page: Path) -> None:
+        """Another page in its place; returns when it is loaded."""
         self.ask("Page.navigate", url=page.as_uri())
         while self._message().get("method") != "Page.loadEventFired":
             pass

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The manual: pages in Markdown, which include the texts that stand beside what
+they describe, and the references of Python and C++ from the sources."""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+DOCS = Path(__file__).resolve().parent
+TOP = DOCS.parent
+
+project = "ideotype"
+author = "the authors of ideotype"
+copyright = author + ", Apache License 2.0"
+_version = re.search(
+    r"set\(IDEOTYPE_VERSION ([0-9.]+)\)", (TOP / "CMakeLists.txt").read_text()
+)
+assert _version
+version = release = _version[1]
+
+extensions = [
+    "myst_parser",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.napoleon",
+    "breathe",
+    "sphinx_copybutton",
+    "native_math",
+]
+exclude_patterns = ["_static"]
+nitpicky = True
+# Types of other libraries, whose manuals a build without a network lacks.
+nitpick_ignore_regex = [(r"py:.*", r"(?!ideotype).*"), (r"cpp:.*", r".*")]
+
+myst_enable_extensions = [
+    "colon_fence",
+    "deflist",
+    "dollarmath",
+    "substitution",
+]
+myst_substitutions = {"release": release}
+myst_heading_anchors = 4
+# Texts that are included begin below their own title, and every header opens
+# the one namespace again.
+suppress_warnings = ["myst.header", "duplicate_declaration.cpp"]
+
+autodoc_member_order = "bysource"
+autodoc_typehints = "description"
+autodoc_default_options = {"members": True}
+
+breathe_projects = {"ideotype": os.environ["IDEOTYPE_DOXYGEN"]}
+breathe_default_project = "ideotype"
+breathe_show_include = False
+
+html_theme = "furo"
+html_title = f"ideotype {release}"
+html_static_path = ["_static"]
+html_css_files = ["manual.css"]
+html_show_sphinx = False
+copybutton_prompt_text = "$ "
+copybutton_only_copy_prompt_lines = True
+
+
+def pages_of_texts() -> dict[Path, str]:
+    """Each text that a page includes as a whole, and that page."""
+    pages = {}
+    for page in DOCS.glob("*.md"):
+        for found in re.finditer(
+            r"(?ms)^```\{include\} (\S+)$(.*?)^```$", page.read_text()
+        ):
+            if "end-before" not in found[2]:
+                pages[(DOCS / found[1]).resolve()] = page.name
+    return pages
+
+
+PAGES = pages_of_texts()
+
+
+def rebase_links(text: str, folder: Path) -> str:
+    """Links relative to a folder become such to pages of the manual or to
+    files of the repository, relative to the manual. A link to a folder, which
+    a page has nothing to show of, becomes its text."""
+
+    def rebase(link: re.Match[str]) -> str:
+        is_image, shown, target, anchor = link.groups()
+        path = (folder / target).resolve()
+        if path.is_dir():
+            return shown
+        name = PAGES.get(path) or os.path.relpath(path, DOCS)
+        if not is_image and path not in PAGES and path.parent != DOCS:
+            name = "path:" + name  # to download
+        return f"{is_image}[{shown}]({name}{anchor or ''})"
+
+    return re.sub(
+        r"(!?)\[([^\]]*)\]\((?![a-z]+:|#)([^)#\s]+)(#[^)\s]*)?\)", rebase, text
+    )
+
+
+def list_arguments(lines: list[str]) -> list[str]:
+    """Paragraphs of `name: meaning` become a list, `code` is such."""
+    result: list[str] = []
+    for line in lines:
+        line = re.sub(r"(?<![`:])`([^`]+)`(?!`)", r"``\1``", line)
+        found = re.match(r"([a-z_]+(?:, [a-z_]+)*): (.*)", line)
+        if found and (not result or not result[-1] or result[-1][0] in "* "):
+            result.append(f"* **{found[1]}**: {found[2]}")
+        elif line.startswith("    "):
+            result.append("  " + line.strip())
+        else:
+            result.append(line)
+    return result
+
+
+def setup(app: object) -> None:
+    def of_page(_app: object, _name: str, content: list[str]) -> None:
+        content[0] = rebase_links(content[0], DOCS)
+
+    def of_include(
+        _app: object, path: Path, _page: str, content: list[str]
+    ) -> None:
+        content[0] = rebase_links(content[0], (DOCS / path).parent)
+
+    def of_docstring(
+        _app: object, _what: str, _name: str, _of: object, _options: object,
+        lines: list[str],
+    ) -> None:  # fmt: skip
+        lines[:] = list_arguments(lines)
+
+    app.connect("autodoc-process-docstring", of_docstring)  # type: ignore[attr-defined]
+    app.connect("source-read", of_page)  # type: ignore[attr-defined]
+    app.connect("include-read", of_include)  # type: ignore[attr-defined]

@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The manual: every command block of it runs, and no page is wider than a
+phone. A block of bash or python is a program of its own; pages begin in a
+clone of the project. A block of console is commands after `$ ` and what they
+print: each line of it has to be among what is printed, apart from numbers. A
+block with a file's name as its caption is that file."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+from phone import phone_with
+
+TOP = Path(__file__).parents[2]
+DOCS = TOP / "docs"
+PAGES = sorted(DOCS.glob("*.md"))
+
+REASONS = (
+    "changes the system",
+    "takes long",
+    "needs a cluster",
+    "needs another system",
+)
+"""Why a block may not be run: `<!-- not run: REASON -->` before it."""
+MOST_EXEMPT = 0.25
+"""Of all blocks."""
+
+_BLOCK = re.compile(
+    r"(?ms)^(?:<!-- not run: (?P<reason>[^>]*) -->\n)?"
+    r"^(?P<fence>```+)(?:\{code-block\} )?(?P<kind>bash|console|python|toml|csv)\n"
+    r"(?::caption: (?P<file>\S+)\n+)?(?P<text>.*?)^(?P=fence)$"
+)
+
+
+@dataclass(frozen=True)
+class Block:
+    kind: str
+    text: str
+    file: str
+    reason: str
+
+    @property
+    def is_run(self) -> bool:
+        return self.kind in ("bash", "console", "python")
+
+
+def blocks_of(page: Path) -> list[Block]:
+    return [
+        Block(
+            found["kind"], found["text"], found["file"] or "",
+            found["reason"] or "",
+        )
+        for found in _BLOCK.finditer(page.read_text())
+    ]  # fmt: skip
+
+
+def commands_of(console: str) -> list[tuple[str, list[str]]]:
+    """Commands, each with the lines that it prints."""
+    steps: list[tuple[str, list[str]]] = []
+    for line in console.splitlines():
+        if line.startswith("$ "):
+            steps.append((line[2:], []))
+        elif steps[-1][0].endswith("\\"):
+            steps[-1] = (f"{steps[-1][0]}\n{line}", [])
+        else:
+            steps[-1][1].append(line)
+    return steps
+
+
+def without_numbers(line: str) -> str:
+    return re.sub(
+        r"\s+", " ", re.sub(r"[-+]?[0-9][0-9.e]*", "#", line)
+    ).strip()
+
+
+@pytest.fixture
+def clone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """What of the project the pages use; the program is on PATH."""
+    program = os.environ.get("IDEOTYPE_EXECUTABLE")
+    assert program, "IDEOTYPE_EXECUTABLE names no program"
+    for folder in ("campaigns", "analysis", "docs", "slurm", "tests/data"):
+        shutil.copytree(
+            TOP / folder, tmp_path / folder,
+            ignore=shutil.ignore_patterns("*.png", "__pycache__"),
+        )  # fmt: skip
+    tools = tmp_path / ".tools"
+    tools.mkdir()
+    (tools / "ideotype").symlink_to(Path(program).resolve())
+    python = Path(sys.executable)
+    (tools / "python").symlink_to(python)
+    path = f"{tools}:{python.parent}:{os.environ['PATH']}"
+    monkeypatch.setenv("PATH", path)
+    return tmp_path
+
+
+def run(command: list[str], folder: Path, what: str) -> str:
+    done = subprocess.run(
+        command, cwd=folder, capture_output=True, text=True, timeout=300,
+        check=False,
+    )  # fmt: skip
+    said = done.stdout + done.stderr
+    assert done.returncode == 0, f"{what}\n{said[-3000:]}"
+    return said
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_every_block_of_a_page_runs(page: Path, clone: Path) -> None:
+    for block in blocks_of(page):
+        if block.file:
+            (clone / block.file).write_text(block.text)
+        elif block.reason or not block.is_run:
+            continue
+        elif block.kind == "bash":
+            run(
+                ["bash", "-euo", "pipefail", "-c", block.text],
+                clone,
+                block.text,
+            )
+        elif block.kind == "python":
+            run([sys.executable, "-c", block.text], clone, block.text)
+        else:
+            for command, shown in commands_of(block.text):
+                said = run(
+                    ["bash", "-euo", "pipefail", "-c", command], clone, command
+                )
+                printed = [without_numbers(line) for line in said.splitlines()]
+                for line in shown:
+                    assert line == "..." or without_numbers(line) in printed, (
+                        f"{command}\ndoes not print\n{line}\nbut\n{said}"
+                    )
+
+
+def test_few_blocks_are_exempt(capsys: pytest.CaptureFixture[str]) -> None:
+    blocks = [
+        block for page in PAGES for block in blocks_of(page) if block.is_run
+    ]
+    exempt = [block for block in blocks if block.reason]
+    for block in exempt:
+        assert block.reason in REASONS, block
+    with capsys.disabled():
+        print(
+            f"\nmanual: {len(blocks) - len(exempt)} blocks are run,"
+            f" {len(exempt)} exempt"
+        )
+    assert len(exempt) <= MOST_EXEMPT * len(blocks)
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_no_block_escapes(page: Path) -> None:
+    """Every block of code is of a kind that is known here or is no program."""
+    text = page.read_text()
+    fences = re.findall(r"(?m)^```+(?=[^`\s])(.*)$", text)
+    code = [
+        fence
+        for fence in fences
+        if not re.match(r"\{(?!code-block)|text$|json$", fence)
+    ]
+    assert len(code) == len(blocks_of(page)), code
+    outside = _BLOCK.sub("", text)
+    assert not re.search(r"(?m)^    ideotype ", outside), "an indented block"
+    assert text.count("<!-- not run") == sum(
+        bool(block.reason) for block in blocks_of(page)
+    )
+
+
+@pytest.fixture(scope="session")
+def manual() -> Path:
+    """Built anew where something changed; a warning is an error."""
+    done = subprocess.run(
+        [DOCS / "build", sys.executable],
+        capture_output=True, text=True, timeout=600, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout + done.stderr
+    return TOP / "build" / "manual"
+
+
+def test_pages_are_as_wide_as_the_screen(manual: Path, tmp_path: Path) -> None:
+    """On a phone and on a desk: what is wider, as a table, scrolls by itself."""
+    names = sorted(path.name for path in manual.glob("*.html"))
+    assert "index.html" in names
+    for width in (390, 1280):
+        folder = tmp_path / str(width)
+        folder.mkdir()
+        with phone_with(manual / "index.html", folder, width) as phone:
+            for name in names:
+                phone.show(manual / name)
+                wide = phone.value("document.documentElement.scrollWidth")
+                assert wide <= width, f"{name} is {wide} wide at {width}"
+
+
+def test_every_picture_is_small_and_has_its_script() -> None:
+    drawn = (DOCS / "draw.py").read_text()
+    for picture in (DOCS / "figures").glob("*"):
+        assert picture.stat().st_size <= 150_000, picture
+        assert f'"{picture.stem}"' in drawn, picture

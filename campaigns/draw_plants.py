@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Plants from the side and from above, at one scale.
 
-draw_plants.py [--ideotype PROGRAM] --to FILE.png [TITLE=]PLANT...
+draw_plants.py --to FILE.png [TITLE=]PLANT...
 
 Each PLANT is a plant or crop file, of which its baseline is drawn, or a history, of
 which the best plant is. From the side one looks 30 deg past the row.
@@ -11,85 +11,28 @@ which the best plant is. From the side one looks 30 deg past the row.
 from __future__ import annotations
 
 import argparse
-import subprocess
-import sys
-import tempfile
 from pathlib import Path
 
 import numpy as np
-from ideotype.analysis import HistoryError
-from ideotype.analysis.geometry import Mesh, export_plant, find_program
+from ideotype import Stand
+from ideotype._geometry import Mesh
 from ideotype.analysis.style import new_figure
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import to_rgb
+from shared import ANYWHERE, best, guard
 
 COLORS = {"leaf": "#4E9A3A", "sheath": "#A3B57E", "stalk": "#A98F62"}
 TURN = np.deg2rad(30)
 LIGHT = np.array([-0.3, 0.6, 0.74])
 """Right, up and towards the viewer; of length 1."""
 
-# One evaluation with as little light as there may be: only the shape counts.
-CAMPAIGN = """
-name = "plant"
 
-[[site]]
-name = "any"
-latitude = 42
-longitude = 0
-utc_offset = 0
-
-[[day]]
-date = 2025-08-07
-start = 12:00:00
-end = 13:00:00
-step_minutes = 60
-
-[[spacing]]
-row = 0.76
-plant = 0.15
-
-[field]
-rows = 1
-plants = 1
-
-[plant]
-baseline = '{plant}'
-
-[light]
-paths = 16
-randomisations = 2
-
-[search]
-population = 2
-elites = 0
-
-[stop]
-generations = 1
-
-[final]
-candidates = 1
-paths = 16
-randomisations = 2
-"""
-
-
-def shape_of(program: Path, plant: Path) -> Mesh:
+def shape_of(plant: Path) -> Mesh:
     if plant.suffix == ".h5":
-        return export_plant(program, plant, ["--best"])
-    with tempfile.TemporaryDirectory() as folder:
-        campaign = Path(folder) / "plant.toml"
-        campaign.write_text(CAMPAIGN.format(plant=plant.resolve()))
-        done = subprocess.run(
-            [program, "run", campaign, "--out", folder],
-            capture_output=True, text=True, check=False,
-        )  # fmt: skip
-        if done.returncode:
-            raise HistoryError(f"{plant}: {done.stderr.strip()}")
-        (history,) = Path(folder).glob("plant/*.h5")
-        return export_plant(
-            program, history, ["--generation", "0", "--slot", "0"]
-        )
+        return Stand.from_history(plant, same_isa=False).mesh(best(plant))
+    stand = Stand({**ANYWHERE, "plant": {"baseline": str(plant.resolve())}})
+    return stand.mesh(stand.baseline)
 
 
 def draw(axes: Axes, mesh: Mesh, is_side: bool, turn: float = TURN) -> None:
@@ -121,22 +64,13 @@ def draw(axes: Axes, mesh: Mesh, is_side: bool, turn: float = TURN) -> None:
 
 def main() -> None:
     parser = argparse.ArgumentParser(usage=(__doc__ or "").split("\n")[2])
-    parser.add_argument("--ideotype")
     parser.add_argument("--to", type=Path, required=True)
     parser.add_argument("plants", nargs="+")
     options = parser.parse_args()
-    try:
-        program = find_program(options.ideotype)
-        if program is None:
-            sys.exit(
-                "no ideotype on PATH (shapes come from it); name it with --ideotype"
-            )
-        shown = {}
-        for plant in options.plants:
-            title, _, path = plant.rpartition("=")
-            shown[title or Path(path).stem] = shape_of(program, Path(path))
-    except HistoryError as error:
-        sys.exit(str(error))
+    shown = {}
+    for plant in options.plants:
+        title, _, path = plant.rpartition("=")
+        shown[title or Path(path).stem] = shape_of(Path(path))
 
     every = np.vstack([mesh.vertices for mesh in shown.values()])
     reach = 1.05 * np.hypot(every[:, 0], every[:, 1]).max()
@@ -160,4 +94,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    guard(main)

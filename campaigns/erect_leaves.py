@@ -10,23 +10,28 @@ densities in rows of 0.762 m, in %, with standard errors of paired differences. 
 experiments beside it: Wang and others 1995 (doi:10.1007/BF02913002) tied leaves up at
 silking; Winter and Ohlrogge 1973 (Agronomy Journal 65, 395-397) raised upper leaves
 from about 45 deg to 10 or 15 deg from the vertical.
-IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
 """
 
 from __future__ import annotations
 
 import argparse
-import json
-import math
-import subprocess
-import sys
-import tempfile
 from pathlib import Path
-from statistics import fmean, stdev
 
-from what_pays import ideotype, leaves, with_values
+import numpy as np
+from ideotype import Stand
+from shared import (
+    HERE,
+    MAIZE,
+    Estimate,
+    Numbers,
+    gain,
+    guard,
+    leaves,
+    light,
+    stand_of,
+    with_trait,
+)  # fmt: skip
 
-HERE = Path(__file__).parent
 ROW = 0.762
 DENSITIES = (3.0, 5.0, 7.0, 9.0, 12.0, 16.0)
 UPPER = 5
@@ -59,55 +64,40 @@ VARIANTS: dict[str, tuple[Change, Change]] = {
 }
 
 
-def changed(text: str, own: list[dict[str, float]], change: Change) -> str:
+def changed(stand: Stand, change: Change) -> Numbers:
+    genome: Numbers = stand.baseline
+    own = leaves(stand, genome)
     for trait, values in change.items():
-        text = with_values(
-            text,
-            trait,
-            [
-                leaf[trait] if value is None else value
-                for leaf, value in zip(own, values, strict=True)
-            ],
-        )
-    return text
+        new = [
+            old if value is None else value
+            for old, value in zip(own[trait], values, strict=True)
+        ]
+        genome = with_trait(stand, genome, trait, new)
+    return genome
 
 
-def gains(under: Path, density: float) -> list[tuple[float, float]]:
-    """Of each variant, with its standard error [%]."""
-    baseline = HERE / "crops" / "maize.toml"
-    own, text = leaves(baseline), baseline.read_text()
-    with tempfile.TemporaryDirectory() as folder:
-        plants = []
-        for i, pair in enumerate(VARIANTS.values()):
-            for name, change in zip(("before", "after"), pair, strict=True):
-                plants.append(Path(folder) / f"{name}{i}.toml")
-                plants[-1].write_text(changed(text, own, change))
-        spacing = f"[{{row = {ROW}, plant = {1 / density / ROW:.6f}, row_direction = 90}}]"
-        found = json.loads(
-            ideotype(
-                "evaluate", *plants, "--under", under, "--json",
-                "--set", f"spacing={spacing}",
-                "--set", "objective.maximise=gross_assimilation",
-            )
-        )  # fmt: skip
-    values = [case[0] for case in found["by_randomisation"]]
-    return [
-        gain(before, after)
-        for before, after in zip(values[::2], values[1::2], strict=True)
+def gains(under: Path, density: float) -> list[Estimate]:
+    """Of each variant [%]."""
+    spacing = (
+        f"{{row = {ROW}, plant = {1 / density / ROW:.6f}, row_direction = 90}}"
+    )
+    stand = stand_of(
+        MAIZE,
+        under,
+        [f"spacing=[{spacing}]", "objective.maximise=gross_assimilation"],
+    )
+    genomes = [
+        changed(stand, change) for pair in VARIANTS.values() for change in pair
     ]
+    values = light(stand, np.array(genomes)).tolist()
+    return list(map(gain, values[::2], values[1::2]))
 
 
 def leaf_area() -> float:
     """Of the baseline [m2 per plant]."""
-    report = json.loads(ideotype("evaluate", HERE / "ames.toml", "--json"))
-    return float(report["lai"]) * ROW * 0.1524
-
-
-def gain(before: list[float], after: list[float]) -> tuple[float, float]:
-    differences = [b - a for a, b in zip(before, after, strict=True)]
-    scale = 100 / fmean(before)
-    error = stdev(differences) / math.sqrt(len(differences))
-    return scale * fmean(differences), scale * error
+    stand = stand_of(MAIZE, HERE / "ames.toml")
+    mesh = stand.mesh(stand.baseline)
+    return sum(mesh.area(x) for x in {*mesh.groups} if x.startswith("leaf"))
 
 
 def main() -> None:
@@ -133,7 +123,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except subprocess.CalledProcessError as error:
-        sys.exit(error.stderr.strip())
+    guard(main)

@@ -16,13 +16,10 @@ IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
 from __future__ import annotations
 
 import argparse
-import json
 import math
 import os
 import random
 import re
-import subprocess
-import sys
 import tomllib
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
@@ -31,25 +28,22 @@ from functools import partial
 from pathlib import Path
 from statistics import fmean, stdev
 
+import ideotype
 import numpy as np
-from ideotype.analysis.geometry import read_obj
-from numpy.typing import NDArray
 from scipy.interpolate import BSpline
-from what_pays import ideotype
+from shared import HERE, Numbers, best, breed, guard
 
-HERE = Path(__file__).parent
 ROWS, PLANTS, ROW, PLANT, TURN = 4, 4, 0.762, 0.1524, 10
 ALONG, HALF = 40, 2  # cells from base to tip, and from midrib to margin
 FINE = 8  # steps of the midrib's integral per cell
 KNOTS = [0, 0, 0, 0, 1 / 3, 2 / 3, 1, 1, 1, 1]  # of the program's blades
-Numbers = NDArray[np.float64]
 #: Points and faces that use them, of each group in one or two variants.
 Mesh = dict[str, list[tuple[Numbers, list[list[int]]]]]
 
 
 def power(exponent: float, s: float) -> float:
     """The part of the bend that is reached at relative length s, in crop files."""
-    return s**exponent
+    return float(s**exponent)
 
 
 def perez(half: float, s: float) -> float:
@@ -143,7 +137,7 @@ SHAPES = {
 def half_widths(controls: list[float], width: float) -> Numbers:
     """Of a blade at the rows of its mesh [m]."""
     profile = BSpline(KNOTS, controls, 3)(np.linspace(0, 1, ALONG + 1))
-    return width / 2 * profile / profile.max()
+    return np.asarray(width / 2 * profile / profile.max())
 
 
 def rolls(shape: Shape, halves: Numbers, draw: random.Random) -> Numbers:
@@ -158,12 +152,12 @@ def rolls(shape: Shape, halves: Numbers, draw: random.Random) -> Numbers:
     phase = count * np.cumsum(steps) / steps.sum()
     k = np.minimum(phase.astype(int), count - 1)
     smooth = (1 - np.cos(np.pi * (phase - k))) / 2
-    return np.radians(ends[k] + (ends[k + 1] - ends[k]) * smooth)
+    return np.asarray(np.radians(ends[k] + (ends[k + 1] - ends[k]) * smooth))
 
 
 def blade(
     shape: Shape,
-    leaf: dict,
+    leaf: dict[str, float],
     halves: Numbers,
     rise: float,
     base: Numbers,
@@ -185,7 +179,7 @@ def blade(
         """The midrib's direction, or one that is ahead of it by an angle [rad]."""
         bent = leaf["insertion_angle"] + bend * np.vectorize(shape.bend)(s)
         angle = (np.radians(bent) + ahead)[:, None]
-        return np.sin(angle) * out + np.cos(angle) * up
+        return np.asarray(np.sin(angle) * out + np.cos(angle) * up)
 
     middles = (np.arange(ALONG * FINE) + 0.5) / FINE / ALONG
     steps = along(middles) * length / FINE / ALONG
@@ -207,7 +201,7 @@ def blade(
         + aside[..., None] * x[:, None]
         + above[..., None] * n[:, None]
     )
-    return points.reshape(-1, 3)
+    return np.asarray(points).reshape(-1, 3)
 
 
 WIDE = 2 * HALF + 1
@@ -226,26 +220,26 @@ CELLS = [
 def area(points: Numbers) -> float:
     a, b, c, d = np.moveaxis(points[CELLS], 1, 0)
     both = np.cross(b - a, c - a), np.cross(c - a, d - a)
-    return sum(np.linalg.norm(each, axis=1).sum() for each in both) / 2
+    return float(sum(np.linalg.norm(x, axis=1).sum() for x in both) / 2)
 
 
 class Plant:
-    """A plant of a history, as the program and as this script draw it."""
+    """A plant of a stand, as the program and as this script draw it."""
 
-    def __init__(self, history: Path, folder: Path, *row: object) -> None:
-        stem = (
-            folder
-            / f"{history.stem}_{'_'.join(str(x).strip('-') for x in row)}"
-        )
-        for kind in (".toml", ".obj"):
-            path = stem.with_suffix(kind)
-            path.unlink(missing_ok=True)
-            ideotype("export", history, *row, "--to", path)
-        self.traits = tomllib.loads(stem.with_suffix(".toml").read_text())
-        read = read_obj(stem.with_suffix(".obj"))
-        self.mesh: Mesh = {name: [(read.vertices, [])] for name in read.groups}
-        for name, face in zip(read.groups, read.faces, strict=True):
-            self.mesh[name][0][1].append(list(face))
+    def __init__(self, stand: ideotype.Stand, genome: Numbers) -> None:
+        self.traits = tomllib.loads(stand.crop_file(genome))
+        own = stand.mesh(genome)
+        self.mesh: Mesh = {}
+        for name in dict.fromkeys(own.groups):
+            faces = [
+                face
+                for face, group in zip(own.faces, own.groups, strict=True)
+                if group == name
+            ]
+            used = sorted({i for face in faces for i in face})
+            at = {old: new for new, old in enumerate(used)}
+            renumbered = [[at[i] for i in face] for face in faces]
+            self.mesh[name] = [(own.vertices[used], renumbered)]
 
     def drawn(self, shape: Shape) -> Mesh:
         """With finer blades of another shape, which have the areas of before."""
@@ -269,56 +263,48 @@ class Plant:
         return mesh
 
 
-def write_field(mesh: Mesh, seed: int, path: Path) -> None:
+def field_of(mesh: Mesh, seed: int) -> ideotype.Canopy:
     """The field of ames.toml, rows from east to west: x is east, y north.
 
     A plant's y is along the row and its x to the south; each is turned at random.
     """
     draw, choose = random.Random(seed), random.Random(seed)
-    lines, count = [], 0
+    vertices: list[Numbers] = []
+    faces: list[list[int]] = []
+    groups: list[str] = []
+    count = 0
     for row in range(ROWS):
         for place in range(PLANTS):
             turn = math.radians(draw.uniform(-TURN, TURN))
             c, s = math.cos(turn), math.sin(turn)
             for name, variants in mesh.items():
-                points, faces = choose.choice(variants)
-                used = sorted({i for face in faces for i in face})
-                at = {old: count + k for k, old in enumerate(used, start=1)}
-                count += len(used)
-                for i in used:
-                    x, y, z = points[i]
-                    x, y = c * x - s * y, s * x + c * y
-                    lines.append(
-                        f"v {y + place * PLANT:.6f} {-x + row * ROW:.6f} {z:.6f}"
-                    )
-                lines.append(f"g {re.match('leaf|stalk|sheath', name)[0]}")
-                lines += [
-                    "f " + " ".join(str(at[i]) for i in face) for face in faces
+                points, own = choose.choice(variants)
+                x, y, z = points.T
+                x, y = c * x - s * y, s * x + c * y
+                placed = y + place * PLANT, -x + row * ROW, z
+                # to the micrometre, as in the meshes of RESULTS.md
+                vertices.append(np.round(np.column_stack(placed), 6))
+                # so that the diagonal is that of area()
+                faces += [
+                    [count + i for i in (*face[1:], face[0])] for face in own
                 ]
-    path.write_text("\n".join(lines) + "\n")
+                groups += [re.split("[0-9_]", name)[0]] * len(own)
+                count += len(points)
+    return ideotype.mesh(np.concatenate(vertices), faces, groups=groups)
 
 
 def leaf_light(mesh: Mesh, options: argparse.Namespace) -> list[float]:
     """What leaves absorb of a clear day's light, field by field [%]."""
 
-    def share(field: int) -> float:
-        path = options.folder / f"field{field}.obj"
-        write_field(mesh, field, path)
-        found = json.loads(
-            ideotype(
-                *("evaluate", "--mesh", path, "--json", "--seed", field),
-                *(
-                    "--period",
-                    PLANTS * PLANT,
-                    ROWS * ROW,
-                    "--paths",
-                    options.paths,
-                ),
-                *("--site", 42, -93.6, -5, "--date", "2025-08-07"),
-            )
+    def share(seed: int) -> float:
+        found = field_of(mesh, seed).evaluate(
+            period=(PLANTS * PLANT, ROWS * ROW),
+            site=(42, -93.6, -5),
+            day="2025-08-07",
+            paths=options.paths,
+            seed=seed,
         )
-        path.unlink()
-        return 100 * found["leaf"]["mean"]
+        return float(100 * found.leaves / found.incident)
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         return list(pool.map(share, range(1, options.fields + 1)))
@@ -346,16 +332,6 @@ def mean_of(lists: list[list[float]]) -> list[float]:
     return list(map(fmean, zip(*lists, strict=True)))
 
 
-def bred_histories(folder: Path, seeds: int) -> list[Path]:
-    text = (HERE / "ames_quick.toml").read_text()
-    text = text.replace("replicates = 1", f"replicates = {seeds}", 1)
-    text = text.replace('"crops/', f'"{HERE.resolve()}/crops/')
-    campaign = folder / "ames_quick.toml"
-    campaign.write_text(text)
-    ideotype("run", campaign, "--resume", "--ranks", "auto", "--out", folder)
-    return sorted((folder / "ames_quick").glob("*.h5"))
-
-
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--seeds", type=int, default=3, metavar="N")
@@ -373,13 +349,15 @@ def main() -> None:
     if options.fields < 2:
         parser.error("--fields must be 2 or more (errors are from fields)")
     options.folder.mkdir(parents=True, exist_ok=True)
-    histories = bred_histories(options.folder, options.seeds)
-    plants = [
-        Plant(histories[0], options.folder, "--generation", 0, "--slot", 0)
-    ]
-    plants += [
-        Plant(history, options.folder, "--best") for history in histories
-    ]
+    histories = breed(
+        HERE / "ames_quick.toml",
+        "ames_quick",
+        [f"replicates={options.seeds}"],
+        options.folder,
+    )
+    stand = ideotype.Stand.from_history(histories[0], same_isa=False)
+    genomes = [stand.baseline, *map(best, histories)]
+    plants = [Plant(stand, genome) for genome in genomes]
 
     before: list[list[float]] = []
     print(
@@ -421,7 +399,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except subprocess.CalledProcessError as error:
-        sys.exit(error.stderr.strip())
+    guard(main)

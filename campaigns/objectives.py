@@ -17,19 +17,26 @@ IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
 from __future__ import annotations
 
 import argparse
-import json
-import math
-import subprocess
 import sys
-import tempfile
 from dataclasses import dataclass
 from pathlib import Path
-from statistics import fmean, stdev
+from statistics import fmean
 
+import pandas as pd
 from ideotype.analysis.style import new_figure
-from what_pays import ideotype, leaves
+from shared import (
+    HERE,
+    MAIZE,
+    Estimate,
+    breed,
+    gain,
+    guard,
+    leaves,
+    light_of_baselines,
+    mean_over_seeds,
+    stand_of,
+)  # fmt: skip
 
-HERE = Path(__file__).parent
 DAY, SEASON = HERE / "ames.toml", HERE / "bondville.toml"
 CARBON = "objective.maximise=carbon_balance"
 PLANT_AREA = 0.3991
@@ -88,85 +95,37 @@ SPACINGS = (
 class Result:
     """Of one objective at one spacing; gains in % with their errors."""
 
-    over_baseline: tuple[float, float]
-    over_elite: tuple[float, float]
+    over_baseline: Estimate
+    over_elite: Estimate
     by_seed: list[float]
     lai: list[float]
     angles: list[list[float]]  # of each seed, the lowest leaf first [deg]
 
 
 def settings(name: str, spacing: Spacing) -> list[str]:
-    objective = OBJECTIVES[name]
-    keys = [
-        f"name={name}_{spacing.name}",
-        f"spacing={spacing.table()}",
-        *objective.settings,
-    ]
-    return [word for key in keys for word in ("--set", key)]
-
-
-def breed(
-    name: str, spacing: Spacing, out: Path, search: list[str]
-) -> list[Path]:
-    """The histories of all seeds."""
-    campaign = OBJECTIVES[name].campaign
-    print(
-        f"breeding for {name} at {spacing.name}", file=sys.stderr, flush=True
-    )
-    ideotype(
-        "run", campaign, *settings(name, spacing), *search,
-        "--ranks", "auto", "--out", out, "--resume",
-    )  # fmt: skip
-    return sorted((out / f"{name}_{spacing.name}").glob("*.h5"))
+    return [f"spacing={spacing.table()}", *OBJECTIVES[name].settings]
 
 
 def compare(name: str, spacing: Spacing, histories: list[Path]) -> Result:
-    with tempfile.TemporaryDirectory() as folder:
-        plants = [
-            HERE / "crops" / "maize.toml",
-            HERE / "plants" / "elite.toml",
-        ]
-        for i, history in enumerate(histories):
-            plants.append(Path(folder) / f"best{i}.toml")
-            ideotype("export", history, "--best", "--to", plants[-1])
-        found = json.loads(
-            ideotype(
-                "evaluate", *plants, "--json",
-                "--under", OBJECTIVES[name].campaign, *settings(name, spacing),
-            )
-        )  # fmt: skip
-        bred = [leaves(path) for path in plants[2:]]
-    values = [case[0] for case in found["by_randomisation"]]
-    baseline, elite, *best = values
-    per_area = (
-        PLANT_AREA / size(leaves(plants[0])) / spacing.row / spacing.plant
-    )
+    stands = [
+        stand_of(path, OBJECTIVES[name].campaign, settings(name, spacing))
+        for path in (MAIZE, HERE / "plants" / "elite.toml", *histories)
+    ]
+    baseline, elite, *best = light_of_baselines(stands).tolist()
+    unbred, _, *bred = [leaves(stand, stand.baseline) for stand in stands]
+    per_area = PLANT_AREA / size(unbred) / spacing.row / spacing.plant
     return Result(
-        over_baseline=gain(baseline, best),
-        over_elite=gain(elite, best),
+        over_baseline=mean_over_seeds([gain(baseline, x) for x in best]),
+        over_elite=mean_over_seeds([gain(elite, x) for x in best]),
         by_seed=[100 * (fmean(x) / fmean(baseline) - 1) for x in best],
         lai=[per_area * size(plant) for plant in bred],
-        angles=[[x["insertion_angle"] for x in plant] for plant in bred],
+        angles=[list(plant["insertion_angle"]) for plant in bred],
     )
 
 
-def size(plant: list[dict[str, float]]) -> float:
+def size(plant: pd.DataFrame) -> float:
     """Proportional to the leaf area, since all blades have the same outline."""
-    return sum(leaf["length"] * leaf["width"] for leaf in plant)
-
-
-def gain(of: list[float], best: list[list[float]]) -> tuple[float, float]:
-    """Mean over seeds and its standard error [%], relative to a plant."""
-    means, errors = [], []
-    for one in best:
-        differences = [b - a for a, b in zip(of, one, strict=True)]
-        means.append(100 * fmean(differences) / fmean(of))
-        error = stdev(differences) / math.sqrt(len(differences))
-        errors.append(100 * error / fmean(of))
-    error = math.hypot(*errors) / len(errors)
-    if len(means) > 1:
-        error = max(error, stdev(means) / math.sqrt(len(means)))
-    return fmean(means), error
+    return float((plant["length"] * plant["width"]).sum())
 
 
 def print_table(results: dict[tuple[str, str], Result]) -> None:
@@ -188,7 +147,8 @@ def print_table(results: dict[tuple[str, str], Result]) -> None:
 
 
 def draw(results: dict[tuple[str, str], Result], path: Path) -> None:
-    own = [x["insertion_angle"] for x in leaves(HERE / "crops" / "maize.toml")]
+    maize = stand_of(MAIZE, DAY)
+    own = list(leaves(maize, maize.baseline)["insertion_angle"])
     ranks = range(1, len(own) + 1)
     figure = new_figure(10, 3.2 * len(SPACINGS))
     axes = figure.subplots(
@@ -221,14 +181,24 @@ def main() -> None:
     parser.add_argument("--seeds", type=int, default=3)
     options = parser.parse_args()
     search = [
-        "--set", "search.optimizer=cma_es",
-        "--set", f"stop.generations={options.generations}",
-        "--set", f"replicates={options.seeds}",
-    ]  # fmt: skip
+        "search.optimizer=cma_es",
+        f"stop.generations={options.generations}",
+        f"replicates={options.seeds}",
+    ]
     results = {}
     for spacing in SPACINGS:
         for name in options.only or OBJECTIVES:
-            histories = breed(name, spacing, options.folder, search)
+            print(
+                f"breeding for {name} at {spacing.name}",
+                file=sys.stderr,
+                flush=True,
+            )
+            histories = breed(
+                OBJECTIVES[name].campaign,
+                f"{name}_{spacing.name}",
+                [*settings(name, spacing), *search],
+                options.folder,
+            )
             results[name, spacing.name] = compare(name, spacing, histories)
     print_table(results)
     if options.figure:
@@ -236,7 +206,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except subprocess.CalledProcessError as error:
-        sys.exit(error.stderr.strip())
+    guard(main)

@@ -17,21 +17,17 @@ IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
 from __future__ import annotations
 
 import argparse
-import json
 import math
-import subprocess
 import sys
-import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import fmean, stdev
 
 import numpy as np
-from ideotype.analysis import open_history
+from ideotype import Stand, open_history
 from ideotype.analysis.style import new_figure, series
-from what_pays import ideotype
+from shared import HERE, Numbers, breed, gain, guard, light, stand_of
 
-HERE = Path(__file__).parent
 PLANT = HERE / "plants" / "b73_v01.toml"
 #: name: keys of [search], and the candidates of a generation
 SEARCHES: dict[str, tuple[tuple[str, ...], int]] = {
@@ -92,32 +88,28 @@ class Point:
         return stdev(self.gains) / math.sqrt(len(self.gains))
 
 
-def run(name: str, base: list[str], options: argparse.Namespace) -> list[Path]:
+def run(name: str, options: argparse.Namespace) -> list[Path]:
     keys, population = SEARCHES[name]
+    print(f"searching by {name}", file=sys.stderr, flush=True)
     every = [
-        f"name={name}",
+        f"plant.baseline={PLANT.resolve()}",
         f"search.population={population}",
         f"stop.generations={math.ceil(options.evaluations / population)}",
         f"replicates={options.seeds}",
         "final.candidates=2",
         *keys,
     ]
-    print(f"searching by {name}", file=sys.stderr, flush=True)
-    words = [word for key in every for word in ("--set", key)]
-    ideotype(
-        "run", *base, *words, "--ranks", "auto", "--out", options.folder, "--resume"
-    )  # fmt: skip
-    return sorted((options.folder / name).glob("*.h5"))
+    return breed(options.campaign, name, every, options.folder)
 
 
 def best_until(
     history: Path, checkpoints: list[int]
-) -> list[tuple[int, int, float]]:
-    """Of each checkpoint: generation, slot, seconds of all evaluations until
+) -> list[tuple[Numbers, float]]:
+    """Of each checkpoint: the plant, and the seconds of all evaluations until
     then. What learns is asked for the best of its last generation, others for
     the best of all."""
-    found: list[tuple[int, int, float]] = []
-    highest, place = -math.inf, (0, 0)
+    found: list[tuple[Numbers, float]] = []
+    highest, plant = -math.inf, np.empty(0)
     done, seconds = 0, 0.0
     with open_history(history) as opened:
         for generation in range(len(opened.generations())):
@@ -128,48 +120,32 @@ def best_until(
             value = rows.goals[0].sign * rows.objectives[best, 0]
             learns = rows.origin[-1] != RANDOM
             if learns or value > highest:
-                highest, place = value, (generation, int(rows.slot[best]))
+                highest, plant = value, rows.genome[best]
             while (
                 len(found) < len(checkpoints)
                 and done >= checkpoints[len(found)]
             ):
-                found.append((*place, seconds))
+                found.append((plant, seconds))
     return found
 
 
 def evaluate_again(
-    histories: list[Path], base: list[str], checkpoints: list[int]
+    histories: list[Path], stand: Stand, checkpoints: list[int]
 ) -> list[Point]:
     """The best plants of one search, all with the same random numbers."""
     chosen = [best_until(path, checkpoints) for path in histories]
     count = min(map(len, chosen))
-    with tempfile.TemporaryDirectory() as folder:
-        plants = [PLANT]
-        for i, (history, points) in enumerate(
-            zip(histories, chosen, strict=True)
-        ):
-            for k, (generation, slot, _) in enumerate(points[:count]):
-                plants.append(Path(folder) / f"{i}_{k}.toml")
-                ideotype(
-                    "export", history, "--generation", generation, "--slot", slot,
-                    "--to", plants[-1],
-                )  # fmt: skip
-        found = json.loads(
-            ideotype("evaluate", *plants, "--json", "--under", *base)
-        )
-    baseline, *best = [case[0] for case in found["by_randomisation"]]
+    plants = [plant for points in chosen for plant, _ in points[:count]]
+    baseline, *best = light(
+        stand, np.array([stand.baseline, *plants])
+    ).tolist()
     points = []
     for k, evaluations in enumerate(checkpoints[:count]):
-        gains, errors = [], []
-        for after in best[k::count]:
-            differences = [
-                100 * (b - a) / fmean(baseline)
-                for a, b in zip(baseline, after, strict=True)
-            ]
-            gains.append(fmean(differences))
-            errors.append(stdev(differences) / math.sqrt(len(differences)))
-        seconds = fmean(points_of[k][2] for points_of in chosen)
-        points.append(Point(evaluations, gains, errors, seconds))
+        gains, errors = zip(
+            *(gain(baseline, after) for after in best[k::count])
+        )
+        seconds = fmean(points_of[k][1] for points_of in chosen)
+        points.append(Point(evaluations, list(gains), list(errors), seconds))
     return points
 
 
@@ -227,14 +203,10 @@ def main() -> None:
     )
     parser.add_argument("--campaign", type=Path, default=HERE / "ames.toml")
     options = parser.parse_args()
-    base = [
-        str(options.campaign),
-        "--set",
-        f"plant.baseline={PLANT.resolve()}",
-    ]
+    stand = stand_of(PLANT, options.campaign)
     checkpoints = [x for x in CHECKPOINTS if x <= options.evaluations]
     found = {
-        name: evaluate_again(run(name, base, options), base, checkpoints)
+        name: evaluate_again(run(name, options), stand, checkpoints)
         for name in options.only or SEARCHES
     }
     print_table(found)
@@ -243,7 +215,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except subprocess.CalledProcessError as error:
-        sys.exit(error.stderr.strip())
+    guard(main)

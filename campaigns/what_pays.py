@@ -8,28 +8,30 @@ Prints the traits of the best plant of each history and how alike they are. Then
 undoes one feature at a time, looks at all variants under the light of CAMPAIGN,
 and prints what the canopy loses, in % of the light that its leaves absorb, with
 standard errors. Histories should be the seeds of one case.
-IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
 """
 
 from __future__ import annotations
 
 import argparse
-import json
 import math
-import os
-import re
-import subprocess
-import sys
-import tempfile
-import tomllib
 from collections.abc import Callable
-from pathlib import Path
 from itertools import combinations
+from pathlib import Path
 from statistics import correlation, fmean, stdev
 
-PROGRAM = os.environ.get("IDEOTYPE_EXECUTABLE", "ideotype")
+import numpy as np
+import pandas as pd
+from shared import (
+    MAIZE,
+    Estimate,
+    guard,
+    leaves,
+    mean_over_seeds,
+    stand_of,
+    with_trait,
+)  # fmt: skip
+
 Values = list[float]
-Leaf = dict[str, float]
 
 
 def mean_of(values: Values) -> Values:
@@ -57,48 +59,6 @@ VARIANTS: dict[str, tuple[str, Callable[[Values, Values], Values]]] = {
 }
 
 
-def ideotype(*words: object) -> str:
-    done = subprocess.run(
-        [PROGRAM, *map(str, words)], check=True, capture_output=True, text=True
-    )
-    return done.stdout
-
-
-def leaves(path: Path) -> list[Leaf]:
-    return tomllib.loads(path.read_text())["leaf"]
-
-
-def with_values(text: str, trait: str, values: Values) -> str:
-    """A crop file in which the leaves have these values."""
-    head, *tables = text.split("[[leaf]]")
-    # other organs, which follow the last leaf, have lengths too
-    parts = (
-        re.sub(
-            rf"^{trait} = .*$",
-            f"{trait} = {value}",
-            table,
-            count=1,
-            flags=re.M,
-        )
-        for table, value in zip(tables, values, strict=True)
-    )
-    return "[[leaf]]".join([head, *parts])
-
-
-def write_variants(
-    history: Path, baseline: list[Leaf], folder: Path
-) -> list[Path]:
-    """The best plant, and then each variant."""
-    best = folder / "best.toml"
-    ideotype("export", history, "--best", "--to", best)
-    own, paths = leaves(best), [best]
-    for i, (trait, change) in enumerate(VARIANTS.values()):
-        values = change([x[trait] for x in own], [x[trait] for x in baseline])
-        paths.append(folder / f"variant{i}.toml")
-        paths[-1].write_text(with_values(best.read_text(), trait, values))
-    return paths
-
-
 def alike(trait: str, a: Values, b: Values) -> float:
     """1: the same; 0: unrelated. Azimuths count as axes, without a direction."""
     if trait != "azimuth":
@@ -108,16 +68,17 @@ def alike(trait: str, a: Values, b: Values) -> float:
     )
 
 
-def print_traits(plants: list[list[Leaf]]) -> None:
+def print_traits(plants: list[pd.DataFrame]) -> None:
     """A row per leaf, the plants beside each other."""
     form = {"length": "{:.2f}", "width": "{:.3f}", "insertion_angle": "{:.0f}"}
     names = [*form, "azimuth"]
     print("| leaf | length m | width m | insertion_angle deg | azimuth deg |")
     print("|---|---|---|---|---|")
-    for rank, same in enumerate(zip(*plants, strict=True), start=1):
+    for rank in plants[0].index:
         cells = (
             ", ".join(
-                form.get(name, "{:.0f}").format(leaf[name]) for leaf in same
+                form.get(name, "{:.0f}").format(plant[name][rank])
+                for plant in plants
             )
             for name in names
         )
@@ -127,10 +88,7 @@ def print_traits(plants: list[list[Leaf]]) -> None:
         cells = (
             "{:+.2f}".format(
                 fmean(
-                    alike(
-                        name, *([leaf[name] for leaf in one] for one in pair)
-                    )
-                    for pair in pairs
+                    alike(name, list(a[name]), list(b[name])) for a, b in pairs
                 )
             )
             for name in names
@@ -139,17 +97,19 @@ def print_traits(plants: list[list[Leaf]]) -> None:
 
 
 def study(
-    history: Path, baseline: list[Leaf], under: Path
-) -> tuple[list[Leaf], list[tuple[float, float]]]:
+    history: Path, baseline: pd.DataFrame, under: Path
+) -> tuple[pd.DataFrame, list[Estimate]]:
     """The best plant, and what each variant loses, with its standard error [%]."""
-    with tempfile.TemporaryDirectory() as folder:
-        paths = write_variants(history, baseline, Path(folder))
-        best = leaves(paths[0])
-        found = json.loads(
-            ideotype("evaluate", *paths, "--under", under, "--json")
-        )
-    means = [row[0] for row in found["mean"]]
-    errors = [row[0] for row in found["standard_error"]]
+    stand = stand_of(history, under)
+    best = leaves(stand, stand.baseline)
+    genomes = [stand.baseline]
+    for trait, change in VARIANTS.values():
+        values = change(list(best[trait]), list(baseline[trait]))
+        genomes.append(with_trait(stand, stand.baseline, trait, values))
+    name = next(iter(stand.objectives))
+    found = stand.evaluate(np.array(genomes), [name], final=True)
+    means = found[name].values
+    errors = found[f"{name}_standard_error"].values
     return best, [
         (
             100 * (mean / means[0] - 1),
@@ -166,7 +126,8 @@ def main() -> None:
     )
     parser.add_argument("histories", nargs="+", type=Path, metavar="HISTORY")
     options = parser.parse_args()
-    baseline = leaves(Path(__file__).parent / "crops" / "maize.toml")
+    maize = stand_of(MAIZE, options.under)
+    baseline = leaves(maize, maize.baseline)
     plants, seeds = zip(
         *(study(path, baseline, options.under) for path in options.histories),
         strict=True,
@@ -174,12 +135,7 @@ def main() -> None:
     print_traits(list(plants))
     print("\n| instead of what evolved | light [%] | by seed |\n|---|---|---|")
     for name, each in zip(VARIANTS, zip(*seeds, strict=True), strict=True):
-        mean = fmean(x for x, _ in each)
-        error = math.hypot(*(e for _, e in each)) / len(each)
-        if len(each) > 1:
-            error = max(
-                error, stdev(x for x, _ in each) / math.sqrt(len(each))
-            )
+        mean, error = mean_over_seeds(each)
         by_seed = ", ".join(f"{x:+.2f} ± {e:.2f}" for x, e in each)
         print(
             f"| {name} | {mean:+.2f} ± {error:.2f} | {by_seed} |", flush=True
@@ -187,7 +143,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except subprocess.CalledProcessError as error:
-        sys.exit(error.stderr.strip())
+    guard(main)

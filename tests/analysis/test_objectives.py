@@ -3,12 +3,14 @@
 
 from __future__ import annotations
 
+import importlib
 import os
 import re
 import subprocess
 import sys
 from pathlib import Path
 
+import pytest
 from real_program import CAMPAIGNS, executable
 
 
@@ -80,3 +82,29 @@ def test_searches_are_compared_by_their_gains(tmp_path: Path) -> None:
     assert gains[3] > gains[2]
     assert gains[3] > gains[1] > 5
     assert figure.stat().st_size > 10000
+
+
+def test_the_blades_of_the_script_take_the_light_of_the_program(
+    tmp_path: Path,
+) -> None:
+    words = [tmp_path, "--seeds", 1, "--fields", 2, "--paths", 8192]
+    table = run("leaf_shapes.py", *words, "--only", "mesh")
+    row = re.search(r"(?m)^\| as in crop files \|  \| (\S+) \| (\S+) ", table)
+    own = re.search(r"(?m)^\| the program's mesh \|  \| (\S+) ±", table)
+    assert row is not None and own is not None, table
+    assert 70 < float(row[1]) < float(row[2]) < 100
+    assert abs(float(own[1])) < 1
+
+
+def test_parts_of_the_light_are_told_by_organ(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.syspath_prepend(CAMPAIGNS)
+    organs = importlib.import_module("organs")
+    first, *_, last = organs.PLANTS
+    for plant, shown in ((first, [1, 0, 0, 0]), (last, [1, 1, 1, 1])):
+        leaves, *others, soil, reflected = map(float, organs.parts(plant))
+        assert leaves + sum(others) + soil + reflected == pytest.approx(
+            100, abs=0.05
+        )
+        assert [int(part > 0) for part in others] == shown

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the scripts of this folder share: breeding by the program, plants in the
+light of a campaign, and gains with their standard errors."""
+
+from __future__ import annotations
+
+import math
+import os
+import subprocess
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from datetime import date, time
+from pathlib import Path
+from statistics import fmean, stdev
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import ideotype
+import numpy as np
+import pandas as pd
+from ideotype import Stand
+from numpy.typing import NDArray
+
+HERE = Path(__file__).parent
+MAIZE = HERE / "crops" / "maize.toml"
+Numbers = NDArray[np.float64]
+Settings = Sequence[str]
+"""As for --set: "search.optimizer=ga"."""
+Estimate = tuple[float, float]
+"""Mean and standard error."""
+
+ANYWHERE: Mapping[str, Any] = {
+    "name": "plant",
+    "site": [{"name": "any", "latitude": 42, "longitude": 0, "utc_offset": 0}],
+    "day": [
+        {
+            "date": date(2025, 8, 7),
+            "start": time(12),
+            "end": time(13),
+            "step_minutes": 60,
+        }
+    ],
+    "spacing": [{"row": 0.76, "plant": 0.15}],
+}
+"""A campaign for what does not depend on light; it lacks a plant."""
+
+
+def guard(main: Callable[[], None]) -> None:
+    """Ends a script with the message of what could not be done."""
+    try:
+        main()
+    except subprocess.CalledProcessError as error:
+        raise SystemExit(error.stderr.strip()) from None
+    except (ideotype.Error, OSError) as error:
+        raise SystemExit(str(error)) from None
+
+
+def breed(
+    campaign: Path, name: str, settings: Settings, out: Path
+) -> list[Path]:
+    """The histories of all seeds, in a folder of this name. Complete ones are
+    kept, interrupted ones go on.
+
+    The program is that of IDEOTYPE_EXECUTABLE, else `ideotype` on PATH."""
+    program = os.environ.get("IDEOTYPE_EXECUTABLE", "ideotype")
+    words = [program, "run", str(campaign), "--ranks", "auto", "--resume"]
+    words += ["--out", str(out)]
+    for key in (f"name={name}", *settings):
+        words += ["--set", key]
+    subprocess.run(
+        words,
+        check=True,
+        capture_output=True,
+        text=True,
+    )
+    return sorted((out / name).glob("*.h5"))
+
+
+def best(history: Path) -> Numbers:
+    """The genome of its best plant."""
+    with ideotype.open_history(history) as opened:
+        found = opened.best()
+    if found is None:
+        raise ideotype.Error(f"{history}: no plant is evaluated yet")
+    return np.asarray(found.row.genome[0], float)
+
+
+def stand_of(plant: Path, campaign: Path, settings: Settings = ()) -> Stand:
+    """The first case of a campaign, whose baseline is this plant: that of a
+    crop file, or the best of a history."""
+    with TemporaryDirectory() as folder:
+        if plant.suffix == ".h5":
+            bred = Stand.from_history(plant, same_isa=False)
+            crop = Path(folder) / f"{plant.stem}.toml"
+            crop.write_text(bred.crop_file(best(plant)))
+        else:
+            crop = plant.resolve()
+        return Stand.from_campaign(
+            campaign, settings=[*settings, f"plant.baseline={crop}"]
+        )
+
+
+def light(stand: Stand, genomes: Numbers) -> Numbers:
+    """The objective [plants, randomisations] as finalists are evaluated: all
+    in the same fields and with the same random numbers."""
+    found = stand.evaluate(genomes, [], final=True)
+    for message in found.message.values:
+        if message:
+            raise ideotype.Error(f"{stand.name}: {message}")
+    return np.asarray(found.objective_by_randomisation[:, 0])
+
+
+def light_of_baselines(stands: Iterable[Stand]) -> Numbers:
+    """The same of the baseline of each stand."""
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        return np.concatenate(
+            list(pool.map(lambda stand: light(stand, stand.baseline), stands))
+        )
+
+
+def leaves(stand: Stand, genome: Numbers) -> pd.DataFrame:
+    """A row for each leaf, the lowest first; its traits in columns."""
+    genes = stand.genes.assign(value=genome).query("leaf > 0")
+    return genes.pivot(index="leaf", columns="trait", values="value")
+
+
+def with_trait(
+    stand: Stand, genome: Numbers, trait: str, values: Sequence[float]
+) -> Numbers:
+    """A plant whose leaves have these values of a trait."""
+    changed = genome.copy()
+    changed[(stand.genes.trait == trait).to_numpy()] = values
+    return changed
+
+
+def gain(before: Sequence[float], after: Sequence[float]) -> Estimate:
+    """[%], of randomisations that both plants share."""
+    differences = [b - a for a, b in zip(before, after, strict=True)]
+    scale = 100 / fmean(before)
+    error = stdev(differences) / math.sqrt(len(differences))
+    return scale * fmean(differences), scale * error
+
+
+def mean_over_seeds(values: Sequence[Estimate]) -> Estimate:
+    """The error is that of the evaluations, or of the seeds where that is
+    larger."""
+    means = [mean for mean, _ in values]
+    error = math.hypot(*(error for _, error in values)) / len(values)
+    if len(values) > 1:
+        error = max(error, stdev(means) / math.sqrt(len(means)))
+    return fmean(means), error

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <map>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,6 +16,7 @@
 #include "ideotype/run/progress.hpp"
 #include "ideotype/run/run.hpp"
 #include "ideotype/run/sky_table.hpp"
+#include "json.hpp"
 
 namespace ideotype {
 
@@ -54,6 +57,9 @@ EvaluationCost measure_cost(const Campaign& campaign, const Case& chosen) {
     return cost;
 }
 
+//! For which the cost is told.
+constexpr std::array<int, 4> shown_workers{1, 2, 16, 128};
+
 //! What a campaign costs if no stop rule ends it early.
 class Cost {
   public:
@@ -77,6 +83,20 @@ class Cost {
         return std::max(all, of_case(workers));
     }
 
+    Json json(std::size_t cases) const {
+        Json json{{"evaluation_s", seconds_.usual},
+                  {"final_evaluation_s", seconds_.final},
+                  {"evaluations_per_case",
+                   static_cast<long long>(generations_) * population_},
+                  {"final_evaluations_per_case", finalists_}};
+        for (const int workers : shown_workers)
+            json["by_workers"].push_back(
+                {{"workers", workers},
+                 {"one_case_s", of_case(workers)},
+                 {"all_cases_s", of_cases(cases, workers)}});
+        return json;
+    }
+
     std::string text() const {
         return fmt::format(
             "{} x {} evaluations of {:.1f} ms and the finalists: {} on one "
@@ -92,68 +112,159 @@ class Cost {
     int finalists_;
 };
 
+//! Of a case with several.
+std::vector<std::string> scenario_names(const Campaign& campaign,
+                                        const Case& chosen) {
+    if (chosen.scenarios.empty()) return {};
+    const AcrossScenarios across(campaign, chosen);
+    return std::get<std::vector<std::string>>(
+        across.measured().axis("scenario").coordinates);
+}
+
 //! Of several scenarios, a line.
 std::string scenario_text(const Campaign& campaign, const Case& chosen) {
-    if (chosen.scenarios.empty()) return "";
-    const AcrossScenarios across(campaign, chosen);
-    const Axis& axis = across.measured().axis("scenario");
+    const std::vector<std::string> names = scenario_names(campaign, chosen);
+    if (names.empty()) return "";
     return fmt::format(
         "scenarios each evaluation is of {} ({}); an objective is {}\n",
-        axis.size(),
-        fmt::join(std::get<std::vector<std::string>>(axis.coordinates), ", "),
+        names.size(), fmt::join(names, ", "),
         campaign.across == Across::mean ? "their mean"
                                         : "that of the worst one");
 }
 
-ExitCode list_left(const PlanOptions& options, const Campaign& campaign) {
+//! How many evaluations are done of each case that is not finished.
+std::map<int, std::uint64_t> cases_left(const PlanOptions& options,
+                                        const Campaign& campaign) {
+    std::map<int, std::uint64_t> left;
     for (const Case& each : cases(campaign)) {
         const std::string path = path_of(options.out, campaign, each);
-        std::uint64_t evaluated = 0;
-        if (history_exists(path)) {
-            const History history = History::read(path);
-            if (history.finished()) continue;
-            evaluated = history.evaluated();
-        }
-        fmt::print("{}\t{}\n", each.index, evaluated);
+        left[each.index] = 0;
+        if (!history_exists(path)) continue;
+        const History history = History::read(path);
+        if (history.finished())
+            left.erase(each.index);
+        else
+            left[each.index] = history.evaluated();
     }
+    return left;
+}
+
+Json to_json(const Case& chosen) {
+    return {
+        {"index", chosen.index}, {"name", chosen.name}, {"seed", chosen.seed}};
+}
+
+ExitCode list_left(const PlanOptions& options, const Campaign& campaign) {
+    const std::vector<Case> all = cases(campaign);
+    Json json{{"campaign", campaign.name}, {"cases", Json::array()}};
+    for (const auto& [index, evaluated] : cases_left(options, campaign)) {
+        Json one = to_json(all[static_cast<std::size_t>(index)]);
+        one["evaluations_done"] = evaluated;
+        json["cases"].push_back(one);
+        if (!options.is_json) fmt::print("{}\t{}\n", index, evaluated);
+    }
+    if (options.is_json) fmt::print("{}\n", to_text(json));
     return ExitCode::ok;
 }
 
-}  // namespace
+Json to_json(const std::vector<Problem>& problems) {
+    Json all = Json::array();
+    for (const auto& [where, what] : problems)
+        all.push_back({{"file", where.file},
+                       {"line", where.line},
+                       {"column", where.column},
+                       {"message", what}});
+    return all;
+}
 
-ExitCode check(const CheckOptions& options) {
-    const Campaign campaign =
-        read_campaign(options.campaign_path, options.settings);
-    print_warnings(campaign);
+//! What check looks at in the first case.
+struct Findings {
+    Mesh plant;
+    LightSeries light;
+    Field field;
+    Cost cost;
+    DiskRoom room;
+    double excess;  //!< of constraints, by the baseline
+    std::size_t genes, free_genes;
+
+    double lai() const { return leaf_area(field.mesh) / field.ground_area; }
+};
+
+Findings look_at(const Campaign& campaign) {
     const std::vector<Case> all = cases(campaign);
-    require_names_fit(campaign, all, options.out);
     const Case& first = all.front();
-    const Genome baseline = baseline_numbers(campaign.crop);
     const Scenario scenario = scenario_of(campaign, first);
     const Mesh plant =
         build_plant(campaign.crop.baseline, campaign.tessellation);
-    const LightSeries& light = scenario.light.series;
     const Field field =
         draw_field(plant, scenario.field, randomness_of({}, campaign, first));
-    const Cost cost(campaign, measure_cost(campaign, first));
-    int free_genes = 0;
-    for (const Gene& gene : gene_space(campaign, first))
-        free_genes += gene.is_free ? 1 : 0;
+    const GeneSpace genes = gene_space(campaign, first);
+    Findings found{plant,
+                   scenario.light.series,
+                   field,
+                   Cost(campaign, measure_cost(campaign, first)),
+                   disk_room(campaign, all),
+                   0,
+                   genes.size(),
+                   count_free(genes)};
+    found.excess = violation(campaign.constraints, campaign.crop.traits,
+                             campaign.crop.baseline, found.lai());
+    return found;
+}
 
+Json to_json(const CheckOptions& options, const Campaign& campaign,
+             const Findings& found) {
+    const std::vector<Case> all = cases(campaign);
+    return {{"file", options.campaign_path},
+            {"is_valid", true},
+            {"warnings", to_json(campaign.warnings)},
+            {"campaign", campaign.name},
+            {"cases", all.size()},
+            {"scenarios", scenario_names(campaign, all.front())},
+            {"plant",
+             {{"name", campaign.crop.baseline.name},
+              {"leaves", campaign.crop.baseline.leaves.size()},
+              {"leaf_area_m2", leaf_area(found.plant)},
+              {"faces", found.plant.faces.size()},
+              {"violation", found.excess}}},
+            {"field",
+             {{"rows", campaign.field.rows},
+              {"plants_per_row", campaign.field.plants},
+              {"period_x_m", found.field.period_x},
+              {"period_y_m", found.field.period_y},
+              {"lai", found.lai()},
+              {"faces", found.field.mesh.faces.size()}}},
+            {"light",
+             {{"steps", found.light.steps.size()},
+              {"days", found.light.days},
+              {"par_MJ_per_m2_per_day", found.light.incident() / 1e6},
+              {"diffuse_fraction",
+               found.light.diffuse() / found.light.incident()}}},
+            {"genes", found.genes},
+            {"free_genes", found.free_genes},
+            {"cost", found.cost.json(all.size())},
+            {"disk",
+             {{"largest_case_bytes", found.room.largest},
+              {"all_cases_bytes", found.room.all}}}};
+}
+
+void print(const CheckOptions& options, const Campaign& campaign,
+           const Findings& found) {
+    const std::vector<Case> all = cases(campaign);
+    const LightSeries& light = found.light;
     fmt::print("{}: no errors\n", options.campaign_path);
     fmt::print("campaign  {}, {} case{}\n", campaign.name, all.size(),
                all.size() == 1 ? "" : "s");
-    fmt::print("{}", scenario_text(campaign, first));
+    fmt::print("{}", scenario_text(campaign, all.front()));
     fmt::print("plant     {}, {} leaves, {:.4f} m2 of leaf, {} faces\n",
                campaign.crop.baseline.name,
-               campaign.crop.baseline.leaves.size(), leaf_area(plant),
-               plant.faces.size());
+               campaign.crop.baseline.leaves.size(), leaf_area(found.plant),
+               found.plant.faces.size());
     fmt::print(
         "field     {} x {} plants, period {:.4g} x {:.4g} m, LAI {:.2f}"
         ", {} faces\n",
-        campaign.field.rows, campaign.field.plants, field.period_x,
-        field.period_y, leaf_area(field.mesh) / field.ground_area,
-        field.mesh.faces.size());
+        campaign.field.rows, campaign.field.plants, found.field.period_x,
+        found.field.period_y, found.lai(), found.field.mesh.faces.size());
     fmt::print(
         "light     {} {}, {:.3f} MJ m-2 day-1 of PAR, {:.0f} % diffuse\n",
         light.steps.size(),
@@ -163,25 +274,42 @@ ExitCode check(const CheckOptions& options) {
                           std::min(campaign.sun_dates, light.days), light.days),
         light.incident() / 1e6, 100 * light.diffuse() / light.incident());
     fmt::print("{}", sky_table(campaign));
-    const double excess = violation(campaign.constraints, campaign.crop.traits,
-                                    campaign.crop.baseline,
-                                    leaf_area(field.mesh) / field.ground_area);
-    if (excess > 0)
+    if (found.excess > 0)
         fmt::print(
             "          the plant fails the [constraints] by {:.3g} of their "
             "limits: all that is bred must first leave that behind\n",
-            excess);
-    fmt::print("genes     {} of {} free\n", free_genes, baseline.size());
-    fmt::print("cost      {} per case\n", cost.text());
-    const DiskRoom room = disk_room(campaign, all);
+            found.excess);
+    fmt::print("genes     {} of {} free\n", found.free_genes, found.genes);
+    fmt::print("cost      {} per case\n", found.cost.text());
     const auto mebibytes = [](std::uint64_t bytes) {
         return static_cast<double>(bytes) / (1 << 20);
     };
     fmt::print(
         "disk      {:.2f} MiB per case, {:.2f} MiB for all of them, "
         "reserved when a case begins\n",
-        mebibytes(room.largest), mebibytes(room.all));
+        mebibytes(found.room.largest), mebibytes(found.room.all));
+}
+
+}  // namespace
+
+ExitCode check(const CheckOptions& options) try {
+    const Campaign campaign =
+        read_campaign(options.campaign_path, options.settings);
+    if (!options.is_json) print_warnings(campaign);
+    const std::vector<Case> all = cases(campaign);
+    require_names_fit(campaign, all, options.out);
+    const Findings found = look_at(campaign);
+    if (options.is_json)
+        fmt::print("{}\n", to_text(to_json(options, campaign, found)));
+    else
+        print(options, campaign, found);
     return ExitCode::ok;
+} catch (const InputError& error) {
+    if (options.is_json)
+        fmt::print("{}\n", to_text({{"file", options.campaign_path},
+                                    {"is_valid", false},
+                                    {"problems", to_json(error.problems())}}));
+    throw;
 }
 
 ExitCode plan(const PlanOptions& options) {
@@ -194,13 +322,21 @@ ExitCode plan(const PlanOptions& options) {
         return ExitCode::ok;
     }
     const Cost cost(campaign, measure_cost(campaign, all.front()));
+    if (options.is_json) {
+        Json json{{"campaign", campaign.name}, {"cases", Json::array()}};
+        for (const Case& each : all) json["cases"].push_back(to_json(each));
+        json["scenarios"] = scenario_names(campaign, all.front());
+        json["cost"] = cost.json(all.size());
+        fmt::print("{}\n", to_text(json));
+        return ExitCode::ok;
+    }
     fmt::print("{:>5}  {:<40}  {:>20}\n", "index", "case", "seed");
     for (const Case& c : all)
         fmt::print("{:>5}  {:<40}  {:>20}\n", c.index, c.name, c.seed);
     fmt::print("\n{}each case: {} (measured here on the first)\n",
                scenario_text(campaign, all.front()), cost.text());
     fmt::print("{:>7}  {:>12}  {:>12}\n", "workers", "one case", "all cases");
-    for (const int workers : {1, 2, 16, 128})
+    for (const int workers : shown_workers)
         fmt::print("{:>7}  {:>12}  {:>12}\n", workers,
                    format_duration(cost.of_case(workers)),
                    format_duration(cost.of_cases(all.size(), workers)));

@@ -34,6 +34,7 @@ void declare_check(CLI::App& verb, CheckOptions& options) {
     verb.add_option("--out", options.out,
                     "folder that the histories will be in")
         ->capture_default_str();
+    verb.add_flag("--json", options.is_json);
 }
 
 void declare_plan(CLI::App& verb, PlanOptions& options) {
@@ -47,6 +48,7 @@ void declare_plan(CLI::App& verb, PlanOptions& options) {
     verb.add_option("--out", options.out,
                     "folder in which --left looks for histories")
         ->capture_default_str();
+    verb.add_flag("--json", options.is_json)->excludes("--count");
 }
 
 void declare_status(CLI::App& verb, StatusOptions& options) {
@@ -54,6 +56,7 @@ void declare_status(CLI::App& verb, StatusOptions& options) {
     verb.add_flag("--resumable", options.only_resumable,
                   "print only the files of unfinished cases that nobody "
                   "works on");
+    verb.add_flag("--json", options.is_json)->excludes("--resumable");
 }
 
 //! The three kinds of `evaluate`.

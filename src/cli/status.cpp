@@ -12,6 +12,7 @@
 #include "ideotype/run/progress.hpp"
 #include "ideotype/run/summary.hpp"
 #include "ideotype/run/way_on.hpp"
+#include "json.hpp"
 
 namespace ideotype {
 
@@ -109,6 +110,8 @@ class Overview {
             fmt::print("  {}\n", command);
     }
 
+    const std::vector<std::string>& commands() const { return commands_; }
+
   private:
     bool contains(const std::string& command) const {
         return std::find(commands_.begin(), commands_.end(), command) !=
@@ -120,90 +123,159 @@ class Overview {
     std::vector<std::string> commands_;  //!< cases of one job share one
 };
 
-//! One line, and whether the file is whole.
+//! What is told of a case; not all of it is known of each.
 struct Report {
-    std::string line;
+    std::string path, case_name, state;
     ExitCode code = ExitCode::ok;
+    std::uint64_t missing_bytes = 0;
+    std::optional<std::string> reason;  //!< of the end
+    double complete = 0, generations = 0, evaluations = 0, failures = 0;
+    std::string objective, unit;
+    std::optional<Estimate> best, hypervolume;
+    bool is_evaluated_again = false;
+    double violation = 0;              //!< of the best
+    std::optional<double> rate, left;  //!< [evaluations/s], [s]
 };
 
-Report report_remains(const std::string& path, const History& history) {
-    const std::uint32_t count = history.next_generation();
-    std::string line = fmt::format(
-        "{}: truncated, {} bytes are missing at its end, {} of {} "
-        "complete generations can be read; copy it again",
-        path, history.missing_bytes(), count, history.summaries().size());
-    if (count > 0)
-        line += fmt::format(
-            ", or save these with: ideotype export {} --generations --to "
-            "NEW.csv",
-            path);
-    return {line, ExitCode::refused};
-}
-
 //! Of the final evaluation, or of the last generation.
-std::string best_of(const History& history) {
-    const std::string unit = history.header().schema.objectives.front().unit;
+void add_best(const History& history, Report& report) {
+    const Objective& objective = history.header().schema.objectives.front();
+    report.objective = objective.name;
+    report.unit = objective.unit;
     const std::vector<Row> finalists = history.finalists();
-    const std::size_t slot = best_finalist(
-        finalists, history.header().schema.objectives.front().sense);
-    if (slot > 0 && history.finished())
-        return fmt::format("{} {} (evaluated again)",
-                           format(finalists[slot].outcome.objectives.front()),
-                           unit);
+    const std::size_t slot = best_finalist(finalists, objective.sense);
+    report.is_evaluated_again = slot > 0 && history.finished();
+    if (report.is_evaluated_again) {
+        report.best = finalists[slot].outcome.objectives.front();
+        report.violation = finalists[slot].outcome.violation;
+        return;
+    }
     const auto summaries = history.summaries();
     const GenerationSummary& last = summaries.back();
     const auto generation = static_cast<std::uint32_t>(summaries.size() - 1);
-    return fmt::format(
-        "{} {} {}", format({last.best, last.best_standard_error}), unit,
-        not_evaluated_again(
-            history.row(generation, last.best_slot).outcome.violation));
+    report.best = {last.best, last.best_standard_error};
+    report.violation =
+        history.row(generation, last.best_slot).outcome.violation;
 }
 
 Report report_on(const std::string& path, Overview& overview) {
     const History history = History::salvage(path);
-    if (history.missing_bytes() > 0) return report_remains(path, history);
     const HistoryHeader& header = history.header();
+    Report report;
+    report.path = path;
+    report.case_name = header.text.at("case");
+    report.generations = header.generations;
+    report.missing_bytes = history.missing_bytes();
+    if (report.missing_bytes > 0) {
+        report.state = "truncated";
+        report.code = ExitCode::refused;
+        report.complete = history.next_generation();
+        report.generations = static_cast<double>(history.summaries().size());
+        return report;
+    }
     const Writer writer = writer_of(path);
-    const auto reason = history.finished();
-    const State state = state_of(writer, reason);
+    report.reason = history.finished();
+    const State state = state_of(writer, report.reason);
+    report.state = name_of(state);
     const auto summaries = history.summaries();
-    std::string line = fmt::format(
-        "{}: {}{}, {} of {} generations", path, name_of(state),
-        reason ? " by " + *reason : "", summaries.size(), header.generations);
-    double failures = 0, evaluations = 0;
+    report.complete = static_cast<double>(summaries.size());
     for (const GenerationSummary& s : summaries) {
-        failures += s.failures;
-        evaluations += s.evaluations;
+        report.failures += s.failures;
+        report.evaluations += s.evaluations;
     }
     const double wall_time = summaries.empty() ? 0 : summaries.back().wall_time;
-    const double rate = wall_time > 0 ? evaluations / wall_time : 0;
+    if (wall_time > 0) report.rate = report.evaluations / wall_time;
     const bool is_stopped = state == State::drained || state == State::dead;
-    overview.add(state, rate, is_stopped ? way_on_with(history) : "");
-    if (summaries.empty()) return {line};
-    line += fmt::format(", best {}, {} failed", best_of(history), failures);
+    overview.add(state, report.rate.value_or(0),
+                 is_stopped ? way_on_with(history) : "");
+    if (summaries.empty()) return report;
+    add_best(history, report);
     const GenerationSummary& last = summaries.back();
     if (!std::isnan(last.hypervolume))
-        line += fmt::format(
-            ", hypervolume {}",
-            format({last.hypervolume, last.hypervolume_standard_error}));
-    if (rate > 0) line += fmt::format(", {:.1f} evaluations/s", rate);
-    const double generations = static_cast<double>(summaries.size());
-    if (!reason)
-        line += fmt::format(", {} left",
-                            format_duration((header.generations - generations) *
-                                            wall_time / generations));
-    return {line};
+        report.hypervolume = {last.hypervolume,
+                              last.hypervolume_standard_error};
+    if (!report.reason)
+        report.left = (report.generations - report.complete) * wall_time /
+                      report.complete;
+    return report;
 }
 
-ExitCode show(const std::string& path, bool only_resumable,
-              Overview& overview) {
-    if (only_resumable) {
+std::string text_of_remains(const Report& report) {
+    std::string line = fmt::format(
+        "{}: truncated, {} bytes are missing at its end, {} of {} "
+        "complete generations can be read; copy it again",
+        report.path, report.missing_bytes, report.complete, report.generations);
+    if (report.complete > 0)
+        line += fmt::format(
+            ", or save these with: ideotype export {} --generations --to "
+            "NEW.csv",
+            report.path);
+    return line;
+}
+
+std::string to_text(const Report& report) {
+    if (report.missing_bytes > 0) return text_of_remains(report);
+    std::string line =
+        fmt::format("{}: {}{}, {} of {} generations", report.path, report.state,
+                    report.reason ? " by " + *report.reason : "",
+                    report.complete, report.generations);
+    if (report.best)
+        line += fmt::format(
+            ", best {} {} {}, {} failed", format(*report.best), report.unit,
+            report.is_evaluated_again ? "(evaluated again)"
+                                      : not_evaluated_again(report.violation),
+            report.failures);
+    if (report.hypervolume)
+        line += fmt::format(", hypervolume {}", format(*report.hypervolume));
+    if (report.rate)
+        line += fmt::format(", {:.1f} evaluations/s", *report.rate);
+    if (report.left)
+        line += fmt::format(", {} left", format_duration(*report.left));
+    return line;
+}
+
+//! null if there is none.
+Json optional_json(const auto& value) {
+    return value ? Json(*value) : Json();
+}
+
+Json to_json(const Report& report) {
+    Json best;
+    if (report.best) {
+        best = {{"objective", report.objective}, {"unit", report.unit}};
+        best.update(to_json(*report.best));
+        best["violation"] = report.violation;
+        best["is_evaluated_again"] = report.is_evaluated_again;
+    }
+    return {{"path", report.path},
+            {"case", report.case_name},
+            {"state", report.state},
+            {"ended_by", optional_json(report.reason)},
+            {"missing_bytes", report.missing_bytes},
+            {"complete_generations", report.complete},
+            {"generations", report.generations},
+            {"evaluations", report.evaluations},
+            {"failed", report.failures},
+            {"best", best},
+            {"hypervolume",
+             report.hypervolume ? to_json(*report.hypervolume) : Json()},
+            {"evaluations_per_second", optional_json(report.rate)},
+            {"left_s", optional_json(report.left)}};
+}
+
+//! One file; adds it to the histories if these are told as JSON.
+ExitCode show(const std::string& path, const StatusOptions& options,
+              Overview& overview, Json& histories) {
+    if (options.only_resumable) {
         if (!History::read(path).finished() && writer_of(path) != Writer::alive)
             fmt::print("{}\n", path);
         return ExitCode::ok;
     }
     const Report report = report_on(path, overview);
-    fmt::print("{}\n", report.line);
+    if (options.is_json)
+        histories.push_back(to_json(report));
+    else
+        fmt::print("{}\n", to_text(report));
     return report.code;
 }
 
@@ -212,15 +284,22 @@ ExitCode show(const std::string& path, bool only_resumable,
 ExitCode status(const StatusOptions& options) {
     ExitCode worst = ExitCode::ok;
     Overview overview;
+    Json json{{"histories", Json::array()}, {"unreadable", Json::array()}};
     for (const std::string& path : histories_in(options.paths)) try {
-            worst =
-                std::max(worst, show(path, options.only_resumable, overview));
+            worst = std::max(worst,
+                             show(path, options, overview, json["histories"]));
         } catch (const Error& error) {
             // One unreadable file must not hide the others.
             fmt::print(stderr, "{}\n", error.what());
             worst = std::max(worst, error.exit_code());
+            json["unreadable"].push_back(
+                {{"path", path}, {"message", error.what()}});
         }
-    overview.print();
+    json["go_on_with"] = overview.commands();
+    if (options.is_json)
+        fmt::print("{}\n", to_text(json));
+    else
+        overview.print();
     return worst;
 }
 

@@ -20,6 +20,7 @@ struct CheckOptions {
     std::string campaign_path;
     std::vector<std::string> settings;  //!< "table.key=value"
     std::string out = "results";
+    bool is_json = false;
 };
 ExitCode check(const CheckOptions& options);
 
@@ -31,6 +32,7 @@ struct PlanOptions {
     bool only_count = false;
     bool only_left = false;  //!< the cases that are not finished in `out`
     std::string out = "results";
+    bool is_json = false;
 };
 ExitCode plan(const PlanOptions& options);
 
@@ -43,6 +45,7 @@ ExitCode migrate(const std::string& path);
 struct StatusOptions {
     std::vector<std::string> paths;
     bool only_resumable = false;  //!< print only files to be resumed
+    bool is_json = false;
 };
 ExitCode status(const StatusOptions& options);
 

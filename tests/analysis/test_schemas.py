@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What status, check and plan print as JSON is as their schemas say."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import pytest
+from real_program import executable, output_of, write_campaign
+from schemas import assert_needs_all, validator
+
+
+def told(expected: int, *words: object) -> dict[str, Any]:
+    """The document that a command prints, which ends with this code."""
+    done = subprocess.run(
+        [executable(), *map(str, words), "--json"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == expected, done.stderr
+    document: dict[str, Any] = json.loads(done.stdout)
+    return document
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Of tiny.toml and its finished history."""
+    folder = tmp_path_factory.mktemp("told")
+    output_of("run", write_campaign(folder, 2), "--out", folder)
+    return folder
+
+
+def history(folder: Path) -> Path:
+    (path,) = (folder / "tiny").glob("*.h5")
+    return path
+
+
+def test_status(folder: Path, tmp_path: Path) -> None:
+    document = told(0, "status", folder)
+    assert_needs_all("status", document)
+    (one,) = document["histories"]
+    assert one["state"] == "finished"
+    assert one["ended_by"] == "generations"
+    assert (one["complete_generations"], one["generations"]) == (2, 2)
+    assert one["evaluations"] == 12
+    assert one["best"]["is_evaluated_again"]
+    assert one["best"]["unit"] == "MJ m-2 day-1"
+    broken = {**one, "state": "asleep"}
+    assert not validator("status").is_valid(
+        {**document, "histories": [broken]}
+    )
+
+    cut, no_history = tmp_path / "cut.h5", tmp_path / "none.h5"
+    data = history(folder).read_bytes()
+    cut.write_bytes(data[: len(data) - 4096])
+    no_history.write_text("nothing")
+    document = told(4, "status", cut, no_history, history(folder))
+    validator("status").validate(document)
+    assert [h["state"] for h in document["histories"]] == [
+        "truncated",
+        "finished",
+    ]
+    assert document["histories"][0]["missing_bytes"] == 4096
+    assert [f["path"] for f in document["unreadable"]] == [str(no_history)]
+
+
+def test_status_of_what_stopped(tmp_path: Path) -> None:
+    campaign = write_campaign(tmp_path, 5000)
+    words = [executable(), "run", campaign, "--out", tmp_path]
+    subprocess.run(
+        [*words, "--wall-time", "1s"], check=False, capture_output=True
+    )
+    document = told(0, "status", tmp_path)
+    assert_needs_all("status", document)
+    (one,) = document["histories"]
+    assert one["state"] == "drained"
+    assert one["left_s"] > 0
+    assert one["evaluations_per_second"] > 0
+    assert document["go_on_with"][0].endswith("--resume")
+
+
+def test_check(folder: Path, tmp_path: Path) -> None:
+    document = told(0, "check", folder / "tiny.toml")
+    assert_needs_all("check", document)
+    assert document["cases"] == 1
+    assert document["genes"] == document["free_genes"] == 40
+    assert document["field"]["rows"] == 2
+    assert document["cost"]["evaluations_per_case"] == 12
+    cost = {**document["cost"], "evaluation_s": None}
+    assert not validator("check").is_valid({**document, "cost": cost})
+
+    campaign = write_campaign(tmp_path, 2)
+    campaign.write_text(campaign.read_text().replace("rows", "lines"))
+    document = told(3, "check", campaign)
+    assert_needs_all("check", document)
+    assert not document["is_valid"]
+    problem = document["problems"][0]
+    assert problem["file"] == str(campaign)
+    assert (
+        campaign.read_text().splitlines()[problem["line"] - 1] == "lines = 2"
+    )
+    assert "lines" in problem["message"]
+
+
+def test_plan(folder: Path) -> None:
+    campaign = folder / "tiny.toml"
+    document = told(0, "plan", campaign)
+    assert_needs_all("plan", document)
+    (case,) = document["cases"]
+    assert case["name"] == history(folder).stem
+    assert [w["workers"] for w in document["cost"]["by_workers"]][:2] == [1, 2]
+    assert not validator("plan").is_valid(
+        {**document, "cases": [{**case, "seed": "1"}]}
+    )
+    left = told(0, "plan", campaign, "--left", "--out", folder)
+    assert left == {"campaign": "tiny", "cases": []}
+    validator("plan").validate(left)
+    left = told(0, "plan", campaign, "--left", "--out", folder / "none")
+    assert_needs_all("plan", left)
+    assert left["cases"] == [{**case, "evaluations_done": 0}]
+
+
+def test_scenarios(tmp_path: Path) -> None:
+    campaign = write_campaign(tmp_path, 2)
+    spacing = "\n[[spacing]]\nrow = 0.5\nplant = 0.2\n"
+    over = '\n[objective]\nover = ["spacing"]\n'
+    campaign.write_text(campaign.read_text() + spacing + over)
+    for verb in ("check", "plan"):
+        document = told(0, verb, campaign)
+        validator(verb).validate(document)
+        assert len(document["scenarios"]) == 2

@@ -108,7 +108,7 @@ def show_side(axes: Axes, mesh: Mesh) -> None:
 
 def azimuth(shapes: Shapes) -> Figure:
     """Seen from above, with a compass."""
-    figure = new_figure(6.4, 3.6)
+    figure = new_figure(5.2, 2.9)
     left, right = figure.subplots(1, 2)
     directions = (0, 45, 90, 180, 270)
 
@@ -124,7 +124,7 @@ def azimuth(shapes: Shapes) -> Figure:
     for direction in directions:
         a = np.deg2rad(direction)
         left.annotate(
-            f"{direction}°", (0.72 * np.sin(a), 0.72 * np.cos(a)),
+            f"{direction}°", (0.74 * np.sin(a) + 0.09, 0.74 * np.cos(a)),
             ha="center", va="center", color=MARK, fontsize=10,
         )  # fmt: skip
     left.plot([0, 0], [-0.85, 0.85], color=INK, lw=0.8, ls="--", zorder=0)
@@ -136,7 +136,7 @@ def azimuth(shapes: Shapes) -> Figure:
         },
     )  # fmt: skip
     left.set(xlim=(-0.95, 0.95), ylim=(-0.98, 0.95))
-    left.set_title("azimuth of a leaf: from the row, clockwise")
+    left.set_title("azimuth of a leaf")
     bare(left)
 
     # a row from west to east: its direction is 90 deg clockwise from north
@@ -167,14 +167,14 @@ def azimuth(shapes: Shapes) -> Figure:
         (0, -0.06),
         arrowprops={"arrowstyle": "->", "color": MARK},
     )
-    right.set(xlim=(-1.05, 1.15), ylim=(-0.98, 1.05))
-    right.set_title("direction of a row: from north, clockwise")
+    right.set(xlim=(-1.05, 1.15), ylim=(-0.98, 0.98))
+    right.set_title("direction of a row")
     bare(right)
     return figure
 
 
 def insertion_angle(shapes: Shapes) -> Figure:
-    figure = new_figure(7.2, 2.7)
+    figure = new_figure(4.8, 2.1)
     grid = figure.subplots(1, 4, sharex=True, sharey=True)
     for axes, angle in zip(grid, (10, 30, 60, 90)):
         show_side(axes, shapes.single_leaf(insertion_angle=angle, curvature=0))
@@ -182,18 +182,18 @@ def insertion_angle(shapes: Shapes) -> Figure:
         axes.add_patch(
             Arc((0, 0.35), 0.5, 0.5, theta1=90 - angle, theta2=90, color=MARK)
         )
-        axes.set_title(f"insertion_angle = {angle}")
+        axes.set_title(f"{angle}°")
         bare(axes)
     grid[0].set(xlim=(-0.12, 0.78), ylim=(0, 1.1))
     return figure
 
 
 def curvature(shapes: Shapes) -> Figure:
-    figure = new_figure(7.2, 2.7)
+    figure = new_figure(4.8, 2.1)
     grid = figure.subplots(1, 4, sharex=True, sharey=True)
     for axes, bend in zip(grid, (0, 45, 90, 140)):
         show_side(axes, shapes.single_leaf(curvature=bend))
-        axes.set_title(f"curvature = {bend}")
+        axes.set_title(f"{bend}°")
         bare(axes)
     grid[0].set(xlim=(-0.12, 0.6), ylim=(0, 1.0))
     return figure
@@ -201,7 +201,7 @@ def curvature(shapes: Shapes) -> Figure:
 
 def folding(shapes: Shapes) -> Figure:
     """Along the midrib of a level leaf: the V of the blade."""
-    figure = new_figure(7.2, 1.7)
+    figure = new_figure(4.8, 1.2)
     grid = figure.subplots(1, 3, sharex=True, sharey=True)
     for axes, angle in zip(grid, (0, 10, 40)):
         mesh = shapes.single_leaf(
@@ -219,7 +219,7 @@ def folding(shapes: Shapes) -> Figure:
             axes.add_patch(
                 Arc((0, 0.35), 0.08, 0.08, theta1=0, theta2=angle, color=MARK)
             )
-        axes.set_title(f"folding_angle = {angle}")
+        axes.set_title(f"{angle}°")
         bare(axes)
     grid[0].set(xlim=(-0.07, 0.07), ylim=(0.33, 0.40))
     return figure
@@ -227,7 +227,7 @@ def folding(shapes: Shapes) -> Figure:
 
 def cell(shapes: Shapes) -> Figure:
     """A field from above, and how it repeats."""
-    figure = new_figure(7.2, 2.8)
+    figure = new_figure(5.2, 2.1)
     left, right = figure.subplots(1, 2, width_ratios=(4.2, 2.6))
     plant = shapes.maize()
     rng = np.random.default_rng(1)
@@ -305,24 +305,20 @@ def traits(shapes: Shapes) -> Figure:
         ("azimuth, a spiral", put("azimuth", lambda i: 137.5 * i % 360)),
         ("organs absent", no_organs),
     ]
-    figure = new_figure(7.2, 5.6)
+    figure = new_figure(4.4, 9.4)
     grid = figure.subplots(
-        4, 5, sharex=True, sharey="row", height_ratios=(2.5, 0.8, 2.5, 1.5)
+        6, 3, sharex=True, sharey="row", height_ratios=(2.5, 1.5) * 3
     )
-    for column in grid[2:, 4]:
-        column.axis("off")
     for i, (title, change) in enumerate(shown):
         mesh = shapes.maize(change)
-        side, above = grid[i // 5 * 2 : i // 5 * 2 + 2, i % 5]
+        side, above = grid[i // 3 * 2 : i // 3 * 2 + 2, i % 3]
         draw(side, mesh, is_side=True)
         draw(above, mesh, is_side=False)
-        side.set_title(title, fontsize=8.5)
+        side.set_title(title, fontsize=9)
         bare(side)
         bare(above)
-    grid[0, 0].set(xlim=(-0.75, 0.75), ylim=(0, 2.5))
-    grid[2, 0].set(ylim=(0, 2.5))
-    grid[1, 0].set(ylim=(-0.4, 0.4))
-    grid[3, 0].set(ylim=(-0.75, 0.75))
+        side.set(xlim=(-0.75, 0.75), ylim=(0, 2.5))
+        above.set(ylim=(-0.75, 0.75))
     return figure
 
 
@@ -338,7 +334,7 @@ FIGURES: dict[str, Callable[[Shapes], Figure]] = {
 
 def save(figure: Figure, path: Path) -> None:
     """With few colours, so that it is small."""
-    figure.savefig(path, dpi=150)
+    figure.savefig(path, dpi=150, bbox_inches="tight")
     with Image.open(path) as image:
         image.convert("RGB").quantize(96).save(path, optimize=True)
 

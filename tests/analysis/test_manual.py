@@ -170,6 +170,21 @@ def test_no_block_escapes(page: Path) -> None:
     )
 
 
+def test_links_of_every_text_lead_somewhere() -> None:
+    """Of the repository's Markdown; docs/build sees to anchors of pages."""
+    listed = subprocess.run(
+        ["git", "ls-files", "-z", "*.md"],
+        cwd=TOP, capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    texts = [TOP / name for name in listed.stdout.split("\0") if name]
+    assert TOP / "README.md" in texts
+    for text in texts:
+        for target in re.findall(
+            r"\]\((?![a-z]+:|#)([^)#\s]+)", text.read_text()
+        ):
+            assert (text.parent / target).exists(), f"{text}: {target}"
+
+
 @pytest.fixture(scope="session")
 def manual() -> Path:
     """Built anew where something changed; a warning is an error."""

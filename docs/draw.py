@@ -14,7 +14,6 @@ import copy
 import sys
 import tomllib
 from collections.abc import Callable
-from datetime import date, time
 from pathlib import Path
 from typing import Any
 
@@ -31,13 +30,8 @@ from PIL import Image
 DOCS = Path(__file__).resolve().parent
 sys.path.insert(0, str(DOCS.parent / "campaigns"))
 from draw_plants import draw
+from shared import ANYWHERE
 
-ANYWHERE: dict[str, Any] = {
-    "name": "anywhere",
-    "site": [{"name": "any", "latitude": 42, "longitude": 0, "utc_offset": 0}],
-    "day": [{"date": date(2025, 8, 7), "start": time(12), "end": time(13)}],
-    "spacing": [{"row": 0.76, "plant": 0.15}],
-}
 ROW, PLANT = 0.76, 0.15
 """Distances between rows and between plants in a row [m]."""
 INK, MARK = "#333333", "#D55E00"

@@ -246,6 +246,15 @@ def test_each_plant_has_the_shape_of_its_row(history: Path) -> None:
     assert np.array_equal(plants.best.vertices, plants.members[1].vertices)
 
 
+def test_shapes_need_no_special_processor(tmp_path: Path) -> None:
+    path = make(tmp_path / "case_r1.h5", attributes={"isa": "avx1024"})
+    with pytest.raises(ideotype.Error, match="avx1024"):
+        ideotype.Stand.from_history(path)
+    with open_study(path) as study:
+        (case,) = study.cases()
+        assert len(build_plants(case).members) == 3
+
+
 @pytest.mark.parametrize("width", [390, 1280])
 def test_a_plant_of_the_front_is_chosen(
     history: Path, tmp_path: Path, width: int

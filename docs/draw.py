@@ -19,7 +19,7 @@ from typing import Any
 
 import matplotlib
 import numpy as np
-from ideotype import Stand
+from ideotype import Stand, mesh
 from ideotype._geometry import Mesh
 from ideotype.analysis.style import RC, new_figure
 from matplotlib.axes import Axes
@@ -29,7 +29,7 @@ from PIL import Image
 
 DOCS = Path(__file__).resolve().parent
 sys.path.insert(0, str(DOCS.parent / "campaigns"))
-from draw_plants import draw
+from draw_plants import TURN, draw
 from shared import ANYWHERE
 
 ROW, PLANT = 0.76, 0.15
@@ -113,8 +113,8 @@ def azimuth(shapes: Shapes) -> Figure:
         crop["leaf"] = leaves
         del crop["organ"]
 
-    mesh = shapes.maize(five)
-    draw(left, mesh, is_side=False)
+    plant = shapes.maize(five)
+    draw(left, plant, is_side=False)
     for direction in directions:
         a = np.deg2rad(direction)
         left.annotate(
@@ -316,6 +316,76 @@ def traits(shapes: Shapes) -> Figure:
     return figure
 
 
+def light(shapes: Shapes) -> Figure:
+    """What faces absorb at two times of a clear day, in a dense stand."""
+    plant = shapes.maize()
+    surfaces = mesh(plant.vertices, plant.faces, groups=plant.groups)
+    figure = new_figure(4.6, 4.4)
+    grid = figure.subplots(1, 2, sharex=True, sharey=True)
+    found = [
+        surfaces.evaluate(
+            period=(ROW, PLANT), by_face=True, paths=1 << 18, **source
+        ).absorbed_by_face.values
+        for source in ({"sun": (60, 180)}, {"sky": "uniform"})
+    ]
+    brightest = np.quantile(found[0], 0.98)
+    colors = matplotlib.colormaps["viridis"]
+    for axes, title, values in zip(
+        grid, ("sun at 60°, from the south", "diffuse light"), found
+    ):
+        draw(axes, plant, is_side=True)
+        (faces,) = axes.collections
+        x, y, _ = plant.vertices.T
+        depth = np.sin(TURN) * x - np.cos(TURN) * y
+        order = np.argsort([depth[list(face)].mean() for face in plant.faces])
+        faces.set_facecolor(colors(values[order] / brightest))
+        axes.set_title(title, fontsize=9)
+        bare(axes)
+    grid[0].set(xlim=(-0.72, 0.72), ylim=(0, 2.2))
+    scale = matplotlib.cm.ScalarMappable(
+        matplotlib.colors.Normalize(0, brightest), colors
+    )
+    figure.colorbar(
+        scale, ax=grid, location="bottom", shrink=0.7, aspect=30,
+        label="absorbed, per area of leaf\n(light on level ground = 1)",
+    )  # fmt: skip
+    return figure
+
+
+def response(_: Shapes) -> Figure:
+    """Why the same light on more area is worth more."""
+    phi, theta, amax = 0.06, 0.7, 50.0
+
+    def rate(x: Any) -> Any:
+        total = phi * x + amax
+        root = np.sqrt(total**2 - 4 * theta * phi * x * amax)
+        return (total - root) / (2 * theta)
+
+    figure = new_figure(4.8, 3.0)
+    axes = figure.subplots()
+    ppfd = np.linspace(0, 2000, 201)
+    axes.plot(ppfd, rate(ppfd), color="#4E9A3A")
+    low, high = 200, 1800
+    axes.plot([low, high], rate(np.array([low, high])), "o--", color=MARK)
+    mean = (low + high) / 2
+    axes.plot(mean, rate(mean), "o", color=INK)
+    axes.plot(mean, (rate(low) + rate(high)) / 2, "D", color=MARK)
+    axes.annotate(
+        "both halves alike", (mean, rate(mean)), (mean - 60, rate(mean) + 3),
+        ha="right", color=INK,
+    )  # fmt: skip
+    axes.annotate(
+        "one half in the sun", (mean, (rate(low) + rate(high)) / 2),
+        (mean + 60, (rate(low) + rate(high)) / 2 - 4), color=MARK,
+    )  # fmt: skip
+    axes.set(
+        xlabel="absorbed photons [µmol m⁻² s⁻¹]",
+        ylabel="assimilation [µmol m⁻² s⁻¹]",
+        xlim=(0, 2000), ylim=(0, 48),
+    )  # fmt: skip
+    return figure
+
+
 FIGURES: dict[str, Callable[[Shapes], Figure]] = {
     "azimuth": azimuth,
     "insertion_angle": insertion_angle,
@@ -323,6 +393,8 @@ FIGURES: dict[str, Callable[[Shapes], Figure]] = {
     "folding": folding,
     "cell": cell,
     "traits": traits,
+    "light": light,
+    "response": response,
 }
 
 

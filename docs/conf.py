@@ -65,38 +65,52 @@ copybutton_prompt_text = "$ "
 copybutton_only_copy_prompt_lines = True
 
 
-def pages_of_texts() -> dict[Path, str]:
-    """Each text that a page includes as a whole, and that page."""
+def pages_of_texts() -> dict[tuple[Path, str], str]:
+    """The page that includes a text, and those that include a chapter of it,
+    by the anchor of its heading."""
     pages = {}
     for page in DOCS.glob("*.md"):
-        for found in re.finditer(
+        for text, options in re.findall(
             r"(?ms)^```\{include\} (\S+)$(.*?)^```$", page.read_text()
         ):
-            if "end-before" not in found[2]:
-                pages[(DOCS / found[1]).resolve()] = page.name
+            path = (DOCS / text).resolve()
+            heading = re.search(r'(?m)^:start-after: "#+ (.*)"$', options)
+            if heading:
+                slug = re.sub(r"\W+", "-", heading[1].lower()).strip("-")
+                pages[path, "#" + slug] = page.name
+            if ":end-before:" not in options:
+                pages[path, ""] = page.name
     return pages
 
 
 PAGES = pages_of_texts()
 
 
-def rebase_links(text: str, folder: Path) -> str:
-    """Links relative to a folder become such to pages of the manual or to
-    files of the repository, relative to the manual. A link to a folder, which
-    a page has nothing to show of, becomes its text."""
+def rebase_links(text: str, source: Path) -> str:
+    """Links of a source become such to pages of the manual, or to files of the
+    repository to download. A link to a folder, which a page has nothing to
+    show of, becomes its text."""
 
     def rebase(link: re.Match[str]) -> str:
-        is_image, shown, target, anchor = link.groups()
-        path = (folder / target).resolve()
+        is_image, shown, target, anchor = link.groups("")
+        path = (source.parent / target).resolve() if target else source
         if path.is_dir():
             return shown
-        name = PAGES.get(path) or os.path.relpath(path, DOCS)
-        if not is_image and path not in PAGES and path.parent != DOCS:
-            name = "path:" + name  # to download
-        return f"{is_image}[{shown}]({name}{anchor or ''})"
+        name = os.path.relpath(path, DOCS)
+        if is_image:
+            return f"![{shown}]({name})"
+        if (path, anchor) in PAGES:
+            return f"[{shown}]({PAGES[path, anchor]})"
+        if not target:
+            return link[0]
+        if (path, "") in PAGES:
+            return f"[{shown}]({PAGES[path, '']}{anchor})"
+        if path.parent == DOCS:
+            return f"[{shown}]({name}{anchor})"
+        return f"[{shown}](path:{name})"
 
     return re.sub(
-        r"(!?)\[([^\]]*)\]\((?![a-z]+:|#)([^)#\s]+)(#[^)\s]*)?\)", rebase, text
+        r"(!?)\[([^\]]*)\]\((?![a-z]+:)([^)#\s]*)(#[^)\s]*)?\)", rebase, text
     )
 
 
@@ -116,13 +130,13 @@ def list_arguments(lines: list[str]) -> list[str]:
 
 
 def setup(app: object) -> None:
-    def of_page(_app: object, _name: str, content: list[str]) -> None:
-        content[0] = rebase_links(content[0], DOCS)
+    def of_page(_app: object, name: str, content: list[str]) -> None:
+        content[0] = rebase_links(content[0], DOCS / f"{name}.md")
 
     def of_include(
         _app: object, path: Path, _page: str, content: list[str]
     ) -> None:
-        content[0] = rebase_links(content[0], (DOCS / path).parent)
+        content[0] = rebase_links(content[0], (DOCS / path).resolve())
 
     def of_docstring(
         _app: object, _what: str, _name: str, _of: object, _options: object,

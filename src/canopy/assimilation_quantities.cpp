@@ -31,11 +31,29 @@ Randomised balance(const CanopyReport& report, double scale = 1) {
     return carbon(report, report.assimilation->carbon_loss(), scale);
 }
 
+//! Of groups or layers.
+std::vector<Randomised> gross(const AssimilationReport& report,
+                              const Values& estimates,
+                              std::vector<double> AssimilationTally::*part) {
+    std::vector<std::vector<double>> by_randomisation;
+    for (const AssimilationTally& tally : report.tallies)
+        by_randomisation.push_back(tally.*part);
+    return randomised(estimates, by_randomisation);
+}
+
+std::vector<Randomised> gross_of_groups(const CanopyReport& report) {
+    return gross(*report.assimilation, report.assimilation->groups,
+                 &AssimilationTally::groups);
+}
+
 //! Each leaf lowered by its respiration in the light.
-Values net_by_leaf(const CanopyReport& report) {
-    Values groups = report.assimilation->groups;
-    for (std::size_t g = 0; g < groups.size(); ++g)
-        groups[g].mean -= report.assimilation->respiration[g].in_light;
+std::vector<Randomised> net_by_leaf(const CanopyReport& report) {
+    std::vector<Randomised> groups = gross_of_groups(report);
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        const double loss = report.assimilation->respiration[g].in_light;
+        groups[g].estimate.mean -= loss;
+        for (double& x : groups[g].by_randomisation) x -= loss;
+    }
     return of_leaves(report, groups);
 }
 
@@ -117,7 +135,7 @@ std::vector<Declaration> assimilation_quantities() {
           daily,
           "gross assimilation of each leaf",
           {"leaf"}},
-         [](const Report& r) { return of_leaves(r, r.assimilation->groups); }},
+         [](const Report& r) { return of_leaves(r, gross_of_groups(r)); }},
         {{"net_assimilation_by_leaf",
           daily,
           "net assimilation of each leaf",
@@ -127,7 +145,10 @@ std::vector<Declaration> assimilation_quantities() {
           daily,
           "gross assimilation of leaves in each layer",
           {"layer"}},
-         [](const Report& r) { return r.assimilation->layers; }},
+         [](const Report& r) {
+             return gross(*r.assimilation, r.assimilation->layers,
+                          &AssimilationTally::layers);
+         }},
         {{"assimilation_by_hour",
           "umol m-2 s-1",
           "gross assimilation at each instant",

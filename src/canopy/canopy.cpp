@@ -190,8 +190,12 @@ class Evaluation {
 
     CanopyReport report() {
         const SeriesIllumination& light = request_.scenario.light;
-        for (const Tally& tally : tallies_)
+        for (const Tally& tally : tallies_) {
             result_.budget_by_randomisation.push_back(tally.budget());
+            if (request_.details.faces) continue;
+            result_.groups_by_randomisation.push_back(tally.groups);
+            result_.layers_by_randomisation.push_back(tally.layers);
+        }
         result_.light = ideotype::report(tallies_, light);
         if (request_.details.sunlit) {
             const SunlitReport sunlit = ideotype::report(sunlit_, light);

@@ -17,10 +17,13 @@ using TakeNumber =
 //! Takes the numbers of a quantity that has axes.
 using TakeNumbers = std::function<std::vector<Estimate>(const CanopyReport&)>;
 
+//! The same with each number by randomisation too.
+using TakeProfile = std::function<std::vector<Randomised>(const CanopyReport&)>;
+
 //! What is measured, and how it is taken from a report.
 struct Declaration {
     Quantity quantity;
-    std::variant<TakeNumber, TakeNumbers> take;
+    std::variant<TakeNumber, TakeNumbers, TakeProfile> take;
 };
 
 //! In the order of their columns.
@@ -33,6 +36,22 @@ inline Randomised scaled(Randomised x, double factor) {
     x.estimate = scaled(x.estimate, factor);
     for (double& value : x.by_randomisation) value *= factor;
     return x;
+}
+
+//! Numbers of all places and what each randomisation says of them
+//! [randomisation, place].
+inline std::vector<Randomised> randomised(
+    const std::vector<Estimate>& estimates,
+    const std::vector<std::vector<double>>& by_randomisation,
+    double factor = 1) {
+    std::vector<Randomised> all;
+    for (std::size_t i = 0; i < estimates.size(); ++i) {
+        Randomised one{estimates[i], {}};
+        for (const std::vector<double>& each : by_randomisation)
+            one.by_randomisation.push_back(each.at(i));
+        all.push_back(scaled(std::move(one), factor));
+    }
+    return all;
 }
 
 //! What is the same in all randomisations.

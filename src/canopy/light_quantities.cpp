@@ -143,7 +143,11 @@ std::vector<Declaration> light_quantities() {
         {{"lai", "m2 m-2", "one-sided leaf area per ground area", {}, exact},
          [](const Report& r) { return certain(r, r.lai); }},
         {{"absorbed_by_leaf", daily, "PAR that each leaf absorbs", {"leaf"}},
-         [](const Report& r) { return to_mj(of_leaves(r, r.light.groups)); }},
+         [](const Report& r) {
+             return of_leaves(
+                 r, randomised(r.light.groups, r.groups_by_randomisation,
+                               1 / joule_per_megajoule));
+         }},
         {{"absorbed_by_organ",
           daily,
           "PAR that leaves and each other organ absorb",
@@ -153,7 +157,10 @@ std::vector<Declaration> light_quantities() {
           daily,
           "PAR that leaves in each layer absorb",
           {"layer"}},
-         [](const Report& r) { return to_mj(r.light.layers); }},
+         [](const Report& r) {
+             return randomised(r.light.layers, r.layers_by_randomisation,
+                               1 / joule_per_megajoule);
+         }},
         {{"absorbed_by_source",
           daily,
           "PAR that leaves absorb, by where it came from at last",

@@ -88,6 +88,9 @@ std::vector<Estimate> measure(const CanopyReport& report) {
         if (const auto* number = std::get_if<TakeNumber>(&each.take)) {
             if (const auto found = (*number)(report))
                 all.push_back(found->estimate);
+        } else if (const auto* profile = std::get_if<TakeProfile>(&each.take)) {
+            for (const Randomised& x : (*profile)(report))
+                all.push_back(x.estimate);
         } else {
             for (const Estimate& x : std::get<TakeNumbers>(each.take)(report))
                 all.push_back(x);
@@ -133,6 +136,16 @@ Randomised measure_objective(const std::string& name,
             found ? std::get_if<TakeNumber>(&found->take) : nullptr)
         if (auto randomised = (*number)(report)) return *randomised;
     throw Error("this canopy has no single number " + name);
+}
+
+std::vector<Randomised> measure_profile(const std::string& name,
+                                        const CanopyReport& report) {
+    const Declaration* found = find(name);
+    const auto* profile =
+        found ? std::get_if<TakeProfile>(&found->take) : nullptr;
+    if (!profile || (is_of_assimilation(name) && !report.assimilation))
+        throw Error("this canopy has no profile " + name);
+    return (*profile)(report);
 }
 
 }  // namespace ideotype

@@ -98,10 +98,10 @@ Estimate difference(const Outcome& a, const Outcome& b, std::size_t objective) {
     const Estimate& x = a.objectives.at(objective);
     const Estimate& y = b.objectives.at(objective);
     const std::size_t count = a.randomisations.size() / a.objectives.size();
-    const bool is_paired = count > 1 &&
-                           a.randomisations.size() == b.randomisations.size() &&
-                           !std::isnan(a.randomisations.front()) &&
-                           !std::isnan(b.randomisations.front());
+    const bool is_paired =
+        count > 1 && count == b.randomisations.size() / b.objectives.size() &&
+        !std::isnan(a.randomisations.front()) &&
+        !std::isnan(b.randomisations.front());
     if (!is_paired)
         return {y.mean - x.mean,
                 std::hypot(x.standard_error, y.standard_error)};

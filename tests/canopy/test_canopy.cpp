@@ -50,6 +50,36 @@ TEST_F(TwoLeaves, AFieldForEachRandomisationAgreesWithOne) {
     EXPECT_NEAR(one.mean / each.mean, 1, .05);
 }
 
+TEST_F(TwoLeaves, ProfilesAreKnownByRandomisation) {
+    request.details.photosynthesis.emplace();
+    for (const auto fields : {Fields::one, Fields::each}) {
+        const CanopyReport report = evaluated(fields);
+        for (const std::string name :
+             {"absorbed_by_leaf", "absorbed_by_layer", "assimilation_by_leaf",
+              "net_assimilation_by_leaf", "assimilation_by_layer"}) {
+            const std::vector<Randomised> profile =
+                measure_profile(name, report);
+            ASSERT_EQ(profile.size(),
+                      name.ends_with("leaf") ? 2 : report.light.layers.size());
+            double sum = 0;
+            for (const auto& [estimated, values] : profile) {
+                const Estimate again = estimate(values);
+                EXPECT_NEAR(again.mean, estimated.mean, 1e-12) << name;
+                // That of a report knows what paths can tell.
+                EXPECT_LE(again.standard_error,
+                          estimated.standard_error * (1 + 1e-12))
+                    << name;
+                sum += estimated.mean;
+            }
+            EXPECT_GT(sum, .1) << name;
+        }
+        EXPECT_THROW(measure_profile("absorbed_by_hour", report), Error);
+        EXPECT_THROW(measure_profile("lai", report), Error);
+    }
+    request.details.photosynthesis.reset();
+    EXPECT_THROW(measure_profile("assimilation_by_leaf", evaluated()), Error);
+}
+
 TEST_F(TwoLeaves, EveryNumberIsKnownByRandomisation) {
     request.details.photosynthesis.emplace();
     for (const auto fields : {Fields::one, Fields::each}) {

@@ -68,5 +68,17 @@ TEST(Outcome, SharedRandomNumbersCancelInADifference) {
                 1e-12);
 }
 
+TEST(Outcome, DifferencesArePairedWhateverElseIsMeasured) {
+    Outcome more = good();
+    more.objectives.push_back({1, 0.5});
+    for (const double x : {1., 2., 3.}) more.randomisations.push_back(x);
+    EXPECT_EQ(difference(good(), more).standard_error, 0);
+    EXPECT_EQ(difference(more, more, 1).standard_error, 0);
+    more.randomisations.pop_back();
+    more.randomisations.pop_back();  // two each
+    EXPECT_NEAR(difference(good(), more).standard_error, .1 * std::sqrt(2),
+                1e-12);
+}
+
 }  // namespace
 }  // namespace ideotype

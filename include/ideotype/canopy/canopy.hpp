@@ -31,6 +31,10 @@ struct CanopyReport {
     //! All sources together by independent randomisation [J m-2 of ground]:
     //! light.day has their means.
     std::vector<Budget> budget_by_randomisation;
+    //! The same of light.groups and light.layers [randomisation, group or
+    //! layer]; none if groups are faces.
+    std::vector<std::vector<double>> groups_by_randomisation,
+        layers_by_randomisation;
     //! If asked for, by face of the plant or of the field that was ready: what
     //! both sides absorb, for the one-sided area of the face [J m-2 day-1].
     //! That of a plant is a mean over all its copies; in a plot that is cut

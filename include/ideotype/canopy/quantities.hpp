@@ -53,4 +53,9 @@ struct Randomised {
 Randomised measure_objective(const std::string& name,
                              const CanopyReport& report);
 
+//! A quantity along leaf or layer alone, place by place.
+//! @throws Error if the report has none of this name.
+std::vector<Randomised> measure_profile(const std::string& name,
+                                        const CanopyReport& report);
+
 }  // namespace ideotype

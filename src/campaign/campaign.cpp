@@ -12,6 +12,7 @@
 #include "ideotype/core/hash.hpp"
 #include "ideotype/search/sensitivity_design.hpp"
 #include "key_factors.hpp"
+#include "measured_plant.hpp"
 #include "photosynthesis_table.hpp"
 #include "reader.hpp"
 #include "report.hpp"
@@ -149,16 +150,28 @@ Campaign read_campaign_text(const std::string& text, const std::string& path,
     return parse(text, path, PlantSource::file_or_table, settings);
 }
 
-Plant read_plant(const std::string& path) {
+Crop read_crop(const std::string& path, const Plant* other) {
     const std::optional<std::string> text = read_text(path);
     if (!text) throw Error("cannot read " + path);
     Draft draft;
     Report report;
-    if (!read_plant_draft(*text, path, draft, report))
-        return parse(*text, path, PlantSource::file_or_table).crop.baseline;
+    if (is_measured(path)) {
+        draft.is_crop_known = other != nullptr;
+        if (other) draft.campaign.crop.baseline = *other;
+        read_measured_draft(*text, path, draft, report);
+    } else if (!read_plant_draft(*text, path, draft, report)) {
+        return parse(*text, path, PlantSource::file_or_table).crop;
+    }
     check_plant(draft, report);
     report.throw_if_any();
-    return draft.campaign.crop.baseline;
+    Crop crop = draft.campaign.crop;
+    for (const TraitEntry& entry : draft.traits)
+        crop.traits.push_back(complete(entry));
+    return crop;
+}
+
+Plant read_plant(const std::string& path) {
+    return read_crop(path).baseline;
 }
 
 Photosynthesis read_photosynthesis(const std::string& path) {

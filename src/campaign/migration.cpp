@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "measured_plant.hpp"
 #include "old_names.hpp"
 #include "reader.hpp"
 #include "report.hpp"
@@ -92,7 +93,9 @@ std::vector<Migration> read_migrations(const std::string& path) {
     if (!text) throw Error("cannot read " + path);
     std::vector<Migration> result{migrated(*text, path)};
     const std::string plant = result[0].plant_file;
-    // Who checks the campaign tells that it cannot be read.
+    // A table has no old names; who checks the campaign tells what cannot be
+    // read.
+    if (is_measured(plant)) return result;
     if (const auto plant_text = plant.empty() ? std::nullopt : read_text(plant))
         result.push_back(migrated(*plant_text, plant));
     return result;

@@ -10,6 +10,9 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/campaign/known_crops.hpp"
+#include "leaf_table.hpp"
+#include "measured_plant.hpp"
 #include "nodes.hpp"
 #include "old_names.hpp"
 #include "settings.hpp"
@@ -117,6 +120,29 @@ class DraftReader {
 
     void read_plant(const toml::table& table) { read_plant(table, tables_); }
 
+    //! A table of measured leaves. What it does not tell is as in the crop that
+    //! it names, or, if it names none, in the plant that the draft has.
+    void read_measured(const std::string& text, const std::string& file) {
+        report_.open(file);
+        if (const std::optional<Written> crop = note_of(text, file, "crop")) {
+            draft_.is_crop_known = false;
+            if (const auto known = known_crop(crop->text))
+                read_crop(*known, crop->text);
+            else
+                read_plant_file(path_from(file, crop->text), "# crop",
+                                crop->where);
+        } else if (!draft_.is_crop_known) {
+            report_.add(
+                Location{file, 1, 1},
+                fmt::format("the table names no crop (which tells stalk, "
+                            "organs and traits); begin it with a line such as "
+                            "# crop: {}, or # crop: FILE.toml",
+                            known_crop_names().front()));
+        }
+        read_measured_plant(text, file, draft_.is_crop_known,
+                            draft_.campaign.crop.baseline, report_);
+    }
+
   private:
     //! What follows from the crop, before the rest of a campaign is read.
     void prepare() {
@@ -167,23 +193,32 @@ class DraftReader {
                             is_path ? "it as [plant.baseline]"
                                     : "for example baseline = "
                                       "\"crops/mine.toml\""));
-        read_plant_file(plant_path(top, file_), tables_.where(baseline));
+        read_plant_file(plant_path(top, file_), "plant.baseline",
+                        tables_.where(baseline));
     }
 
-    void read_plant_file(const std::string& file, const Location& named_at) {
+    void read_plant_file(const std::string& file, const std::string& named_by,
+                         const Location& named_at) {
         const std::optional<std::string> text = read_text(file);
         if (!text) {
             const std::string near = nearest_file(file);
             report_.add(
                 named_at,
-                fmt::format(
-                    "cannot read {} (named by plant.baseline); {}", file,
-                    near.empty() ? "give a path relative to this file"
-                                 : "did you mean '" + near + ".toml'?"));
+                fmt::format("cannot read {} (named by {}); {}", file, named_by,
+                            near.empty()
+                                ? "give a path relative to this file"
+                                : "did you mean '" + near + ".toml'?"));
             return;
         }
+        if (is_measured(file))
+            read_measured(*text, file);
+        else
+            read_crop(*text, file);
+    }
+
+    void read_crop(const std::string& text, const std::string& file) {
         TableReader tables(file, report_);
-        if (const auto table = parse(*text, file, report_))
+        if (const auto table = parse(text, file, report_))
             read_plant(*table, tables);
     }
 
@@ -220,7 +255,7 @@ void read_draft(const std::string& text, const std::string& file,
         report.add(Location{file, 1, 1},
                    "this is a crop file (it has leaves, but no site to "
                    "light them); give a campaign, or evaluate the plant in "
-                   "one: ideotype evaluate PLANT --under CAMPAIGN");
+                   "one: ideotype compare PLANT --under CAMPAIGN");
     else if (table)
         DraftReader(file, source, draft, report).read(*table);
 }
@@ -250,6 +285,12 @@ bool read_plant_draft(const std::string& text, const std::string& file,
     if (table)
         DraftReader(file, PlantSource::table, draft, report).read_plant(*table);
     return true;
+}
+
+void read_measured_draft(const std::string& text, const std::string& file,
+                         Draft& draft, Report& report) {
+    DraftReader(file, PlantSource::file_or_table, draft, report)
+        .read_measured(text, file);
 }
 
 std::string plant_path(const toml::table& campaign, const std::string& file) {

@@ -30,6 +30,11 @@ void read_draft(const std::string& text, const std::string& file,
 bool read_plant_draft(const std::string& text, const std::string& file,
                       Draft& draft, Report& report);
 
+//! Reads a table of measured leaves into a draft, whose plant tells the rest if
+//! the table names no crop.
+void read_measured_draft(const std::string& text, const std::string& file,
+                         Draft& draft, Report& report);
+
 //! Reads the text of a file that has these tables and nothing else.
 void read_tables(const std::string& text, const std::string& file,
                  const std::vector<Table>& all, Report& report);

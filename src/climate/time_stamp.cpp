@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "csv.hpp"
+#include "ideotype/core/csv.hpp"
 
 namespace ideotype {
 

@@ -31,9 +31,9 @@ class Head {
     //! A number of a line.
     double number(std::size_t index, std::size_t entry,
                   const std::string& meaning) const {
-        const std::vector<Field> fields = fields_of(line(index));
-        const Field field =
-            entry < fields.size() ? fields[entry] : Field{{}, 1};
+        const std::vector<CsvField> fields = fields_of(line(index));
+        const CsvField field =
+            entry < fields.size() ? fields[entry] : CsvField{{}, 1};
         const std::optional<double> number = number_of(field.text);
         if (!number || !(std::abs(*number) < 1e4))
             fail(index, field.column,
@@ -67,7 +67,7 @@ void read_names(Layout& layout, const Head& head, std::size_t index) {
 
 bool has(const Layout& layout, std::string_view name) {
     return std::any_of(layout.header.begin(), layout.header.end(),
-                       [&](const Field& each) { return each.text == name; });
+                       [&](const CsvField& each) { return each.text == name; });
 }
 
 //! Columns that a file may have or not.

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "csv.hpp"
 #include "ideotype/climate/weather_reader.hpp"
+#include "ideotype/core/csv.hpp"
 
 namespace ideotype {
 
@@ -26,7 +26,7 @@ enum class HourStyle {
 //! What the head of a file tells about its rows.
 struct Layout {
     ColumnMap columns;
-    std::vector<Field> header;    //!< names of the columns
+    std::vector<CsvField> header;  //!< names of the columns
     std::size_t header_line = 0;  //!< of the names, from 1; 0 if there are none
     std::size_t first_row = 0;    //!< index of a line
     HourStyle hours = HourStyle::plain;

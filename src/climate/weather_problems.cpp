@@ -33,12 +33,12 @@ std::optional<std::size_t> column_index(const Layout& layout,
                                         const std::string& name,
                                         Problems& problems) {
     const auto& header = layout.header;
-    const auto is_it = [&](const Field& each) { return each.text == name; };
+    const auto is_it = [&](const CsvField& each) { return each.text == name; };
     const auto found = std::find_if(header.begin(), header.end(), is_it);
     const int line = static_cast<int>(layout.header_line);
     if (found == header.end()) {
         std::vector<std::string> names;
-        for (const Field& each : header) names.emplace_back(each.text);
+        for (const CsvField& each : header) names.emplace_back(each.text);
         const std::string near = nearest_name(name, names);
         problems.add(
             line, 1,
@@ -54,7 +54,7 @@ std::optional<std::size_t> column_index(const Layout& layout,
     return static_cast<std::size_t>(found - header.begin());
 }
 
-Field entry(const std::vector<Field>& fields, std::size_t index) {
+CsvField entry(const std::vector<CsvField>& fields, std::size_t index) {
     if (index < fields.size()) return fields[index];
     return {{}, fields.back().column};
 }

@@ -35,6 +35,6 @@ std::optional<std::size_t> column_index(const Layout& layout,
                                         Problems& problems);
 
 //! The entry of a row; empty if the row is too short.
-Field entry(const std::vector<Field>& fields, std::size_t index);
+CsvField entry(const std::vector<CsvField>& fields, std::size_t index);
 
 }  // namespace ideotype

@@ -60,15 +60,15 @@ class TimesReader {
         for (std::size_t i = layout_.first_row; i < lines_.size(); ++i) {
             if (lines_[i].find_first_not_of(" \t,") == std::string_view::npos)
                 continue;
-            const std::vector<Field> fields = fields_of(lines_[i]);
-            std::vector<Field> parts;
+            const std::vector<CsvField> fields = fields_of(lines_[i]);
+            std::vector<CsvField> parts;
             for (const std::size_t index : columns)
                 parts.push_back(entry(fields, index));
             const int line = static_cast<int>(i) + 1;
             std::optional<WrittenTime> written = time_of(parts);
             if (!written) {
                 std::vector<std::string_view> texts;
-                for (const Field& each : parts) texts.push_back(each.text);
+                for (const CsvField& each : parts) texts.push_back(each.text);
                 problems_.add(line, parts.front().column,
                               fmt::format("\"{}\" is no date and time; check "
                                           "the order of day and month",
@@ -86,7 +86,8 @@ class TimesReader {
         result_.utc_offset = offset.value_or(request_.site.utc_offset);
     }
 
-    std::optional<WrittenTime> time_of(const std::vector<Field>& parts) const {
+    std::optional<WrittenTime> time_of(
+        const std::vector<CsvField>& parts) const {
         const DateOrder order = layout_.columns.date_order;
         if (parts.size() == 1) return parse_time(parts[0].text, order);
         if (parts.size() == 2) {

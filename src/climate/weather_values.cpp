@@ -38,7 +38,7 @@ class ValuesReader {
         problems_.stop_if_any();
         std::vector<WeatherValues> all;
         for (const RowTime& row : times_.rows) {
-            const std::vector<Field> fields =
+            const std::vector<CsvField> fields =
                 fields_of(lines_[static_cast<std::size_t>(row.line) - 1]);
             WeatherValues& values = all.emplace_back();
             for (const Source& source : sources)
@@ -85,7 +85,7 @@ class ValuesReader {
         return sources;
     }
 
-    std::optional<double> value_of(const Field& field, const Source& source,
+    std::optional<double> value_of(const CsvField& field, const Source& source,
                                    int line) {
         constexpr std::array words{"", "NA", "NaN", "nan", "null", "-"};
         constexpr std::array codes{-99.0,   -999.0, -9900.0,
@@ -108,7 +108,7 @@ class ValuesReader {
     }
 
     //! What no weather is: most often another unit.
-    void check_range(double value, const Field& field, const Source& source,
+    void check_range(double value, const CsvField& field, const Source& source,
                      int line) {
         struct Limits {
             double lowest, highest;

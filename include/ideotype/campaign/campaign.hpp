@@ -217,9 +217,14 @@ Campaign read_campaign_text(const std::string& text, const std::string& path,
 //! @throws InputError
 Campaign parse_campaign(const std::string& text, const std::string& file);
 
-//! Reads the plant of a crop file, or the baseline of a campaign file.
+//! Reads a crop file, a table of measured leaves (.csv) with the crop that it
+//! names, or the crop of a campaign file.
+//! @param other plant that tells what a table does not if it names no crop
 //! @throws InputError with all problems.
 //! @throws Error if a file cannot be read.
+Crop read_crop(const std::string& path, const Plant* other = nullptr);
+
+//! The baseline of read_crop().
 Plant read_plant(const std::string& path);
 
 //! Reads the [photosynthesis] table of a file, which has nothing else in it.

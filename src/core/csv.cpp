@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "csv.hpp"
+#include "ideotype/core/csv.hpp"
 
 #include <charconv>
 
@@ -7,7 +7,7 @@ namespace ideotype {
 
 namespace {
 
-Field trimmed(std::string_view line, std::size_t begin, std::size_t end) {
+CsvField trimmed(std::string_view line, std::size_t begin, std::size_t end) {
     constexpr std::string_view around = " \t\"";
     std::string_view text = line.substr(begin, end - begin);
     const std::size_t first = text.find_first_not_of(around);
@@ -33,8 +33,8 @@ std::vector<std::string_view> lines_of(std::string_view text) {
     return lines;
 }
 
-std::vector<Field> fields_of(std::string_view line) {
-    std::vector<Field> fields;
+std::vector<CsvField> fields_of(std::string_view line) {
+    std::vector<CsvField> fields;
     std::size_t begin = 0;
     bool quoted = false;
     for (std::size_t i = 0; i < line.size(); ++i) {

@@ -8,7 +8,7 @@
 namespace ideotype {
 
 //! One entry of a line of a table.
-struct Field {
+struct CsvField {
     std::string_view text;  //!< without blanks and quotes around it
     int column = 0;         //!< where it begins, from 1
 };
@@ -17,7 +17,7 @@ struct Field {
 std::vector<std::string_view> lines_of(std::string_view text);
 
 //! Entries between commas; a comma within quotes ends none.
-std::vector<Field> fields_of(std::string_view line);
+std::vector<CsvField> fields_of(std::string_view line);
 
 //! The number that a text is, and nothing else.
 std::optional<double> number_of(std::string_view text);

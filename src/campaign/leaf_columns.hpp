@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+
+#include "ideotype/crop/measures.hpp"
+
+namespace ideotype {
+
+//! How a column is read: the measure is (zero + sign x) / per_unit.
+struct LeafColumn {
+    const char* name;
+    double Leaf::*value;
+    double per_unit = 1;
+    double sign = 1;
+    double zero = 0;
+    bool is_from_north = false;
+};
+
+// Angles as exported plants have them come first of their measure.
+inline constexpr LeafColumn leaf_columns[]{
+    {"length_cm", &Leaf::length, 100},
+    {"length_m", &Leaf::length},
+    {"length_mm", &Leaf::length, 1000},
+    {"width_cm", &Leaf::width, 100},
+    {"width_m", &Leaf::width},
+    {"width_mm", &Leaf::width, 1000},
+    {"insertion_angle_deg", &Leaf::insertion_angle},
+    {"insertion_angle_from_vertical_deg", &Leaf::insertion_angle},
+    {"insertion_angle_from_horizontal_deg", &Leaf::insertion_angle, 1, -1, 90},
+    {"curvature_deg", &Leaf::curvature},
+    {"azimuth_deg", &Leaf::azimuth},
+    {"azimuth_from_row_clockwise_deg", &Leaf::azimuth},
+    {"azimuth_from_row_counterclockwise_deg", &Leaf::azimuth, 1, -1},
+    {"azimuth_from_north_deg", &Leaf::azimuth, 1, 1, 0, true},
+    {"insertion_height_cm", &Leaf::insertion_height, 100},
+    {"insertion_height_m", &Leaf::insertion_height},
+    {"insertion_height_mm", &Leaf::insertion_height, 1000},
+};
+inline constexpr auto rank_column = "leaf";
+
+//! The place of a measure among all.
+inline std::size_t index_of(double Leaf::*value) {
+    return static_cast<std::size_t>(
+        std::find_if(
+            leaf_measures.begin(), leaf_measures.end(),
+            [&](const Measure<Leaf>& each) { return each.value == value; }) -
+        leaf_measures.begin());
+}
+
+}  // namespace ideotype

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ideotype/crop/measures.hpp"
+#include "report.hpp"
+
+namespace ideotype {
+
+//! Of one line.
+struct LeafRow {
+    Location where;
+    int rank = 0;
+    Leaf leaf;
+    //! Of the measures in their order; line 0: not told.
+    std::array<Location, leaf_measures.size()> places;
+};
+
+//! A table of measured leaves.
+struct LeafTable {
+    Location header;
+    std::vector<LeafRow> rows;  //!< the lowest leaf first
+    //! Whether there is a column of each measure, or one that may be it.
+    std::array<bool, leaf_measures.size()> has{};
+};
+
+//! Reads a table and reports all that is wrong with it.
+LeafTable read_leaf_table(const std::string& text, const std::string& file,
+                          Report& report);
+
+//! A text and where it is written.
+struct Written {
+    std::string text;
+    Location where;
+};
+
+//! What a line "# NAME: VALUE" of a table says, if there is one.
+std::optional<Written> note_of(const std::string& text, const std::string& file,
+                               const std::string& name);
+
+}  // namespace ideotype

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/campaign/campaign.hpp"
+#include "ideotype/campaign/known_crops.hpp"
+
+namespace ideotype {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+//! A plant of two leaves in a folder of its own.
+class MeasuredPlants : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        folder_ = fs::temp_directory_path() /
+                  ("ideotype_" + std::string(::testing::UnitTest::GetInstance()
+                                                 ->current_test_info()
+                                                 ->name()));
+        fs::create_directories(folder_);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::string written(const std::string& text,
+                        const std::string& name = "field.csv") {
+        const std::string path = (folder_ / name).string();
+        std::ofstream(path) << text;
+        return path;
+    }
+
+    Plant read(const std::string& text) {
+        return read_crop(written(text), &other_).baseline;
+    }
+
+    //! What is wrong, without the folder.
+    std::string problems_of(const std::string& text) {
+        try {
+            read(text);
+        } catch (const InputError& error) {
+            std::string all = error.what();
+            for (std::size_t at;
+                 (at = all.find(folder_.string() + '/')) != std::string::npos;)
+                all.erase(at, folder_.string().size() + 1);
+            return all;
+        }
+        return "";
+    }
+
+    //! Two leaves, an ear at the higher one and 10 cm of stalk above it.
+    static Plant other() {
+        Plant plant;
+        plant.leaves = {{.5, .05, 40, 60, 90, .2}, {.6, .06, 30, 50, 270, .4}};
+        plant.blade.width_controls = {.3, .9, .9, 1.1, .4, 0};
+        plant.stalk.height = .5;
+        Organ ear;
+        ear.name = "ear";
+        ear.leaf = 2;
+        ear.length = .2;
+        ear.base_diameter = .05;
+        plant.organs = {ear};
+        return plant;
+    }
+
+    fs::path folder_;
+    Plant other_ = other();
+};
+
+TEST_F(MeasuredPlants, ColumnsTellTheirUnitsAndConventions) {
+    const Plant plant = read(
+        "# row_direction: 100\n"
+        "leaf,length_cm,width_mm,insertion_angle_from_horizontal_deg,"
+        "azimuth_from_north_deg,insertion_height_m\n"
+        "2,70.5,65,60,20,0.9\n"
+        "1,\"35\",45,50,190,0.25\n");
+    EXPECT_EQ(plant.name, "field");
+    ASSERT_EQ(plant.leaves.size(), 2u);
+    const Leaf& low = plant.leaves[0];
+    EXPECT_EQ(low.length, .35);
+    EXPECT_EQ(low.width, .045);
+    EXPECT_EQ(low.insertion_angle, 40);
+    EXPECT_EQ(low.azimuth, 90);
+    EXPECT_EQ(low.insertion_height, .25);
+    const Leaf& high = plant.leaves[1];
+    EXPECT_EQ(high.length, .705);
+    EXPECT_EQ(high.azimuth, 280);
+    EXPECT_EQ(high.insertion_angle, 30);
+    // As in the other plant.
+    EXPECT_EQ(low.curvature, 60);
+    EXPECT_EQ(high.curvature, 50);
+}
+
+TEST_F(MeasuredPlants, DirectionsMayTurnEitherWay) {
+    const auto azimuth = [&](const std::string& column) {
+        return read(column + "\n-30\n390\n").leaves;
+    };
+    EXPECT_EQ(problems_of("azimuth_deg\n-30\n390\n"),
+              "field.csv:3:1: azimuth_deg is 390 (expected: -360 .. 360); "
+              "check the unit and the convention of the column");
+    EXPECT_EQ(read("azimuth_deg\n-30\n360\n").leaves[0].azimuth, 330);
+    EXPECT_EQ(read("azimuth_deg\n-30\n360\n").leaves[1].azimuth, 0);
+    EXPECT_EQ(read("azimuth_from_row_counterclockwise_deg\n30\n0\n")
+                  .leaves[0]
+                  .azimuth,
+              330);
+    EXPECT_THROW(azimuth("azimuth_deg"), InputError);
+}
+
+TEST_F(MeasuredPlants, TheStalkGrowsWithTheHighestLeafAndItsOrgansGoAlong) {
+    const std::string head =
+        "length_cm,width_cm,insertion_angle_deg,curvature_deg,azimuth_deg,"
+        "insertion_height_cm\n";
+    const std::string leaf = "50,5,40,60,90,";
+    const Plant plant =
+        read(head + leaf + "20\n" + leaf + "40\n" + leaf + "160\n");
+    ASSERT_EQ(plant.leaves.size(), 3u);
+    EXPECT_NEAR(plant.stalk.height, 1.7, 1e-12);
+    EXPECT_EQ(plant.organs[0].leaf, 3);
+    EXPECT_EQ(read(head + leaf + "20\n").organs[0].leaf, 1);
+}
+
+TEST_F(MeasuredPlants, AllProblemsAreToldInOnePass) {
+    EXPECT_EQ(
+        problems_of("leaf,lenght_cm,width,insertion_angle_deg,"
+                    "azimuth_from_north_deg,azimuth_deg\n"
+                    "1,30,4,200,1,30\n"
+                    "3,50,6,x,1,3\n"
+                    "3,50,6,x,1\n"),
+        "field.csv:1:6: there is no column 'lenght_cm'; did you mean "
+        "'length_cm'?\n"
+        "field.csv:1:16: column 'width' has no unit; name it width_cm\n"
+        "field.csv:1:42: azimuth_from_north_deg needs the direction of the "
+        "rows in which the plants stood (0 .. 360 deg clockwise from north); "
+        "write a line such as # row_direction: 90\n"
+        "field.csv:1:65: azimuth_deg is given twice (azimuth_from_north_deg "
+        "too); remove one of the columns\n"
+        "field.csv:2:8: insertion_angle_deg is 200 (expected: 0 .. 90); check "
+        "the unit and the convention of the column\n"
+        "field.csv:3:1: leaf 2 is missing (leaves are counted from the lowest, "
+        "1); add it or count anew\n"
+        "field.csv:3:8: insertion_angle_deg is \"x\" (no number); write one "
+        "with a decimal point, or leave the column out\n"
+        "field.csv:4:1: there are 5 entries (the table has 6 columns); give "
+        "each column one");
+    EXPECT_EQ(problems_of("leaf;length_cm\n1;20\n2;30\n")
+                  .find("field.csv:1:1: columns are not separated by commas"),
+              0u);
+    EXPECT_NE(problems_of("").find("there are no leaves"), std::string::npos);
+    EXPECT_EQ(problems_of("leaf,length_cm\n1,20\n1,30\n"),
+              "field.csv:3:1: leaf 1 is there twice; each leaf has one line");
+}
+
+TEST_F(MeasuredPlants, LeavesAreCheckedAsThoseOfCropFiles) {
+    EXPECT_EQ(problems_of("length_cm,width_cm\n30,40\n50,5\n"),
+              "field.csv:2:4: leaf.width is 0.4 m (wider than its length of "
+              "0.3 m); check the units: both are in m");
+    EXPECT_EQ(problems_of("insertion_height_cm\n40\n20\n"),
+              "field.csv:3:1: leaf.insertion_height is 0.2 m (below the leaf "
+              "before it, at 0.4 m); list the lowest leaf first");
+}
+
+TEST_F(MeasuredPlants, OfOtherNumbersOfLeavesAllMeasuresAreNeeded) {
+    const std::string problems =
+        problems_of("length_cm,width_cm,azimuth_deg\n30,4,90\n");
+    for (const std::string measure :
+         {"insertion_angle (the 2 leaves of the crop cannot stand for 1 "
+          "measured ones); add insertion_angle_deg",
+          "curvature", "insertion_height"})
+        EXPECT_NE(problems.find("field.csv:1:1: there is no column of the " +
+                                measure),
+                  std::string::npos)
+            << problems;
+}
+
+TEST_F(MeasuredPlants, ATableNamesItsCrop) {
+    ASSERT_TRUE(known_crop("maize"));
+    EXPECT_FALSE(known_crop("maze"));
+    std::string lengths = "length_cm\n";
+    for (int leaf = 1; leaf <= 10; ++leaf)
+        lengths += std::to_string(50 + leaf) + "\n";
+    const Crop maize = read_crop(written("# crop: maize\n" + lengths));
+    EXPECT_EQ(maize.baseline.leaves[9].length, .6);
+    EXPECT_EQ(maize.baseline.organs.size(), 4u);
+    EXPECT_FALSE(maize.traits.empty());
+    // Or a file, from the folder of the table; the one that is named counts.
+    written(*known_crop("maize"), "mine.toml");
+    EXPECT_EQ(read("# crop: mine.toml,,\n" + lengths).organs.size(), 4u);
+    const std::string problems = problems_of("# crop: mime.toml\n" + lengths);
+    EXPECT_EQ(problems.find("field.csv:1:9: cannot read "), 0u) << problems;
+    EXPECT_NE(problems.find("(named by # crop); did you mean 'mine.toml'?"),
+              std::string::npos)
+        << problems;
+    // Nothing tells the rest.
+    try {
+        read_plant(written(lengths));
+        FAIL() << "a table without a crop is a plant";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what())
+                      .find("field.csv:1:1: the table names no crop (which "
+                            "tells stalk, organs and traits); begin it with a "
+                            "line such as # crop: maize"),
+                  std::string::npos);
+    }
+}
+
+TEST_F(MeasuredPlants, ATableCanBeTheBaselineOfACampaign) {
+    std::string table = "# crop: maize\nlength_cm\n";
+    for (int leaf = 1; leaf <= 10; ++leaf) table += "55\n";
+    written(table);
+    const Campaign campaign =
+        read_campaign(written("name = \"mine\"\n"
+                              "[[site]]\nname = \"a\"\nlatitude = 42.0\n"
+                              "longitude = -93.6\nutc_offset = -5\n"
+                              "[[day]]\ndate = 2025-08-07\nstart = 07:00:00\n"
+                              "end = 20:00:00\n"
+                              "[[spacing]]\nrow = 0.762\nplant = 0.1524\n"
+                              "[plant]\nbaseline = \"field.csv\"\n",
+                              "mine.toml"));
+    EXPECT_EQ(campaign.crop.baseline.leaves[3].length, .55);
+    // A history stands alone.
+    const Campaign again = parse_campaign(campaign.resolved, "resolved");
+    EXPECT_EQ(again.resolved, campaign.resolved);
+    EXPECT_EQ(again.crop.baseline.name, "field");
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -4,7 +4,7 @@
 
 cross_table.py CROSS.json
 
-Prints what `ideotype evaluate PLANT... --under CAMPAIGN --json` found as a table:
+Prints what `ideotype compare PLANT... --under CAMPAIGN --json` found as a table:
 the light of plants bred for one case under that of another, in % of what those
 take that were bred for it; means of the seeds and their standard errors.
 """

@@ -39,13 +39,13 @@ void check_verb_name(const CLI::App& app, const std::string& word) {
 void require_shared_work(const CLI::App& verb, const Launch& launch) {
     const std::string name = verb.get_name();
     if (launch.size == 1 || name == "run" || name == "sensitivity" ||
-        name == "serve" || (name == "evaluate" && verb.count("--under") > 0))
+        name == "serve" || name == "compare")
         return;
     throw Error(
         fmt::format("{}: {} copies of this were started, which would all do "
                     "the same work; start it without mpirun or srun (run, "
-                    "sensitivity, serve and evaluate --under share their work "
-                    "between ranks)",
+                    "sensitivity, serve and compare share their work between "
+                    "ranks)",
                     name, launch.size),
         ExitCode::usage);
 }

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "campaign_argument.hpp"
 #include "ideotype/cli/verbs.hpp"
@@ -59,24 +60,19 @@ void declare_status(CLI::App& verb, StatusOptions& options) {
     verb.add_flag("--json", options.is_json)->excludes("--resumable");
 }
 
-//! The three kinds of `evaluate`.
+//! The two kinds of `evaluate`.
 struct AnyEvaluate {
     EvaluateOptions one;
-    CrossOptions cross;
     MeshOptions mesh;
+    std::vector<std::string> paths;
+    std::string under;  //!< of versions before `compare`
 };
 
 void declare_evaluate(CLI::App& verb, AnyEvaluate& options) {
-    auto& [one, cross, mesh] = options;
-    auto* files = verb.add_option("files", cross.plants,
-                                  "campaign (.toml: its baseline) or history "
-                                  "(.h5); with --under several, "
-                                  "crop files (.toml) too");
-    auto* under = verb.add_option(
-        "--under", cross.under,
-        "campaign in whose cases all plants are evaluated, the best of each "
-        "history");
-    under->needs(files);
+    auto& [one, mesh, paths, under] = options;
+    auto* files = verb.add_option(
+        "file", paths, "campaign (.toml: its baseline) or history (.h5)");
+    verb.add_option("--under", under)->group("");
     add_settings(verb, one.settings)->needs(files);
     verb.add_option("--case", one.case_index, "case of the campaign")
         ->capture_default_str();
@@ -89,26 +85,48 @@ void declare_evaluate(CLI::App& verb, AnyEvaluate& options) {
                     "history, in the same field");
     verb.get_option("--paths")->excludes("--tolerance");
     auto* mesh_path = verb.get_option("--mesh")->excludes(files);
-    under->excludes(mesh_path)->excludes("--case")->excludes("--tolerance");
     mesh_path->excludes("--case");
-    for (const char* each : row_options) {
-        under->excludes(each);
-        mesh_path->excludes(each);
-    }
+    for (const char* each : row_options) mesh_path->excludes(each);
 }
 
 ExitCode evaluate_any(const AnyEvaluate& options) {
-    auto [one, cross, mesh] = options;
-    mesh.is_json = cross.is_json = one.is_json;
-    cross.settings = one.settings;
+    auto [one, mesh, paths, under] = options;
+    if (!under.empty() || paths.size() > 1)
+        throw Error(
+            fmt::format("evaluate: {} (it evaluates one canopy); to compare "
+                        "plants: ideotype compare PLANT... --under CAMPAIGN",
+                        under.empty() ? "several files are given"
+                                      : "there is no option --under"),
+            ExitCode::usage);
+    mesh.is_json = one.is_json;
     mesh.tolerance = one.tolerance.value_or(mesh.tolerance);
     if (!mesh.path.empty()) return evaluate_mesh(mesh);
-    if (!cross.under.empty()) return cross_evaluate(cross);
-    if (cross.plants.size() > 1)
-        throw Error("evaluate: several plants need --under CAMPAIGN",
-                    ExitCode::usage);
-    if (!cross.plants.empty()) one.path = cross.plants.front();
+    if (!paths.empty()) one.path = paths.front();
     return evaluate(one);
+}
+
+void declare_compare(CLI::App& verb, CompareOptions& options) {
+    verb.add_option("plants", options.plants,
+                    "crop files (.toml), measured plants (.csv), histories "
+                    "(.h5: their best plant) and campaigns (.toml: their "
+                    "baseline); all are compared with the first")
+        ->required();
+    verb.add_option("--under", options.under,
+                    "campaign in whose cases all plants are evaluated, as its "
+                    "finalists are")
+        ->required();
+    add_settings(verb, options.settings);
+    verb.add_option("--seed", options.seed,
+                    "of all random numbers, in the place of the campaign's")
+        ->check(CLI::NonNegativeNumber);
+    verb.add_option("--tolerance", options.tolerance,
+                    "relative standard error of the light that leaves absorb, "
+                    "in the place of the campaign's [final]")
+        ->check(CLI::Range(1e-5, 0.05));
+    verb.add_option("--csv", options.csv_path,
+                    "also write all figures to this new file, one per line");
+    verb.add_flag("--json", options.is_json,
+                  "print all figures as JSON instead of tables");
 }
 
 void declare_fidelity(CLI::App& verb, FidelityOptions& options) {
@@ -201,9 +219,13 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
         declare_status, status);
     add("evaluate",
         "the light in one canopy: a campaign's baseline, or a row of a "
-        "history, which is recomputed and compared bit for bit, or any mesh, "
-        "or many plants under the cases of a campaign",
+        "history, which is recomputed and compared bit for bit, or any mesh",
         declare_evaluate, evaluate_any);
+    add("compare",
+        "plants in the same light: how each differs from the first, with "
+        "paired standard errors, in all and by leaf and layer; alone, or under "
+        "mpirun or srun",
+        declare_compare, compare);
     add("serve",
         "evaluate the genomes that arrive as lines of JSON on the standard "
         "input, and answer each with a line of JSON, until the input ends; "

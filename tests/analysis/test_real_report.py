@@ -8,10 +8,12 @@ import json
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 from browser import run_in_browser
 from ideotype.analysis import open_history
 from ideotype.analysis.commands import report
+from ideotype.analysis.cross import read_cross
 from ideotype.analysis.fidelity import read_fidelity
 from real_program import output_of, write_campaign
 
@@ -43,9 +45,24 @@ def cross(own: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     campaign = own.parents[1] / "tiny.toml"
     path = tmp_path_factory.mktemp("cross") / "cross.json"
     path.write_text(
-        output_of("evaluate", own, campaign, "--under", campaign, "--json")
+        output_of("compare", own, campaign, "--under", campaign, "--json")
     )
     return path
+
+
+def test_a_comparison_is_read_from_json_or_csv(
+    cross: Path, own: Path, tmp_path: Path
+) -> None:
+    campaign, table = own.parents[1] / "tiny.toml", tmp_path / "cross.csv"
+    output_of("compare", own, campaign, "--under", campaign, "--csv", table)
+    from_json, from_csv = read_cross(cross), read_cross(table)
+    assert from_json.plants == from_csv.plants
+    assert len(from_json.plants) == 2
+    assert from_json.cases == from_csv.cases
+    np.testing.assert_array_equal(from_json.mean, from_csv.mean)
+    np.testing.assert_array_equal(
+        from_json.standard_error, from_csv.standard_error
+    )
 
 
 def test_keys_to_paste_are_told_also_where_none_is_so_accurate(

@@ -84,6 +84,39 @@ def test_one_plant_has_the_bits_of_the_command_line(
         assert found[name].item() == value["mean"], name
 
 
+@pytest.mark.parametrize("tolerance", [None, 0.01])
+def test_several_plants_have_the_bits_of_a_comparison(
+    stand: ideotype.Stand, tmp_path: Path, tolerance: float | None
+) -> None:
+    longer = stand.baseline
+    longer[0] *= 1.1
+    (tmp_path / "longer.toml").write_text(stand.crop_file(longer))
+    said = subprocess.run(
+        [
+            executable(), "compare", AMES, tmp_path / "longer.toml",
+            *("--under", AMES, "--json", "--seed", "7"),
+            *("--set", "final.paths=64"),
+            *(("--tolerance", str(tolerance)) if tolerance else ()),
+        ],
+        check=True,
+        capture_output=True,
+        text=True,
+    ).stdout  # fmt: skip
+    told = json.loads(said)
+    found = stand.evaluate(
+        [stand.baseline, longer], seed=7, final=True, tolerance=tolerance
+    )
+    for name, value in (told["quantities"] | told["profiles"]).items():
+        for part, array in (
+            ("mean", found[name]),
+            ("standard_error", found.get(f"{name}_standard_error")),
+        ):
+            if array is not None:
+                np.testing.assert_array_equal(
+                    array.values, [case[0] for case in value[part]], name
+                )
+
+
 def test_the_result_does_not_depend_on_threads(stand: ideotype.Stand) -> None:
     rng = np.random.default_rng(1)
     lower, upper = stand.bounds

@@ -72,28 +72,21 @@ struct EvaluateOptions {
 };
 ExitCode evaluate(const EvaluateOptions& options);
 
-//! `evaluate PLANT... --under CAMPAIGN`: every plant in the light of every case
-//! of the campaign, whatever it was bred for. All plants of a case share their
-//! random numbers.
-struct CrossOptions {
-    //! Histories, for the best plant; campaigns, for their baseline; and
-    //! crop files.
+//! `compare PLANT... --under CAMPAIGN`: every plant in the light of every case
+//! of the campaign, whatever it was bred for, and how it differs from the
+//! first. All plants of a case share their random numbers.
+struct CompareOptions {
+    //! Histories, for the best plant; campaigns, for their baseline; crop files
+    //! and measured plants (.csv).
     std::vector<std::string> plants;
     std::string under;
     std::vector<std::string> settings;  //!< of that: "table.key=value"
+    std::optional<std::uint64_t> seed;  //!< in the place of the campaign's
+    std::optional<double> tolerance;    //!< relative standard error
+    std::string csv_path;               //!< new file with all figures; "": none
     bool is_json = false;
 };
-ExitCode cross_evaluate(const CrossOptions& options);
-
-//! `serve CAMPAIGN`: evaluates the genomes that lines of the standard input ask
-//! for, and answers in lines.
-struct ServeOptions {
-    std::string campaign_path;
-    std::vector<std::string> settings;  //!< "table.key=value"
-    int case_index = 0;
-    LogLevel level = LogLevel::info;
-};
-ExitCode serve(const ServeOptions& options);
+ExitCode compare(const CompareOptions& options);
 
 //! `fidelity CAMPAIGN`: measures what accuracy costs.
 struct FidelityOptions {

@@ -74,8 +74,9 @@ class Cross:
 
 def read_cross(path: str | Path) -> Cross:
     """Reads JSON {"plants": [names], "cases": [names], "mean": [[...]],
-    "standard_error": [[...]]}, a row per plant; or CSV with the header
-    plant,case,mean,standard_error.
+    "standard_error": [[...]]}, a row per plant; or CSV with the
+    columns plant, case, mean, standard_error: those that `ideotype compare`
+    writes, of which the first quantity counts, are the same.
 
     Raises FileNotFoundError, or HistoryError if it is something else."""
     path = Path(path)
@@ -104,6 +105,8 @@ def _from_json(text: str) -> Cross:
 
 def _from_csv(text: str) -> Cross:
     rows = list(csv.DictReader(text.splitlines()))
+    first = rows[0].get("quantity") if rows else None
+    rows = [row for row in rows if row.get("quantity") == first]
     plants = tuple(dict.fromkeys(row["plant"] for row in rows))
     cases = tuple(dict.fromkeys(row["case"] for row in rows))
     mean = np.full((len(plants), len(cases)), np.nan)

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <list>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "comparison.hpp"
+#include "comparison_output.hpp"
+#include "ideotype/cli/ranks.hpp"
+#include "ideotype/core/routine.hpp"
+#include "ideotype/parallel/dispatcher.hpp"
+#include "ideotype/run/progress.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! A task's generation is the case, its slot the plant.
+class CompareEvaluator : public Evaluator {
+  public:
+    CompareEvaluator(const Comparison& comparison, const std::string& isa)
+        : comparison_(comparison), device_(isa) {}
+
+    const OutcomeSchema& schema(const Task& task) const override {
+        return comparison_.plants.at(task.slot).schema;
+    }
+
+    //! All ranks have the plants: no genome is needed.
+    Outcome evaluate(const Task& task, const Genome&) override {
+        return ideotype::evaluate(comparison_, task.slot, task.generation,
+                                  device_);
+    }
+
+  private:
+    const Comparison& comparison_;
+    Device device_;
+};
+
+//! Fills a comparison case by case.
+class Comparer : public Director {
+  public:
+    explicit Comparer(Comparison& comparison) : all_(comparison) {}
+
+    //! @throws Error if one cannot be evaluated, or a stop is requested.
+    void fill(Dispatcher& dispatcher) {
+        dispatcher_ = &dispatcher;
+        dispatcher.run(*this);
+        for (auto& each : running_) each.result();
+        if (done_ < all_.size())
+            throw Error(fmt::format("stopped; {} of {} evaluations were done",
+                                    done_, all_.size()));
+    }
+
+    bool start_next() override {
+        if (running_.size() == all_.cases.size()) return false;
+        running_.push_back(fill_case(running_.size()));
+        running_.back().start();
+        return true;
+    }
+    void on_silence(const Task&, const std::string& what) override {
+        fmt::print(stderr, "{}\n", what);
+    }
+    void on_stop(int) override {}
+
+  private:
+    Routine<bool> fill_case(std::size_t c) {
+        std::vector<Work> work;
+        for (std::size_t p = 0; p < all_.plants.size(); ++p) {
+            Task task;
+            task.case_index =
+                static_cast<std::uint32_t>(all_.cases[c].chosen.index);
+            task.generation = static_cast<std::uint32_t>(c);
+            task.slot = static_cast<std::uint32_t>(p);
+            task.is_final = true;
+            work.push_back({task, {}});
+        }
+        co_await dispatcher_->evaluate(
+            std::move(work), [this](const Work& done, const Outcome& outcome) {
+                record(done.task, outcome);
+            });
+        co_return true;
+    }
+
+    void record(const Task& task, const Outcome& outcome) {
+        if (outcome.status != Status::done)
+            throw Error(fmt::format("{} in {}: {}", all_.plants[task.slot].name,
+                                    all_.cases[task.generation].name,
+                                    outcome.message));
+        all_.outcomes[task.slot][task.generation] = outcome;
+        live_.show(fmt::format("{} of {} evaluated", ++done_, all_.size()));
+    }
+
+    Comparison& all_;
+    std::size_t done_ = 0;
+    LiveLine live_;
+    Dispatcher* dispatcher_ = nullptr;  //!< while filling
+    std::list<Routine<bool>> running_;
+};
+
+void compare_and_tell(Comparison& comparison,
+                      std::unique_ptr<Dispatcher> dispatcher,
+                      const CompareOptions& options) {
+    Comparer(comparison).fill(*dispatcher);
+    if (!options.csv_path.empty()) write_csv(options.csv_path, comparison);
+    if (options.is_json)
+        fmt::print("{}\n", to_text(to_json(comparison)));
+    else
+        print(comparison);
+}
+
+Comparison read(const CompareOptions& options) {
+    if (!options.csv_path.empty() && std::filesystem::exists(options.csv_path))
+        throw Error(fmt::format("{}: exists already and is not overwritten",
+                                options.csv_path),
+                    ExitCode::refused);
+    return read_comparison(options);
+}
+
+//! What this rank reads, if all could read theirs.
+//! @throws Error of what could not be read, on rank 0 if it could not.
+std::optional<Comparison> read_on_all(const Session& session,
+                                      const CompareOptions& options) {
+    std::optional<Comparison> comparison;
+    std::exception_ptr failure;
+    try {
+        comparison = read(options);
+        if (comparison->size() == 1)
+            throw Error(
+                fmt::format("compare: one plant in one case is one "
+                            "evaluation, which {} ranks cannot share; start "
+                            "it without mpirun or srun",
+                            session.size()),
+                ExitCode::usage);
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    const bool has_any_failed = session.largest(failure ? 1 : 0) != 0;
+    const bool has_first_failed =
+        !session.broadcast(failure ? "failed" : "").empty();
+    if (failure && (session.rank() == 0 || !has_first_failed))
+        std::rethrow_exception(failure);
+    if (has_any_failed) return std::nullopt;
+    return comparison;
+}
+
+//! Collective over all ranks, which share plants and cases.
+void share(const CompareOptions& options, const Session& session,
+           StopFlag& stop) {
+    auto comparison = read_on_all(session, options);
+    if (!comparison) return;
+    CompareEvaluator evaluator(
+        *comparison, session.broadcast(Device::supported_isas().back()));
+    if (session.rank() != 0) return serve(session, evaluator);
+    const Campaign& under = comparison->under;
+    compare_and_tell(
+        *comparison,
+        make_dispatcher(session, evaluator, stop,
+                        {under.answer_limits.deadline,
+                         under.answer_limits.attempts, final_effort(under)}),
+        options);
+}
+
+}  // namespace
+
+ExitCode compare(const CompareOptions& options) {
+    StopFlag stop;
+    if (launch_of_this_process().size > 1) {
+        const Session session;
+        share(options, session, stop);
+        return ExitCode::ok;
+    }
+    Comparison comparison = read(options);
+    CompareEvaluator evaluator(comparison, Device::supported_isas().back());
+    compare_and_tell(comparison, make_dispatcher(evaluator, stop), options);
+    return ExitCode::ok;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ideotype/campaign/campaign.hpp"
+#include "ideotype/canopy/scenario.hpp"
+#include "ideotype/cli/verbs.hpp"
+#include "ideotype/search/outcome.hpp"
+#include "ideotype/stand/stand.hpp"
+
+namespace ideotype {
+
+//! What is measured of a plant: a single number, or one place of a profile by
+//! leaf or by layer of height.
+struct Figure {
+    Quantity quantity;
+    std::size_t place = 0;  //!< along its axis, from 0
+
+    bool is_of_profile() const { return !quantity.axes.empty(); }
+};
+
+//! A plant and what is measured of it. Plants with more leaves have more
+//! figures; those that two plants have are the same, in the same order.
+struct ComparedPlant {
+    std::string name;
+    Plant plant;
+    std::vector<Figure> figures;
+    OutcomeSchema schema;  //!< each figure is an objective, so that all have
+                           //!< values by randomisation
+};
+
+//! A case, or one of its scenarios, without its replicates, which have the same
+//! light.
+struct ComparedCase {
+    Case chosen;
+    std::string name;
+    Scenario scenario;
+};
+
+//! Plants in the light of cases.
+struct Comparison {
+    Campaign under;
+    std::optional<double> tolerance;  //!< relative standard error
+    std::vector<ComparedPlant> plants;
+    std::vector<ComparedCase> cases;
+    Layers layers;  //!< up to the highest leaf of any plant
+    std::vector<std::vector<Outcome>> outcomes;  //!< by plant, then by case
+
+    std::size_t size() const { return plants.size() * cases.size(); }
+
+    //! Of the plant with the most leaves.
+    const std::vector<Figure>& figures() const;
+
+    //! Nothing if the plant has no such leaf.
+    std::optional<Estimate> value(std::size_t plant, std::size_t chosen,
+                                  std::size_t figure) const;
+
+    //! By how much it exceeds that of the first plant; the standard error is
+    //! one of pairs of randomisations.
+    std::optional<Estimate> difference(std::size_t plant, std::size_t chosen,
+                                       std::size_t figure) const;
+};
+
+//! Reads the plants and the campaign; nothing is evaluated yet.
+//! @throws Error and InputError of what cannot be read.
+Comparison read_comparison(const CompareOptions& options);
+
+//! One evaluation. All plants of a case share their random numbers.
+Outcome evaluate(const Comparison& comparison, std::size_t plant,
+                 std::size_t chosen, const Device& device);
+
+}  // namespace ideotype

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "comparison_output.hpp"
+
+#include <fstream>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "ideotype/run/progress.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! The figures of each profile, by its name.
+std::map<std::string, std::vector<std::size_t>> profiles(
+    const Comparison& all) {
+    std::map<std::string, std::vector<std::size_t>> found;
+    const std::vector<Figure>& figures = all.figures();
+    for (std::size_t f = 0; f < figures.size(); ++f)
+        if (figures[f].is_of_profile())
+            found[figures[f].quantity.name].push_back(f);
+    return found;
+}
+
+//! Where a figure of a profile is: the rank of a leaf, or the height of the
+//! middle of a layer [m].
+double coordinate(const Comparison& all, const Figure& figure) {
+    const auto place = static_cast<double>(figure.place);
+    return figure.quantity.axes.front() == "leaf"
+               ? place + 1
+               : all.layers.thickness * (place + 0.5);
+}
+
+//! Adds matrices of means and standard errors.
+//! @param figure of a plant in a case, as {mean, standard_error} of Json
+template <class Figure>
+void add_matrices(Json& json, const Comparison& all, const Figure& figure) {
+    for (std::size_t p = 0; p < all.plants.size(); ++p) {
+        Json means = Json::array(), errors = Json::array();
+        for (std::size_t c = 0; c < all.cases.size(); ++c) {
+            const auto [mean, error] = figure(p, c);
+            means.push_back(mean);
+            errors.push_back(error);
+        }
+        json["mean"].push_back(means);
+        json["standard_error"].push_back(errors);
+    }
+}
+
+//! Of values and differences; lists of them if there are several figures.
+void add_figures(Json& json, const Comparison& all,
+                 const std::vector<std::size_t>& figures, bool is_list) {
+    const auto of = [&](const auto& take) {
+        return [&, take](std::size_t p, std::size_t c) {
+            std::pair<Json, Json> lists{Json::array(), Json::array()};
+            for (const std::size_t f : figures) {
+                const std::optional<Estimate> x = take(p, c, f);
+                lists.first.push_back(x ? Json(x->mean) : Json());
+                lists.second.push_back(x ? Json(x->standard_error) : Json());
+            }
+            if (is_list) return lists;
+            return std::pair(lists.first.front(), lists.second.front());
+        };
+    };
+    add_matrices(json, all, of([&](auto p, auto c, auto f) {
+                     return all.value(p, c, f);
+                 }));
+    add_matrices(json["difference"], all, of([&](auto p, auto c, auto f) {
+                     return all.difference(p, c, f);
+                 }));
+}
+
+//! A text as an entry of CSV.
+std::string csv_text(const std::string& text) {
+    if (text.find_first_of(",\"\n") == text.npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+    return quoted + '"';
+}
+
+std::string csv_numbers(const std::optional<Estimate>& x) {
+    return x ? fmt::format("{},{}", x->mean, x->standard_error) : ",";
+}
+
+std::string title(const Quantity& quantity) {
+    return fmt::format("{} [{}]", quantity.name, quantity.unit);
+}
+
+//! Also relative to the value of the first plant.
+std::string difference_text(const Comparison& all, std::size_t p, std::size_t c,
+                            std::size_t f) {
+    const std::optional<Estimate> x = all.difference(p, c, f);
+    if (!x) return "-";
+    const double base = all.value(0, c, f)->mean;
+    return base != 0 && x->mean != 0
+               ? fmt::format("{} ({:+.2f} %)", format(*x), 100 * x->mean / base)
+               : format(*x);
+}
+
+std::string value_text(const Comparison& all, std::size_t p, std::size_t c,
+                       std::size_t f) {
+    const std::optional<Estimate> x = all.value(p, c, f);
+    return x ? format(*x) : "-";
+}
+
+constexpr auto number_line = "  {:<36} {:>24}{}\n";
+constexpr auto profile_line = "  {:>6} {:>24}{}\n";
+constexpr auto profile_end = " {:>24} {:>34}";
+
+void print_number(const Comparison& all, std::size_t c, std::size_t f) {
+    for (std::size_t p = 0; p < all.plants.size(); ++p)
+        fmt::print(number_line, all.plants[p].name, value_text(all, p, c, f),
+                   p == 0
+                       ? ""
+                       : fmt::format(" {:>34}", difference_text(all, p, c, f)));
+}
+
+//! A profile of a plant beside that of the first.
+void print_profile(const Comparison& all, std::size_t p, std::size_t c,
+                   const std::vector<std::size_t>& figures) {
+    const std::vector<Figure>& known = all.figures();
+    const Quantity& quantity = known[figures.front()].quantity;
+    fmt::print("\n{}\n", title(quantity));
+    fmt::print(
+        profile_line, quantity.axes.front() == "layer" ? "z [m]" : "leaf",
+        all.plants[0].name,
+        p == 0 ? ""
+               : fmt::format(profile_end, all.plants[p].name, "difference"));
+    const auto is_dark = [&](std::size_t plant, std::size_t f) {
+        const std::optional<Estimate> x = all.value(plant, c, f);
+        return !x || (x->mean == 0 && x->standard_error == 0);
+    };
+    // The highest first, as it stands in the field.
+    for (auto f = figures.rbegin(); f != figures.rend(); ++f)
+        if (!is_dark(0, *f) || !is_dark(p, *f))
+            fmt::print(
+                profile_line, fmt::format("{:.6g}", coordinate(all, known[*f])),
+                value_text(all, 0, c, *f),
+                p == 0 ? ""
+                       : fmt::format(profile_end, value_text(all, p, c, *f),
+                                     difference_text(all, p, c, *f)));
+}
+
+}  // namespace
+
+Json to_json(const Comparison& all) {
+    const std::vector<Figure>& figures = all.figures();
+    const Quantity& objective = figures.front().quantity;
+    Json json{{"objective", objective.name},
+              {"unit", objective.unit},
+              {"seed", all.under.seed}};
+    for (const ComparedPlant& plant : all.plants)
+        json["plants"].push_back(plant.name);
+    for (const ComparedCase& each : all.cases)
+        json["cases"].push_back(each.name);
+    add_figures(json, all, {0}, false);
+    for (const auto& row : all.outcomes) {
+        Json of_plant = Json::array();
+        for (const Outcome& outcome : row)
+            of_plant.push_back(std::vector(
+                outcome.randomisations.begin(),
+                outcome.randomisations.begin() +
+                    static_cast<std::ptrdiff_t>(outcome.randomisations.size() /
+                                                outcome.objectives.size())));
+        // Common to all plants of a case: differences are paired.
+        json["by_randomisation"].push_back(of_plant);
+    }
+    for (std::size_t f = 0; f < figures.size(); ++f) {
+        const Quantity& quantity = figures[f].quantity;
+        if (figures[f].is_of_profile()) continue;
+        Json& one = json["quantities"][quantity.name];
+        one["unit"] = quantity.unit;
+        add_figures(one, all, {f}, false);
+    }
+    for (const auto& [name, places] : profiles(all)) {
+        const Quantity& quantity = figures[places.front()].quantity;
+        const std::string& axis = quantity.axes.front();
+        Json& one = json["profiles"][name];
+        one["unit"] = quantity.unit;
+        one["axis"] = axis;
+        one["axis_unit"] = axis == "layer" ? "m" : "1";
+        for (const std::size_t f : places)
+            one["coordinates"].push_back(coordinate(all, figures[f]));
+        add_figures(one, all, places, true);
+    }
+    return json;
+}
+
+void write_csv(const std::string& path, const Comparison& all) {
+    std::ofstream out(path, std::ios::binary);
+    out << "plant,case,quantity,unit,leaf,layer_m,mean,standard_error,"
+           "difference,difference_standard_error\n";
+    for (std::size_t p = 0; p < all.plants.size(); ++p)
+        for (std::size_t c = 0; c < all.cases.size(); ++c)
+            for (std::size_t f = 0; f < all.plants[p].figures.size(); ++f) {
+                const Figure& figure = all.plants[p].figures[f];
+                std::string place = ",";
+                if (figure.is_of_profile()) {
+                    const std::string at =
+                        fmt::format("{}", coordinate(all, figure));
+                    place = figure.quantity.axes.front() == "leaf" ? at + place
+                                                                   : place + at;
+                }
+                out << fmt::format("{},{},{},{},{},{},{}\n",
+                                   csv_text(all.plants[p].name),
+                                   all.cases[c].name, figure.quantity.name,
+                                   csv_text(figure.quantity.unit), place,
+                                   csv_numbers(all.value(p, c, f)),
+                                   csv_numbers(all.difference(p, c, f)));
+            }
+    out.close();
+    if (!out) throw Error(path + ": cannot be written");
+}
+
+void print(const Comparison& all) {
+    const std::vector<Figure>& figures = all.figures();
+    const bool has_differences = all.plants.size() > 1;
+    fmt::print(
+        "{} of each plant in each case{}\n", title(figures.front().quantity),
+        has_differences ? ", and how much more than " + all.plants.front().name
+                        : "");
+    for (std::size_t c = 0; c < all.cases.size(); ++c) {
+        fmt::print("\n{}\n", all.cases[c].name);
+        print_number(all, c, 0);
+    }
+    fmt::print("\nErrors are standard errors.{}\n",
+               has_differences ? " Plants of a case share their random "
+                                 "numbers: those of\ndifferences are paired."
+                               : "");
+    for (std::size_t c = 0; c < all.cases.size(); ++c) {
+        fmt::print("\n== {} ==\n", all.cases[c].name);
+        for (std::size_t f = 1; f < figures.size(); ++f) {
+            if (figures[f].is_of_profile()) continue;
+            fmt::print("\n{}\n", title(figures[f].quantity));
+            print_number(all, c, f);
+        }
+        for (const auto& [name, places] : profiles(all))
+            for (std::size_t p = has_differences ? 1 : 0; p < all.plants.size();
+                 ++p)
+                print_profile(all, p, c, places);
+    }
+}
+
+}  // namespace ideotype

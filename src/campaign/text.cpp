@@ -135,6 +135,8 @@ KeyInfo describe(const Section& section, const Key& key) {
     else
         info.initial = key.initial.empty() ? toml_text(key) : key.initial;
     info.meaning = key.meaning;
+    info.lower = key.lower;
+    info.upper = key.upper;
     return info;
 }
 

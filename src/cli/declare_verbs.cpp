@@ -129,6 +129,29 @@ void declare_compare(CLI::App& verb, CompareOptions& options) {
                   "print all figures as JSON instead of tables");
 }
 
+void declare_new(CLI::App& verb, NewOptions& options) {
+    verb.add_option("file", options.path, "new campaign file (.toml)")
+        ->required();
+    verb.add_option("--latitude", options.latitude,
+                    "of the place [deg], north is positive");
+    verb.add_option("--longitude", options.longitude,
+                    "of the place [deg], east is positive");
+    verb.add_option("--utc-offset", options.utc_offset,
+                    "local clock minus UTC [h]; of the longitude if not given");
+    verb.add_option("--date", options.date, "of a clear day: 2025-07-01");
+    verb.add_option("--row", options.row, "distance between rows [m]");
+    verb.add_option("--plant-spacing", options.plant_spacing,
+                    "distance between plants in a row [m]");
+    verb.add_option("--plant", options.plant,
+                    "maize or sorghum, of which the crop file is copied beside "
+                    "the campaign; a crop file (.toml) or measured leaves "
+                    "(.csv)");
+    verb.add_option("--objective", options.objective,
+                    "what to breed for: absorbed_par, net_assimilation, any "
+                    "single number of a canopy");
+    verb.add_option("--name", options.name, "of the campaign");
+}
+
 void declare_fidelity(CLI::App& verb, FidelityOptions& options) {
     add_campaign(verb, options.campaign_path, options.settings);
     verb.add_option("--case", options.case_index)->capture_default_str();
@@ -200,6 +223,10 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
         });
         return *options;
     };
+    add("new",
+        "write a commented campaign for a place and a plant; what is not given "
+        "is asked for on a terminal",
+        declare_new, write_new_campaign);
     add("check", "validate a campaign; report its size and cost", declare_check,
         check);
     add("plan", "list the cases of a campaign with index, seed and cost",

@@ -15,6 +15,7 @@ struct KeyInfo {
     std::string range;    //!< "-" if it has none
     std::string initial;  //!< the default in TOML, or "required"
     std::string meaning;
+    double lower = 0, upper = 0;  //!< of numbers; the same: none
 };
 
 //! Every key in the order of a resolved campaign, crop files last.

@@ -88,6 +88,30 @@ struct CompareOptions {
 };
 ExitCode compare(const CompareOptions& options);
 
+//! `new FILE`: writes a commented campaign for a place and a plant. Numbers are
+//! as they were written; what is "" is asked for on a terminal.
+struct NewOptions {
+    std::string path;
+    std::string name;                             //!< "": that of the file
+    std::string latitude, longitude, utc_offset;  //!< [deg], [h]
+    std::string date;
+    std::string row, plant_spacing;  //!< [m]
+    //! A crop that the program knows, a crop file or measured leaves.
+    std::string plant;
+    std::string objective;
+};
+ExitCode write_new_campaign(const NewOptions& options);
+
+//! `serve CAMPAIGN`: evaluates the genomes that lines of the standard input ask
+//! for, and answers in lines.
+struct ServeOptions {
+    std::string campaign_path;
+    std::vector<std::string> settings;  //!< "table.key=value"
+    int case_index = 0;
+    LogLevel level = LogLevel::info;
+};
+ExitCode serve(const ServeOptions& options);
+
 //! `fidelity CAMPAIGN`: measures what accuracy costs.
 struct FidelityOptions {
     std::string campaign_path;

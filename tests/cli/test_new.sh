@@ -1,0 +1,129 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# New campaigns, from options and from answers on a terminal.
+. "$(dirname "$0")/common.sh"
+
+place=(--latitude 42.03 --longitude -93.63 --date 2021-07-01)
+field=(--row 0.762 --plant-spacing 0.15)
+mkdir own other
+
+# Ready to be checked from anywhere; the crop is beside it, to be changed.
+expect 0 "$ideotype" new own/my.toml "${place[@]}" "${field[@]}" --plant maize
+says "^next: ideotype check own/my.toml$"
+cmp own/maize.toml campaigns/crops/maize.toml
+expect 0 "$ideotype" check own/my.toml
+says "^own/my.toml: no errors$"
+says "^campaign  my, 1 case$"
+says "^sun .*left out"
+says " 0.0 % "
+(cd own && "$ideotype" plan my.toml) | grep -q "my_0701_762x150_all_r1" ||
+    fail "not the campaign that was asked for"
+for line in 'latitude = 42.03  *# .*\[deg\]' 'utc_offset = -6  *#' \
+    'start = 04:00:00' 'end = 20:00:00' 'row = 0.762  *# .*\[m\]' \
+    'maximise = "absorbed_par"  *#' 'baseline = "maize.toml"  *#'; do
+    grep -q "^$line" own/my.toml || fail "no '$line' in $(cat own/my.toml)"
+done
+if grep -E '^[a-z_]+ = ' own/my.toml | grep -v '#'; then
+    fail "a key is not explained"
+fi
+
+# Nothing is ever overwritten.
+sum=$(cat own/* | sha256sum)
+expect 4 "$ideotype" new own/my.toml "${place[@]}" "${field[@]}" --plant maize
+says "own/my.toml: exists already and is not overwritten"
+[ "$(cat own/* | sha256sum)" = "$sum" ] || fail "something was overwritten"
+# The same crop serves another campaign; one that was changed is not taken
+# for it.
+expect 0 "$ideotype" new own/second.toml "${place[@]}" "${field[@]}" \
+    --plant maize --objective net_assimilation --name bread --utc-offset -5
+expect 0 "$ideotype" check own/second.toml
+says "^campaign  bread, "
+sed -i 's/^height = 1.61/height = 1.62/' own/maize.toml
+expect 4 "$ideotype" new own/third.toml "${place[@]}" "${field[@]}" --plant maize
+says "own/maize.toml: exists already .*--plant own/maize.toml"
+[ ! -e own/third.toml ] || fail "half of it was written"
+expect 0 "$ideotype" new other/third.toml "${place[@]}" "${field[@]}" \
+    --plant own/maize.toml
+grep -q '^baseline = "../own/maize.toml"' other/third.toml ||
+    fail "not a path from the campaign: $(cat other/third.toml)"
+expect 0 "$ideotype" check other/third.toml
+[ ! -e other/maize.toml ] || fail "a plant of the user's was copied"
+
+# Measured leaves, also beyond the ranges of the crop.
+cat >own/field.csv <<'CSV'
+# crop: maize
+length_cm,width_cm,insertion_angle_deg,curvature_deg,azimuth_deg,insertion_height_cm
+30,4,40,60,90,20
+50,6,40,60,270,40
+CSV
+expect 0 "$ideotype" new other/field.toml "${place[@]}" "${field[@]}" \
+    --plant own/field.csv
+grep -q '^length = \[0.3, 1.1\]' other/field.toml ||
+    fail "bounds that the baseline is beyond: $(cat other/field.toml)"
+expect 0 "$ideotype" check other/field.toml
+says "^plant     field, 2 leaves"
+expect 0 "$ideotype" migrate other/field.toml
+says "^other/field.toml: nothing to do$"
+sed -i 's/^30,4/30,400/; 1d' own/field.csv
+expect 3 "$ideotype" new other/bad.toml "${place[@]}" "${field[@]}" \
+    --plant own/field.csv
+says "own/field.csv:1:1: the table names no crop .*# crop: maize"
+says "own/field.csv:2:4: width_cm is 400"
+
+# Days without a night, and nights without a day.
+expect 0 "$ideotype" new own/north.toml --latitude 70 --longitude 25 \
+    --date 2021-06-21 "${field[@]}" --plant sorghum
+grep -q '^end = "24:00"' own/north.toml || fail "no polar day"
+expect 0 "$ideotype" check own/north.toml
+expect 2 "$ideotype" new own/night.toml --latitude 70 --longitude 25 \
+    --date 2021-12-21 "${field[@]}" --plant own/maize.toml
+says "the sun does not rise on 2021-12-21"
+
+# Wrong use, told at once; nothing is left of it.
+expect 2 "$ideotype" new none.toml --latitude 42 </dev/null
+says "new: there is no --longitude, --date, --row, --plant-spacing, --plant (on"
+[ "$(wc -l <out.log)" -eq 1 ] || fail "not one line"
+expect 2 "$ideotype" new none.toml --latitude 95 </dev/null
+says '"95" is no latitude (expected: a number, -90 .. 90 deg)'
+expect 2 "$ideotype" new none.toml "${place[@]}" --date 2021-02-30
+expect 2 "$ideotype" new none.toml --date 2021-02-30 </dev/null
+says '"2021-02-30" is no date'
+expect 2 "$ideotype" new none.toml --plant maze </dev/null
+says "did you mean 'maize'"
+expect 2 "$ideotype" new none.toml --objective light </dev/null
+says "there is no objective 'light'"
+expect 2 "$ideotype" new nowhere/none.toml "${place[@]}" "${field[@]}" \
+    --plant maize
+says "there is no folder nowhere"
+expect 3 "$ideotype" new none.toml "${place[@]}" "${field[@]}" --plant maize \
+    --name "my own"
+says 'none.toml:.*name is "my own"'
+[ -z "$(ls none.toml maize.toml 2>/dev/null)" ] || fail "something is left"
+
+# On a terminal what is not given is asked for, until it can be taken.
+{
+    echo 42.03
+    echo west
+    echo -93.63
+    echo 2021-13-01
+    echo 2021-07-01
+    echo 0.762
+    echo 0.15
+    echo
+    echo
+} >answers
+expect 0 script -qec "'$ideotype' new asked.toml" /dev/null <answers
+says "Latitude of the place"
+says '"west" is no longitude (expected: a number, -180 .. 180 deg)'
+says '"2021-13-01" is no date'
+says "(maize): "
+says "(absorbed_par): "
+expect 0 "$ideotype" check asked.toml
+diff -b <(sed 's/my/asked/g' own/my.toml) asked.toml ||
+    fail "answers make another campaign than options"
+# Only what is missing.
+expect 0 script -qec "'$ideotype' new rest.toml ${place[*]} ${field[*]} \
+    --plant maize" /dev/null <<<""
+grep -q "Latitude" out.log && fail "what was given is asked for"
+expect 2 script -qec "'$ideotype' new ended.toml" /dev/null </dev/null
+says "the input ended before --latitude was told"

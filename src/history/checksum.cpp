@@ -125,8 +125,8 @@ std::string GenerationChecksums::of(std::uint32_t generation,
                                     const Span& rows) {
     if (!tables_)
         tables_ = std::make_unique<Tables>(
-            Table(file_, "evaluations", {}, mapping_),
-            Table(file_, "generations", {"checksum", "committed"}));
+            Tables{Table(file_, "evaluations", {}, mapping_),
+                   Table(file_, "generations", {"checksum", "committed"})});
     Sha256 sum;
     tables_->rows.add_rows(sum, rows);
     tables_->summaries.add_rows(sum, {generation, 1});

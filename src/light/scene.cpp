@@ -348,13 +348,17 @@ int Scene::faces_at(const glm::dvec3& point) const {
     RTCPointQueryContext context;
     rtcInitPointQueryContext(&context);
     const auto look_at = [](RTCPointQueryFunctionArguments* arguments) {
-        auto& [scene, p, found] = *static_cast<Search*>(arguments->userPtr);
+        auto& at = *static_cast<Search*>(arguments->userPtr);
+        const Scene& scene = at.scene;
         const auto corner = [&scene, arguments](std::size_t i) {
             const auto& c = scene.corners_[4 * arguments->primID + i];
             return glm::dvec3(c[0], c[1], c[2]);
         };
-        found += is_at(p, corner(0), corner(1), corner(3), scene.clearance_) ||
-                 is_at(p, corner(2), corner(3), corner(1), scene.clearance_);
+        const auto lies_on = [&](std::size_t a, std::size_t b, std::size_t c) {
+            return is_at(at.point, corner(a), corner(b), corner(c),
+                         scene.clearance_);
+        };
+        at.found += lies_on(0, 1, 3) || lies_on(2, 3, 1);
         return false;
     };
     rtcPointQuery(handle_->scene, &query, &context, look_at, &search);

@@ -18,8 +18,6 @@ namespace ideotype {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 // Was a quantity, and now is a part of every outcome.
 constexpr auto violation_column = "violation";
 

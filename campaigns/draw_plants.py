@@ -14,13 +14,14 @@ import argparse
 from pathlib import Path
 
 import numpy as np
-from ideotype import Stand
-from ideotype._geometry import Mesh
-from ideotype.analysis.style import new_figure
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import to_rgb
 from shared import ANYWHERE, best, guard
+
+from ideotype import Stand
+from ideotype._geometry import Mesh
+from ideotype.analysis.style import new_figure
 
 COLORS = {"leaf": "#4E9A3A", "sheath": "#A3B57E", "stalk": "#A98F62"}
 TURN = np.deg2rad(30)
@@ -56,7 +57,7 @@ def draw(axes: Axes, mesh: Mesh, is_side: bool, turn: float = TURN) -> None:
             facecolors=colors[order],
             edgecolors="face",
             linewidths=0.3,
-        )  # fmt: skip
+        )
     )
     axes.set_aspect("equal")
     axes.grid(visible=False)

@@ -18,7 +18,6 @@ import argparse
 from pathlib import Path
 
 import numpy as np
-from ideotype import Stand
 from shared import (
     HERE,
     MAIZE,
@@ -31,6 +30,8 @@ from shared import (
     stand_of,
     with_trait,
 )  # fmt: skip
+
+from ideotype import Stand
 
 ROW = 0.762
 DENSITIES = (3.0, 5.0, 7.0, 9.0, 12.0, 16.0)

@@ -25,13 +25,15 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
+from itertools import chain
 from pathlib import Path
 from statistics import fmean, stdev
 
-import ideotype
 import numpy as np
 from scipy.interpolate import BSpline
 from shared import HERE, Numbers, best, breed, guard
+
+import ideotype
 
 ROWS, PLANTS, ROW, PLANT, TURN = 4, 4, 0.762, 0.1524, 10
 ALONG, HALF = 40, 2  # cells from base to tip, and from midrib to margin
@@ -85,7 +87,7 @@ class Shape:
     """What is changed in each blade."""
 
     source: str
-    bend: Callable[[float], float] = partial(power, 1.5)
+    bend: Callable[[float], float] = partial(power, 1.5)  # noqa: RUF009
     total_bend: float | None = None  #: of all leaves [deg], else that of each
     twist: float = 0  #: of the tip about the midrib [deg]
     one_sense: bool = False  #: of the twist, else at random for each leaf
@@ -102,7 +104,7 @@ class Shape:
     def varies(self) -> bool:
         """From leaf to leaf, at random."""
         return bool(
-            self.roll or self.amplitude or self.twist and not self.one_sense
+            self.roll or self.amplitude or (self.twist and not self.one_sense)
         )
 
 
@@ -371,7 +373,9 @@ def main() -> None:
     ) -> list[list[float]]:
         lights = [leaf_light(mesh, options) for mesh in meshes]
         own = gains(lights)
-        cells = [f"{fmean(x):.2f}" for x in (lights[0], sum(lights[1:], []))]
+        cells = [
+            f"{fmean(x):.2f}" for x in (lights[0], list(chain(*lights[1:])))
+        ]
         cells += [f"{fmean(mean_of(own)):.2f}", "", ""]
         if before:
             light = [

@@ -23,7 +23,6 @@ from pathlib import Path
 from statistics import fmean
 
 import pandas as pd
-from ideotype.analysis.style import new_figure
 from shared import (
     HERE,
     MAIZE,
@@ -36,6 +35,8 @@ from shared import (
     mean_over_seeds,
     stand_of,
 )  # fmt: skip
+
+from ideotype.analysis.style import new_figure
 
 DAY, SEASON = HERE / "ames.toml", HERE / "bondville.toml"
 CARBON = "objective.maximise=carbon_balance"

@@ -19,7 +19,6 @@ import re
 from pathlib import Path
 
 import numpy as np
-from ideotype import Stand
 from shared import (
     HERE,
     Estimate,
@@ -31,6 +30,8 @@ from shared import (
     light,
     mean_over_seeds,
 )  # fmt: skip
+
+from ideotype import Stand
 
 QUICK = HERE / "ames_quick.toml"
 TASSEL = ["peduncle", "tassel_spike", "tassel_branches"]

@@ -24,9 +24,10 @@ from pathlib import Path
 from statistics import fmean, stdev
 
 import numpy as np
+from shared import HERE, Numbers, breed, gain, guard, light, stand_of
+
 from ideotype import Stand, open_history
 from ideotype.analysis.style import new_figure, series
-from shared import HERE, Numbers, breed, gain, guard, light, stand_of
 
 PLANT = HERE / "plants" / "b73_v01.toml"
 #: name: keys of [search], and the candidates of a generation

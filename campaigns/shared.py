@@ -15,11 +15,12 @@ from statistics import fmean, stdev
 from tempfile import TemporaryDirectory
 from typing import Any
 
-import ideotype
 import numpy as np
 import pandas as pd
-from ideotype import Stand
 from numpy.typing import NDArray
+
+import ideotype
+from ideotype import Stand
 
 HERE = Path(__file__).parent
 MAIZE = HERE / "crops" / "maize.toml"

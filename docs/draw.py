@@ -19,17 +19,18 @@ from typing import Any
 
 import matplotlib
 import numpy as np
-from ideotype import Stand, mesh
-from ideotype._geometry import Mesh
-from ideotype.analysis.style import RC, new_figure
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Arc, Rectangle
 from PIL import Image
 
+from ideotype import Stand, mesh
+from ideotype._geometry import Mesh
+from ideotype.analysis.style import RC, new_figure
+
 DOCS = Path(__file__).resolve().parent
 sys.path.insert(0, str(DOCS.parent / "campaigns"))
-from draw_plants import TURN, draw
+from draw_plants import TURN, draw  # noqa: E402
 from shared import ANYWHERE
 
 ROW, PLANT = 0.76, 0.15

@@ -35,8 +35,9 @@ MESHES = {
         "isolated",
         "--ground-area",
         ".114",
-    ]
-    + ["--sky", "overcast"],
+        "--sky",
+        "overcast",
+    ],
 }
 
 
@@ -53,8 +54,8 @@ def figures(name: str) -> dict[str, np.ndarray]:
 
 def text(found: dict[str, np.ndarray]) -> str:
     lines = []
-    for name, values in found.items():
-        values = np.ascontiguousarray(values, dtype="<f8").ravel()
+    for name, array in found.items():
+        values = np.ascontiguousarray(array, dtype="<f8").ravel()
         digest = hashlib.sha256(values.tobytes()).hexdigest()[:16]
         lines.append(f"{name} {values.size} {digest} {float(values[0])!r}\n")
     return "".join(lines)

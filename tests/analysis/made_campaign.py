@@ -6,8 +6,9 @@ from __future__ import annotations
 import tomllib
 from functools import cache
 
-import ideotype
 from real_program import CAMPAIGNS
+
+import ideotype
 
 SITES = {"ames": (42.0, 10), "edmonton": (53.5, 30)}
 """Latitude, and folding angle of blades [deg]."""

@@ -144,8 +144,9 @@ class MadeHistory:
             {"source": 'name = "made" # source', "resolved": resolved},
         )
         for name, value in SESSION.items():
-            value = value.encode() if isinstance(value, str) else value
-            self.file["sessions"][name][0] = value
+            self.file["sessions"][name][0] = (
+                value.encode() if isinstance(value, str) else value
+            )
         if "messages/text" in self.file:
             self.file["messages/text"][0] = "Zeit f\u00fcr Licht".encode()
         self.file.swmr_mode = True

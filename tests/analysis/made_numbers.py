@@ -16,7 +16,7 @@ INCIDENT = 12.2
 """[MJ m-2 day-1]"""
 ERROR = 0.02
 """Standard error of absorbed PAR; a quarter of it in /final."""
-HOURS = list(range(7, 20)) + [19.5]
+HOURS = [*range(7, 20), 19.5]
 
 KINDS = {
     "length": ("m", 0.40, 1.10),
@@ -26,8 +26,18 @@ KINDS = {
 }
 BASELINE_LEAF = {
     "length": [0.65, 0.71, 0.76, 0.82, 0.80, 0.77, 0.73, 0.66, 0.59, 0.48],
-    "width": [0.073, 0.076, 0.081, 0.085, 0.086]
-    + [0.084, 0.079, 0.073, 0.065, 0.055],
+    "width": [
+        0.073,
+        0.076,
+        0.081,
+        0.085,
+        0.086,
+        0.084,
+        0.079,
+        0.073,
+        0.065,
+        0.055,
+    ],
     "insertion_angle": [
         34.0,
         31.0,

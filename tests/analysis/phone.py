@@ -124,7 +124,7 @@ def phone_with(
         command,
         stderr=subprocess.DEVNULL,
         close_fds=False,
-        preexec_fn=lambda: (os.dup2(ends[0], 3), os.dup2(ends[1], 4)),
+        preexec_fn=lambda: (os.dup2(ends[0], 3), os.dup2(ends[1], 4)),  # noqa: PLW1509
         start_new_session=True,
     )
     for end in (orders, answers, *ends):

@@ -9,6 +9,10 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+from made_history import MadeHistory
+from made_layout import seal
+from made_numbers import final_absorbed
+
 from ideotype.analysis import HistoryError
 from ideotype.analysis.comparison import ELITE, draw_energy, draw_gains
 from ideotype.analysis.cross import Cross, draw_cross
@@ -16,9 +20,6 @@ from ideotype.analysis.places import draw_latitudes, draw_spacings
 from ideotype.analysis.study import open_study
 from ideotype.analysis.summary import summarize
 from ideotype.analysis.tables import gains
-from made_history import MadeHistory
-from made_layout import seal
-from made_numbers import final_absorbed
 
 INCH = 0.0254
 
@@ -134,9 +135,11 @@ def test_groups_at_two_latitudes_are_points(tmp_path: Path) -> None:
     north = {"latitude": 51.0, "day": "2025-07-15", "site": "calgary"}
     south = {"latitude": -34.0, "day": "2025-01-15", "site": "pergamino"}
     make(tmp_path / "north_r1.h5", **north)
-    with open_study(tmp_path) as study:
-        with pytest.raises(HistoryError, match="^all cases have the same lat"):
-            draw_latitudes(study.cases())
+    with (
+        open_study(tmp_path) as study,
+        pytest.raises(HistoryError, match="^all cases have the same lat"),
+    ):
+        draw_latitudes(study.cases())
     make(tmp_path / "south_r1.h5", campaign_name="other", **south)
     with open_study(tmp_path) as study:
         left, right = draw_latitudes(study.cases()).axes

@@ -9,15 +9,16 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
-from ideotype.analysis.case import Case
-from ideotype.analysis.stand import places, row_direction
-from ideotype._geometry import Mesh
-from ideotype.analysis.plan import draw_plan, draw_roses
-from ideotype.analysis.shape import draw_azimuths
-from ideotype.analysis.study import open_study
 from made_layout import seal
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+
+from ideotype._geometry import Mesh
+from ideotype.analysis.case import Case
+from ideotype.analysis.plan import draw_plan, draw_roses
+from ideotype.analysis.shape import draw_azimuths
+from ideotype.analysis.stand import places, row_direction
+from ideotype.analysis.study import open_study
 
 SQUARE = Mesh(
     np.array([[0, 0, 1], [1, 0, 1], [1, 0.5, 1], [0, 0.5, 1.0]]),

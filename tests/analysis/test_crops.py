@@ -8,6 +8,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from real_program import output_of, run_crop
+
 from ideotype.analysis import HistoryError
 from ideotype.analysis.azimuths import azimuths
 from ideotype.analysis.case import Case
@@ -20,7 +22,6 @@ from ideotype.analysis.shape import (
     draw_traits,
 )
 from ideotype.analysis.study import open_study
-from real_program import output_of, run_crop
 
 FREE = ["azimuth_deviation", "leaf_plane", "height", "length_profile"]
 

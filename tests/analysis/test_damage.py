@@ -8,9 +8,10 @@ import time
 from pathlib import Path
 
 import pytest
+from test_commands import report, summary
+
 from ideotype.analysis import HistoryError, open_study, trial
 from ideotype.analysis.trial import Trial
-from test_commands import report, summary
 
 SAMPLE = Path(__file__).parents[1] / "data" / "history" / "format_1_0.h5"
 ENDLESS = (11, 45, 100, 400, 50_000)

@@ -15,10 +15,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from real_program import start
+
 from ideotype.analysis import HistoryError, Rows, open_history
 from ideotype.analysis.scene import build_plants
 from ideotype.analysis.study import open_study
-from real_program import start
 
 PROMISED = {
     *("program", "program_version", "git_sha", "git_dirty"),

@@ -9,9 +9,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from ideotype.analysis import open_history
 from numpy.typing import NDArray
 from real_program import output_of
+
+from ideotype.analysis import open_history
 
 pytest.importorskip(
     "vtkmodules",
@@ -19,11 +20,11 @@ pytest.importorskip(
     "`test` of the analysis package",
 )
 
-from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
-from vtkmodules.vtkCommonDataModel import vtkPolyData  # noqa: E402
-from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter  # noqa: E402
-from vtkmodules.vtkIOGeometry import vtkOBJReader  # noqa: E402
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader  # noqa: E402
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
+from vtkmodules.vtkIOGeometry import vtkOBJReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 ABSORBED = "absorbed_par [MJ m-2 day-1]"
 ERROR = "standard_error [MJ m-2 day-1]"

@@ -9,17 +9,6 @@ import matplotlib
 import numpy as np
 import pytest
 from conftest import SHIFTS
-from ideotype.analysis import HistoryError
-from ideotype.analysis.convergence import draw_convergence
-from ideotype.analysis.profiles import (
-    draw_hours,
-    draw_layers,
-    draw_leaves,
-    draw_parts,
-)
-from ideotype.analysis.shape import draw_azimuths, draw_traits
-from ideotype.analysis.study import open_study
-from ideotype.analysis.style import RC, unit_label
 from made_numbers import (
     BASELINE,
     ERROR,
@@ -33,6 +22,18 @@ from made_numbers import (
 )
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+
+from ideotype.analysis import HistoryError
+from ideotype.analysis.convergence import draw_convergence
+from ideotype.analysis.profiles import (
+    draw_hours,
+    draw_layers,
+    draw_leaves,
+    draw_parts,
+)
+from ideotype.analysis.shape import draw_azimuths, draw_traits
+from ideotype.analysis.study import open_study
+from ideotype.analysis.style import RC, unit_label
 
 
 def bars(axes: Axes, label: str) -> tuple[np.ndarray, np.ndarray]:
@@ -144,7 +145,7 @@ def test_the_legend_of_many_seeds_fits(sweep: Path) -> None:
         figure.draw_without_rendering()
     (legend,) = figure.legends
     box = legend.get_window_extent()
-    assert 0 <= box.x0 and box.x1 <= figure.bbox.width
+    assert box.x0 >= 0 and box.x1 <= figure.bbox.width
 
 
 def horizontal_bars(axes: Axes, index: int = 0) -> tuple[np.ndarray, ...]:
@@ -262,6 +263,8 @@ def test_light_is_drawn_by_rank_layer_and_origin(sweep: Path) -> None:
 
 
 def test_a_missing_column_is_named(finished: Path) -> None:
-    with open_study(finished) as study:
-        with pytest.raises(HistoryError, match="by height layer"):
-            draw_layers(study.cases()[0])
+    with (
+        open_study(finished) as study,
+        pytest.raises(HistoryError, match="by height layer"),
+    ):
+        draw_layers(study.cases()[0])

@@ -11,20 +11,9 @@ from pathlib import Path
 from typing import Any
 
 import h5py
-import ideotype
 import numpy as np
 import pytest
 from browser import run_in_browser
-from ideotype.analysis import open_history, open_study
-from ideotype.analysis.blocks import Section, Viewer
-from ideotype.analysis.case_figures import figures_of
-from ideotype.analysis.commands import report
-from ideotype.analysis.front import non_dominated
-from ideotype.analysis.front_figures import draw_front, draw_hypervolume
-from ideotype.analysis.page import render
-from ideotype.analysis.scene import build_plants, scene_of
-from ideotype.analysis.style import BEST
-from ideotype.analysis.summary import summarize
 from made_campaign import resolved
 from made_history import MadeHistory
 from made_kinds import Measured
@@ -40,8 +29,20 @@ from made_numbers import (
     hypervolume,
 )
 from phone import HEIGHT, phone_with
-from real_program import output_of, write_campaign
 from pymoo.util.nds.non_dominated_sorting import NonDominatedSorting
+from real_program import output_of, write_campaign
+
+import ideotype
+from ideotype.analysis import open_history, open_study
+from ideotype.analysis.blocks import Section, Viewer
+from ideotype.analysis.case_figures import figures_of
+from ideotype.analysis.commands import report
+from ideotype.analysis.front import non_dominated
+from ideotype.analysis.front_figures import draw_front, draw_hypervolume
+from ideotype.analysis.page import render
+from ideotype.analysis.scene import build_plants, scene_of
+from ideotype.analysis.style import BEST
+from ideotype.analysis.summary import summarize
 
 LIGHT, AREA = ("absorbed_par", "maximise"), ("lai", "minimise")
 LEAVES = ("absorbed_par_per_leaf_area", "maximise")
@@ -168,7 +169,7 @@ def test_figures_of_fronts(tmp_path: Path) -> None:
     assert axes.get_ylabel().endswith("of ground], maximised")
     handles = dict(zip(*axes.get_legend_handles_labels()[::-1]))
     assert {f"fallen off of seed {seed}" for seed in (1, 2)} < handles.keys()
-    points, _, (across, up) = handles["front of seed 1"]
+    points, _, (_, up) = handles["front of seed 1"]
     assert points.get_color() == BEST
     assert points.get_xdata().tolist() == LAIS[1:3]
     lengths = [np.diff(segment[:, 1])[0] for segment in up.get_segments()]

@@ -6,10 +6,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from ideotype.analysis.blocks import Drawing, Picture
-from ideotype.analysis.gallery import draw
 from matplotlib.figure import Figure
 from PIL import Image
+
+from ideotype.analysis.blocks import Drawing, Picture
+from ideotype.analysis.gallery import draw
 
 
 def test_figures_for_documents_are_small(tmp_path: Path) -> None:

@@ -10,7 +10,6 @@ import h5py
 import numpy as np
 import pytest
 from conftest import WriterProcess
-from ideotype.analysis import HistoryError, open_history
 from made_history import MadeHistory
 from made_kinds import ORIGIN
 from made_layout import seal
@@ -31,6 +30,8 @@ from made_numbers import (
     leaf_share,
     randomisations,
 )
+
+from ideotype.analysis import HistoryError, open_history
 
 
 def test_only_complete_rows_are_evaluations(drained: Path) -> None:

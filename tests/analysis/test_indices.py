@@ -9,11 +9,12 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+from real_program import output_of
+
 from ideotype.analysis import HistoryError, open_history
 from ideotype.analysis.case import Case
 from ideotype.analysis.commands import report
 from ideotype.analysis.indices import draw_indices
-from real_program import output_of
 
 CAMPAIGN = Path(__file__).parents[2] / "campaigns" / "ames_quick.toml"
 

@@ -11,9 +11,10 @@ import h5py
 import numpy as np
 import pytest
 from conftest import WriterProcess
-from ideotype.analysis import HistoryError, open_history, open_study
 from made_history import MadeHistory
 from made_layout import seal
+
+from ideotype.analysis import HistoryError, open_history, open_study
 
 
 @pytest.mark.parametrize(

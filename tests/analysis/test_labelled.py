@@ -6,7 +6,6 @@ from __future__ import annotations
 import time
 from pathlib import Path
 
-import ideotype
 import numpy as np
 import pytest
 import xarray
@@ -14,6 +13,8 @@ from conftest import WriterProcess
 from made_numbers import HOURS, POPULATION, QUANTITIES, absorbed, hour_par
 from real_program import start
 from test_sample import SAMPLE
+
+import ideotype
 
 
 def test_a_finished_file_is_labelled(finished: Path) -> None:

@@ -7,10 +7,8 @@ import os
 import subprocess
 from pathlib import Path
 
-import ideotype
 import numpy as np
 import pytest
-from ideotype.analysis import open_history
 from numpy.typing import NDArray
 from pymoo.algorithms.moo.nsga2 import NSGA2
 from pymoo.indicators.hv import HV
@@ -21,6 +19,9 @@ from pymoo.optimize import minimize
 from pymoo.problems import get_problem
 from pymoo.util.nds.non_dominated_sorting import NonDominatedSorting
 from real_program import output_of, write_campaign
+
+import ideotype
+from ideotype.analysis import open_history
 
 
 def replay(*words: object, text: str = "") -> NDArray[np.float64]:

@@ -13,14 +13,15 @@ from pathlib import Path
 import h5py
 import pytest
 from conftest import WriterProcess
+from made_history import MadeHistory
+from made_numbers import POPULATION, absorbed
+
 from ideotype.analysis import (
     HistoryError,
     NotAHistory,
     UnsupportedVersion,
     open_history,
 )
-from made_history import MadeHistory
-from made_numbers import POPULATION, absorbed
 
 
 def fingerprint(path: Path) -> tuple[str, int]:

@@ -8,6 +8,7 @@ import re
 from pathlib import Path
 
 import pytest
+
 from ideotype.analysis.commands import report
 from ideotype.analysis.comparison import draw_energy, shares
 from ideotype.analysis.study import open_study

@@ -7,6 +7,9 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
 from ideotype.analysis.case import Case
 from ideotype.analysis.convergence import draw_convergence
 from ideotype.analysis.places import draw_latitudes
@@ -18,8 +21,6 @@ from ideotype.analysis.profiles import (
 )
 from ideotype.analysis.study import open_study
 from ideotype.analysis.style import axis_label
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 MOL_PER_MJ = 4.57
 

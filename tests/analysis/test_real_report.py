@@ -11,11 +11,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from browser import run_in_browser
+from real_program import output_of, write_campaign
+
 from ideotype.analysis import open_history
 from ideotype.analysis.commands import report
 from ideotype.analysis.cross import read_cross
 from ideotype.analysis.fidelity import read_fidelity
-from real_program import output_of, write_campaign
 
 
 @pytest.fixture(scope="module")

@@ -12,9 +12,12 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-import ideotype
 import pytest
 from browser import run_in_browser
+from made_history import MadeHistory
+from made_numbers import final_absorbed
+
+import ideotype
 from ideotype.analysis import HistoryError
 from ideotype.analysis.case_figures import CASE_FIGURES
 from ideotype.analysis.commands import report
@@ -23,8 +26,6 @@ from ideotype.analysis.progress import Progress
 from ideotype.analysis.scene import build_plants
 from ideotype.analysis.study import open_study
 from ideotype.analysis.tables import gains
-from made_history import MadeHistory
-from made_numbers import final_absorbed
 
 CASES = ("ames_0807_762x152_all", "edmonton_0807_762x152_all")
 DRAWN = CASE_FIGURES.keys() - {"profiles", "plant_traits"}

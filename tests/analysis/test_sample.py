@@ -9,10 +9,11 @@ from dataclasses import fields
 from pathlib import Path
 
 import h5py
-import ideotype
 import numpy as np
 import pytest
 from convert import convert
+
+import ideotype
 from ideotype.analysis import History, open_history, open_study
 from ideotype.analysis.scene import build_plants
 from ideotype.analysis.summary import summarize

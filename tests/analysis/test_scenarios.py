@@ -6,18 +6,19 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-import ideotype
 import numpy as np
 import pytest
+from made_campaign import resolved
+from made_history import MadeHistory
+from made_kinds import Measured
+from real_program import output_of, write_campaign
+
+import ideotype
 from ideotype.analysis import Case, HistoryError, open_study
 from ideotype.analysis.places import draw_latitudes, draw_spacings
 from ideotype.analysis.scene import build_plants, scene_of
 from ideotype.analysis.stand import places
 from ideotype.analysis.tables import scenarios
-from made_campaign import resolved
-from made_history import MadeHistory
-from made_kinds import Measured
-from real_program import output_of, write_campaign
 
 _MORE = """
 [[site]]

@@ -9,9 +9,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from real_program import CAMPAIGNS, executable, output_of, write_campaign
+
 from ideotype.analysis import open_history, open_study
 from ideotype.analysis.profiles import draw_hours, draw_parts
-from real_program import CAMPAIGNS, executable, output_of, write_campaign
 
 _CLIMATE = Path(__file__).parents[1] / "data" / "campaign" / "july.toml"
 _WEATHER = "weather/bondville_2011_0721_0920.csv"

@@ -8,6 +8,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from made_numbers import LEAVES
+
 from ideotype.analysis import HistoryError, open_history
 from ideotype.analysis.correlation import (
     draw_correlation,
@@ -25,7 +27,6 @@ from ideotype.analysis.sensitivity import (
     sensitivity,
 )
 from ideotype.analysis.study import open_study
-from made_numbers import LEAVES
 
 PLANTS = 2000
 NOISE = 0.5

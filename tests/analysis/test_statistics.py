@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+
 from ideotype.analysis import Estimate
 from ideotype.analysis.circle import circular_deviation, circular_mean
 from ideotype.analysis.estimate import difference, relative_gain

@@ -9,10 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import SHIFTS, WriterProcess
-from ideotype.analysis import Estimate, HistoryError, open_study
-from ideotype.analysis.interval import interval
 from made_history import MadeHistory
 from made_numbers import BASELINE, POPULATION, absorbed, final_absorbed
+
+from ideotype.analysis import Estimate, HistoryError, open_study
+from ideotype.analysis.interval import interval
 
 
 @pytest.mark.parametrize("pattern", ["", "*.h5", "ames*_r?.h5"])
@@ -24,7 +25,7 @@ def test_a_folder_or_a_pattern_is_opened(sweep: Path, pattern: str) -> None:
 
 
 def test_a_file_that_is_named_twice_is_opened_once(sweep: Path) -> None:
-    first = sorted(sweep.iterdir())[0]
+    first = min(sweep.iterdir())
     with open_study(first, str(sweep)) as study:
         assert len(study) == 4
         assert study[0].path == first
@@ -39,7 +40,7 @@ def test_what_cannot_be_opened_is_named_with_a_remedy(
         open_study(tmp_path / "none*.h5")
     with pytest.raises(FileNotFoundError, match="none.h5: no such file"):
         open_study(tmp_path / "none.h5")
-    good = sorted(sweep.iterdir())[0]
+    good = min(sweep.iterdir())
     shutil.copy(good, tmp_path / "good.h5")
     data = good.read_bytes()
     (tmp_path / "short.h5").write_bytes(data[: len(data) // 2])

@@ -11,11 +11,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from browser import run_in_browser
+from phone import WIDTH, phone_with
+from PIL import Image
+
 from ideotype.analysis.blocks import Picture, Section, Viewer
 from ideotype.analysis.page import render
 from ideotype.analysis.scene import packed
-from phone import WIDTH, phone_with
-from PIL import Image
 
 TURN = 0.6
 """Of the view at its start, about the vertical."""

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 from conftest import WriterProcess
+
 from ideotype.analysis.report import write_report
 from ideotype.analysis.study import open_study
 from ideotype.analysis.workers import workers
@@ -44,15 +45,17 @@ def test_processes_work_at_once_and_keep_the_order(tmp_path: Path) -> None:
 
 
 def test_a_process_that_is_killed_is_told() -> None:
-    with pytest.raises(OSError, match="was killed .* --jobs 1"):
-        with workers(2) as run:
-            list(run(die, [0]))
+    with (
+        pytest.raises(OSError, match="was killed .* --jobs 1"),
+        workers(2) as run,
+    ):
+        list(run(die, [0]))
 
 
 def test_any_number_of_processes_makes_the_same_report(
     sweep: Path, tmp_path: Path
 ) -> None:
-    first = sorted(sweep.iterdir())[0]
+    first = min(sweep.iterdir())
     content = []
     for jobs in (1, 3):
         folder = tmp_path / str(jobs)

@@ -41,6 +41,7 @@ def said_of(ideotype: str, path: Path, folder: Path) -> tuple[str, str] | str:
                 capture_output=True,
                 text=True,
                 errors="replace",
+                check=False,
                 timeout=LIMIT,
             )
         except subprocess.TimeoutExpired:

@@ -13,6 +13,7 @@ import subprocess
 import sys
 
 import numpy as np
+
 from ideotype.analysis import open_history
 
 

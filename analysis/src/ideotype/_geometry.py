@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, Self
 
@@ -48,7 +49,7 @@ class Mesh:
         for face, name in zip(self.faces, self.groups):
             if name == group:
                 a, *rest = self.vertices[list(face)]
-                for b, c in zip(rest, rest[1:]):
+                for b, c in pairwise(rest):
                     total += float(np.linalg.norm(np.cross(b - a, c - a))) / 2
         return total
 

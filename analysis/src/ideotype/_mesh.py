@@ -186,7 +186,7 @@ def _faces(
         every = [[*face, *face[2:3]][:4] for face in every]
     faces = np.asarray(every)
     known = (
-        (faces == faces.astype(np.int64)) & (0 <= faces) & (faces < vertices)
+        (faces == faces.astype(np.int64)) & (faces >= 0) & (faces < vertices)
     )
     if not known.all():
         i, k = np.argwhere(~known)[0]

@@ -15,7 +15,6 @@ from .progress import Progress
 from .study import Study, open_study
 from .summary import summarize
 
-
 _EXIT_CODES = (
     "Exit codes: 0 ok, 1 failed, 2 wrong usage, 3 done without the histories "
     "that can't be read, which are named."

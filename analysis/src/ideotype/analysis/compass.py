@@ -38,13 +38,13 @@ def draw_compass(axes: Axes, case: Case) -> None:
     if direction is None:
         return
     north = -np.deg2rad(direction)
-    tip = np.array([np.sin(north), np.cos(north)])
+    across, up = np.sin(north), np.cos(north)
     axes.annotate(
-        "", 0.85 * tip, -0.4 * tip,
+        "", (0.85 * across, 0.85 * up), (-0.4 * across, -0.4 * up),
         arrowprops=_ARROW | {"color": style.BASELINE, "linewidth": 1.5},
         gid="north",
     )  # fmt: skip
     axes.text(
-        *(1.12 * tip), "N", ha="center", va="center", fontsize=9,
+        1.12 * across, 1.12 * up, "N", ha="center", va="center", fontsize=9,
         fontweight="bold", gid="north",
     )  # fmt: skip

@@ -49,14 +49,13 @@ class Cross:
             members.setdefault(name, []).append(plant)
         table = []
         for name, plants in members.items():
-            # Of a single one the name with its seed tells more.
-            name = name if len(plants) > 1 else plants[0]
             row: list[Interval | None] = []
             for case in self.cases:
                 known = [self.estimate(plant, case) for plant in plants]
                 found = [figure for figure in known if figure]
                 row.append(interval(found) if found else None)
-            table.append((name, row))
+            # Of a single one the name with its seed tells more.
+            table.append((name if len(plants) > 1 else plants[0], row))
         return table
 
     def relative_gain(self, case: Case, plant: str) -> Interval | None:

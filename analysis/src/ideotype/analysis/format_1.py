@@ -19,7 +19,9 @@ from .file import HistoryError
 _ERROR = "_standard_error"
 _SAME = {
     **dict.fromkeys(("status", "origin", "attempt", "worker"), "1"),
-    **{"genome": "", "message": "", "seconds": "s"},
+    "genome": "",
+    "message": "",
+    "seconds": "s",
 }
 """Datasets of rows that are as in 2.0, with their units."""
 _LIGHT, _PER_AREA = "absorbed_par", "absorbed_par_per_leaf_area"

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from itertools import combinations, zip_longest
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -80,7 +81,7 @@ def _draw_pair(axes: Axes, case: Case, shown: list[int]) -> None:
 
 def _draw_rows(
     axes: Axes, rows: Rows, shown: list[int], marker: str, label: str,
-    **colors: str,
+    **colors: Any,
 ) -> None:  # fmt: skip
     x, y = rows.objectives[:, shown].T
     x_error, y_error = rows.objectives_standard_error[:, shown].T

@@ -11,8 +11,8 @@ from .case import Case
 from .estimate import Estimate, relative_gain
 from .pair import Pair
 from .rows import Evaluation, join
-from .tables import UNKNOWN
 from .style import axis_label, short, unit_label, words
+from .tables import UNKNOWN
 
 _ERROR = "±\u00a0"
 """Never apart from its number."""

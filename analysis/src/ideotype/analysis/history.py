@@ -7,7 +7,7 @@ import tomllib
 from functools import cached_property
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Self
+from typing import Any, Self, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -56,10 +56,12 @@ class History:
             self.attributes = data.attributes()
             self.population = int(self.attributes["population"])
             self.genes = Genes(
-                *(data.texts(f"genes/{name}") for name in ("gene", "trait")),
+                data.texts("genes/gene"),
+                data.texts("genes/trait"),
                 data.read("genes/leaf").astype(int),
                 data.texts("genes/unit"),
-                *(data.read(f"genes/{name}") for name in ("lower", "upper")),
+                data.read("genes/lower"),
+                data.read("genes/upper"),
                 *(
                     data.read(f"genes/{name}").astype(bool)
                     for name in ("is_circular", "is_free")
@@ -140,9 +142,12 @@ class History:
             "evaluations",
         )
         quantities = ("best", "mean", "spread", "diversity", "wall_time")
-        return Generations(
+        columns: dict[str, Any] = {
             **{name: read(name).astype(int) for name in integers},
             **{name: quantity(name) for name in quantities},
+        }
+        return Generations(
+            **columns,
             hypervolume=(
                 quantity("hypervolume") if "hypervolume" in known else None
             ),
@@ -186,7 +191,7 @@ class History:
         if (done := self._finals()) is not None:
             return front_of(done.take(done.slot > 0), done.one(0, True))
         baseline = self.baseline()
-        return baseline and front_of(self.latest(), baseline)
+        return front_of(self.latest(), baseline) if baseline else None
 
     def latest(self) -> Rows:
         """The last committed generation, or all complete rows before the
@@ -227,10 +232,13 @@ class History:
         rows = (dict(zip(columns, row)) for row in zip(*columns.values()))
         return [
             Session(
-                **{
-                    name: int(value) if name == "ranks" else text(value)
-                    for name, value in row.items()
-                }
+                **cast(
+                    dict[str, Any],
+                    {
+                        name: int(value) if name == "ranks" else text(value)
+                        for name, value in row.items()
+                    },
+                )
             )
             for row in rows
             if text(row["started"])

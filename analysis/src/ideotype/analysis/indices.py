@@ -67,7 +67,7 @@ def read_indices(data: Datasets) -> dict[str, Indices]:
     index = {name: read(name) for name in names}
     error = {name: read(name + suffix) for name in names}
     numbers = ("mean", "standard_deviation", "noise_standard_deviation")
-    columns = [read(name) for name in (*numbers, "samples")]
+    mean, deviation, noise, samples = map(read, (*numbers, "samples"))
     factors = tuple(data.texts(f"{GROUP}/factor"))
     units = data.texts(f"{GROUP}/unit")
     return {
@@ -75,8 +75,10 @@ def read_indices(data: Datasets) -> dict[str, Indices]:
             quantity,
             units[i],
             factors,
-            *(float(column[i]) for column in columns[:3]),
-            int(columns[3][i]),
+            float(mean[i]),
+            float(deviation[i]),
+            float(noise[i]),
+            int(samples[i]),
             {name: values[i] for name, values in index.items()},
             {name: values[i] for name, values in error.items()},
         )

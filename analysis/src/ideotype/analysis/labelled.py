@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from os import PathLike
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -29,7 +30,7 @@ def open_arrays(
     them with `all_rows`.
 
     Raises as open_history(), KeyError if there is no such group."""
-    with open_history(path) as history:
+    with open_history(Path(path)) as history:
         data = history.datasets
         if isinstance(data, Format1):
             found = _presented(data, group)

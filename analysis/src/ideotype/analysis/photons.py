@@ -26,10 +26,13 @@ def label_light(
     if unit not in _PHOTONS:
         return
     is_x = which == "x"
-    side: Literal["top", "right"] = "top" if is_x else "right"
-    add = axes.secondary_xaxis if is_x else axes.secondary_yaxis
-    other = add(side, functions=(_to_photons, _to_energy))
-    other.spines[side].set_visible(True)
+    both = (_to_photons, _to_energy)
+    other = (
+        axes.secondary_xaxis("top", functions=both)
+        if is_x
+        else axes.secondary_yaxis("right", functions=both)
+    )
+    other.spines["top" if is_x else "right"].set_visible(True)
     label = f"photons [{style.unit_label(_PHOTONS[unit])}]"
     other.set(**{f"{which}label": label})
 

@@ -37,8 +37,8 @@ def draw_roses(case: Case) -> Figure:
     figure = style.new_figure(3.6 * count + 0.9, 4.2)
     grid = figure.add_gridspec(1, count + 1, width_ratios=(*[1] * count, 0.3))
     draw_compass(figure.add_subplot(grid[-1]), case)
-    for place, (label, values) in zip(grid, plants.items()):
-        axes = cast(PolarAxes, figure.add_subplot(place, projection="polar"))
+    for i, (label, values) in enumerate(plants.items()):
+        axes = cast(PolarAxes, figure.add_subplot(grid[i], projection="polar"))
         axes.set_theta_zero_location("N")
         axes.set_theta_direction(-1)
         edges = np.linspace(0, 360, _BINS + 1) - 180 / _BINS

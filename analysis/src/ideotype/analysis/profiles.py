@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import cast
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -12,7 +14,7 @@ from . import style
 from .case import Case
 from .file import HistoryError
 from .photons import label_light
-from .quantity import Profile
+from .quantity import Axis, Profile
 
 Looks = tuple[str, str, str, str]
 """Label, colour, marker, line."""
@@ -95,8 +97,9 @@ def draw_leaves(case: Case) -> Figure:
     """What is known by leaf rank, such as absorbed PAR: baseline and best
     with standard errors, a panel each."""
     figure, panels = _draw_along(case, _names(case, "leaf", "leaf rank"))
+    leaf = cast(Axis, case.best.row.with_axis("leaf")[0].axis)
     for axes in panels:
-        axes.set_yticks(case.best.row.with_axis("leaf")[0].axis.labels)
+        axes.set_yticks(leaf.labels)
     panels[0].set_ylabel("leaf rank (1 = lowest)")
     return figure
 

@@ -30,6 +30,9 @@ class Axis:
             and np.array_equal(self.labels, other.labels)
         )
 
+    def __hash__(self) -> int:
+        return hash((self.name, len(self.labels)))
+
 
 @dataclass(frozen=True)
 class Quantity:

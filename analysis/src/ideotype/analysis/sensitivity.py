@@ -185,7 +185,7 @@ def draw_sensitivity(case: Case) -> Figure:
         )
     has_leaves = case.genes.leaves[found.genes[found.is_clear]].any()
     figure = style.new_figure(style.WIDTH, 4.2)
-    left, *rest = np.atleast_1d(figure.subplots(1, 1 + has_leaves))
+    left, *rest = np.atleast_1d(figure.subplots(1, 1 + int(has_leaves)))
     clear = np.flatnonzero(found.is_clear)
     strongest = np.argsort(-np.abs(found.effect[clear]))[:_SHOWN]
     order = clear[strongest][::-1]

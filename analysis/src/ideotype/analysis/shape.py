@@ -145,7 +145,7 @@ def draw_azimuths(case: Case) -> Figure:
     axes.grid(color="#CFCFCF")
     axes.set_rgrids(leaves, [])
     for leaf in leaves:
-        axes.text(np.pi / 8, leaf, str(leaf), **_RANK_LABEL)
+        axes.text(np.pi / 8, float(leaf), str(leaf), **_RANK_LABEL)
     axes.set_thetagrids(
         np.arange(0, 360, 45),
         ["0° along the row"] + [f"{a}°" for a in range(45, 360, 45)],

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
+# shellcheck disable=SC2034,SC2154  # its variables are those of what sources it
 # What the batch scripts share; sourced with `here` the folder slurm.
 # run_until_complete CAMPAIGN OUT [CASE] is one start of a job: it resumes what
 # is there, drains ahead of the time limit, and puts the job back into the queue

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
+# shellcheck disable=SC2034,SC2154  # its variables are those of what sources it
 # Sourced by slurm/submit and by slurm/job.sh, with `here` the folder slurm.
 # Sets what the site says, and the program `ideotype`.
 

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
+# shellcheck disable=SC2034,SC2154  # its variables are those of what sources it
 # Shared by the tests of the program: $1 the executable, $2 the project, $3 a
 # folder for this test alone.
 set -euo pipefail

@@ -176,7 +176,7 @@ expect 0 "$ideotype" export "$history" --best --to plant.csv
 expect 0 "$ideotype" export "$history" --generations --to all.csv
 [ "$(wc -l <all.csv)" -eq 13 ] || fail "not one line for each row and its head"
 head -1 all.csv | tr , '\n' >heads
-[ -z "$(grep '[^A-Za-z0-9_]' heads)" ] || fail "odd letters in $(cat heads)"
+! grep -q '[^A-Za-z0-9_]' heads || fail "odd letters in $(cat heads)"
 # The plant has measures that are no traits.
 head -1 plant.csv | tr , '\n' | grep -vE '^(leaf|curvature_deg|insertion_height_m)$' |
     sed 's/^/leaf07_/' >expected

@@ -13,6 +13,7 @@ expect 0 "$ideotype" run campaigns/maths.toml --out run --resume
 
 # The C library's variants for processors with fused multiply-add and without
 # differ in last bits.
+# shellcheck disable=SC2054  # the comma is of the variable
 plain=(env GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2)
 if [ "$("$ideotype" --version | grep maths)" = \
     "$("${plain[@]}" "$ideotype" --version | grep maths)" ]; then

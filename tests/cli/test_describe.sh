@@ -4,13 +4,13 @@
 . "$(dirname "$0")/common.sh"
 
 for form in man bash zsh; do
-    "$ideotype" --describe $form >$form
+    "$ideotype" --describe "$form" >"made_$form"
 done
 expect 2 "$ideotype" --describe fish
 expect 0 "$ideotype" --help
 ! grep -q describe out.log || fail "--describe is for packagers only"
-sed 's/\\-/-/g' man >plain
-. ./bash
+sed 's/\\-/-/g' made_man >plain
+. ./made_bash
 
 # Completes the last word of a command line; the answer is in COMPREPLY.
 complete_words() {
@@ -30,20 +30,20 @@ mapfile -t verbs < <("$ideotype" --help | sed '1,/^Subcommands/d' |
 complete_words ideotype ""
 for verb in "${verbs[@]}"; do
     grep -qw -- "$verb" out.log || fail "bash does not complete $verb"
-    grep -q "^ *'$verb:" zsh || fail "zsh does not complete $verb"
+    grep -q "^ *'$verb:" made_zsh || fail "zsh does not complete $verb"
     grep -qx "\.SS $verb" plain || fail "no section of $verb"
 done
 count=0
 for verb in "${verbs[@]}"; do
     complete_words ideotype "$verb" -
     sed -n "/^\.SS $verb\$/,/^\.SS/p" plain >section
-    grep "^ *$verb) " zsh >zsh_case
+    grep "^ *$verb) " made_zsh >zsh_case
     while read -r option; do
         grep -q -- "^.*\\\\fB.*$option\\b" section ||
             fail "the page lacks $verb $option"
         grep -qF -- " $option " <(sed 's/.*/ & /' out.log) ||
             fail "bash lacks $verb $option"
-        grep -qF -- "$option[" zsh_case || fail "zsh lacks $verb $option"
+        grep -qF -- "${option}[" zsh_case || fail "zsh lacks $verb $option"
         count=$((count + 1))
     done < <("$ideotype" "$verb" --help | options)
 done
@@ -55,4 +55,4 @@ complete_words ideotype evaluate --boundary p
 says "^periodic$"
 complete_words ideotype run --out ""
 says "^$"  # the shell's own completion takes over, of files
-grep -q "'--isa\[.*:value:(sse2 " zsh || fail "zsh lacks values of --isa"
+grep -q "'--isa\[.*:value:(sse2 " made_zsh || fail "zsh lacks values of --isa"

@@ -25,6 +25,7 @@ command -v debootstrap >/dev/null || {
 
 # $1 the label of an archive. Its first address here.
 mirror_of() {
+    # shellcheck disable=SC2016  # apt's own variable
     apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' \
         'Origin: Debian' "Label: $1" | sed -n 1p
 }
@@ -63,6 +64,7 @@ git -C "$clone" fetch --quiet --tags "$project" "$commit"
 git -C "$clone" checkout --quiet --detach "$commit"
 cp "$here/inside.sh" "$root/root/inside.sh"
 
+# shellcheck disable=SC2016  # variables of the inner shell
 exec unshare --mount --pid --fork --kill-child --propagation private \
     bash -euo pipefail -c '
         root=$1

@@ -14,7 +14,7 @@ for ranks in "$@"; do
         population=$((${EVALUATIONS:-16} * ranks / cases))
         for evaluation in ${SECONDS_EACH:-.005 .025 .1}; do
             build/dev/tests/scale/scale --log=root.thres:error \
-                --ranks "$ranks" --cases "$cases" --evaluation $evaluation \
+                --ranks "$ranks" --cases "$cases" --evaluation "$evaluation" \
                 --population $((population > 100 ? population : 100)) \
                 --generations "${GENERATIONS:-3}" --folder "$folder/histories"
         done

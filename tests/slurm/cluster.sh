@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
+# shellcheck disable=SC2034,SC2154  # its variables are those of what sources it
 # A real SLURM on this machine, in one folder and on local ports: source it,
 # then start_cluster FOLDER NODES, and stop_cluster at the end. Needs
 # slurmctld, slurmd, slurm-client and munge; leaves nothing outside FOLDER.

@@ -3,7 +3,7 @@
 # library that evaluates canopies, and the program with all that belongs to it.
 include(CMakePackageConfigHelpers)
 
-install(FILES LICENSE README.md CHANGELOG.md TYPE DOC)
+install(FILES LICENSE README.md CHANGELOG.md CITATION.cff TYPE DOC)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/ideotype)
 foreach(area ${library})

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A recipe for Spack: copy it to packages/ideotype/package.py of a repository.
+Enter first where the repository is. It has not been checked by a build with
+Spack."""
+
+# ruff: noqa: F403, F405
+
+from spack.package import *
+
+
+class Ideotype(CMakePackage):
+    """Exact light in crop canopies, and plants bred for it."""
+
+    homepage = "https://example.org/ideotype"
+    git = "https://example.org/ideotype.git"
+    license("Apache-2.0")
+
+    version("main", branch="main")
+
+    variant("program", default=True, description="the program, with MPI")
+
+    depends_on("c", type="build")
+    depends_on("cxx", type="build")
+    depends_on("cmake@3.25:", type="build")
+    depends_on("embree@3:4")
+    depends_on("glm")
+    depends_on("fmt@9:")
+    depends_on("openssl")
+    depends_on("tinyobjloader", type="build")
+    with when("+program"):
+        depends_on("mpi")
+        depends_on("hdf5@1.10: +hl")
+        depends_on("tomlplusplus")
+        depends_on("eigen@3.4:3")
+        depends_on("cli11@2.1:")
+        depends_on("nlohmann-json@3:")
+
+    def cmake_args(self):
+        return [
+            self.define_from_variant("IDEOTYPE_PROGRAM", "program"),
+            self.define("BUILD_TESTING", False),
+        ]

@@ -94,10 +94,11 @@ Field build_field(const Mesh& plant, const FieldForm& form,
     field.face_plant.reserve(count * plant.faces.size());
     for (std::size_t p = 0; p < count; ++p) {
         const auto plants = static_cast<std::size_t>(form.plants);
-        const double x =
-            (static_cast<double>(p / plants) + 0.5) * form.spacing.row;
+        const std::size_t row = p / plants;
+        const std::size_t place = p % plants;
+        const double x = (static_cast<double>(row) + 0.5) * form.spacing.row;
         const double y =
-            (static_cast<double>(p % plants) + 0.5) * form.spacing.plant;
+            (static_cast<double>(place) + 0.5) * form.spacing.plant;
         const double sine = std::sin(turns[p] * degree);
         const double cosine = std::cos(turns[p] * degree);
         const auto first = static_cast<std::uint32_t>(mesh.vertices.size());

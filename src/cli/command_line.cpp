@@ -37,7 +37,7 @@ void check_verb_name(const CLI::App& app, const std::string& word) {
 
 //! Most verbs would do the same work on each rank.
 void require_shared_work(const CLI::App& verb, const Launch& launch) {
-    const std::string name = verb.get_name();
+    const std::string& name = verb.get_name();
     if (launch.size == 1 || name == "run" || name == "sensitivity" ||
         name == "serve" || name == "compare")
         return;

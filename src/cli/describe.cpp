@@ -15,7 +15,7 @@ std::vector<std::string> choices_of(const std::string& type) {
     const auto begin = type.find('{');
     if (begin == type.npos) return choices;
     const auto end = type.find('}', begin);
-    for (std::string each :
+    for (const std::string& each :
          CLI::detail::split(type.substr(begin + 1, end - begin - 1), ','))
         choices.push_back(each.substr(0, each.find("->")));
     return choices;

@@ -52,10 +52,10 @@ std::array<glm::dvec2, controls_along> interpolate(
     glm::dmat4 collocation(0);  // column-major: [control][abscissa]
     glm::dvec4 right_y(0), right_z(0);
     for (int a = 0; a < 4; ++a) {
-        const auto i = static_cast<std::size_t>(a + 1);
+        const auto i = static_cast<std::size_t>(a) + 1;
         const auto n = basis(greville(i));
         for (int c = 0; c < 4; ++c)
-            collocation[c][a] = n[static_cast<std::size_t>(c + 1)];
+            collocation[c][a] = n[static_cast<std::size_t>(c) + 1];
         const glm::dvec2 rest =
             points[i] - n.front() * points.front() - n.back() * points.back();
         right_y[a] = rest.x;

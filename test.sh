@@ -11,7 +11,7 @@ install_packages libgtest-dev libgmock-dev libbenchmark-dev hdf5-tools \
 cmake --preset dev >build-dev.log 2>&1 || { cat build-dev.log; exit 1; }
 cmake --build --preset dev
 rm -f build-dev.log
-install_python test,docs
+install_python test,docs,lint
 
 docs/build
 ctest --preset dev --timeout 600 --parallel "$(nproc)" "$@"

@@ -27,7 +27,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 
 void add(Sha256& sum, const std::string& name, std::string_view bytes) {
     sum.add(name);
-    sum.add(std::string_view("", 1));
+    sum.add(std::string_view("\0", 1));
     sum.add(bytes);
 }
 

@@ -275,8 +275,9 @@ DepthBuffer::DepthBuffer(const Scene& scene, const glm::dvec3& direction,
 glm::dvec3 DepthBuffer::position(std::size_t replicate,
                                  std::size_t point) const {
     const std::size_t lane = replicate * per_pixel_ + point % per_pixel_;
+    const std::size_t pixel = point / per_pixel_;
     const glm::dvec2 ground =
-        static_cast<double>(point / per_pixel_) * lattice_.step_one +
+        static_cast<double>(pixel) * lattice_.step_one +
         double{places_[lane / width].u[lane % width]} * lattice_.step_u +
         double{places_[lane / width].v[lane % width]} * lattice_.step_v;
     const double z = height(replicate, point);

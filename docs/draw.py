@@ -31,7 +31,7 @@ from ideotype.analysis.style import RC, new_figure
 DOCS = Path(__file__).resolve().parent
 sys.path.insert(0, str(DOCS.parent / "campaigns"))
 from draw_plants import TURN, draw  # noqa: E402
-from shared import ANYWHERE
+from shared import ANYWHERE  # noqa: E402
 
 ROW, PLANT = 0.76, 0.15
 """Distances between rows and between plants in a row [m]."""

@@ -9,6 +9,8 @@ import re
 import sys
 from pathlib import Path
 
+from pygments.lexers.special import TextLexer
+
 sys.path.insert(0, str(Path(__file__).parent))
 
 DOCS = Path(__file__).resolve().parent
@@ -144,6 +146,7 @@ def setup(app: object) -> None:
     ) -> None:  # fmt: skip
         lines[:] = list_arguments(lines)
 
+    app.add_lexer("csv", TextLexer)  # type: ignore[attr-defined]
     app.connect("autodoc-process-docstring", of_docstring)  # type: ignore[attr-defined]
     app.connect("source-read", of_page)  # type: ignore[attr-defined]
     app.connect("include-read", of_include)  # type: ignore[attr-defined]

@@ -286,10 +286,7 @@ def field_of(mesh: Mesh, seed: int) -> ideotype.Canopy:
                 placed = y + place * PLANT, -x + row * ROW, z
                 # to the micrometre, as in the meshes of RESULTS.md
                 vertices.append(np.round(np.column_stack(placed), 6))
-                # so that the diagonal is that of area()
-                faces += [
-                    [count + i for i in (*face[1:], face[0])] for face in own
-                ]
+                faces += [[count + i for i in face] for face in own]
                 groups += [re.split("[0-9_]", name)[0]] * len(own)
                 count += len(points)
     return ideotype.mesh(np.concatenate(vertices), faces, groups=groups)

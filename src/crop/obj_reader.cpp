@@ -15,8 +15,8 @@
 #include <fmt/format.h>
 
 #include "ideotype/core/error.hpp"
+#include "ideotype/crop/polygon.hpp"
 #include "obj_statements.hpp"
-#include "polygon.hpp"
 
 namespace ideotype {
 

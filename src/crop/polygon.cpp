@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "polygon.hpp"
+#include "ideotype/crop/polygon.hpp"
 
 #include <algorithm>
 #include <cmath>

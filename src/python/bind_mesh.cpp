@@ -10,6 +10,7 @@
 #include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/crop/obj_reader.hpp"
+#include "ideotype/crop/polygon.hpp"
 #include "ideotype/stand/mesh_study.hpp"
 
 namespace ideotype::python {
@@ -21,32 +22,67 @@ namespace {
 using Two = std::tuple<double, double>;
 using Three = std::tuple<double, double, double>;
 
-//! @throws Error if an index is none, or a coordinate is not finite.
-Mesh to_mesh(const Input<double, 2>& vertices,
-             const Input<std::int64_t, 2>& faces,
-             const Input<std::int64_t, 1>& face_group,
-             const std::vector<std::string>& groups) {
+//! A mesh made of polygons.
+struct Divided {
     Mesh mesh;
+    std::vector<std::size_t> polygon;  //!< that each face is of
+    std::size_t polygons = 0;
+};
+
+//! Polygons are divided as those of OBJ files.
+//! @param corners of all polygons, of which each has so many
+Divided divide(const Input<double, 2>& vertices,
+               const Input<std::uint32_t, 1>& corners,
+               const Input<std::uint32_t, 1>& counts,
+               const Input<std::uint32_t, 1>& group,
+               const std::vector<std::string>& names) {
+    Divided result;
+    Mesh& mesh = result.mesh;
     for (std::size_t i = 0; i < vertices.shape(0); ++i)
         mesh.vertices.push_back(
             {vertices(i, 0), vertices(i, 1), vertices(i, 2)});
-    for (std::size_t i = 0; i < faces.shape(0); ++i) {
-        const auto corner = [&](std::size_t k) {
-            return static_cast<std::uint32_t>(faces(i, k));
-        };
-        mesh.faces.push_back({corner(0), corner(1), corner(2), corner(3)});
-        mesh.face_group.push_back(static_cast<std::uint32_t>(face_group(i)));
+    const std::uint32_t* next = corners.data();
+    for (std::size_t p = 0; p < counts.size(); ++p) {
+        const std::vector<std::uint32_t> own(next, next + counts(p));
+        next += counts(p);
+        for (const auto& face : split_polygon(mesh.vertices, own).faces) {
+            mesh.faces.push_back(face);
+            mesh.face_group.push_back(group(p));
+            result.polygon.push_back(p);
+        }
     }
-    for (const std::string& name : groups)
+    result.polygons = counts.size();
+    for (const std::string& name : names)
         mesh.groups.push_back({name, tissue_of(name)});
-    return mesh;
+    if (mesh.faces.empty()) throw Error("no face has an area");
+    return result;
+}
+
+//! The light of each polygon per one-sided area: nothing if it has none.
+std::vector<Estimate> by_polygon(const Divided& divided,
+                                 const std::vector<double>& areas,
+                                 const std::vector<Estimate>& faces) {
+    if (faces.empty()) return {};
+    std::vector<Estimate> all(divided.polygons);
+    std::vector<double> area(divided.polygons);
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        Estimate& polygon = all[divided.polygon[f]];
+        polygon.mean += faces[f].mean * areas[f];
+        // As if they erred together, which is if anything too much.
+        polygon.standard_error += faces[f].standard_error * areas[f];
+        area[divided.polygon[f]] += areas[f];
+    }
+    for (std::size_t p = 0; p < all.size(); ++p)
+        if (area[p] > 0) all[p] = scaled(all[p], 1 / area[p]);
+    return all;
 }
 
 nb::tuple to_tuple(const Estimate& x) {
     return nb::make_tuple(x.mean, x.standard_error);
 }
 
-nb::dict to_dict(const MeshReport& report, bool is_day) {
+nb::dict to_dict(const MeshReport& report, bool is_day,
+                 const std::vector<Estimate>& faces) {
     const CanopyReport& canopy = report.canopy;
     const BudgetEstimate& day = canopy.light.day;
     nb::dict dict;
@@ -65,7 +101,7 @@ nb::dict to_dict(const MeshReport& report, bool is_day) {
     dict["absorbed_by_group"] = to_array(canopy.light.groups);
     dict["absorbed_by_layer"] = to_array(canopy.light.layers);
     dict["layer_thickness"] = canopy.layers.thickness;
-    dict["absorbed_by_face"] = to_array(canopy.faces);
+    dict["absorbed_by_face"] = to_array(faces);
     nb::list numbers;
     for (const auto& [quantity, estimate] : measure_numbers(canopy)) {
         const bool is_rate = quantity.unit != "1" && quantity.unit != "m2 m-2";
@@ -159,19 +195,24 @@ void bind_mesh(nb::module_& module) {
     module.def(
         "evaluate_mesh",
         [](const Input<double, 2>& vertices,
-           const Input<std::int64_t, 2>& faces,
-           const Input<std::int64_t, 1>& face_group,
-           const std::vector<std::string>& groups, const MeshOptions& options) {
-            Mesh mesh = to_mesh(vertices, faces, face_group, groups);
+           const Input<std::uint32_t, 1>& corners,
+           const Input<std::uint32_t, 1>& counts,
+           const Input<std::uint32_t, 1>& group,
+           const std::vector<std::string>& names, const MeshOptions& options) {
             MeshReport report;
+            std::vector<Estimate> faces;
             {
                 const nb::gil_scoped_release released;
-                report = study(std::move(mesh), options);
+                Divided divided =
+                    divide(vertices, corners, counts, group, names);
+                const std::vector<double> areas = face_areas(divided.mesh);
+                report = study(std::move(divided.mesh), options);
+                faces = by_polygon(divided, areas, report.canopy.faces);
             }
-            return to_dict(report, has_day(options));
+            return to_dict(report, has_day(options), faces);
         },
-        nb::arg("vertices"), nb::arg("faces"), nb::arg("face_group"),
-        nb::arg("groups"), nb::arg("options"));
+        nb::arg("vertices"), nb::arg("corners"), nb::arg("counts"),
+        nb::arg("group"), nb::arg("names"), nb::arg("options"));
 }
 
 }  // namespace ideotype::python

@@ -36,6 +36,17 @@ def test_a_square_takes_the_light_of_its_shadow() -> None:
     assert found.attrs["balance_error"] < 1e-12
 
 
+def test_a_polygon_is_one_face() -> None:
+    corner = np.array([[0.5, 0.5, 1], [0.5, 1, 1]])
+    vertices = np.vstack([SQUARE[:2], [[1, 0.5, 1]], corner, [[0, 1, 1]]])
+    shape_of_an_l = ideotype.mesh(vertices, [range(6)])
+    found = shape_of_an_l.evaluate(
+        period=(2, 1), sun=(90, 0), **BLACK, paths=4096, by_face=True
+    )
+    assert found.lai.item() == pytest.approx(0.75 / 2)
+    assert found.absorbed_by_face.values == pytest.approx([1], abs=5e-3)
+
+
 def test_triangles_and_quadrilaterals_may_be_mixed() -> None:
     two = ideotype.mesh(SQUARE, [[0, 1, 2], [0, 2, 3]], groups=["a", "stalk"])
     found = two.evaluate(period=(2, 1), sun=(90, 0), **BLACK, stalk=(0, 0))
@@ -73,9 +84,12 @@ def test_many_faces_take_little_time() -> None:
 def test_a_mesh_has_the_bits_of_the_command_line(tmp_path: Path) -> None:
     stand = ideotype.Stand.from_campaign(CAMPAIGNS / "ames_quick.toml")
     plant = stand.mesh(stand.baseline)
+    # so that quadrilaterals are not plane
+    noise = np.random.default_rng(1).uniform(0, 5e-4, plant.vertices.shape)
+    vertices = plant.vertices + noise
     path = tmp_path / "plant.obj"
     lines, group = [], ""
-    lines += [f"v {x!r} {y!r} {z!r}" for x, y, z in plant.vertices.tolist()]
+    lines += [f"v {x!r} {y!r} {z!r}" for x, y, z in vertices.tolist()]
     for face, name in zip(plant.faces, plant.groups):
         if name != group:
             lines.append(f"g {name}")
@@ -94,9 +108,7 @@ def test_a_mesh_has_the_bits_of_the_command_line(tmp_path: Path) -> None:
         text=True,
     ).stdout
     told = json.loads(said)
-    found = ideotype.mesh(
-        plant.vertices, plant.faces, groups=plant.groups
-    ).evaluate(
+    found = ideotype.mesh(vertices, plant.faces, groups=plant.groups).evaluate(
         field=(2, 2, 0.762, 0.15),
         jitter=10,
         site=(42, -93.6, -5),

@@ -30,16 +30,17 @@ class Canopy:
         groups: Sequence[str] | None = None,
     ) -> None:
         self._vertices = _vertices(vertices)
-        self._faces = _faces(faces, len(self._vertices))
-        names = ["leaf"] * len(self._faces) if groups is None else list(groups)
-        if len(names) != len(self._faces):
+        self._corners, self._counts = _polygons(faces, len(self._vertices))
+        count = len(self._counts)
+        names = ["leaf"] * count if groups is None else list(groups)
+        if len(names) != count:
             raise Error(
-                f"groups has {len(names)} names for {len(self._faces)} faces; "
+                f"groups has {len(names)} names for {count} faces; "
                 "give the name of each face's organ"
             )
         self._names = list(dict.fromkeys(names))
         places = {name: i for i, name in enumerate(self._names)}
-        self._face_group = np.array([places[x] for x in names], np.int64)
+        self._face_group = np.array([places[x] for x in names], np.uint32)
 
     def evaluate(
         self,
@@ -124,7 +125,8 @@ class Canopy:
         try:
             found = _core.evaluate_mesh(
                 self._vertices,
-                self._faces,
+                self._corners,
+                self._counts,
                 self._face_group,
                 self._names,
                 options,
@@ -146,8 +148,8 @@ def mesh(
     """Any surfaces, such as those of trimesh, PlantGL or an own plant model.
 
     vertices: [vertices, 3] in metres; x is east, y is north, z is up.
-    faces: of three or four corners each, [faces, 3], [faces, 4] or a list of
-        both; counted from 0.
+    faces: [faces, 3], [faces, 4], or a list of polygons of any number of
+        corners, counted from 0; divided into triangles as those of OBJ files.
     groups: name of the organ that each face is of; "leaf" if not given.
 
     Raises Error if arrays do not fit together."""
@@ -169,34 +171,30 @@ def _vertices(given: ArrayLike) -> NDArray[np.float64]:
     return vertices
 
 
-def _faces(
+def _polygons(
     given: ArrayLike | Sequence[Sequence[int]], vertices: int
-) -> NDArray[np.int64]:
-    """[faces, 4]; triangles repeat their last corner."""
+) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
+    """The corners of all faces, and how many each has."""
     every: Any = given  # rows may differ in length, unlike an array's
     if not len(every):
         raise Error("faces is empty; a mesh needs at least one face")
-    sizes = {len(face) for face in every}
-    if not sizes <= {3, 4}:
-        i = next(i for i, face in enumerate(every) if len(face) not in (3, 4))
+    counts = np.fromiter(map(len, every), np.uint32, len(every))
+    few = np.flatnonzero(counts < 3)
+    if few.size:
         raise Error(
-            f"faces[{i}] has {len(every[i])} corners; divide it into triangles"
+            f"faces[{few[0]}] has {counts[few[0]]} corners; give three or more"
         )
-    if len(sizes) == 2:
-        every = [[*face, *face[2:3]][:4] for face in every]
-    faces = np.asarray(every)
-    known = (
-        (faces == faces.astype(np.int64)) & (faces >= 0) & (faces < vertices)
-    )
-    if not known.all():
-        i, k = np.argwhere(~known)[0]
+    corners = np.concatenate([np.asarray(face) for face in every])
+    whole = corners.astype(np.int64)
+    wrong = (whole != corners) | (whole < 0) | (whole >= vertices)
+    if wrong.any():
+        place = int(np.flatnonzero(wrong)[0])
+        face = int(np.searchsorted(np.cumsum(counts), place, side="right"))
         raise Error(
-            f"faces[{i}] has corner {faces[i, k]}; vertices are 0 to "
+            f"faces[{face}] has corner {corners[place]}; vertices are 0 to "
             f"{vertices - 1}"
         )
-    if faces.shape[1] == 3:
-        faces = np.column_stack([faces, faces[:, 2]])
-    return np.ascontiguousarray(faces, np.int64)
+    return whole.astype(np.uint32), counts
 
 
 def _in_python(message: str) -> str:

@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What run.sh runs inside of the new root: both commands of README.md, then
+# What run.sh runs inside of the new root: a command, or both of README.md, then
 # versions, times and digests of results to compare between two Debians.
 set -euo pipefail
 export DEBIAN_FRONTEND=noninteractive
 apt-get -qq update
 apt-get -qq install -y --no-install-recommends git >/dev/null
 cd /root/ideotype
+[ $# -eq 0 ] || exec "$@"
 
 rm -rf results
 start=$SECONDS

@@ -4,8 +4,9 @@
 # and with its own packages, on a clone of what is committed here; then tells
 # versions and results.
 #
-#     tests/debian/run.sh SUITE [DIRECTORY]       # such as trixie
+#     tests/debian/run.sh SUITE [DIRECTORY [COMMAND...]]      # such as trixie
 #
+# or runs COMMAND there, such as .ci/wheel, in the top folder.
 # Needs root, debootstrap and 6 GB. The root is built in DIRECTORY
 # (/tmp/ideotype-SUITE) and stays there: a second run begins with it and
 # fetches what has been committed since. Packages come from the mirror that
@@ -75,5 +76,5 @@ exec unshare --mount --pid --fork --kill-child --propagation private \
         mount -t sysfs -o ro sysfs "$root/sys"
         mount --rbind /dev "$root/dev"
         mount -t tmpfs -o mode=1777 tmpfs "$root/dev/shm"
-        exec chroot "$root" env -i "${@:2}" bash /root/inside.sh
-    ' bash "$root" "${environment[@]}"
+        exec chroot "$root" env -i "${@:2}"
+    ' bash "$root" "${environment[@]}" bash /root/inside.sh "${@:3}"

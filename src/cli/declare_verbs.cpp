@@ -165,6 +165,7 @@ void declare_fidelity(CLI::App& verb, FidelityOptions& options) {
         ->capture_default_str();
     verb.add_option("--json", options.json_path,
                     "also write everything to this file");
+    add_log_level(verb, options.level);
 }
 
 void declare_serve(CLI::App& verb, ServeOptions& options) {

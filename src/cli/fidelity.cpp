@@ -64,7 +64,7 @@ ExitCode fidelity(const FidelityOptions& options) {
     const Case chosen =
         case_at(campaign, options.case_index, options.campaign_path);
     const Device device(Device::supported_isas().back());
-    LiveLine live;
+    LiveLine live(options.level);
     const Trade trade = measure_trade(
         campaign, static_cast<std::size_t>(chosen.index), device,
         {.seconds = (1 - for_checks) * options.seconds},

@@ -9,6 +9,7 @@
 #include "ideotype/core/clock.hpp"
 #include "ideotype/run/way_on.hpp"
 #include "launch.hpp"
+#include "log_option.hpp"
 #include "report_error.hpp"
 
 namespace ideotype {
@@ -45,7 +46,7 @@ ExitCode run_with_session(const RunOptions& options, const AtEnd& at_end) {
             at_end(options);
         return code;
     } catch (const std::exception& error) {
-        const ExitCode code = report_error(error);
+        const ExitCode code = report_error(error, Log(options.level));
         // Rank 0 has told the others to leave. It would wait for ever for one
         // that fails by itself.
         if (session.rank() != 0) session.abort(static_cast<int>(code));
@@ -80,6 +81,7 @@ void declare_run(CLI::App& verb, RunCommand& command) {
                     "if not given the widest that all have, and for a "
                     "history that is resumed its own")
         ->check(CLI::IsMember({"sse2", "sse4.2", "avx", "avx2", "avx512"}));
+    add_log_level(verb, options.level);
     verb.add_option_function<std::string>(
         "--wall-time",
         [&](const std::string& text) { options.wall_time = to_seconds(text); },

@@ -148,7 +148,8 @@ struct Shared {
 };
 
 //! Rank 0 reads the campaign; if it cannot, the others get nothing.
-Shared share(const ServeOptions& options, const Session& session) {
+Shared share(const ServeOptions& options, const Session& session,
+             const Log& log) {
     const std::vector<Machine> machines =
         gather_machines(session, this_machine());
     Shared shared;
@@ -157,7 +158,7 @@ Shared share(const ServeOptions& options, const Session& session) {
             require_same_program(machines);
             const Campaign campaign =
                 read_campaign(options.campaign_path, options.settings);
-            print_warnings(campaign);
+            print_warnings(campaign, log);
             // Looks whether there is this case.
             const ServedCase served(campaign, options.case_index,
                                     options.campaign_path);
@@ -176,7 +177,7 @@ Shared share(const ServeOptions& options, const Session& session) {
 //! Collective over all ranks.
 ExitCode serve_on(const Session& session, const ServeOptions& options,
                   const StopFlag& stop, const Log& log) {
-    const auto [isa, resolved] = share(options, session);
+    const auto [isa, resolved] = share(options, session, log);
     if (isa.empty()) return ExitCode::ok;  // rank 0 tells why
     const Campaign campaign = parse_campaign(resolved, options.campaign_path);
     const ServedCase served(campaign, options.case_index,
@@ -212,7 +213,7 @@ ExitCode serve_alone(const ServeOptions& options, const StopFlag& stop,
                      const Log& log) {
     const Campaign campaign =
         read_campaign(options.campaign_path, options.settings);
-    print_warnings(campaign);
+    print_warnings(campaign, log);
     const ServedCase served(campaign, options.case_index,
                             options.campaign_path);
     RequestEvaluator evaluator(served, Device::supported_isas().back());

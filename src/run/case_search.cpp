@@ -67,7 +67,7 @@ std::optional<Work> CaseSearch::next() {
 void CaseSearch::record(const Work& work, const Outcome& outcome) {
     const Task& task = work.task;
     history_.record(task.generation, task.slot, outcome, task.attempt);
-    evolution_.watcher.on_evaluation(task.generation);
+    evolution_.watcher.on_evaluation(task, outcome);
     keep(task.generation, task.slot, outcome);
 }
 

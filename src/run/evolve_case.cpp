@@ -32,6 +32,7 @@ Routine<bool> evaluate_finalists(const Evolution& evolution, History& history) {
     }
     const Record record = [&](const Work& done, const Outcome& outcome) {
         history.record_final(done.task.slot, outcome);
+        evolution.watcher.on_evaluation(done.task, outcome);
     };
     co_await evolution.dispatcher.evaluate(std::move(work), record);
     co_return history.pending_final().empty();

@@ -53,7 +53,8 @@ std::string utc_now() {
                        fmt::gmtime(std::time(nullptr)));
 }
 
-LiveLine::LiveLine() : is_terminal_(isatty(STDERR_FILENO) == 1) {}
+LiveLine::LiveLine(LogLevel level)
+    : is_terminal_(level >= LogLevel::info && isatty(STDERR_FILENO) == 1) {}
 
 LiveLine::~LiveLine() {
     if (shown_ > 0) fmt::print(stderr, "\r\x1b[K");
@@ -101,8 +102,19 @@ class ProgressLog::CaseWatcher : public Watcher {
           entry_(log.in_flight_.at(index)),
           to_evaluate_(log.to_evaluate_.at(index)) {}
 
-    void on_evaluation(std::uint32_t generation) override {
-        entry_.generation = generation;
+    void on_evaluation(const Task& task, const Outcome& outcome) override {
+        log_.print(
+            fmt::format("{}  {} slot {}: rank {}, {:.4f} s, {}", entry_.name,
+                        task.is_final
+                            ? "final"
+                            : fmt::format("generation {}", task.generation),
+                        task.slot, outcome.worker, outcome.seconds,
+                        outcome.status == Status::done
+                            ? format(outcome.objectives.front())
+                            : "failed: " + outcome.message),
+            LogLevel::debug);
+        if (task.is_final) return;
+        entry_.generation = task.generation;
         ++log_.evaluations_;
         to_evaluate_ = std::max(0LL, to_evaluate_ - 1);
         log_.show_live();
@@ -152,8 +164,9 @@ std::string not_evaluated_again(double violation) {
 }
 
 ProgressLog::ProgressLog(const Campaign& campaign,
-                         const std::vector<Case>& chosen)
+                         const std::vector<Case>& chosen, LogLevel level)
     : campaign_(campaign),
+      level_(level),
       columns_(watched_columns()),
       started_(now()),
       cases_(static_cast<int>(chosen.size())) {
@@ -177,7 +190,13 @@ void ProgressLog::end(const Case& chosen) {
     to_evaluate_[chosen.index] = 0;
 }
 
-void ProgressLog::print(const std::string& text) {
+void ProgressLog::print(const std::string& text, LogLevel level) {
+    if (level > level_) return;
+    if (level_ >= LogLevel::info) return print_result(text);
+    Log(level_).write(level, text);
+}
+
+void ProgressLog::print_result(const std::string& text) {
     const std::string before = columns_ > 0 ? "" : utc_now() + "  ";
     fmt::print("{}{}{}\n", is_live_ ? "\r\x1b[K" : "", before, text);
     std::fflush(stdout);
@@ -205,7 +224,9 @@ std::string ProgressLog::text(const Entry& entry) const {
 
 //! The case that comes first stands for those in flight.
 void ProgressLog::show_live() {
-    if (columns_ == 0 || in_flight_.empty() || now() - shown_ < calm) return;
+    if (columns_ == 0 || level_ < LogLevel::info || in_flight_.empty() ||
+        now() - shown_ < calm)
+        return;
     const std::string cases =
         cases_ == 1 ? ""
                     : fmt::format("{} of {} cases done, {} in flight  ", ended_,

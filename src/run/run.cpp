@@ -114,7 +114,7 @@ ExitCode direct(const RunOptions& options, const Campaign& campaign,
     const bool all_answer = dispatcher->dismiss();
     crew.masters.largest(0);
     if (!all_answer) {
-        if (failure) fmt::print(stderr, "ideotype: {}\n", failure->what());
+        if (failure) Log(options.level).write(LogLevel::error, failure->what());
         crew.job.abort(static_cast<int>(code));
     }
     if (failure) throw Error(*failure);
@@ -147,7 +147,7 @@ ExitCode run_on(const Machine& own, const RunOptions& options,
     std::exception_ptr failure;
     if (session.rank() == 0) try {
             campaign = read_with_start(options);
-            print_warnings(*campaign);
+            print_warnings(*campaign, Log(options.level));
             start = prepare(options, *campaign, machines);
         } catch (...) {
             failure = std::current_exception();

@@ -34,6 +34,11 @@ void print_warnings(const Campaign& campaign) {
         fmt::print(stderr, "ideotype: warning: {}\n", to_string(warning));
 }
 
+void print_warnings(const Campaign& campaign, const Log& log) {
+    for (const Problem& warning : campaign.warnings)
+        log.write(LogLevel::warning, to_string(warning));
+}
+
 namespace {
 
 std::string table_of_days(const Campaign& campaign) {

@@ -28,7 +28,7 @@ Sweep::Sweep(const RunOptions& options, const Campaign& campaign,
       isa_(isa),
       ranks_(ranks),
       stop_(stop),
-      progress_(campaign, chosen) {}
+      progress_(campaign, chosen, options.level) {}
 
 bool Sweep::evolve(Dispatcher& dispatcher) {
     dispatcher_ = &dispatcher;
@@ -61,7 +61,7 @@ bool Sweep::start_next() {
 void Sweep::on_silence(const Task& task, const std::string& what) {
     for (const Case& each : chosen_)
         if (each.index == static_cast<int>(task.case_index))
-            progress_.print(each.name + "  " + what);
+            progress_.print(each.name + "  " + what, LogLevel::warning);
 }
 
 void Sweep::on_stop(int in_flight) {
@@ -109,9 +109,9 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
         }
     }
     progress_.end(chosen);
-    progress_.print(fmt::format("{}history: {}",
-                                final_summary(history, campaign_),
-                                path_of(options_.out, campaign_, chosen)));
+    progress_.print_result(
+        fmt::format("{}history: {}", final_summary(history, campaign_),
+                    path_of(options_.out, campaign_, chosen)));
     co_return Ending::finished;
 }
 
@@ -150,7 +150,8 @@ void Sweep::note_in_use(const Case& chosen, const InUseError& error) {
     in_use_.push_back(chosen.name);
     progress_.end(chosen);
     progress_.print(
-        fmt::format("{}  passed over: {}", chosen.name, error.what()));
+        fmt::format("{}  passed over: {}", chosen.name, error.what()),
+        LogLevel::warning);
 }
 
 //! Keeps the exception that is being handled. What is no matter of one case,
@@ -175,7 +176,8 @@ void Sweep::note_failure(const Case& chosen) {
 void Sweep::print_failure(const Case& chosen, const std::exception& error) {
     if (chosen_.size() > 1)
         progress_.print(
-            fmt::format("{}  failed: {}", chosen.name, error.what()));
+            fmt::format("{}  failed: {}", chosen.name, error.what()),
+            LogLevel::error);
 }
 
 //! @throws Error (refused) if there was nothing to do at all.
@@ -187,7 +189,7 @@ void Sweep::report_in_use() {
     if (in_use_.size() == chosen_.size())
         throw Error(message + "; see ideotype status " + options_.out,
                     ExitCode::refused);
-    progress_.print(message);
+    progress_.print(message, LogLevel::warning);
 }
 
 void Sweep::report_failures() const {

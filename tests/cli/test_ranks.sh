@@ -52,7 +52,7 @@ refused_once() {
     local code=0
     mpirun -n 3 "$ideotype" "${@:2}" >refused.log 2>&1 || code=$?
     [ $code -eq 2 ] || fail "'${*:2}' ended with $code: $(cat refused.log)"
-    [ "$(grep -c "^ideotype: .*$1" refused.log)" -eq 1 ] ||
+    [ "$(grep -c "ideotype: .*$1" refused.log)" -eq 1 ] ||
         fail "'${*:2}' is not refused once: $(cat refused.log)"
 }
 write_campaign one 8 3
@@ -66,5 +66,5 @@ code=0
 mpirun -n 3 "$ideotype" compare missing.toml --under campaigns/same.toml \
     >missing.log 2>&1 || code=$?
 [ $code -eq 1 ] || fail "a missing plant ended with $code: $(cat missing.log)"
-[ "$(grep -c "^ideotype: .*missing.toml" missing.log)" -eq 1 ] ||
+[ "$(grep -c "ideotype: .*missing.toml" missing.log)" -eq 1 ] ||
     fail "not told once: $(cat missing.log)"

@@ -102,7 +102,7 @@ code=0
 wait $job || code=$?
 [ $code -eq 1 ] || fail "a failed case must end with 1, not $code"
 grep -q "1 of 3 cases failed, 2 finished" deleted.log || fail "$(cat deleted.log)"
-grep -q "^ames_0807_762x152_all_r2: $gone: this file was deleted" deleted.log ||
+grep -q "  ames_0807_762x152_all_r2: $gone: this file was deleted" deleted.log ||
     fail "$(cat deleted.log)"
 for r in 1 3; do
     same_results "whole/cut/ames_0807_762x152_all_r$r.h5" \

@@ -47,7 +47,7 @@ class SumEvaluator : public Evaluator {
 
 class NoWatcher : public Watcher {
   public:
-    void on_evaluation(std::uint32_t) override {}
+    void on_evaluation(const Task&, const Outcome&) override {}
     void on_generation(std::uint32_t, const GenerationSummary&) override {}
     void on_final(const std::string&) override {}
 };

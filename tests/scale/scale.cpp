@@ -52,7 +52,7 @@ class Master : public Director, public Watcher {
     }
     void on_stop(int) override {}
 
-    void on_evaluation(std::uint32_t) override {
+    void on_evaluation(const Task&, const Outcome&) override {
         spend(options_.master_per_evaluation);
         ++evaluations;
     }

@@ -120,6 +120,7 @@ struct FidelityOptions {
     double tolerance = 1e-3;  //!< of one evaluation, relative
     double seconds = 80;      //!< to measure, about
     std::string json_path;    //!< empty: none
+    LogLevel level = LogLevel::info;
 };
 ExitCode fidelity(const FidelityOptions& options);
 

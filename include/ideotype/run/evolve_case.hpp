@@ -26,8 +26,8 @@ class Watcher {
   public:
     virtual ~Watcher() = default;
 
-    //! An evaluation of this generation is durable.
-    virtual void on_evaluation(std::uint32_t generation) = 0;
+    //! An evaluation is durable, of a generation or of a finalist.
+    virtual void on_evaluation(const Task& task, const Outcome& outcome) = 0;
 
     //! A generation is complete.
     virtual void on_generation(std::uint32_t generation,

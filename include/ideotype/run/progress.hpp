@@ -10,6 +10,7 @@
 #include "ideotype/campaign/campaign.hpp"
 #include "ideotype/core/estimate.hpp"
 #include "ideotype/run/evolve_case.hpp"
+#include "ideotype/run/log.hpp"
 
 namespace ideotype {
 
@@ -18,7 +19,9 @@ namespace ideotype {
 class ProgressLog {
   public:
     //! All must outlive it.
-    ProgressLog(const Campaign& campaign, const std::vector<Case>& chosen);
+    //! @param level the least urgent that is told
+    ProgressLog(const Campaign& campaign, const std::vector<Case>& chosen,
+                LogLevel level = LogLevel::info);
     ~ProgressLog();
     ProgressLog(const ProgressLog&) = delete;
     ProgressLog& operator=(const ProgressLog&) = delete;
@@ -33,7 +36,11 @@ class ProgressLog {
     bool is_on_terminal() const { return columns_ > 0; }
 
     //! Lines that stay, above the live one; in a log file with the time.
-    void print(const std::string& text);
+    //! Warnings and errors go to the standard error if nothing else is told.
+    void print(const std::string& text, LogLevel level = LogLevel::info);
+
+    //! The same of a result, which is told at any level.
+    void print_result(const std::string& text);
 
   private:
     class CaseWatcher;
@@ -52,6 +59,7 @@ class ProgressLog {
     void show_live();
 
     const Campaign& campaign_;
+    LogLevel level_;
     int columns_;           //!< of the terminal; 0: a log file
     bool is_live_ = false;  //!< the live line is on the terminal
     double started_;
@@ -67,7 +75,7 @@ class ProgressLog {
 //! terminal, and gone at the end.
 class LiveLine {
   public:
-    LiveLine();
+    explicit LiveLine(LogLevel level = LogLevel::info);
     ~LiveLine();
     LiveLine(const LiveLine&) = delete;
     LiveLine& operator=(const LiveLine&) = delete;

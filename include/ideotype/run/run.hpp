@@ -8,6 +8,7 @@
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/stop_flag.hpp"
 #include "ideotype/parallel/session.hpp"
+#include "ideotype/run/log.hpp"
 #include "ideotype/run/machines.hpp"
 
 namespace ideotype {
@@ -28,6 +29,7 @@ struct RunOptions {
     std::optional<std::string> isa;   //!< instruction set to begin with
     std::optional<int> masters;  //!< ranks that evolve cases, see masters.hpp
     std::string command;         //!< as typed, for the record
+    LogLevel level = LogLevel::info;
 };
 
 //! Collective over all ranks of the session.

@@ -18,6 +18,9 @@ namespace ideotype {
 
 namespace {
 
+constexpr auto nobody_reads =
+    "nobody reads the output any more (the pipe is closed)";
+
 //! The pipe that mpirun's own output is, if it started this process and that
 //! is one; else -1. Ranks write to mpirun, which crashes when its output is
 //! closed: a rank that has the pipe itself is told of it.
@@ -34,7 +37,11 @@ int pipe_of_mpirun() {
     const std::string output = process + "/fd/1";
     if (stat(output.c_str(), &about) != 0 || !S_ISFIFO(about.st_mode))
         return -1;
-    return open(output.c_str(), O_WRONLY | O_CLOEXEC);
+    // Of a named pipe that nobody reads it would wait for ever.
+    const int file = open(output.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+    if (file < 0 && errno == ENXIO) throw Error(nobody_reads);
+    if (file >= 0) fcntl(file, F_SETFL, O_WRONLY);
+    return file;
 }
 
 }  // namespace
@@ -57,7 +64,7 @@ void LineWriter::write(const std::string& line) const {
         if (count < 0 && errno != EINTR)
             throw Error(
                 errno == EPIPE
-                    ? "nobody reads the output any more (the pipe is closed)"
+                    ? nobody_reads
                     : fmt::format("cannot write to the standard output: {}",
                                   std::strerror(errno)));
         if (count > 0) done += static_cast<std::size_t>(count);

@@ -132,6 +132,7 @@ for start in "" "${ranks[*]}"; do
     await "the end of all ranks" no_ranks
 
     # A client that is killed takes both pipes with it.
+    rm -f killed.log  # of the other way to start
     (trap "" PIPE && $start "${serve[@]}" <in >out 2>killed.log) &
     bash -c 'exec 3>in 4<out; printf "%s\n" "$(<many)" >&3
         while read -r -t 60 -u 4 line; do :; done' &

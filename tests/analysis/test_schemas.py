@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What status, check and plan print as JSON is as their schemas say."""
+"""What status, check, plan and compare print as JSON is as their schemas say."""
 
 from __future__ import annotations
 
@@ -133,3 +133,17 @@ def test_scenarios(tmp_path: Path) -> None:
         document = told(0, verb, campaign)
         validator(verb).validate(document)
         assert len(document["scenarios"]) == 2
+
+
+def test_compare(folder: Path) -> None:
+    campaign = folder / "tiny.toml"
+    document = told(
+        0, "compare", history(folder), campaign, "--under", campaign
+    )
+    assert_needs_all("compare", document)
+    assert len(document["mean"]) == len(document["plants"]) == 2
+    assert document["difference"]["mean"][0] == [0]
+    leaves = document["profiles"]["absorbed_by_leaf"]
+    assert len(leaves["mean"][1][0]) == len(leaves["coordinates"])
+    broken = {**document, "mean": document["mean"][0]}
+    assert not validator("compare").is_valid(broken)

@@ -164,8 +164,7 @@ class Stand:
     @property
     def free(self) -> NDArray[np.bool_]:
         """Whether a gene is bred in this case, [genes]."""
-        at = _GENES.index("is_free")
-        return np.array([gene[at] for gene in self._case.genes], bool)
+        return self._column("is_free").astype(bool)
 
     @property
     def start(self) -> NDArray[np.float64]:

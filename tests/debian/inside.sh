@@ -6,7 +6,8 @@ set -euo pipefail
 export DEBIAN_FRONTEND=noninteractive
 apt-get -qq update
 apt-get -qq install -y --no-install-recommends git >/dev/null
-cd /root/ideotype
+here=$(cd "$(dirname "$0")" && pwd)
+cd "$here/ideotype"
 [ $# -eq 0 ] || exec "$@"
 
 rm -rf results
@@ -14,7 +15,7 @@ start=$SECONDS
 ./quickstart.sh
 quick=$((SECONDS - start))
 code=0
-./test.sh 2>&1 | tee /root/test.log || code=$?
+./test.sh 2>&1 | tee "$here/test.log" || code=$?
 
 echo
 . /etc/os-release
@@ -23,5 +24,5 @@ dpkg-query -W -f '${Package} ${Version}\n' g++ cmake libembree-dev libhdf5-dev \
     libopenmpi-dev libcli11-dev libtomlplusplus-dev slurmctld python3
 tests/debian/digests.sh build/release/src/ideotype
 echo "quickstart.sh: $quick s; test.sh: $((SECONDS - start - quick)) s"
-grep -E 'tests passed|[0-9]+ (passed|failed)' /root/test.log || true
+grep -E 'tests passed|[0-9]+ (passed|failed)' "$here/test.log" || true
 exit $code

@@ -58,12 +58,12 @@ while IFS= read -r variable; do
     environment+=("$variable")
 done < <(env | grep -iE '^(https?_proxy|no_proxy|PIP_[A-Z_]+|SSL_CERT_FILE|CMAKE_BUILD_PARALLEL_LEVEL)=')
 
-clone=$root/root/ideotype  # with its build, when the root is used again
+clone=$root/srv/ideotype  # with its build, when the root is used again
 [ -e "$clone" ] || git clone --quiet --no-checkout "$project" "$clone"
 commit=$(git -C "$project" rev-parse HEAD)
 git -C "$clone" fetch --quiet --tags "$project" "$commit"
 git -C "$clone" checkout --quiet --detach "$commit"
-cp "$here/inside.sh" "$root/root/inside.sh"
+cp "$here/inside.sh" "$root/srv/inside.sh"
 
 # shellcheck disable=SC2016  # variables of the inner shell
 exec unshare --mount --pid --fork --kill-child --propagation private \
@@ -77,4 +77,4 @@ exec unshare --mount --pid --fork --kill-child --propagation private \
         mount --rbind /dev "$root/dev"
         mount -t tmpfs -o mode=1777 tmpfs "$root/dev/shm"
         exec chroot "$root" env -i "${@:2}"
-    ' bash "$root" "${environment[@]}" bash /root/inside.sh "${@:3}"
+    ' bash "$root" "${environment[@]}" bash /srv/inside.sh "${@:3}"

@@ -29,8 +29,10 @@ endmacro()
 
 # Debian 12 has Embree 3, Debian 13 has Embree 4.
 find_package(embree 4 QUIET)
-need("Embree 3 or 4" embree FIND 3
-    PACKAGES libembree-dev embree-devel embree embree)
+if(NOT embree_FOUND)
+    need("Embree 3 or 4" embree FIND 3
+        PACKAGES libembree-dev embree-devel embree embree)
+endif()
 need(GLM glm PACKAGES libglm-dev glm-devel glm glm)
 need("{fmt}" fmt PACKAGES libfmt-dev fmt-devel fmt fmt)
 need(OpenSSL OpenSSL FIND COMPONENTS Crypto

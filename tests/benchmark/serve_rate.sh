@@ -17,10 +17,10 @@ settings=(--set "search.population=$genomes" --set stop.generations=1
 "${start[@]}" run "$campaign" --out "$folder" "${settings[@]}" >"$folder/run.log"
 history=$(find "$folder" -name "*.h5" | head -n 1)
 "$ideotype" export "$history" --generations --to "$folder/plants.csv"
-# The columns of genes, as requests.
+# The columns of genes, as requests. A gene of unit 1 has no unit in its column.
 "$ideotype" serve "$campaign" </dev/null 2>/dev/null |
     grep -o '"name":"[^"]*","trait":"[^"]*","leaf":[0-9]*,"unit":"[^"]*"' |
-    sed -E 's/"name":"([^"]*)".*"unit":"([^"]*)"/\1_\2/' >"$folder/genes"
+    sed -E 's/.*"name":"([^"]*)".*"unit":"([^"]*)"/\1 \2/; s/ 1$//; s/ /_/' >"$folder/genes"
 awk -F , 'NR == FNR { wanted[++count] = $1; next }
     !seen { for (i = 1; i <= NF; ++i) at[$i] = i; seen = 1; next }
     { line = ""

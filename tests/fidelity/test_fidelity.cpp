@@ -172,8 +172,7 @@ Campaign assimilating(Campaign campaign) {
     return campaign;
 }
 
-const Parameter& named(const std::vector<Parameter>& all,
-                       const std::string& name) {
+Parameter named(const std::vector<Parameter>& all, const std::string& name) {
     return *std::find_if(all.begin(), all.end(), [&](const Parameter& each) {
         return each.name == name;
     });

@@ -12,6 +12,7 @@ import pytest
 from real_program import CAMPAIGNS, executable, output_of, write_campaign
 
 from ideotype.analysis import open_history, open_study
+from ideotype.analysis.calendar import draw_calendar
 from ideotype.analysis.profiles import draw_hours, draw_parts
 
 _CLIMATE = Path(__file__).parents[1] / "data" / "campaign" / "july.toml"
@@ -63,12 +64,12 @@ def test_hours_and_days_sum_to_the_mean_day(season: Path) -> None:
 def test_a_season_is_drawn_by_hour_and_by_day(season: Path) -> None:
     with open_study(season) as study:
         (case,) = study.cases()
-        figure = draw_hours(case)
+        hours, days = draw_hours(case), draw_calendar(case)
         parts = draw_parts(case)
-    assert [axes.get_xlabel() for axes in figure.axes[2:]] == [
-        "local clock time [h]",
-        "date",
-    ]
+    assert "gain over the season" in hours.get_suptitle()
+    shown = days.axes[0].images[0].get_array()
+    assert shown.count() == 10
+    assert shown.mean() == pytest.approx(case.best.objective.mean)
     assert len(parts.axes[0].get_yticks()) == 5
 
 

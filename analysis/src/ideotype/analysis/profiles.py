@@ -16,6 +16,13 @@ from .file import HistoryError
 from .photons import label_light
 from .quantity import Axis, Profile
 
+_ELSEWHERE = (
+    "sunlit_lai_by_hour",
+    *("assimilation_by_hour", "assimilation_by_leaf"),
+    "net_assimilation_by_leaf",
+)
+"""Quantities that have figures of their own."""
+
 Looks = tuple[str, str, str, str]
 """Label, colour, marker, line."""
 
@@ -26,21 +33,21 @@ PLANTS: tuple[Looks, Looks] = (
 
 
 def draw_hours(case: Case) -> Figure:
-    """PAR absorbed by leaves at each hour, of a season also on each day, and
-    best minus baseline. The error of the difference takes both as independent.
-    Parts of the light have a panel each if the history tells them apart."""
+    """PAR absorbed by leaves at each hour, and best minus baseline. The error
+    of the difference takes both as independent. Parts of the light have a
+    panel each if the history tells them apart."""
     names = _names(case, "hour", "hour")
-    names += [q.name for q in case.best.row.with_axis("day")]
     figure = style.new_figure(max(6.4, 3.6 * len(names)), 5.2)
     grid = figure.subplots(
         2, len(names), sharex="col", height_ratios=(2, 1), squeeze=False
     )
     for (upper, lower), name in zip(grid.T, names):
         _draw_hours(upper, lower, case, name)
+    span = "season" if case.best.row.with_axis("day") else "day"
     kind = "" if case.best_pair.is_final else "provisional "
     gain = case.best_pair.gain.number().replace("+-", "±")
     figure.suptitle(
-        f"{case.name}: {kind}gain over the {_span(names)} {gain} %",
+        f"{case.name}: {kind}gain over the {span} {gain} %",
         fontsize=10,
     )
     return figure
@@ -48,11 +55,9 @@ def draw_hours(case: Case) -> Figure:
 
 def _draw_hours(upper: Axes, lower: Axes, case: Case, name: str) -> None:
     baseline, best = case.baseline.profile(name), case.best.profile(name)
-    is_days = best.labels.dtype.kind == "U"
-    places = best.labels.astype("datetime64[D]") if is_days else best.labels
     for profile, (label, color, marker, line) in zip((baseline, best), PLANTS):
         upper.errorbar(
-            places,
+            best.labels,
             profile.values,
             profile.standard_error,
             color=color,
@@ -63,7 +68,7 @@ def _draw_hours(upper: Axes, lower: Axes, case: Case, name: str) -> None:
         )
     lower.axhline(0, color=style.QUIET, linewidth=1)
     lower.errorbar(
-        places,
+        best.labels,
         best.values - baseline.values,
         np.hypot(best.standard_error, baseline.standard_error),
         color=style.BEST,
@@ -72,22 +77,14 @@ def _draw_hours(upper: Axes, lower: Axes, case: Case, name: str) -> None:
     )
     label_light(upper, "y", _title(name), best.unit)
     lower.set_ylabel(style.axis_label("best − baseline\n", best.unit))
-    if is_days:
-        lower.set_xlabel("date")
-        lower.tick_params(axis="x", labelrotation=30)
-    else:
-        lower.set_xlabel("local clock time [h]")
-        _set_hours(lower, best)
+    lower.set_xlabel("local clock time [h]")
+    set_hours(lower, best)
     upper.set_ylim(bottom=0)
     upper.legend()
 
 
-def _span(names: list[str]) -> str:
-    is_season = any(name.endswith("_by_day") for name in names)
-    return "season" if is_season else "day"
-
-
-def _set_hours(axes: Axes, profile: Profile) -> None:
+def set_hours(axes: Axes, profile: Profile) -> None:
+    """Whole hours, as many as there is room for."""
     first, last = np.floor(profile.labels.min()), np.ceil(profile.labels.max())
     step = max(1, round((last - first) / 14))
     axes.set_xticks(np.arange(first, last + 1, step))
@@ -168,7 +165,11 @@ def draw_parts(case: Case) -> Figure:
 
 def _names(case: Case, axis: str, what: str) -> list[str]:
     case.need_pairs()
-    names = [q.name for q in case.best.row.with_axis(axis)]
+    names = [
+        q.name
+        for q in case.best.row.with_axis(axis)
+        if q.name not in _ELSEWHERE
+    ]
     if not names:
         raise HistoryError(f"the history has no figures by {what}")
     return names

@@ -19,6 +19,7 @@ from made_history import MadeHistory
 from made_kinds import Measured
 from made_layout import seal
 from made_numbers import (
+    BASELINE,
     ERROR,
     LAI,
     POPULATION,
@@ -39,6 +40,7 @@ from ideotype.analysis.case_figures import figures_of
 from ideotype.analysis.commands import report
 from ideotype.analysis.front import non_dominated
 from ideotype.analysis.front_figures import draw_front, draw_hypervolume
+from ideotype.analysis.front_plants import draw_front_plants
 from ideotype.analysis.page import render
 from ideotype.analysis.scene import build_plants, scene_of
 from ideotype.analysis.style import BEST
@@ -155,6 +157,29 @@ def test_one_objective_has_no_front(finished: Path) -> None:
         assert study[0].front() is None and case.fronts == ()
         assert study[0].generations().hypervolume is None
         assert not {"front", "hypervolume"} & figures_of(case).keys()
+
+
+def test_plants_along_the_front_are_drawn(history: Path) -> None:
+    with open_study(history) as study:
+        (case,) = study.cases()
+        plants = build_plants(case)
+        figure = draw_front_plants(case, plants.baseline, plants.members)
+    titles = [axes.get_title() for axes in figure.axes if axes.get_title()]
+    # by the first objective; what has fallen off is left out
+    light = [BASELINE, *sorted(final_absorbed(i + 1) for i in (0, 1))]
+    area = [LAIS[0], *LAIS[1:3]]
+    error = ERROR / 4
+    assert titles == [
+        f"{name}\n{mean:.4f} ± {error:.4f}\n{lai:.3g}"
+        for name, mean, lai in zip(
+            ("baseline", "plant 1", "plant 2"), light, area
+        )
+    ]
+    for axes, mesh in zip(figure.axes, (plants.baseline, *plants.members[:2])):
+        (faces,) = axes.collections
+        assert len(faces.get_paths()) == len(mesh.faces)
+    told = figure.get_suptitle()
+    assert "absorbed PAR [MJ m⁻² day⁻¹ of ground]\nLAI [m² m⁻²" in told
 
 
 def test_figures_of_fronts(tmp_path: Path) -> None:

@@ -1,0 +1,231 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Plants in their field, as one sees them at eye height and from above."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.collections import PolyCollection
+from matplotlib.colors import LinearSegmentedColormap, Normalize, to_rgb
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from .._geometry import Mesh
+from . import style
+from .case import Case
+from .file import HistoryError
+from .rows import Evaluation
+
+EYE = 1.6
+"""Height of the eyes above the soil [m]."""
+
+_ROWS, _PLANTS = 7, 8
+_LENGTH = 1.3
+"""Of rows, as far as that takes at most twice as many plants [m]."""
+_STEPS_BACK = 2.5
+"""From the first plants of the rows to the eyes [m]."""
+_NEAREST = 0.25
+"""What is nearer to the eyes is not drawn [m]."""
+_LIGHT = np.array([-0.35, -0.45, 0.82])
+"""Towards the light that shades leaves; of length 1."""
+_SKY = LinearSegmentedColormap.from_list("sky", ["#F4F7FA", "#9CC3E6"])
+_SOIL = LinearSegmentedColormap.from_list("soil", ["#8F7459", "#C9B79C"])
+
+
+@dataclass(frozen=True)
+class Field:
+    """Plants that stand in rows along y."""
+
+    corners: NDArray[np.float64]
+    """[faces, 4, 3] in metres; triangles repeat a corner."""
+    colors: NDArray[np.float64]
+    """[faces, 3]"""
+    rows: tuple[float, ...]
+    """Where they are across [m]."""
+    length: float
+    """Of the rows [m]."""
+
+
+def plant_field(
+    mesh: Mesh,
+    colors: NDArray[np.float64],
+    row: float,
+    plant: float,
+    jitter: float,
+    size: tuple[int, int],
+) -> Field:
+    """So many rows and plants of each, each turned at random by up to
+    `jitter` [deg]; `colors` are those of the mesh's faces."""
+    faces = np.array([(*face, face[-1])[:4] for face in mesh.faces])
+    x, y, z = mesh.vertices[faces].transpose(2, 0, 1)
+    rows = tuple(row * (i - (size[0] - 1) / 2) for i in range(size[0]))
+    places = [(at, plant * j) for at in rows for j in range(size[1])]
+    turns = np.random.default_rng(1).uniform(-1, 1, len(places)) * jitter
+    copies = []
+    for (across, along), turn in zip(places, np.deg2rad(turns)):
+        c, s = np.cos(turn), np.sin(turn)
+        moved = (c * x + s * y + across, c * y - s * x + along, z)
+        copies.append(np.stack(moved, axis=-1))
+    corners = np.concatenate(copies)
+    normals = np.cross(
+        corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1]
+    )
+    length = np.maximum(np.linalg.norm(normals, axis=1), 1e-12)
+    shade = 0.72 + 0.28 * np.abs(normals @ _LIGHT) / length
+    every = np.tile(colors, (len(places), 1)) * shade[:, None]
+    return Field(corners, every, rows, plant * (size[1] - 1))
+
+
+def draw_at_eye_height(axes: Axes, field: Field) -> None:
+    """As someone sees the field who stands before its rows."""
+    eye = np.array([-0.27 * field.rows[-1] - 0.35, -_STEPS_BACK, EYE])
+    middle = np.array([0.15, 0.6 * field.length, 0.62 * EYE])
+    ahead = (middle - eye) / np.linalg.norm(middle - eye)
+    right = np.cross(ahead, [0, 0, 1])
+    right /= np.linalg.norm(right)
+    up = np.cross(right, ahead)
+    at = (field.corners - eye) @ np.array([right, up, ahead]).T
+    seen = at[..., 2].min(axis=1) > _NEAREST
+    at, colors = at[seen], field.colors[seen]
+    order = np.argsort(-np.linalg.norm(at.mean(axis=1), axis=1))
+    horizon = -ahead[2] / np.hypot(ahead[0], ahead[1])
+    limits = (-0.69, 0.69, -0.46, 0.46)
+    ramp = np.linspace(0, 1, 128)[:, None]
+    for shades, low, high in (
+        (_SKY, horizon, limits[3]),
+        (_SOIL, limits[2], horizon),
+    ):
+        axes.imshow(
+            ramp, cmap=shades, extent=(*limits[:2], low, high),
+            origin="lower", aspect="auto", zorder=0,
+        )  # fmt: skip
+    _add(axes, at[order, :, :2] / at[order, :, 2:], colors[order], limits)
+
+
+def draw_from_above(axes: Axes, field: Field) -> None:
+    """A part in the middle, whose edges plants reach across."""
+    order = np.argsort(field.corners[..., 2].mean(axis=1))
+    axes.set_facecolor(_SOIL(0.4))
+    for x in field.rows:
+        axes.axvline(x, color="white", linewidth=0.8, linestyle="--", zorder=0)
+    middle = field.length / 2
+    half = max(min(middle, field.rows[-1] / 1.5), 0.3)
+    limits = (-1.5 * half, 1.5 * half, middle - half, middle + half)
+    _add(axes, field.corners[order, :, :2], field.colors[order], limits)
+
+
+def _add(
+    axes: Axes, outlines: NDArray, colors: NDArray, limits: tuple[float, ...]
+) -> None:
+    """Faces within left, right, bottom and top, of which the last hide what
+    is before them. Thousands are pixels in a PDF, too."""
+    low, high = outlines.min(axis=1), outlines.max(axis=1)
+    left, right, bottom, top = limits
+    seen = (high > (left, bottom)).all(axis=1)
+    seen &= (low < (right, top)).all(axis=1)
+    # Edges close the seams between the faces of a leaf.
+    axes.add_collection(
+        PolyCollection(
+            outlines[seen], facecolors=colors[seen], edgecolors="face",
+            linewidths=0.25, rasterized=True,
+        ),
+        autolim=False,
+    )  # fmt: skip
+    axes.set(xlim=(left, right), ylim=(bottom, top), xticks=[], yticks=[])
+    axes.set_aspect("equal")
+    axes.grid(visible=False)
+    for side in axes.spines.values():
+        side.set_visible(False)
+
+
+def face_colors(
+    mesh: Mesh, values: Sequence[float | None], brightest: float
+) -> NDArray[np.float64]:
+    """[faces, 3]: viridis of 0 to `brightest`; of faces without a value the
+    colour of their organ."""
+    shades = colormaps["viridis"]
+    return np.array(
+        [
+            to_rgb(style.organ_color(group))
+            if value is None
+            else shades(value / brightest)[:3]
+            for group, value in zip(mesh.groups, values)
+        ]
+    )
+
+
+def add_key(
+    figure: Figure, panels: Sequence[Axes], brightest: float, label: str
+) -> None:
+    """The scale of face_colors()."""
+    scale = ScalarMappable(Normalize(0, brightest), colormaps["viridis"])
+    figure.colorbar(
+        scale, ax=panels, location="bottom", aspect=40, shrink=0.8, label=label
+    )
+
+
+def draw_field(case: Case, baseline: Mesh, best: Mesh) -> Figure:
+    """Fields of baseline and best plant; leaves have the colour of the PAR
+    that they absorb per area of leaf.
+
+    Raises HistoryError if the history does not tell it, or how far plants
+    are apart."""
+    if case.is_over("spacing"):
+        raise HistoryError("each plant stands at several spacings")
+    try:
+        row = float(case.attributes["row_spacing"])
+        plant = float(case.attributes["plant_spacing"])
+    except (KeyError, ValueError):
+        raise HistoryError("the history does not say its spacing") from None
+    pairs = ((case.baseline, baseline), (case.best, best))
+    values = [_by_face(*pair, row * plant) for pair in pairs]
+    told = [value for each in values for value in each if value is not None]
+    if not told:
+        raise HistoryError("the history does not tell leaves apart")
+    brightest = max(told)
+    field = case.resolved.get("field", {})
+    size = (_ROWS, int(np.clip(_LENGTH / plant, _PLANTS, 2 * _PLANTS)))
+    if case.is_isolated:
+        size = (int(field.get("rows", 1)), int(field.get("plants", 1)))
+        size = (min(size[0], _ROWS), min(size[1], 2 * _PLANTS))
+    figure = style.new_figure(5.8, 5.2)
+    grid = figure.subplots(2, 2)
+    for column, (_, mesh), each, name in zip(
+        grid.T, pairs, values, ("baseline", "best")
+    ):
+        colors = face_colors(mesh, each, brightest)
+        jitter = float(field.get("jitter", 0))
+        stand = plant_field(mesh, colors, row, plant, jitter, size)
+        draw_at_eye_height(column[0], stand)
+        draw_from_above(column[1], stand)
+        column[0].set_title(name)
+    unit = style.unit_label(case.best.profile("absorbed_by_leaf").unit)
+    add_key(
+        figure, list(grid.ravel()), brightest,
+        f"absorbed PAR [{unit} of leaf]",
+    )  # fmt: skip
+    figure.suptitle(case.name, fontsize=10)
+    return figure
+
+
+def _by_face(
+    plant: Evaluation, mesh: Mesh, ground: float
+) -> list[float | None]:
+    """Of the leaf that the face is of, per its area."""
+    found = plant.profile("absorbed_by_leaf")
+    known = {
+        f"leaf{leaf:02}": value
+        for leaf, value in zip(found.labels, found.values)
+    }
+    by_group = {
+        group: float(known[group]) * ground / mesh.area(group)
+        if group in known
+        else None
+        for group in dict.fromkeys(mesh.groups)
+    }
+    return [by_group[group] for group in mesh.groups]

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Plants drawn in their field."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from made_history import MadeHistory
+from made_numbers import LEAVES, final_absorbed, leaf_share
+from matplotlib import colormaps
+from matplotlib.figure import Figure
+
+from ideotype._geometry import Mesh
+from ideotype.analysis import HistoryError, open_study
+from ideotype.analysis.field import (
+    EYE,
+    draw_at_eye_height,
+    draw_field,
+    draw_from_above,
+    face_colors,
+    plant_field,
+)
+from ideotype.analysis.scene import build_plants
+
+MAST = Mesh(
+    np.array(
+        [[-0.1, 0, 0], [0.1, 0, 0], [0.1, 0, 3], [-0.1, 0, 3], [0, 0.2, 1.0]]
+    ),
+    ((0, 1, 2, 3), (0, 1, 4)),
+    ("stalk", "leaf01"),
+)
+"""Higher than eyes, and a leaf."""
+
+
+def test_plants_stand_in_rows_and_are_turned() -> None:
+    colors = face_colors(MAST, [None, 2.0], 4.0)
+    assert colors[1] == pytest.approx(colormaps["viridis"](0.5)[:3])
+    field = plant_field(MAST, colors, 0.7, 0.2, 10.0, (3, 4))
+    assert field.corners.shape == (3 * 4 * 2, 4, 3)
+    assert field.rows == pytest.approx((-0.7, 0, 0.7))
+    assert field.length == pytest.approx(0.6)
+    masts = field.corners[::2]
+    feet = masts[:, :2].mean(axis=1)
+    assert feet[:, 0] == pytest.approx(np.repeat(field.rows, 4))
+    assert feet[:, 1] == pytest.approx(np.tile([0, 0.2, 0.4, 0.6], 3))
+    across = masts[:, 1] - masts[:, 0]
+    turns = np.rad2deg(np.arctan2(across[:, 1], across[:, 0]))
+    assert 0 < np.abs(turns).max() <= 10 and len(set(turns.round(6))) == 12
+    # a shade of the leaf's own colour
+    shades = field.colors[1::2] / colors[1]
+    assert np.ptp(shades, axis=1) == pytest.approx(0)
+    assert shades.min() >= 0.72 and shades.max() <= 1
+
+
+def test_what_is_higher_than_eyes_is_above_the_horizon() -> None:
+    colors = face_colors(MAST, [None, 1.0], 1.0)
+    field = plant_field(MAST, colors, 0.7, 0.2, 0.0, (3, 4))
+    axes = Figure().add_subplot()
+    draw_at_eye_height(axes, field)
+    sky, soil = axes.images
+    horizon = soil.get_extent()[3]
+    assert sky.get_extent()[2] == horizon
+    (faces,) = axes.collections
+    quads = [path.vertices[:4] for path in faces.get_paths()]
+    assert len(quads) > 12
+    masts = [quad for quad in quads if not np.allclose(quad[2], quad[3])]
+    for quad in masts:
+        foot, top = quad[1], quad[2]
+        assert foot[1] < horizon < top[1]
+        # about so far up the mast as eyes are
+        part = (horizon - foot[1]) / (top[1] - foot[1])
+        assert part == pytest.approx(EYE / 3, abs=0.1)
+    # the nearest mast, which is the largest, is drawn last
+    heights = [quad[2, 1] - quad[1, 1] for quad in masts]
+    assert heights[-1] == max(heights)
+
+
+def test_from_above_the_highest_hide_others() -> None:
+    colors = face_colors(MAST, [None, 0.5], 1.0)
+    field = plant_field(MAST, colors, 0.7, 0.4, 0.0, (3, 4))
+    axes = Figure().add_subplot()
+    draw_from_above(axes, field)
+    (faces,) = axes.collections
+    shown = faces.get_facecolor()[:, :3]
+    is_leaf = np.ptp(shown, axis=1) > 0.1
+    # leaves below masts, which are grey
+    assert is_leaf[0] and not is_leaf[-1]
+    assert np.count_nonzero(np.diff(is_leaf)) == 1
+
+
+def test_leaves_have_the_colour_of_their_light(sweep: Path) -> None:
+    with open_study(sweep) as study:
+        case = study.cases()[0]
+        plants = build_plants(case)
+        figure = draw_field(case, plants.baseline, plants.best)
+    assert len(figure.axes) == 5
+    assert [axes.get_title() for axes in figure.axes[:2]] == [
+        "baseline",
+        "best",
+    ]
+    key = figure.axes[-1]
+    assert key.get_xlabel() == "absorbed PAR [MJ m⁻² day⁻¹ of leaf]"
+    ground = 0.762 * 0.1524
+    brightest = max(
+        ground * leaf_share(n) * total / mesh.area(f"leaf{n:02}")
+        for n in range(1, LEAVES + 1)
+        for total, mesh in (
+            (final_absorbed(0), plants.baseline),
+            (case.best.objective.mean, plants.best),
+        )
+    )
+    assert key.get_xlim() == pytest.approx((0, brightest))
+
+
+def test_a_history_without_distances_has_no_field(tmp_path: Path) -> None:
+    path = tmp_path / "case.h5"
+    made = MadeHistory(path, attributes={"row_spacing": "unknown"})
+    made.evolve(1)
+    made.finish()
+    made.close()
+    with open_study(path) as study:
+        (case,) = study.cases()
+        with pytest.raises(HistoryError, match="does not say its spacing"):
+            draw_field(case, MAST, MAST)

@@ -21,7 +21,7 @@ def test_figures_for_documents_are_small(tmp_path: Path) -> None:
         figure.add_subplot().imshow(random.random((500, 500)))
         return figure
 
-    picture = draw(tmp_path, 1e6, Drawing("noise", "Noise.", noise))
+    picture = draw(tmp_path, 1e6, Drawing("noise", "Is it noise?", "", noise))
     assert isinstance(picture, Picture)
     assert (tmp_path / "noise.png").stat().st_size <= 150_000
     with Image.open(tmp_path / "noise.png") as image:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import base64
 import contextlib
 import io
 import json
@@ -16,6 +17,7 @@ import pytest
 from browser import run_in_browser
 from made_history import MadeHistory
 from made_numbers import final_absorbed
+from PIL import Image
 
 import ideotype
 from ideotype.analysis import HistoryError
@@ -28,8 +30,10 @@ from ideotype.analysis.study import open_study
 from ideotype.analysis.tables import gains
 
 CASES = ("ames_0807_762x152_all", "edmonton_0807_762x152_all")
-DRAWN = CASE_FIGURES.keys() - {"profiles", "plant_traits"}
-"""Of each case, which is bred in traits of leaves."""
+DRAWN = CASE_FIGURES.keys() - {
+    *("profiles", "plant_traits", "sunlit", "assimilation", "calendar")
+}
+"""Of each case, which is bred in traits of leaves for the light of a day."""
 ELITE = 11.08
 """Absorbed PAR of the elite plant of the cross-evaluation."""
 
@@ -90,7 +94,7 @@ def plain(text: str) -> str:
 def test_every_figure_is_a_file_and_in_the_page(made: Made) -> None:
     names = {"gains", "energy", "latitudes", "cross"}
     names |= {f"{case}_{name}" for case in CASES for name in DRAWN}
-    names |= {f"{case}_plan" for case in CASES}
+    names |= {f"{case}_{view}" for case in CASES for view in ("plan", "field")}
     files = {path.name for path in (made.folder / "figures").iterdir()}
     assert files == {f"{n}.{end}" for n in names for end in ("png", "pdf")}
     for path in (made.folder / "figures").iterdir():
@@ -98,6 +102,23 @@ def test_every_figure_is_a_file_and_in_the_page(made: Made) -> None:
         assert path.read_bytes().startswith(start)
         assert path.suffix == ".pdf" or path.stat().st_size < 150_000
     assert set(re.findall(r"\((\S+)\.png, \.pdf\)", made.text)) == names
+
+
+def test_each_figure_answers_the_question_above_it(made: Made) -> None:
+    figures = re.findall(
+        r'(?s)<h3>(.*?)</h3>\s*<img src="data:image/webp;base64,(.*?)" '
+        r'alt="(.*?)">.*?\((\S+)\.png, \.pdf\)',
+        made.text,
+    )
+    assert len(figures) == 4 + len(CASES) * (len(DRAWN) + 2)
+    for question, data, told, name in figures:
+        assert re.fullmatch(r"[A-Z][^.?]+\?", question)
+        assert told.startswith(question)
+        # in the file it is the first line of the figure
+        with Image.open(io.BytesIO(base64.b64decode(data))) as shown:
+            in_page = shown.height / shown.width
+        with Image.open(made.folder / "figures" / f"{name}.png") as file:
+            assert file.height / file.width > in_page + 0.01
 
 
 def test_the_page_needs_nothing_else(made: Made) -> None:
@@ -125,9 +146,13 @@ def test_the_page_says_what_was_gained(made: Made) -> None:
 def test_missing_things_are_plain_sentences(made: Made) -> None:
     words = plain(made.text)
     for trait in ("profile over leaf position", "trait of the whole plant"):
-        assert words.count(f"not drawn, no {trait} is bred.") == len(CASES)
+        assert words.count(f"Not drawn: no {trait} is bred.") == len(CASES)
     assert (
-        "Spacings compared: not drawn, all cases have the same plant density."
+        "What does plant density do to light and gain? Not drawn: all cases "
+        "have the same plant density." in words
+    )
+    assert (
+        "Where does breeding gain most? Not drawn: cases do not differ in two"
         in words
     )
     assert "4.57 mol for each MJ of PAR" in words
@@ -208,7 +233,7 @@ def test_a_browser_shows_the_page(made: Made, tmp_path: Path) -> None:
     assert shown["states"] == 6 and shown["isHome"]
     assert shown["scrolls"] and shown["zooms"]
     assert shown["cases"] == list(CASES) and shown["quantities"] == 2
-    assert len(shown["pictures"]) == 4 + 2 * (len(DRAWN) + 1)
+    assert len(shown["pictures"]) == 4 + 2 * (len(DRAWN) + 2)
     assert min(shown["pictures"]) > 200
     assert shown["wide"]
 
@@ -269,8 +294,7 @@ def test_what_is_missing_or_saturated_is_told(
         r"Saturated, the best being [^.]*: ames_0807_762x152_all", words
     )
     assert (
-        "Plan view and 3D view: not drawn, ideotype.Stand needs the compiled "
-        "module" in words
+        "Plants: not drawn, ideotype.Stand needs the compiled module" in words
     )
     assert "The plants are not shown" in words and "<canvas" not in text
     assert "the history has no figures by height layer" in words

@@ -17,15 +17,19 @@ class Drawing:
     function of a module, or a partial of one."""
 
     name: str
+    question: str
+    """That it answers: its title."""
     caption: str
     make: Callable[[], Figure]
 
 
 @dataclass(frozen=True)
 class Picture:
-    """A figure in the page; its files have the same name."""
+    """A figure in the page, where its title is text; its files have the same
+    name."""
 
     name: str
+    question: str
     caption: str
     data: str
     """WebP, base64."""

@@ -4,9 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 from matplotlib.figure import Figure
 
+from .assimilation import draw_assimilation, draw_sunlit
+from .calendar import draw_calendar
 from .case import Case
 from .convergence import draw_convergence
 from .correlation import draw_correlation
@@ -21,61 +24,98 @@ from .shape import (
     draw_traits,
 )
 
-CASE_FIGURES: dict[str, tuple[Callable[[Case], Figure], str]] = {
-    "convergence": (
+
+class CaseFigure(NamedTuple):
+    """What draws it, the question that it answers, and its caption."""
+
+    draw: Callable[[Case], Figure]
+    question: str
+    caption: str
+
+
+_BARS = "Error bars are standard errors."
+
+CASE_FIGURES: dict[str, CaseFigure] = {
+    "convergence": CaseFigure(
         draw_convergence,
-        "Convergence. Error bars and the grey band are standard errors, "
-        "coloured bands the range of seeds or, of a single seed, the standard "
-        "deviation of the population.",
+        "Has the search come to its end?",
+        "Error bars and the grey band are standard errors, coloured bands the "
+        "range of seeds or, of a single seed, the standard deviation of the "
+        "population.",
     ),
-    "traits": (
+    "traits": CaseFigure(
         draw_traits,
+        "Which traits do the leaves of the fittest plants have?",
         "Bred traits by leaf of the ten fittest plants of all seeds. Orange: "
         "their mean and standard deviation, on the circle for azimuths.",
     ),
-    "profiles": (
+    "profiles": CaseFigure(
         draw_profiles,
+        "How do traits of the fittest plants change from leaf to leaf?",
         "Bred profiles over leaf position of the ten fittest plants. Points "
         "are what is bred; factors [1] multiply the baseline's measures, "
         "other numbers are added to them or take their place.",
     ),
-    "plant_traits": (
+    "plant_traits": CaseFigure(
         draw_plant_traits,
+        "Which traits do the fittest plants have as a whole?",
         "Bred traits of the whole plant of the ten fittest plants. Factors "
         "[1] multiply the baseline's measures.",
     ),
-    "azimuths": (
+    "azimuths": CaseFigure(
         draw_azimuths,
-        "Leaf azimuths of the ten fittest plants from above. Arcs are the "
-        "circular standard deviation.",
+        "Where do the leaves of the fittest plants point?",
+        "From above. Arcs are the circular standard deviation.",
     ),
-    "roses": (
+    "roses": CaseFigure(
         draw_roses,
-        "Azimuth roses. The area of a wedge is the share of leaves that point "
-        "there.",
+        "Which directions do the leaves prefer?",
+        "The area of a wedge is the share of leaves that point there.",
     ),
-    "hours": (
+    "hours": CaseFigure(
         draw_hours,
-        "PAR by hour, of several days the mean, and then by day. Error bars are standard errors; those of the difference "
-        "take baseline and best as independent.",
+        "When do the leaves absorb light?",
+        "PAR by hour, of several days the mean. Error bars are standard "
+        "errors; those of the difference take baseline and best as "
+        "independent.",
     ),
-    "leaves": (
+    "sunlit": CaseFigure(
+        draw_sunlit,
+        "How much of the leaf area does the sun shine on?",
+        f"Sunlit over all leaf area, by hour; of several days the mean. {_BARS}",
+    ),
+    "assimilation": CaseFigure(
+        draw_assimilation,
+        "When do the leaves assimilate, and which of them?",
+        "CO2 that leaves take up, gross by hour, and gross and net of their "
+        f"respiration by leaf rank, per area of ground. {_BARS}",
+    ),
+    "calendar": CaseFigure(
+        draw_calendar,
+        "On which days does the best plant do well, and on which better than "
+        "the baseline?",
+        "A cell is a day, a line a week, with the date of its first day.",
+    ),
+    "leaves": CaseFigure(
         draw_leaves,
-        "Light by leaf rank, per area of ground. Error bars are standard errors.",
+        "Which leaves absorb the light?",
+        f"By leaf rank, per area of ground. {_BARS}",
     ),
-    "layers": (
+    "layers": CaseFigure(
         draw_layers,
-        "Light by height layer, per area of ground. Error bars are standard errors.",
+        "How high above the soil is the light absorbed?",
+        f"By height layer, per area of ground. {_BARS}",
     ),
-    "parts": (
+    "parts": CaseFigure(
         draw_parts,
-        "Light by origin and face of the leaf. Beam comes straight from the "
-        "sun, scattered light from other surfaces; adaxial is the upper face. "
-        "Error bars are standard errors.",
+        "Where does the absorbed light come from, and on which face?",
+        "Beam comes straight from the sun, scattered light from other "
+        f"surfaces; adaxial is the upper face. {_BARS}",
     ),
-    "sensitivity": (
+    "sensitivity": CaseFigure(
         draw_sensitivity,
-        "Which traits matter. Coefficients of a linear regression of the "
+        "Which traits matter?",
+        "Coefficients of a linear regression of the "
         "objective on all free traits over all evaluated plants, each in its "
         "standard deviations and less the mean of its seed; circular ones enter "
         "as cosine and sine and show the length of both coefficients. Hatched "
@@ -84,31 +124,34 @@ CASE_FIGURES: dict[str, tuple[Callable[[Case], Figure], str]] = {
         "them at a bound that the coefficient points away from. Bred plants are relatives, not a "
         "random sample: read it as a ranking within this evolution.",
     ),
-    "correlation": (
+    "correlation": CaseFigure(
         draw_correlation,
-        "Which traits go together. Spearman's rank correlation over all "
+        "Which traits go together?",
+        "Spearman's rank correlation over all "
         "evaluated plants, less the means of their seeds, circular ones as "
         "cosine and sine; what evolution fixes together correlates too.",
     ),
 }
-"""What draws a figure of a case, and its caption."""
+"""By name, in the order of the page."""
 
-_FRONT_FIGURES: dict[str, tuple[Callable[[Case], Figure], str]] = {
-    "front": (
+_FRONT_FIGURES: dict[str, CaseFigure] = {
+    "front": CaseFigure(
         draw_front,
-        "Front. Plants that no other of their seed betters in all objectives, "
+        "What does more of one objective cost in the other?",
+        "Front: plants that no other of their seed betters in all objectives, "
         "evaluated again, and those that fell off it then; error bars are "
         "standard errors.",
     ),
-    "hypervolume": (
+    "hypervolume": CaseFigure(
         draw_hypervolume,
-        "Hypervolume. What the front of each generation dominates, of what is "
+        "Does the front still grow?",
+        "Hypervolume: what the front of each generation dominates, of what is "
         "better than the reference of its seed; bands are standard errors.",
     ),
 }
 
 
-def figures_of(case: Case) -> dict[str, tuple[Callable[[Case], Figure], str]]:
+def figures_of(case: Case) -> dict[str, CaseFigure]:
     """Those of a case, and of several objectives first those of its front."""
     first = case.histories[0]
     fronts = dict(_FRONT_FIGURES)

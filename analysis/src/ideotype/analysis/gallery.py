@@ -6,6 +6,7 @@ from __future__ import annotations
 import base64
 import io
 import re
+import textwrap
 from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
@@ -13,6 +14,7 @@ from typing import Any, TypeGuard
 
 import matplotlib
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 from PIL import Image
 
 from .blocks import Block, Drawing, Note, Picture, Section
@@ -73,15 +75,35 @@ def draw(folder: Path, most: float, drawing: Drawing) -> Block:
         try:
             figure = drawing.make()
         except HistoryError as reason:
-            what = drawing.caption.split(".")[0]
-            return Note(f"{what}: not drawn, {reason}.")
+            return Note(f"{drawing.question} Not drawn: {reason}.")
+        title, part = _entitle(figure, drawing.question)
         image = _painted(figure)
         # Laid out once is enough, and the same in both files.
         figure.set_layout_engine("none")
         pdf = folder / f"{name}.pdf"
         figure.savefig(pdf, metadata={"CreationDate": None})
     (folder / f"{name}.png").write_bytes(_png(image))
-    return Picture(name, drawing.caption, _small(image, most))
+    data = _small(_below(image, figure, title, part), most)
+    return Picture(name, drawing.question, drawing.caption, data)
+
+
+def _entitle(figure: Figure, question: str) -> tuple[Text, float]:
+    """The question above what the figure tells of itself, and which part of
+    the title's height it takes."""
+    lines = textwrap.wrap(question, round(12 * figure.get_figwidth()))
+    every = [*lines, *filter(None, figure.get_suptitle().split("\n"))]
+    title = figure.suptitle("\n".join(every), fontsize=10)
+    return title, len(lines) / len(every)
+
+
+def _below(
+    image: Image.Image, figure: Figure, title: Text, part: float
+) -> Image.Image:
+    """Without the lines of the question, which the page tells."""
+    box, whole = title.get_window_extent(), figure.bbox.height
+    top = whole - box.y1 + part * box.height
+    rows = round(top / whole * image.height)
+    return image.crop((0, rows, *image.size))
 
 
 def _painted(figure: Figure) -> Image.Image:
@@ -95,10 +117,10 @@ def _png(image: Image.Image) -> bytes:
     """The content of a file: with all colours and pixels if there is room,
     else with the best 256 colours and, of very large figures, fewer
     pixels."""
-    data = _encoded(image, "PNG", optimize=True)
+    data = _encoded(image, "PNG")
     while len(data) > _FILE_BYTES:
         few = image.quantize(_COLORS, dither=Image.Dither.NONE)
-        data = _encoded(few, "PNG", optimize=True)
+        data = _encoded(few, "PNG")
         image = _scaled(image, 0.85)
     return data
 

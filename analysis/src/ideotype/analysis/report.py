@@ -17,9 +17,12 @@ from .case_figures import figures_of
 from .comparison import draw_energy, draw_gains
 from .cross import Cross, draw_cross
 from .fidelity import Fidelity, draw_fidelity
+from .field import draw_field
 from .file import HistoryError
+from .front_plants import draw_front_plants
 from .gallery import draw_all
 from .indices import draw_indices
+from .maps import draw_gain_map, draw_set_map, two_sets
 from .page import render
 from .places import draw_latitudes, draw_spacings
 from .plan import draw_plan
@@ -29,10 +32,18 @@ from .scene import Plants, build_plants, scene_of
 from .study import Study
 from .workers import workers
 
-_PLAN = (
-    "Plan view. The plant among its neighbours, all turned alike; dashed: "
-    "rows."
+_FIELD = (
+    "The field of the baseline and of the best plant at eye height, 1.6 m, "
+    "and from above. Leaves have the colour of the PAR that they absorb over "
+    "the day per area of leaf, as a mean over the leaf, shaded a little; other "
+    "organs are dull green or grey. Plants are alike and turned at random."
 )
+_ALONG = (
+    "The baseline, and plants at equal steps along the front in the order of "
+    "the first objective, from the side at one scale; objectives with standard "
+    "errors."
+)
+_PLAN = "The plant among its neighbours, all turned alike; dashed: rows."
 _VIEW = (
     "Baseline (left) and {} (right). Leaves are coloured by what they "
     "absorb over the day; sheaths are dull green, stalks and other organs grey, "
@@ -151,7 +162,8 @@ def _overview(
     section.blocks.append(
         Drawing(
             "gains",
-            "Gains over the baseline by case. Mean over seeds with its 95 % "
+            "How much better than the baseline are the bred plants?",
+            "Mean over seeds with its 95 % "
             "confidence interval; grey strokes are single seeds.",
             partial(draw_gains, cases, cross),
         )
@@ -159,7 +171,8 @@ def _overview(
     section.blocks.append(
         Drawing(
             "energy",
-            "Energy balance. Parts of the incident PAR; error bars are 95 % "
+            "Where does the light go?",
+            "Parts of the incident PAR; error bars are 95 % "
             "confidence intervals over seeds.",
             partial(draw_energy, cases),
         )
@@ -172,25 +185,45 @@ def _overview(
 def _places(cases: Sequence[Case], cross: Cross | None) -> Section:
     bars = "Error bars are 95 % confidence intervals over seeds."
     section = Section("Latitudes, spacings, cross-evaluation")
+    cells = "Numbers are % ± half of the 95 % confidence interval."
     section.blocks += [
         Drawing(
             "latitudes",
-            f"Latitudes compared. {bars}",
+            "What does latitude do to light and gain?",
+            bars,
             partial(draw_latitudes, cases),
         ),
         Drawing(
             "spacings",
-            f"Spacings compared. {bars}",
+            "What does plant density do to light and gain?",
+            bars,
             partial(draw_spacings, cases),
         ),
+        Drawing(
+            "gain_map",
+            "Where does breeding gain most?",
+            f"Gain over the baseline. {cells}",
+            partial(draw_gain_map, cases),
+        ),
     ]
+    if sets := two_sets(cases):
+        section.blocks.append(
+            Drawing(
+                "set_map",
+                f"Where is the best plant of {sets[0]} better than that of "
+                f"{sets[1]}?",
+                "Line: no difference. Both are taken as independent. " + cells,
+                partial(draw_set_map, cases, sets),
+            )
+        )
     if cross is None:
         section.note("Cross-evaluation: none is given (--cross FILE).")
     else:
         section.blocks.append(
             Drawing(
                 "cross",
-                "Cross-evaluation. Each plant under the light of each case, "
+                "How does each plant do under the light of each case?",
+                "Each plant under the light of each case, "
                 "in % of the best there ± half of the 95 % confidence "
                 "interval; the seeds of a case are put together.",
                 partial(draw_cross, cross),
@@ -220,17 +253,18 @@ def _plants(case: Case) -> Plants | Note:
     try:
         return build_plants(case)
     except Error as reason:
-        return Note(f"Plan view and 3D view: not drawn, {reason}.")
+        return Note(f"Plants: not drawn, {reason}.")
 
 
 def _case(case: Case, plants: Plants | Note) -> Section:
     section = Section(case.name, is_folded=True)
-    for name, (draw, caption) in figures_of(case).items():
+    section.blocks += _shown(case, plants)
+    for name, (draw, question, caption) in figures_of(case).items():
         section.blocks.append(
-            Drawing(f"{case.name}_{name}", caption, partial(draw, case))
+            Drawing(
+                f"{case.name}_{name}", question, caption, partial(draw, case)
+            )
         )
-        if name == "roses":
-            section.blocks.append(_plan(case, plants))
     return section
 
 
@@ -239,7 +273,8 @@ def _study(case: Case) -> Section:
     section.blocks.append(
         Drawing(
             f"{case.name}_indices",
-            "What the objective depends on. Sobol' indices: the share of its "
+            "What does the objective depend on?",
+            "Sobol' indices: the share of its "
             "variance that a factor makes by itself, and together with all "
             "others; or elementary effects by Morris. Factors vary evenly in "
             "their ranges. Noise is taken off, but not of μ*. The 15 that matter "
@@ -250,14 +285,38 @@ def _study(case: Case) -> Section:
     return section
 
 
-def _plan(case: Case, plants: Plants | Note) -> Block:
+def _shown(case: Case, plants: Plants | Note) -> list[Block]:
+    """The plants of the case as plants."""
     if isinstance(plants, Note):
-        return plants
-    return Drawing(
-        f"{case.name}_plan",
-        _PLAN,
-        partial(draw_plan, case, plants.baseline, plants.best),
-    )
+        return [plants]
+    pair = (plants.baseline, plants.best)
+    figures: list[Block] = [
+        Drawing(
+            f"{case.name}_field",
+            "How does the bred field look, and which leaves get the light?",
+            _FIELD,
+            partial(draw_field, case, *pair),
+        ),
+        Drawing(
+            f"{case.name}_plan",
+            "How do plants fill the ground between their neighbours?",
+            _PLAN,
+            partial(draw_plan, case, *pair),
+        ),
+    ]
+    if case.fronts:
+        figures.insert(
+            0,
+            Drawing(
+                f"{case.name}_front_plants",
+                "How do plants change along the front?",
+                _ALONG,
+                partial(
+                    draw_front_plants, case, plants.baseline, plants.members
+                ),
+            ),
+        )
+    return figures
 
 
 def _trade(fidelity: Fidelity | None) -> list[Section]:
@@ -267,6 +326,7 @@ def _trade(fidelity: Fidelity | None) -> list[Section]:
     section.blocks.append(
         Drawing(
             "fidelity",
+            "What does accuracy cost?",
             f"Speed for accuracy in {fidelity.case}. Lines: the cheapest "
             "settings for each error, as predicted; points: some of them "
             "evaluated again, with standard errors. One field serves all "

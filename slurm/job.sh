@@ -120,7 +120,11 @@ run_until_complete() {
         "requeue it by itself, submit again to go on"
     case $code in
     5) requeue "drained" ;;
-    0) requeue "others work on what is left" ;;
+    # The mpirun of MPICH 4.0 at times ends with 0 after a signal.
+    0)
+        [ -z "$drained" ] || requeue "drained"
+        requeue "others work on what is left"
+        ;;
     # The program has said what is wrong, and that would be so again.
     1 | 2 | 3 | 4) give_up "the program ended with $code" ;;
     *) requeue "the ranks were lost ($code)" ;;

@@ -18,6 +18,7 @@ sbatch_options=(--ntasks=3 --time=01:00:00)
 # (`srun --mpi=list`).
 launcher=(mpirun)
 # launcher=(srun --mpi=pmix)
+# launcher=(srun --mpi=pmi2)  # MPICH
 
 # Where the histories go: a folder that all nodes see, with room and without a
 # cleaner that removes old files.

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
+#include <optional>
 #include <sstream>
 #include <unistd.h>
 
@@ -16,6 +17,7 @@
 #include <sys/wait.h>
 
 #include "ideotype/core/error.hpp"
+#include "ideotype/parallel/session.hpp"
 
 namespace ideotype {
 
@@ -23,6 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+//! Its value is the path of the pipe of a LastWord.
 constexpr const char* own_mark = "IDEOTYPE_LAUNCHED";
 
 //! What root and few cores need, for Open MPI 4 and for the PRRTE of Open MPI
@@ -30,7 +33,7 @@ constexpr const char* own_mark = "IDEOTYPE_LAUNCHED";
 struct Variable {
     const char *name, *value;
 };
-constexpr std::array<Variable, 12> environment{{
+constexpr std::array<Variable, 11> environment{{
     {"OMPI_ALLOW_RUN_AS_ROOT", "1"},
     {"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"},
     {"PRTE_ALLOW_RUN_AS_ROOT", "1"},
@@ -44,7 +47,6 @@ constexpr std::array<Variable, 12> environment{{
     {"OMPI_MCA_btl_tcp_if_include", "lo"},
     // Errors and exit codes are told by rank 0 and by watch().
     {"OMPI_MCA_orte_execute_quiet", "1"},
-    {own_mark, "1"},
 }};
 
 bool is_program(const fs::path& path) {
@@ -90,6 +92,33 @@ sigset_t heard_signals() {
     _exit(127);
 }
 
+//! Hears what rank 0 ends with: the launcher of MPICH 4.0 at times ends with 0
+//! after it has passed a signal on.
+class LastWord {
+  public:
+    LastWord() {
+        if (pipe2(ends_.data(), O_CLOEXEC | O_NONBLOCK) != 0)
+            throw Error(fmt::format("--ranks: cannot make a pipe: {}",
+                                    std::strerror(errno)));
+        setenv(own_mark,
+               fmt::format("/proc/{}/fd/{}", getpid(), ends_[1]).c_str(), 1);
+    }
+    ~LastWord() {
+        for (const int end : ends_) close(end);
+    }
+    LastWord(const LastWord&) = delete;
+    LastWord& operator=(const LastWord&) = delete;
+
+    std::optional<int> heard() const {
+        unsigned char code = 0;
+        if (read(ends_[0], &code, 1) != 1) return {};
+        return code;
+    }
+
+  private:
+    std::array<int, 2> ends_{};
+};
+
 //! How a launcher ended, and what the user had asked for.
 struct End {
     int status = 0;      //!< of waitpid()
@@ -97,14 +126,20 @@ struct End {
     bool was_asked = false;
 };
 
-//! Passes signals on until the launcher ends. Its own way with SIGINT and
-//! SIGTERM would leave the ranks a second.
+//! Passes signals on until the launcher ends. Open MPI's own way with SIGINT
+//! and SIGTERM would leave the ranks a second; MPICH's passes SIGTERM on to
+//! ranks, which may work on, so it is killed if it does not end by that.
 End watch(pid_t launcher) {
+    constexpr timespec patience{3, 0};
     const sigset_t signals = heard_signals();
     End end;
     for (;;) {
-        const int signal = sigwaitinfo(&signals, nullptr);
+        const bool is_to_end = end.interrupts > 1;
+        const int signal = is_to_end
+                               ? sigtimedwait(&signals, nullptr, &patience)
+                               : sigwaitinfo(&signals, nullptr);
         if (waitpid(launcher, &end.status, WNOHANG) == launcher) return end;
+        if (signal < 0 && is_to_end) kill(launcher, SIGKILL);
         if (signal < 0 || signal == SIGCHLD) continue;
         end.was_asked = true;
         if (signal == SIGINT) ++end.interrupts;
@@ -114,10 +149,22 @@ End watch(pid_t launcher) {
     }
 }
 
-int exit_code(const End& end, const std::string& way_on) {
-    constexpr int by_signal = 128;
-    const int code = WIFEXITED(end.status) ? WEXITSTATUS(end.status)
-                                           : by_signal + WTERMSIG(end.status);
+constexpr int by_signal = 128;
+
+//! As a shell tells it, 128 + n for signal n; for a rank's MPICH's launcher
+//! ends with n alone.
+int code_of(int status) {
+    if (WIFSIGNALED(status)) return by_signal + WTERMSIG(status);
+    const int code = WEXITSTATUS(status);
+    const bool is_signal = code > static_cast<int>(ExitCode::stopped) &&
+                           code < NSIG &&
+                           Session::library_version().starts_with("MPICH");
+    return is_signal ? by_signal + code : code;
+}
+
+int exit_code(const End& end, const std::optional<int>& last_word,
+              const std::string& way_on) {
+    const int code = code_of(end.status);
     const auto tell = [&](const std::string& what) {
         fmt::print(stderr,
                    "ideotype: {}; what was recorded is safe; go on with\n"
@@ -131,6 +178,11 @@ int exit_code(const End& end, const std::string& way_on) {
         tell("stopped at once");
         return by_signal + SIGINT;
     }
+    if (code == 0 && end.was_asked && !last_word) {
+        tell("stopped before the end");
+        return static_cast<int>(ExitCode::stopped);
+    }
+    if (code == 0) return last_word.value_or(code);
     if (code <= static_cast<int>(ExitCode::stopped)) return code;
     if (end.was_asked && code == by_signal + SIGUSR1) {
         tell("stopped before the first evaluation");
@@ -153,6 +205,16 @@ bool is_own_launch() {
     return std::getenv(own_mark) != nullptr;
 }
 
+void tell_launcher(ExitCode code) {
+    const char* pipe = std::getenv(own_mark);
+    const int file = pipe != nullptr ? open(pipe, O_WRONLY | O_CLOEXEC) : -1;
+    if (file < 0) return;
+    const auto byte = static_cast<unsigned char>(code);
+    // What cannot be told is left to the launcher of the ranks.
+    [[maybe_unused]] const ssize_t told = write(file, &byte, 1);
+    close(file);
+}
+
 int launch(int ranks, const std::vector<std::string>& words,
            const std::string& way_on) {
     std::vector<std::string> command{
@@ -163,6 +225,7 @@ int launch(int ranks, const std::vector<std::string>& words,
     for (std::string& word : command) pointers.push_back(word.data());
     pointers.push_back(nullptr);
     for (const Variable& each : environment) setenv(each.name, each.value, 0);
+    const LastWord last_word;
 
     const sigset_t signals = heard_signals();
     sigprocmask(SIG_BLOCK, &signals, nullptr);
@@ -171,7 +234,8 @@ int launch(int ranks, const std::vector<std::string>& words,
     if (launcher < 0)
         throw Error(fmt::format("--ranks: cannot start {}: {}", command[0],
                                 std::strerror(errno)));
-    return exit_code(watch(launcher), way_on);
+    const End end = watch(launcher);
+    return exit_code(end, last_word.heard(), way_on);
 }
 
 }  // namespace ideotype

@@ -4,10 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "ideotype/core/error.hpp"
+
 namespace ideotype {
 
 //! Whether launch() started this process.
 bool is_own_launch();
+
+//! Tells launch(), if that started this process, what rank 0 ends with.
+void tell_launcher(ExitCode code);
 
 //! Starts this program again, with so many ranks, under the MPI launcher that
 //! it was built with, and waits for its end. The first SIGINT, SIGTERM or

@@ -3,15 +3,16 @@
 
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
+#include <optional>
 #include <unistd.h>
 
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include "ideotype/cli/ranks.hpp"
 #include "ideotype/core/error.hpp"
 
 namespace ideotype {
@@ -21,20 +22,38 @@ namespace {
 constexpr auto nobody_reads =
     "nobody reads the output any more (the pipe is closed)";
 
-//! The pipe that mpirun's own output is, if it started this process and that
-//! is one; else -1. Ranks write to mpirun, which crashes when its output is
-//! closed: a rank that has the pipe itself is told of it.
-int pipe_of_mpirun() {
-    if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) return -1;
-    const std::string process = fmt::format("/proc/{}", getppid());
+std::string name_of(const std::string& process) {
     std::string name;
     std::getline(std::ifstream(process + "/comm"), name);
-    // On another node it is a daemon.
-    if (name != "mpirun" && name != "mpiexec" && name != "orterun" &&
-        name != "prterun")
-        return -1;
+    return name;
+}
+
+//! The folder of mpirun in /proc, if it started this process, by itself or, as
+//! MPICH does, by a process between; else none. On another node it is a daemon.
+std::optional<std::string> find_mpirun() {
+    std::string process = fmt::format("/proc/{}", getppid());
+    if (name_of(process) == "hydra_pmi_proxy") {
+        // "PID (NAME) STATE PARENT ..."
+        std::ifstream stat(process + "/stat");
+        std::string word;
+        for (int i = 0; i < 4; ++i) stat >> word;
+        process = "/proc/" + word;
+    }
+    const std::string name = name_of(process);
+    for (const char* each : {"mpirun", "mpiexec", "orterun", "prterun"})
+        if (name.starts_with(each)) return process;
+    return std::nullopt;
+}
+
+//! The pipe that mpirun's own output is, if it started this process and that
+//! is one; else -1. Ranks write to mpirun, which crashes or tells nobody when
+//! its output is closed: a rank that has the pipe itself is told of it.
+int pipe_of_mpirun() {
+    if (!launch_of_this_process().is_launched) return -1;
+    const std::optional<std::string> mpirun = find_mpirun();
+    if (!mpirun) return -1;
     struct stat about {};
-    const std::string output = process + "/fd/1";
+    const std::string output = *mpirun + "/fd/1";
     if (stat(output.c_str(), &about) != 0 || !S_ISFIFO(about.st_mode))
         return -1;
     // Of a named pipe that nobody reads it would wait for ever.

@@ -37,9 +37,8 @@ bool is_to_launch(int ranks) {
 }
 
 //! Collective over all ranks.
-ExitCode run_with_session(const RunOptions& options, const AtEnd& at_end) {
-    StopFlag stop;
-    const Session session;
+ExitCode run_on_ranks(const RunOptions& options, const Session& session,
+                      StopFlag& stop, const AtEnd& at_end) {
     try {
         const ExitCode code = run(options, session, stop);
         if (code == ExitCode::ok && session.rank() == 0 && at_end)
@@ -52,6 +51,14 @@ ExitCode run_with_session(const RunOptions& options, const AtEnd& at_end) {
         if (session.rank() != 0) session.abort(static_cast<int>(code));
         return code;
     }
+}
+
+ExitCode run_with_session(const RunOptions& options, const AtEnd& at_end) {
+    StopFlag stop;
+    const Session session;
+    const ExitCode code = run_on_ranks(options, session, stop, at_end);
+    if (session.rank() == 0) tell_launcher(code);
+    return code;
 }
 
 }  // namespace

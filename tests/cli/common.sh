@@ -105,6 +105,48 @@ same_results() {
     fi
 }
 
+# What process $1 started, and what those did: MPICH has a process of its own
+# between mpirun and the ranks.
+descendants_of() {
+    local process
+    for process in $(pgrep -P "$1"); do
+        echo "$process"
+        descendants_of "$process"
+    done
+}
+
+# $1 a process above the ranks, $2 a rank
+rank_of() {
+    local process
+    for process in $(descendants_of "$1"); do
+        if tr '\0' '\n' 2>/dev/null <"/proc/$process/environ" |
+            grep -qx "\(OMPI_COMM_WORLD\|PMI\)_RANK=$2"; then
+            echo "$process"
+        fi
+    done
+}
+
+# Whether the program is built with MPICH.
+is_mpich() {
+    "$ideotype" --version | grep -q "^MPICH"
+}
+
+# Whether $1 is what mpirun ends with after a run that a signal stopped: 5, which
+# that of MPICH 4.0 at times forgets.
+is_stopped() {
+    [ "$1" -eq 5 ] || { [ "$1" -eq 0 ] &&
+        "$ideotype" --version | grep -q "^MPICH Version:[[:space:]]*4\.0"; }
+}
+
+# What mpirun ends with when signal $1 ends a rank.
+code_of_signal() {
+    if is_mpich; then
+        echo "$1"
+    else
+        echo $((128 + $1))
+    fi
+}
+
 history_of() {
     echo "$1/$2/ames_${3:-0807}_762x152_all_r1.h5"
 }

@@ -27,7 +27,7 @@ else
     # Ranks that differ do not begin at all.
     cat >ranks.sh <<'EOF'
 #!/bin/sh
-[ "${OMPI_COMM_WORLD_RANK:-$PMIX_RANK}" = 0 ] ||
+[ "${OMPI_COMM_WORLD_RANK:-${PMI_RANK:-$PMIX_RANK}}" = 0 ] ||
     export GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2
 exec "$@"
 EOF

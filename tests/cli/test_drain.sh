@@ -28,7 +28,7 @@ code=0
 kill -USR1 $job
 code=0
 wait $job || code=$?
-[ $code -eq 5 ] || fail "a drain must end with 5, not $code"
+is_stopped $code || fail "a drain must end with 5, not $code"
 "$ideotype" status drained >status.log
 grep ": drained, " status.log || fail "does not look drained"
 grep -qx "  mpirun -n 3 $ideotype run campaigns/long.toml --out drained --resume" \

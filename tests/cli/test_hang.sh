@@ -23,15 +23,8 @@ start() {
 
 # Stops these ranks of the job.
 freeze() {
-    local pid rank
-    for pid in $(pgrep -P $job); do
-        for rank in "$@"; do
-            if tr '\0' '\n' <"/proc/$pid/environ" |
-                grep -qx "OMPI_COMM_WORLD_RANK=$rank"; then
-                kill -STOP "$pid"
-            fi
-        done
-    done
+    local rank
+    for rank in "$@"; do kill -STOP "$(rank_of $job "$rank")"; done
 }
 
 # Waits until the log says $1 and all ranks are gone. With ranks to kill mpirun
@@ -45,7 +38,7 @@ await_end() {
         fi
         sleep 0.1
     done
-    kill -KILL $job $(pgrep -P $job) || true
+    kill -KILL $job $(descendants_of $job) || true
     fail "it does not end with '$1': $(cat "$log")"
 }
 

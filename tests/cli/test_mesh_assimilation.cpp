@@ -164,7 +164,12 @@ TEST_P(ExactAssimilation, AgreesWithPieces) {
 
 INSTANTIATE_TEST_SUITE_P(Boundaries, ExactAssimilation,
                          testing::Values(Boundary::periodic,
-                                         Boundary::isolated));
+                                         Boundary::isolated),
+                         [](const auto& test) {
+                             return test.param == Boundary::periodic
+                                        ? "Periodic"
+                                        : "Isolated";
+                         });
 
 TEST_F(MaizeAssimilation, OfADayIsTheSumOfItsHours) {
     Estimate sum;

@@ -57,7 +57,7 @@ sleep 0.5
 kill -USR1 $job
 code=0
 wait $job || code=$?
-[ $code -eq 5 ] || fail "a drain must end with 5, not $code: $(cat drain.log)"
+is_stopped $code || fail "a drain must end with 5, not $code: $(cat drain.log)"
 grep -q -- "sensitivity campaigns/study.toml.*--resume" drain.log ||
     fail "no word about how to go on: $(cat drain.log)"
 expect 4 "${longer[@]}" --out drained

@@ -113,7 +113,10 @@ await() {
 }
 no_ranks() { ! pgrep -f "serve campaigns/served.toml --log-level debug" >/dev/null; }
 serve+=(--log-level debug)
-requests 1400 >many
+# The mpirun of MPICH does not bear more than 64 KiB that wait to be read.
+count=1400
+! is_mpich || count=230
+requests $count >many
 
 for start in "" "${ranks[*]}"; do
     # Nobody reads any more, while the input stays open: all ranks end, with a
@@ -154,7 +157,8 @@ for start in "" "${ranks[*]}"; do
     wait $job || code=$?
     exec 3>&-
     wait
-    [ $code -eq 5 ] || fail "a stop ends with $code: $(cat stopped.log)"
+    { [ $code -eq 5 ] || { [ -n "$start" ] && is_stopped $code; }; } ||
+        fail "a stop ends with $code: $(cat stopped.log)"
     grep -q "stopped before the end of the input" stopped.log ||
         fail "$(cat stopped.log)"
     [ "$(grep -c ": rank " stopped.log)" = "$(grep -c '"status":"done"' stopped.out)" ] ||
@@ -167,12 +171,12 @@ job=$!
 exec 3>in
 cat many >&3 &
 await "the first evaluation" grep -q "line 5: rank" lost.log
-kill -KILL "$(pgrep -P $job | tail -n 1)"
+kill -KILL "$(rank_of $job 2)"
 code=0
 wait $job || code=$?
 exec 3>&-
 wait
-[ $code -eq 137 ] || fail "a killed rank ends with $code: $(cat lost.log)"
+[ $code -eq "$(code_of_signal 9)" ] || fail "a killed rank ends with $code: $(cat lost.log)"
 await "the end of all ranks" no_ranks
 
 # What ranks cannot share, because there is none, is told once.

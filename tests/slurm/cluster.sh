@@ -102,6 +102,15 @@ export OMPI_MCA_btl=tcp,self OMPI_MCA_btl_tcp_if_include=lo
 SITE
 }
 
+# How srun starts ranks of the MPI that the program is built with.
+srun_of_mpi() {
+    if is_mpich; then
+        echo srun --mpi=pmi2
+    else
+        echo srun --mpi=pmix
+    fi
+}
+
 # Submits, shows and keeps what that says; sets job. $1 a name for the log.
 submit() {
     "$project/slurm/submit" "${@:2}" >"submit-$1.log" 2>&1 ||
@@ -128,7 +137,7 @@ worker_of() {
         environment=$(tr '\0' '\n' 2>/dev/null <"/proc/$process/environ" || true)
         if grep -qx "SLURM_JOB_ID=$1" <<<"$environment" &&
             grep -qx "SLURM_CONF=$SLURM_CONF" <<<"$environment" &&
-            grep -qx "\(OMPI_COMM_WORLD_RANK\|SLURM_PROCID\)=1" \
+            grep -qx "\(OMPI_COMM_WORLD_RANK\|PMI_RANK\|SLURM_PROCID\)=1" \
                 <<<"$environment"; then
             echo "$process"
             return

@@ -11,7 +11,7 @@ trap stop_cluster EXIT
 start_cluster "$folder/cluster" 2
 export IDEOTYPE=$ideotype
 write_site mpirun mpirun
-write_site srun srun --mpi=pmix
+write_site srun "$(srun_of_mpi)"
 for site in mpirun srun; do
     submit $site --site $site.sh --out $site campaigns/whole.toml --nodes=2 \
         --ntasks=4

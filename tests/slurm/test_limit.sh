@@ -10,7 +10,7 @@ sed -i 's/^seed = 7/seed = 7\nreplicates = 2/' campaigns/limit.toml
 trap stop_cluster EXIT
 start_cluster "$folder/cluster" 2
 export IDEOTYPE=$ideotype
-write_site here srun --mpi=pmix
+write_site here "$(srun_of_mpi)"
 submit here --site here.sh --out out --lead 50 campaigns/limit.toml \
     --time=1 --ntasks=2
 # However quick this machine is: the first start gets nowhere until its time is

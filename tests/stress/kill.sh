@@ -52,18 +52,6 @@ start() {
     ranks=()
 }
 
-# Process of a rank of the job, or nothing.
-rank_of() {
-    local process
-    for process in "${ranks[@]}"; do
-        if tr '\0' '\n' 2>/dev/null <"/proc/$process/environ" |
-            grep -qx "OMPI_COMM_WORLD_RANK=$1"; then
-            echo "$process"
-            return
-        fi
-    done
-}
-
 is_alive() {
     grep -qs "^State:[[:space:]]*[^ZX[:space:]]" "/proc/$1/status"
 }
@@ -165,10 +153,10 @@ while [ $done_kills -lt "$kills" ]; do
     delay=$((RANDOM % 3 == 0 ? 150 + RANDOM % 350 : lag + RANDOM % 1000))
     start $done_kills
     sleep "$(printf '%d.%03d' $((delay / 1000)) $((delay % 1000)))"
-    mapfile -t ranks < <(pgrep -P $job || true)
+    mapfile -t ranks < <(descendants_of $job)
     case $target in
-    rank0) victims=$(rank_of 0) ;;
-    worker) victims=$(rank_of $((1 + RANDOM % 2))) ;;
+    rank0) victims=$(rank_of $job 0) ;;
+    worker) victims=$(rank_of $job $((1 + RANDOM % 2))) ;;
     mpirun) victims=$job ;;
     all) victims="$job ${ranks[*]}" ;;
     esac

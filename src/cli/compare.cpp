@@ -167,6 +167,7 @@ ExitCode compare(const CompareOptions& options) {
     StopFlag stop;
     if (launch_of_this_process().size > 1) {
         const Session session;
+        require_all_ranks(session.size());
         share(options, session, stop);
         return ExitCode::ok;
     }

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "ideotype/core/error.hpp"
+#include "ideotype/parallel/session.hpp"
 
 namespace ideotype {
 
@@ -67,6 +68,18 @@ Launch launch_of_this_process() {
             return {true, number_in(rank, 0),
                     number_in(std::getenv(each.size), 1)};
     return {};
+}
+
+void require_all_ranks(int found) {
+    const int started = launch_of_this_process().size;
+    if (found >= started) return;
+    throw Error(
+        fmt::format("{} ranks were started, but do not find each other: the "
+                    "launcher is not that of {}, which this program is built "
+                    "with; start it with {}, or srun with another --mpi (srun "
+                    "--mpi=list)",
+                    started, Session::library_version(), IDEOTYPE_MPIEXEC),
+        ExitCode::usage);
 }
 
 }  // namespace ideotype

@@ -56,6 +56,7 @@ ExitCode run_on_ranks(const RunOptions& options, const Session& session,
 ExitCode run_with_session(const RunOptions& options, const AtEnd& at_end) {
     StopFlag stop;
     const Session session;
+    require_all_ranks(session.size());
     const ExitCode code = run_on_ranks(options, session, stop, at_end);
     if (session.rank() == 0) tell_launcher(code);
     return code;

@@ -227,7 +227,10 @@ ExitCode serve(const ServeOptions& options) {
     StopFlag stop;
     const Log log(options.level);
     std::optional<Session> session;
-    if (launch_of_this_process().size > 1) session.emplace();
+    if (launch_of_this_process().size > 1) {
+        session.emplace();
+        require_all_ranks(session->size());
+    }
     try {
         return session ? serve_on(*session, options, stop, log)
                        : serve_alone(options, stop, log);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ideotype/parallel/session.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -131,9 +132,14 @@ std::string Session::library_version() {
     std::array<char, MPI_MAX_LIBRARY_VERSION_STRING> text{};
     int length = 0;
     MPI_Get_library_version(text.data(), &length);
-    const std::string version(text.data());
-    // "Open MPI v4.1.4, package: ..., ident: ..."
-    return version.substr(0, version.find_first_of(",\n"));
+    // "Open MPI v4.1.4, package: ..., ident: ..."; "MPICH Version:\t4.0.2\n..."
+    std::string version(text.data());
+    version.resize(std::min(version.find_first_of(",\n"), version.size()));
+    const std::string label = "Version:";
+    if (const auto at = version.find(label); at != std::string::npos)
+        version.erase(at,
+                      version.find_first_not_of(" \t", at + label.size()) - at);
+    return version;
 }
 
 }  // namespace ideotype

@@ -135,7 +135,7 @@ is_mpich() {
 # that of MPICH 4.0 at times forgets.
 is_stopped() {
     [ "$1" -eq 5 ] || { [ "$1" -eq 0 ] &&
-        "$ideotype" --version | grep -q "^MPICH Version:[[:space:]]*4\.0"; }
+        "$ideotype" --version | grep -q "^MPICH 4\.0"; }
 }
 
 # What mpirun ends with when signal $1 ends a rank.

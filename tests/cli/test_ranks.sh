@@ -68,3 +68,18 @@ mpirun -n 3 "$ideotype" compare missing.toml --under campaigns/same.toml \
 [ $code -eq 1 ] || fail "a missing plant ended with $code: $(cat missing.log)"
 [ "$(grep -c "ideotype: .*missing.toml" missing.log)" -eq 1 ] ||
     fail "not told once: $(cat missing.log)"
+
+# Ranks that another MPI's launcher starts do not find each other, which is told
+# once; here its variables take the place of that launcher.
+foreign=PMI
+! is_mpich || foreign=OMPI_COMM_WORLD
+for verb in "run campaigns/one.toml --out apart" "serve campaigns/one.toml" \
+    "compare campaigns/one.toml --under campaigns/same.toml"; do
+    # shellcheck disable=SC2086  # words
+    expect 2 env ${foreign}_RANK=0 ${foreign}_SIZE=2 "$ideotype" $verb
+    says "^ideotype: 2 ranks were started, but do not find each other"
+    # shellcheck disable=SC2086  # words
+    expect 0 env ${foreign}_RANK=1 ${foreign}_SIZE=2 "$ideotype" $verb
+    [ ! -s out.log ] || fail "told twice: $(cat out.log)"
+done
+[ ! -e apart ] || fail "something was begun"

@@ -32,4 +32,9 @@ struct Launch {
 //! Asks the environment, so that MPI need not be started for it.
 Launch launch_of_this_process();
 
+//! Refuses a job of which MPI has found fewer ranks than were started, as it
+//! does under the launcher of another MPI: each would do all the work.
+//! @throws Error of wrong usage.
+void require_all_ranks(int found);
+
 }  // namespace ideotype

@@ -115,6 +115,15 @@ descendants_of() {
     done
 }
 
+# Whether all that $1 started is gone, but for what it has not waited for.
+are_gone() {
+    local process
+    for process in $(descendants_of "$1"); do
+        ! grep -qs "^State:[[:space:]]*[^ZX[:space:]]" "/proc/$process/status" ||
+            return 1
+    done
+}
+
 # $1 a process above the ranks, $2 a rank
 rank_of() {
     local process

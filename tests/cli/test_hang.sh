@@ -31,14 +31,16 @@ freeze() {
 # 4.1 itself may crash or hang at its end, so its exit code is not looked at.
 await_end() {
     for _ in $(seq 600); do
-        if grep -q -- "$1" "$log" && ! pgrep -P $job >/dev/null; then
+        if grep -q -- "$1" "$log" && are_gone $job; then
             kill -KILL $job 2>/dev/null || true
             wait $job 2>/dev/null || true
             return 0
         fi
         sleep 0.1
     done
-    kill -KILL $job $(descendants_of $job) || true
+    mapfile -t left < <(descendants_of $job)
+    ps -o pid,ppid,stat,wchan:20,cmd -p $job "${left[@]}" >&2 || true
+    kill -KILL $job "${left[@]}" || true
     fail "it does not end with '$1': $(cat "$log")"
 }
 

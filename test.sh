@@ -16,4 +16,5 @@ install_python test,docs,lint
 docs/build
 ctest --preset dev --timeout 600 --parallel "$(nproc)" "$@"
 IDEOTYPE_EXECUTABLE=$PWD/build/dev/src/ideotype \
-    .venv/bin/python -m pytest -q tests/analysis
+    .venv/bin/python -m pytest -q --numprocesses "$(nproc)" --dist loadfile \
+    tests/analysis

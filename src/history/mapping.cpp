@@ -23,7 +23,9 @@ std::size_t size_of(int descriptor) {
 std::unique_ptr<Mapping> Mapping::of(hid_t file) {
     if (!has_all_room(file)) return nullptr;
     const int descriptor = descriptor_of(file);
-    const std::size_t size = size_of(descriptor);
+    // HDF5 1.14 cuts off what is behind the last block when it flushes.
+    haddr_t size = 0;
+    checked(H5Fget_eoa(file, &size), "map the file");
     void* begin =
         mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
     if (begin == MAP_FAILED) return nullptr;

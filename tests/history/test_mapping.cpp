@@ -66,6 +66,21 @@ TEST_F(MappingTest, IsNotDoneWhereAWriteMayFindTheDiskFull) {
     EXPECT_FALSE(Mapping::of(file_));
 }
 
+TEST_F(MappingTest, EndsWithTheLastBlockOfTheFile) {
+    haddr_t end = 0;
+    ASSERT_GE(H5Fget_eoa(file_, &end), 0);
+    const auto cut = [&](haddr_t size) {
+        ASSERT_EQ(ftruncate(descriptor_of(file_), static_cast<off_t>(size)), 0);
+    };
+    cut(end + 4096);
+    const auto mapping = Mapping::of(file_);
+    ASSERT_TRUE(mapping);
+    cut(end);
+    EXPECT_TRUE(mapping->is_whole());
+    cut(end - 1);
+    EXPECT_FALSE(mapping->is_whole());
+}
+
 TEST_F(MappingTest, RowSurvivesAKillRightAfterItsRecord) {
     file_ = {};
     const pid_t child = fork();

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # What the build says where libraries are missing: all of them at once.
 . "$(dirname "$0")/../cli/common.sh"
+export CMAKE_GENERATOR=Ninja  # as the presets; there may be no make
 
 # $1 the expected exit code, $2 an option, the rest libraries that are missing.
 configure() {

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # A program outside of this project links what find_package(ideotype) finds.
 . "$(dirname "$0")/../cli/common.sh"
+export CMAKE_GENERATOR=Ninja  # as the presets; there may be no make
 build=$4
 
 expect 0 cmake --install "$build" --prefix "$folder/prefix"

@@ -23,6 +23,13 @@ namespace ideotype {
 
 namespace {
 
+//! How high a leaf that stands upright reaches on the largest plant of its
+//! line [m].
+double furthest(const PlantVariation& variation, const Leaf& leaf) {
+    return (1 + 3 * variation.height) * leaf.insertion_height +
+           (1 + 3 * variation.length) * leaf.length;
+}
+
 //! As high as the highest leaf with all numbers at their upper bounds, or of
 //! the baseline, if it stood upright [m].
 double reach_of(const Campaign& campaign) {
@@ -32,7 +39,7 @@ double reach_of(const Campaign& campaign) {
     double top = 0;
     for (const Plant* plant : {&campaign.crop.baseline, &largest})
         for (const Leaf& leaf : plant->leaves)
-            top = std::max(top, leaf.insertion_height + leaf.length);
+            top = std::max(top, furthest(campaign.field.variation, leaf));
     return top;
 }
 

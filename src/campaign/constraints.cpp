@@ -81,12 +81,32 @@ double distichous_excess(const std::vector<double>& azimuths, double limit) {
     return sum > rounding ? sum : 0;
 }
 
+//! Relative to the limit, or to all that a measure could be where the limit
+//! is 0.
+double range_excess(const std::vector<double>& leaves,
+                    const TraitConstraint& limit, const Range& limits) {
+    const std::size_t count = limit.highest > 0
+                                  ? static_cast<std::size_t>(limit.highest)
+                                  : leaves.size();
+    const double width = limits.upper - limits.lower;
+    const auto beyond = [&](double distance, double from) {
+        return std::max(0.0, distance) / (from != 0 ? std::abs(from) : width);
+    };
+    double sum = 0;
+    for (std::size_t i = leaves.size() - std::min(count, leaves.size());
+         i < leaves.size(); ++i)
+        sum += beyond(leaves[i] - limit.range.upper, limit.range.upper) +
+               beyond(limit.range.lower - leaves[i], limit.range.lower);
+    return sum;
+}
+
 double violation(const TraitConstraint& limit, const MeasureInfo& measure) {
     std::vector<double> leaves;
     for (const double* value : measure.values) leaves.push_back(*value);
     double sum = step_excess(leaves, limit.step, measure.is_direction);
     sum +=
         excess(std::accumulate(leaves.begin(), leaves.end(), 0.0), limit.total);
+    sum += range_excess(leaves, limit, measure.limits);
     if (limit.is_falling) sum += rise(leaves, measure.limits);
     return sum + distichous_excess(leaves, limit.distichous);
 }
@@ -97,7 +117,8 @@ bool constrains(const TraitConstraint& limit) {
     const TraitConstraint none;
     return limit.step > 0 || limit.total.lower > none.total.lower ||
            limit.total.upper < none.total.upper || limit.is_falling ||
-           limit.distichous > 0;
+           limit.distichous > 0 || limit.range.lower > none.range.lower ||
+           limit.range.upper < none.range.upper;
 }
 
 double violation(const Constraints& constraints,

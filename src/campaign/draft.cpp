@@ -53,6 +53,16 @@ std::vector<std::string> rule_names(const Draft& draft) {
     return names;
 }
 
+bool is_bred(const Draft& draft, const Trait& trait, const std::string& rule) {
+    bool rule_chooses = false;
+    for (const BoundsEntry& each : draft.bounds) {
+        if (each.rule != rule || !each.is_bred) continue;
+        rule_chooses = true;
+        if (each.trait == trait.name) return true;
+    }
+    return !rule_chooses && trait.is_bred;
+}
+
 const std::vector<std::string>& measures_of(const TraitEntry& entry) {
     if (!entry.sets.empty()) return entry.sets;
     return entry.scales.empty() ? entry.shifts : entry.scales;

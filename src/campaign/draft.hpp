@@ -22,6 +22,9 @@ struct BoundsEntry {
     std::string trait;
     Range range;
     double change = 0;  //!< from the baseline, relative to it; 0: any
+    //! Campaigns that choose the rule, but no trait set, breed such traits and
+    //! no others.
+    bool is_bred = false;
 };
 
 //! A campaign while it is read: defaults first, then what the file says.
@@ -51,6 +54,9 @@ struct Draft {
 
 //! The names that campaigns may choose bounds by.
 std::vector<std::string> rule_names(const Draft& draft);
+
+//! Whether campaigns without trait sets breed the trait.
+bool is_bred(const Draft& draft, const Trait& trait, const std::string& rule);
 
 //! What the trait acts on: the list that has any measure.
 const std::vector<std::string>& measures_of(const TraitEntry& entry);

@@ -152,7 +152,11 @@ Section bounds_entry_section(BoundsEntry& bounds) {
              Key("change", &bounds.change,
                  "largest change of the baseline's value, relative to it; 0: "
                  "any")
-                 .within(0, 100)}};
+                 .within(0, 100),
+             Key("bred", &bounds.is_bred,
+                 "whether campaigns that choose these bounds, but name no "
+                 "trait set, breed it; if any of the rule is, no other traits "
+                 "are")}};
 }
 
 Key own_bounds_key(const Trait& trait, Range& range, Plant& plant) {

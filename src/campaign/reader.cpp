@@ -87,7 +87,7 @@ class DraftReader {
         draft_.is_crop_known = false;
         if (const auto baseline = top["plant"]["baseline"])
             read_baseline(top, *baseline.node());
-        prepare();
+        prepare(top["plant"]["bounds"].value_or<std::string>(""));
         draft_.has_climate = top.contains("climate");
         if (top["plant"]["bounds"].is_table()) draft_.rule.clear();
         const std::vector<Table> tables = campaign_tables(draft_);
@@ -145,13 +145,14 @@ class DraftReader {
 
   private:
     //! What follows from the crop, before the rest of a campaign is read.
-    void prepare() {
+    //! @param rule that bounds are chosen by
+    void prepare(const std::string& rule) {
         Campaign& campaign = draft_.campaign;
         for (const TraitEntry& entry : draft_.traits) {
             const Trait& trait = entry.trait;
             draft_.own_bounds.push_back(trait.range);
             campaign.constraints.traits.push_back({trait.name});
-            if (trait.is_bred)
+            if (is_bred(draft_, trait, rule))
                 campaign.trait_sets[0].value.push_back(trait.name);
         }
         draft_.organs = organ_names(campaign.crop.baseline);

@@ -115,7 +115,12 @@ Table constraint_table(TraitConstraint& limit) {
          Key("distichous", &limit.distichous,
              "of azimuths: leaves alternate between the two sides of one "
              "plane, none further from it than this; 0: any")
-             .within(0, 90, "deg")}};
+             .within(0, 90, "deg"),
+         Key("range", &limit.range, "of each leaf").within(-1e9, 1e9),
+         Key("highest", &limit.highest,
+             "how many leaves the range limits, counted from the highest "
+             "down; 0: all")
+             .within(0, 40)}};
     Table table = one_table(section);
     table.name = limit.trait;
     table.is_default = !constrains(limit);

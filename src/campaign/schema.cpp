@@ -233,6 +233,23 @@ Section field_section(FieldForm& field) {
                  .within(0, 180, "deg")}};
 }
 
+Section variation_section(PlantVariation& variation) {
+    constexpr double largest = 0.3;  // three of them leave something
+    return {"field.variation",
+            {Key("length", &variation.length, "of each blade, relative")
+                 .within(0, largest),
+             Key("width", &variation.width, "of each blade, relative")
+                 .within(0, largest),
+             Key("insertion_angle", &variation.insertion_angle, "of each leaf")
+                 .within(0, 30, "deg"),
+             Key("azimuth", &variation.azimuth, "of each leaf")
+                 .within(0, 60, "deg"),
+             Key("height", &variation.height,
+                 "of each plant, relative: stalk, sheaths, and where leaves "
+                 "begin")
+                 .within(0, largest)}};
+}
+
 Section optics_section(Campaign& campaign) {
     Optics& optics = campaign.optics;
     return {"optics",
@@ -280,6 +297,16 @@ std::vector<Table> climate_file_tables(Campaign& campaign) {
     return tables;
 }
 
+Table field_table(FieldForm& field) {
+    Table table = one_table(field_section(field));
+    Table variation = one_table(variation_section(field.variation));
+    variation.name = "variation";
+    variation.is_optional = true;
+    variation.is_default = !field.variation.is_any();
+    table.children = {variation};
+    return table;
+}
+
 std::vector<Table> campaign_tables(Draft& draft) {
     Campaign& campaign = draft.campaign;
     Table days =
@@ -301,7 +328,7 @@ std::vector<Table> campaign_tables(Draft& draft) {
                     return traits_section(draft, traits);
                 },
                 campaign.trait_sets),
-            one_table(field_section(campaign.field)),
+            field_table(campaign.field),
             plant_table(draft),
             one_table(optics_section(campaign)),
             one_table(light_section(campaign)),

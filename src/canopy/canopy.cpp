@@ -148,6 +148,7 @@ class Evaluation {
             pieces = cut_leaves(mesh, {}, request_.details.pieces);
         Accuracy accuracy = request_.accuracy;
         Randomness randomness = request_.randomness;
+        if (varies()) set_rates(mesh);
         const bool is_each = randomness.fields == Randomness::Fields::each;
         const int fields = is_each ? accuracy.randomisations : 1;
         accuracy.randomisations /= fields;
@@ -163,11 +164,12 @@ class Evaluation {
                 randomness.first_randomisation *
                 static_cast<std::uint32_t>(
                     is_one_of_many_ ? accuracy.randomisations : 1);
-            Field field = draw_field(
-                pieces ? pieces->mesh : mesh, request_.scenario.field,
-                randomness.fields == Randomness::Fields::common
-                    ? Randomness{randomness.seed}
-                    : randomness);
+            Field field =
+                draw_field(plant, pieces ? pieces->mesh : mesh,
+                           request_.tessellation, request_.scenario.field,
+                           randomness.fields == Randomness::Fields::common
+                               ? Randomness{randomness.seed}
+                               : randomness);
             std::optional<Pieces> of_field;
             if (pieces)
                 of_field = pieces_of_field(*pieces, std::move(field.mesh),
@@ -190,6 +192,7 @@ class Evaluation {
 
     CanopyReport report() {
         const SeriesIllumination& light = request_.scenario.light;
+        if (varies()) result_.lai = lai_of_fields_ / fields_;
         for (const Tally& tally : tallies_) {
             result_.budget_by_randomisation.push_back(tally.budget());
             if (request_.details.faces) continue;
@@ -220,6 +223,22 @@ class Evaluation {
     }
 
   private:
+    bool varies() const { return request_.scenario.field.variation.is_any(); }
+
+    //! Those of leaves of plants that do not deviate from their line.
+    void set_rates(const Mesh& plant) {
+        if (!request_.details.photosynthesis) return;
+        const Spacing& spacing = request_.scenario.field.spacing;
+        std::vector<double> areas(plant.groups.size());
+        const std::vector<double> of_faces = face_areas(plant);
+        for (std::size_t f = 0; f < of_faces.size(); ++f)
+            if (plant.groups[plant.face_group[f]].tissue == Tissue::leaf)
+                areas[plant.face_group[f]] +=
+                    of_faces[f] / (spacing.row * spacing.plant);
+        rates_ = rates_of_groups(*request_.details.photosynthesis, plant.groups,
+                                 areas);
+    }
+
     bool needs_pieces() const {
         return request_.details.photosynthesis && !request_.details.exact;
     }
@@ -240,6 +259,7 @@ class Evaluation {
         result_.boundary = field.boundary;
         result_.ground_area = field.ground_area;
         result_.lai = leaf_area(mesh) / field.ground_area;
+        lai_of_fields_ += result_.lai;
         if (request_.details.faces) add_areas(mesh);
         ++fields_;
         take(result_.seconds.geometry);
@@ -377,6 +397,7 @@ class Evaluation {
     std::vector<LeafRates> rates_;         //!< of each group
     std::vector<double> leaf_area_index_;  //!< of each group, of all fields
     std::vector<double> areas_;            //!< of all copies of each face [m2]
+    double lai_of_fields_ = 0;             //!< sum
     int fields_ = 0;
 };
 

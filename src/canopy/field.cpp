@@ -15,8 +15,7 @@ std::vector<double> draw_plant_azimuths(const FieldForm& form,
                                         const Randomness& randomness) {
     RandomStream stream(randomness.seed, Purpose::jitter, randomness.generation,
                         randomness.first_randomisation);
-    std::vector<double> turns(static_cast<std::size_t>(form.rows) *
-                              static_cast<std::size_t>(form.plants));
+    std::vector<double> turns(form.count());
     for (double& turn : turns) turn = stream.uniform(-form.jitter, form.jitter);
     return turns;
 }
@@ -73,10 +72,9 @@ void remove_border(Field& field, const FieldForm& form) {
 
 }  // namespace
 
-Field build_field(const Mesh& plant, const FieldForm& form,
+Field build_field(std::span<const Mesh> plants, const FieldForm& form,
                   const std::vector<double>& turns) {
-    const auto count = static_cast<std::size_t>(form.rows) *
-                       static_cast<std::size_t>(form.plants);
+    const std::size_t count = form.count();
     if (turns.size() != count)
         throw Error(
             fmt::format("a field of {} plants needs as many turns, not {}",
@@ -87,15 +85,16 @@ Field build_field(const Mesh& plant, const FieldForm& form,
     field.period_y = form.plants * form.spacing.plant;
     field.ground_area = field.period_x * field.period_y;
     Mesh& mesh = field.mesh;
-    mesh.groups = plant.groups;
-    mesh.vertices.reserve(count * plant.vertices.size());
-    mesh.faces.reserve(count * plant.faces.size());
-    mesh.face_group.reserve(count * plant.faces.size());
-    field.face_plant.reserve(count * plant.faces.size());
+    mesh.groups = plants.front().groups;
+    mesh.vertices.reserve(count * plants.front().vertices.size());
+    mesh.faces.reserve(count * plants.front().faces.size());
+    mesh.face_group.reserve(count * plants.front().faces.size());
+    field.face_plant.reserve(count * plants.front().faces.size());
     for (std::size_t p = 0; p < count; ++p) {
-        const auto plants = static_cast<std::size_t>(form.plants);
-        const std::size_t row = p / plants;
-        const std::size_t place = p % plants;
+        const Mesh& plant = plants.size() == 1 ? plants.front() : plants[p];
+        const auto per_row = static_cast<std::size_t>(form.plants);
+        const std::size_t row = p / per_row;
+        const std::size_t place = p % per_row;
         const double x = (static_cast<double>(row) + 0.5) * form.spacing.row;
         const double y =
             (static_cast<double>(place) + 0.5) * form.spacing.plant;
@@ -117,9 +116,34 @@ Field build_field(const Mesh& plant, const FieldForm& form,
     return field;
 }
 
+Field build_field(const Mesh& plant, const FieldForm& form,
+                  const std::vector<double>& turns) {
+    return build_field(std::span(&plant, 1), form, turns);
+}
+
 Field draw_field(const Mesh& plant, const FieldForm& form,
                  const Randomness& randomness) {
     return build_field(plant, form, draw_plant_azimuths(form, randomness));
+}
+
+Field draw_field(const Plant& plant, const Mesh& mesh,
+                 const Tessellation& tessellation, const FieldForm& form,
+                 const Randomness& randomness) {
+    if (!form.variation.is_any()) return draw_field(mesh, form, randomness);
+    RandomStream stream(randomness.seed, Purpose::variation,
+                        randomness.generation, randomness.first_randomisation);
+    std::vector<Mesh> plants;
+    plants.reserve(form.count());
+    for (std::size_t p = 0; p < form.count(); ++p) {
+        plants.push_back(build_plant(deviating(plant, form.variation, stream),
+                                     tessellation));
+        Mesh& one = plants.back();
+        if (one.faces.size() != mesh.faces.size())
+            throw Error("a plant has other faces than its line");
+        one.groups = mesh.groups;
+        one.face_group = mesh.face_group;
+    }
+    return build_field(plants, form, draw_plant_azimuths(form, randomness));
 }
 
 }  // namespace ideotype

@@ -197,7 +197,8 @@ Findings look_at(const Campaign& campaign) {
     const Mesh plant =
         build_plant(campaign.crop.baseline, campaign.tessellation);
     const Field field =
-        draw_field(plant, scenario.field, randomness_of({}, campaign, first));
+        draw_field(campaign.crop.baseline, plant, campaign.tessellation,
+                   scenario.field, randomness_of({}, campaign, first));
     const GeneSpace genes = gene_space(campaign, first);
     Findings found{plant,
                    scenario.light.series,

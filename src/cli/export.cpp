@@ -80,7 +80,8 @@ void write_shape(const ExportOptions& options, const ChosenRow& row,
         about(title, row.chosen), plant, {}, spacing.row * spacing.plant};
     if (options.is_field) {
         const Field field =
-            draw_field(plant, request.scenario.field, request.randomness);
+            draw_field(grown, plant, request.tessellation,
+                       request.scenario.field, request.randomness);
         shape.about.push_back(about_ground(field));
         shape.mesh = field.mesh;
         shape.face_plant = field.face_plant;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ideotype/core/random.hpp"
 
+#include <cmath>
+#include <numbers>
+
 namespace ideotype {
 
 namespace {
@@ -56,6 +59,12 @@ double RandomStream::uniform() {
 
 double RandomStream::uniform(double lower, double upper) {
     return lower + (upper - lower) * uniform();
+}
+
+std::array<double, 2> RandomStream::normal() {
+    const double radius = std::sqrt(-2 * std::log(1 - uniform()));
+    const double angle = 2 * std::numbers::pi * uniform();
+    return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
 std::uint32_t RandomStream::below(std::uint32_t n) {

@@ -92,7 +92,8 @@ std::vector<Section> sections(const Plant& plant) {
     std::vector<Section> all;
     const auto add = [&](double upper, bool is_sheath) {
         const double lower = all.empty() ? 0 : all.back().upper;
-        if (upper <= lower) return;
+        constexpr double least = 1e-6;  // far above rounding
+        if (upper <= lower + least) return;
         if (!all.empty() && all.back().is_sheath == is_sheath)
             all.back().upper = upper;
         else

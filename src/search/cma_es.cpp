@@ -20,14 +20,13 @@ VectorXd to_vector(const std::vector<double>& x) {
                                       static_cast<Eigen::Index>(x.size()));
 }
 
-//! Independent standard normal numbers (Box and Muller 1958).
+//! Independent standard normal numbers.
 VectorXd standard_normal(RandomStream stream, std::size_t size) {
     VectorXd x(static_cast<Eigen::Index>(size));
     for (Eigen::Index i = 0; i < x.size(); i += 2) {
-        const double radius = std::sqrt(-2 * std::log(1 - stream.uniform()));
-        const double angle = 2 * std::numbers::pi * stream.uniform();
-        x[i] = radius * std::cos(angle);
-        if (i + 1 < x.size()) x[i + 1] = radius * std::sin(angle);
+        const auto [first, second] = stream.normal();
+        x[i] = first;
+        if (i + 1 < x.size()) x[i + 1] = second;
     }
     return x;
 }

@@ -59,6 +59,22 @@ OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
     return schema;
 }
 
+namespace {
+
+//! That constraints are about: of plants that do not deviate from their line,
+//! so that a plant is within them or not whatever the random numbers.
+double lai_of_line(const Campaign& campaign, const Plant& plant,
+                   const CanopyReport& report) {
+    const FieldForm& field = campaign.field;
+    if (!field.variation.is_any()) return report.lai;
+    const double plants = (field.rows - 2. * field.border_rows) *
+                          (field.plants - 2. * field.border_rows);
+    return plants * leaf_area(build_plant(plant, campaign.tessellation)) /
+           report.ground_area;
+}
+
+}  // namespace
+
 Outcome to_outcome(const Campaign& campaign, const Plant& plant,
                    const CanopyReport& report) {
     Outcome outcome;
@@ -70,7 +86,7 @@ Outcome to_outcome(const Campaign& campaign, const Plant& plant,
                                       values.begin(), values.end());
     }
     outcome.violation = violation(campaign.constraints, campaign.crop.traits,
-                                  plant, report.lai);
+                                  plant, lai_of_line(campaign, plant, report));
     outcome.quantities = measure(report);
     return outcome;
 }

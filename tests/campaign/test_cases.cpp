@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fstream>
 #include <map>
 #include <set>
 
@@ -24,6 +25,25 @@ TEST(Cases, NamesJoinAllAxesInLowerCase) {
     ASSERT_EQ(all.size(), 1u);
     EXPECT_EQ(all[0].name, "ames_0807_762x152_all_r1");
     EXPECT_EQ(all[0].index, 0);
+}
+
+TEST(Cases, ARuleOfBoundsMayChooseTheTraitsThatAreBred) {
+    const std::string text =
+        "name = \"b\"\n[[site]]\nname = \"a\"\nlatitude = 42\n"
+        "longitude = -93\nutc_offset = -6\n[[day]]\ndate = 2025-08-07\n"
+        "start = 07:00:00\nend = 20:00:00\n[[spacing]]\nrow = 0.76\n"
+        "plant = 0.15\n[plant]\nbaseline = \"" IDEOTYPE_CAMPAIGNS
+        "/crops/maize.toml\"\nbounds = ";
+    const auto bred = [&](const std::string& rule) {
+        const std::string path = ::testing::TempDir() + rule + ".toml";
+        std::ofstream(path) << text << '"' << rule << "\"\n";
+        return cases(read_campaign(path)).front().traits;
+    };
+    EXPECT_EQ(bred("biological"),
+              (TraitSet{"length", "width", "insertion_angle", "azimuth"}));
+    EXPECT_EQ(bred("breedable"),
+              (TraitSet{"azimuth_deviation", "leaf_plane", "length_profile",
+                        "width_profile", "insertion_angle_profile"}));
 }
 
 TEST(Cases, ReplicatesVaryFastestThenTraitsThenSpacings) {

@@ -54,6 +54,23 @@ TEST(Constraints, StepsBetweenNeighbouringLeavesMayBeLimited) {
     EXPECT_NEAR(excess({"insertion_angle", 10}), 1, 1e-12);
 }
 
+TEST(Constraints, EachLeafOrOnlyTheHighestMayHaveARange) {
+    TraitConstraint limit{"insertion_angle"};
+    EXPECT_FALSE(constrains(limit));
+    limit.range = {45, 90};
+    EXPECT_TRUE(constrains(limit));
+    EXPECT_NEAR(excess(limit), 5. / 45, 1e-12);
+    limit.highest = 1;
+    EXPECT_EQ(excess(limit), 0);
+    limit.range = {0, 25};
+    EXPECT_NEAR(excess(limit), 1, 1e-12);
+    limit.highest = 9;
+    EXPECT_NEAR(excess(limit), 35. / 25 + 15. / 25 + 1, 1e-12);
+    limit = {"azimuth"};
+    limit.range = {0, 0};
+    EXPECT_EQ(excess(limit), 0);
+}
+
 TEST(Constraints, StepsOfAzimuthsGoAroundTheCircle) {
     const Plant around =
         plant_of({{1, .1, 0, 0, 350}, {1, .1, 0, 0, 10}, {1, .1, 0, 0, 40}});

@@ -118,8 +118,9 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
     const std::string sensitivity =
         "[search]\noptimizer = \"sensitivity\"\n[[sensitivity.keys]]\n"
         "key = \"field.jitter\"\nrange = [0, 20]\n";
-    auto lines =
-        differences(sample("", organ + hyperbola + sensitivity).resolved, "");
+    const std::string variation = "[field.variation]\nlength = 0.1\n";
+    auto lines = differences(
+        sample("", organ + hyperbola + sensitivity + variation).resolved, "");
     // A campaign has days or climates, one scenario or several, and one
     // objective or a front of them.
     const std::string text =

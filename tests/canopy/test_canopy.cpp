@@ -357,6 +357,48 @@ TEST_F(TwoLeaves, LightDoesNotDependOnWhetherLeavesAssimilate) {
     }
 }
 
+//! Plants that differ from each other, where even pieces of the same place do.
+TEST_F(TwoLeaves, PiecesOfPlantsThatDifferAssimilateAsExactly) {
+    request.scenario.field.variation = {.15, .15, 15, 20, .1};
+    request.details.photosynthesis.emplace();
+    request.accuracy = {1 << 14, 16};
+    const CanopyReport report = evaluated();
+    request.details.exact = true;
+    request.accuracy = {1 << 20, 16, 1e-3};
+    const CanopyReport exact = evaluated();
+    EXPECT_EQ(report.lai, exact.lai);
+    EXPECT_LT(exact.assimilation->gross.standard_error,
+              1.5e-3 * exact.assimilation->gross.mean);
+    EXPECT_NEAR(
+        report.assimilation->gross.mean / exact.assimilation->gross.mean, 1,
+        .005);
+}
+
+TEST_F(TwoLeaves, PlantsThatDifferHaveTheMeanLeafAreaOfTheirFields) {
+    const double line = evaluated().lai;
+    request.scenario.field.variation = {.length = .2, .width = .2};
+    const double one = evaluated().lai;
+    EXPECT_NE(one, line);
+    EXPECT_NEAR(one, line, .3 * line);
+    // 8 fields of 8 leaves.
+    const CanopyReport many = evaluated(Fields::each);
+    EXPECT_NEAR(many.lai, line, 3 * .3 * line / 8);
+    EXPECT_NE(many.lai, one);
+    request.randomness.generation = 1;
+    EXPECT_NE(evaluated().lai, one);
+}
+
+//! The standard error knows of fields that differ more than their light does.
+TEST_F(TwoLeaves, FieldsOfPlantsThatDifferAreLessCertain) {
+    request.accuracy = {4096, 16};
+    const Estimate alike = evaluated(Fields::each).light.day.leaves;
+    request.scenario.field.variation = {.2, .2, 15, 30, .1};
+    const Estimate differing = evaluated(Fields::each).light.day.leaves;
+    EXPECT_GT(differing.standard_error, 1.5 * alike.standard_error);
+    EXPECT_LT(evaluated().light.day.leaves.standard_error,
+              differing.standard_error / 2);
+}
+
 TEST_F(TwoLeaves, AssimilationIsConcaveInLight) {
     request.details.photosynthesis.emplace();
     const CanopyReport report = evaluated();

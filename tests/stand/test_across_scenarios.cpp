@@ -113,6 +113,18 @@ TEST(AcrossScenarios, ConstraintsHoldInTheScenarioWhereTheyFailMost) {
     EXPECT_NEAR(evaluated(campaign).violation, 1, 1e-6);
 }
 
+//! So that no plant is within limits by luck.
+TEST(PlantVariation, IsNotWhatConstraintsAreAbout) {
+    Campaign campaign = changed("", "");
+    campaign.constraints.lai = {0, 3};
+    const Outcome alike = evaluated(campaign);
+    campaign.field.variation = {.length = 0.2, .width = 0.2};
+    const Outcome differing = evaluated(campaign);
+    EXPECT_GT(alike.violation, 0.1);
+    EXPECT_NEAR(differing.violation, alike.violation, 1e-9);
+    EXPECT_NE(differing.objectives[0].mean, alike.objectives[0].mean);
+}
+
 TEST(AcrossScenarios, AxesOfScenariosAreNoAxesOfCases) {
     const Campaign both = changed(std::string(south) + narrow,
                                   "over = [\"site\", \"spacing\"]\n");

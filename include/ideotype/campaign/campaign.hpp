@@ -66,6 +66,8 @@ struct TraitConstraint {
     //! Leaves alternate between the two sides of one plane, and none is
     //! further from it [deg]; 0: any.
     double distichous = 0;
+    Range range{-1e9, 1e9};  //!< of each leaf
+    int highest = 0;  //!< leaves that it limits, from the top down; 0: all
 };
 
 //! Whether it asks for anything.

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "ideotype/core/mesh.hpp"
 #include "ideotype/core/randomness.hpp"
+#include "ideotype/crop/plant_variation.hpp"
 #include "ideotype/light/boundary.hpp"
 
 namespace ideotype {
@@ -24,10 +26,16 @@ struct FieldForm {
     int plants = 4;  //!< per row
     Spacing spacing;
     double jitter = 10;  //!< largest random turn of a plant [deg]
+    PlantVariation variation{};
     Boundary boundary = Boundary::periodic;
     //! Rows, and plants of each row, that are cut away on all sides of an
     //! isolated plot, with whatever of the others hangs over its edge.
     int border_rows = 0;
+
+    std::size_t count() const {
+        return static_cast<std::size_t>(rows) *
+               static_cast<std::size_t>(plants);
+    }
 };
 
 //! Plants on the ground, in axes of their own: x across the rows, y along the
@@ -47,15 +55,27 @@ struct Field {
 std::vector<double> draw_plant_azimuths(const FieldForm& form,
                                         const Randomness& randomness);
 
-//! Places a turned copy of the plant at every lattice point. turns has one
-//! entry per plant. Groups are those of the plant.
+//! Places a turned plant at every lattice point. turns has one entry per
+//! plant. Groups are those of the first plant.
+//! @param plants one that all are copies of, or one for each point
 //! @throws Error if the number of turns is not rows x plants, or nothing is
 //! left of a plot.
+Field build_field(std::span<const Mesh> plants, const FieldForm& form,
+                  const std::vector<double>& turns);
+
+//! The same with copies of one plant.
 Field build_field(const Mesh& plant, const FieldForm& form,
                   const std::vector<double>& turns);
 
 //! The same with turns that are drawn.
 Field draw_field(const Mesh& plant, const FieldForm& form,
+                 const Randomness& randomness);
+
+//! The same with plants that differ by the variation of the form, which are
+//! drawn too.
+//! @param mesh the plant without deviations; the faces of all have its groups
+Field draw_field(const Plant& plant, const Mesh& mesh,
+                 const Tessellation& tessellation, const FieldForm& form,
                  const Randomness& randomness);
 
 }  // namespace ideotype

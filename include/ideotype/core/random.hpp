@@ -19,6 +19,7 @@ enum class Purpose : std::uint32_t {
     sample = 9,
     sequence = 10,
     bootstrap = 11,
+    variation = 12,
 };
 
 //! Philox-4x32-10: four random words as a pure function of counter and key
@@ -44,6 +45,10 @@ class RandomStream {
 
     //! Uniform in [lower, upper).
     double uniform(double lower, double upper);
+
+    //! Two independent numbers of a standard normal distribution (Box and
+    //! Muller 1958, doi:10.1214/aoms/1177706645).
+    std::array<double, 2> normal();
 
     //! Uniform whole number in [0, n), n > 0, without bias.
     std::uint32_t below(std::uint32_t n);

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/core/estimate.hpp"
+#include "ideotype/crop/plant_variation.hpp"
+#include "sample_plant.hpp"
+
+namespace ideotype {
+namespace {
+
+RandomStream stream(std::uint64_t seed = 1) {
+    return {seed, Purpose::variation};
+}
+
+//! Of what so many plants have, over their mean or in its unit.
+struct Spread {
+    double mean, deviation;
+};
+
+template <class Measure>
+Spread spread_of(const PlantVariation& variation, Measure measure) {
+    constexpr int plants = 4000;
+    RandomStream random = stream();
+    std::vector<double> values;
+    for (int i = 0; i < plants; ++i)
+        values.push_back(measure(deviating(sample_plant(), variation, random)));
+    const Estimate mean = estimate(values);
+    return {mean.mean, mean.standard_error * std::sqrt(plants)};
+}
+
+TEST(PlantVariation, HasTheMeansAndDeviationsThatItIsGiven) {
+    const PlantVariation variation{.1, .2, 8, 15, .05};
+    const Plant line = sample_plant();
+    const auto expect = [&](auto measure, double mean, double deviation) {
+        const Spread found = spread_of(variation, measure);
+        EXPECT_NEAR(found.mean, mean, .07 * deviation);
+        EXPECT_NEAR(found.deviation / deviation, 1, .04);
+    };
+    const Leaf& second = line.leaves[1];
+    expect([](const Plant& p) { return p.leaves[1].length; }, second.length,
+           .1 * second.length);
+    expect([](const Plant& p) { return p.leaves[1].width; }, second.width,
+           .2 * second.width);
+    expect([](const Plant& p) { return p.leaves[1].insertion_angle; },
+           second.insertion_angle, 8);
+    expect([](const Plant& p) { return p.leaves[1].azimuth; }, second.azimuth,
+           15);
+    expect([](const Plant& p) { return p.leaves[1].insertion_height; },
+           second.insertion_height, .05 * second.insertion_height);
+    expect([](const Plant& p) { return p.stalk.height; }, line.stalk.height,
+           .05 * line.stalk.height);
+}
+
+TEST(PlantVariation, OfNoneChangesNothing) {
+    RandomStream random = stream();
+    const Plant line = sample_plant();
+    const Plant same = deviating(line, {}, random);
+    for (std::size_t i = 0; i < line.leaves.size(); ++i) {
+        EXPECT_EQ(same.leaves[i].length, line.leaves[i].length);
+        EXPECT_EQ(same.leaves[i].insertion_angle,
+                  line.leaves[i].insertion_angle);
+        EXPECT_EQ(same.leaves[i].azimuth, line.leaves[i].azimuth);
+    }
+    EXPECT_FALSE(PlantVariation{}.is_any());
+    EXPECT_TRUE((PlantVariation{.azimuth = 1}.is_any()));
+}
+
+TEST(PlantVariation, OfOneMeasureKeepsTheOthersDeviations) {
+    RandomStream few = stream(), many = stream();
+    const PlantVariation only{.length = .1}, more{.1, .1, 8, 8, .1};
+    for (int i = 0; i < 5; ++i) {
+        const Plant a = deviating(sample_plant(), only, few);
+        const Plant b = deviating(sample_plant(), more, many);
+        for (std::size_t leaf = 0; leaf < a.leaves.size(); ++leaf)
+            EXPECT_EQ(a.leaves[leaf].length, b.leaves[leaf].length);
+        EXPECT_NE(a.leaves[0].width, b.leaves[0].width);
+    }
+}
+
+TEST(PlantVariation, LeansNoLeafToTheOtherSideOfTheStalk) {
+    Plant upright = sample_plant();
+    for (Leaf& leaf : upright.leaves) leaf.insertion_angle = 2;
+    RandomStream random = stream();
+    for (int i = 0; i < 100; ++i)
+        for (const Leaf& leaf :
+             deviating(upright, {.insertion_angle = 10}, random).leaves)
+            EXPECT_GE(leaf.insertion_angle, 0);
+}
+
+TEST(PlantVariation, KeepsTheFacesOfTheLine) {
+    // Each sheath ends where the leaf below begins, but for rounding.
+    Plant line = sample_plant();
+    line.stalk.base_diameter = .02;
+    line.sheath = {true, .18, .001};
+    line.leaves[0].insertion_height = 1.06;
+    line.leaves[1].insertion_height = 1.24;
+    line.leaves[2].insertion_height = 1.42;
+    const Mesh mesh = build_plant(line, {});
+    RandomStream random = stream();
+    for (int i = 0; i < 200; ++i)
+        EXPECT_EQ(
+            build_plant(deviating(line, {.height = .05}, random), {}).faces,
+            mesh.faces);
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -16,11 +16,13 @@ from ideotype._geometry import Mesh
 from ideotype.analysis import HistoryError, open_study
 from ideotype.analysis.field import (
     EYE,
-    draw_at_eye_height,
+    View,
+    at_eye_height,
     draw_field,
-    draw_from_above,
     face_colors,
+    from_above,
     plant_field,
+    show,
 )
 from ideotype.analysis.scene import build_plants
 
@@ -56,38 +58,48 @@ def test_plants_stand_in_rows_and_are_turned() -> None:
 
 def test_what_is_higher_than_eyes_is_above_the_horizon() -> None:
     colors = face_colors(MAST, [None, 1.0], 1.0)
-    field = plant_field(MAST, colors, 0.7, 0.2, 0.0, (3, 4))
-    axes = Figure().add_subplot()
-    draw_at_eye_height(axes, field)
-    sky, soil = axes.images
-    horizon = soil.get_extent()[3]
-    assert sky.get_extent()[2] == horizon
-    (faces,) = axes.collections
-    quads = [path.vertices[:4] for path in faces.get_paths()]
-    assert len(quads) > 12
-    masts = [quad for quad in quads if not np.allclose(quad[2], quad[3])]
+    view = at_eye_height(plant_field(MAST, colors, 0.7, 0.2, 0.0, (3, 4)))
+    assert view.limits[2] < view.horizon < view.limits[3]
+    is_mast = [not np.allclose(quad[2], quad[3]) for quad in view.outlines]
+    masts = view.outlines[is_mast]
+    assert len(masts) == 12
     for quad in masts:
         foot, top = quad[1], quad[2]
-        assert foot[1] < horizon < top[1]
+        assert foot[1] < view.horizon < top[1]
         # about so far up the mast as eyes are
-        part = (horizon - foot[1]) / (top[1] - foot[1])
+        part = (view.horizon - foot[1]) / (top[1] - foot[1])
         assert part == pytest.approx(EYE / 3, abs=0.1)
     # the nearest mast, which is the largest, is drawn last
     heights = [quad[2, 1] - quad[1, 1] for quad in masts]
-    assert heights[-1] == max(heights)
+    assert heights[-1] == max(heights) > 1.2 * min(heights)
 
 
 def test_from_above_the_highest_hide_others() -> None:
     colors = face_colors(MAST, [None, 0.5], 1.0)
     field = plant_field(MAST, colors, 0.7, 0.4, 0.0, (3, 4))
-    axes = Figure().add_subplot()
-    draw_from_above(axes, field)
-    (faces,) = axes.collections
-    shown = faces.get_facecolor()[:, :3]
-    is_leaf = np.ptp(shown, axis=1) > 0.1
+    view = from_above(field)
+    is_leaf = np.ptp(view.colors, axis=1) > 0.1
     # leaves below masts, which are grey
-    assert is_leaf[0] and not is_leaf[-1]
-    assert np.count_nonzero(np.diff(is_leaf)) == 1
+    assert is_leaf[:12].all() and not is_leaf[12:].any()
+    left, right, bottom, top = view.limits
+    assert (left + right, bottom + top) == pytest.approx((0, field.length))
+
+
+def test_a_view_is_painted_over_sky_and_soil() -> None:
+    green = np.tile([0.0, 1.0, 0.0], (1, 1))
+    square = np.array([[[0, 0], [2, 0], [2, 2], [0, 2]]], float)
+    axes = Figure().add_subplot()
+    show(axes, View(square, green, (-2.0, 2.0, -2.0, 2.0), 1.0))
+    soil, sky, faces = axes.images
+    assert soil.get_extent() == [-2, 2, -2, 1]
+    assert sky.get_extent() == [-2, 2, 1, 2]
+    painted = np.asarray(faces.get_array())
+    # rows count from the top
+    height, width, _ = painted.shape
+    green_part = painted[2 : height // 2 - 2, width // 2 + 2 : -2]
+    assert np.all(green_part == (0, 255, 0, 255))
+    assert not painted[height // 2 + 2 :, :, 3].any()
+    assert not painted[:, : width // 2 - 2, 3].any()
 
 
 def test_leaves_have_the_colour_of_their_light(sweep: Path) -> None:

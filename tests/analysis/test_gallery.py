@@ -26,3 +26,21 @@ def test_figures_for_documents_are_small(tmp_path: Path) -> None:
     assert (tmp_path / "noise.png").stat().st_size <= 150_000
     with Image.open(tmp_path / "noise.png") as image:
         assert image.width == image.height > 200
+
+
+def test_a_figure_of_any_width_is_painted_upright(tmp_path: Path) -> None:
+    def half() -> Figure:
+        # 1140 pixels, which is 1139.99... as a product
+        figure = Figure(figsize=(1.9 * 3, 2))
+        figure.add_axes(
+            (0, 0, 0.5, 1), facecolor="black", xticks=[], yticks=[]
+        )
+        return figure
+
+    draw(tmp_path, 1e6, Drawing("half", "Is it upright?", "", half))
+    with Image.open(tmp_path / "half.png") as image:
+        assert abs(image.width - 1140) < 2
+        grey = np.asarray(image.convert("L"))
+    middle = image.width // 2
+    assert np.all(grey[60:-4, 4 : middle - 4] == 0)
+    assert np.all(grey[60:, middle + 4 :] > 250)

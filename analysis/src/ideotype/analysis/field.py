@@ -29,6 +29,8 @@ _LENGTH = 1.3
 """Of rows, as far as that takes at most twice as many plants [m]."""
 _STEPS_BACK = 2.5
 """From the first plants of the rows to the eyes [m]."""
+_WIDTH = 700
+"""Of a painted field [pixels]."""
 _NEAREST = 0.25
 """What is nearer to the eyes is not drawn [m]."""
 _LIGHT = np.array([-0.35, -0.45, 0.82])
@@ -81,7 +83,20 @@ def plant_field(
     return Field(corners, every, rows, plant * (size[1] - 1))
 
 
-def draw_at_eye_height(axes: Axes, field: Field) -> None:
+@dataclass(frozen=True)
+class View:
+    """Faces on a plane, of which the last hide what is before them."""
+
+    outlines: NDArray[np.float64]
+    """[faces, 4, 2]"""
+    colors: NDArray[np.float64]
+    limits: tuple[float, float, float, float]
+    """Left, right, bottom, top."""
+    horizon: float = np.inf
+    """Below it is soil."""
+
+
+def at_eye_height(field: Field) -> View:
     """As someone sees the field who stands before its rows."""
     eye = np.array([-0.27 * field.rows[-1] - 0.35, -_STEPS_BACK, EYE])
     middle = np.array([0.15, 0.6 * field.length, 0.62 * EYE])
@@ -93,54 +108,68 @@ def draw_at_eye_height(axes: Axes, field: Field) -> None:
     seen = at[..., 2].min(axis=1) > _NEAREST
     at, colors = at[seen], field.colors[seen]
     order = np.argsort(-np.linalg.norm(at.mean(axis=1), axis=1))
-    horizon = -ahead[2] / np.hypot(ahead[0], ahead[1])
-    limits = (-0.69, 0.69, -0.46, 0.46)
-    ramp = np.linspace(0, 1, 128)[:, None]
-    for shades, low, high in (
-        (_SKY, horizon, limits[3]),
-        (_SOIL, limits[2], horizon),
-    ):
-        axes.imshow(
-            ramp, cmap=shades, extent=(*limits[:2], low, high),
-            origin="lower", aspect="auto", zorder=0,
-        )  # fmt: skip
-    _add(axes, at[order, :, :2] / at[order, :, 2:], colors[order], limits)
+    horizon = float(-ahead[2] / np.hypot(ahead[0], ahead[1]))
+    return View(
+        at[order, :, :2] / at[order, :, 2:], colors[order],
+        (-0.69, 0.69, -0.46, 0.46), horizon,
+    )  # fmt: skip
 
 
-def draw_from_above(axes: Axes, field: Field) -> None:
+def from_above(field: Field) -> View:
     """A part in the middle, whose edges plants reach across."""
     order = np.argsort(field.corners[..., 2].mean(axis=1))
-    axes.set_facecolor(_SOIL(0.4))
-    for x in field.rows:
-        axes.axvline(x, color="white", linewidth=0.8, linestyle="--", zorder=0)
     middle = field.length / 2
     half = max(min(middle, field.rows[-1] / 1.5), 0.3)
-    limits = (-1.5 * half, 1.5 * half, middle - half, middle + half)
-    _add(axes, field.corners[order, :, :2], field.colors[order], limits)
-
-
-def _add(
-    axes: Axes, outlines: NDArray, colors: NDArray, limits: tuple[float, ...]
-) -> None:
-    """Faces within left, right, bottom and top, of which the last hide what
-    is before them. Thousands are pixels in a PDF, too."""
-    low, high = outlines.min(axis=1), outlines.max(axis=1)
-    left, right, bottom, top = limits
-    seen = (high > (left, bottom)).all(axis=1)
-    seen &= (low < (right, top)).all(axis=1)
-    # Edges close the seams between the faces of a leaf.
-    axes.add_collection(
-        PolyCollection(
-            outlines[seen], facecolors=colors[seen], edgecolors="face",
-            linewidths=0.25, rasterized=True,
-        ),
-        autolim=False,
+    return View(
+        field.corners[order, :, :2], field.colors[order],
+        (-1.5 * half, 1.5 * half, middle - half, middle + half),
     )  # fmt: skip
+
+
+def show(axes: Axes, view: View) -> None:
+    """Paints it: thousands of faces would fill a PDF."""
+    left, right, bottom, top = view.limits
+    axes.set_facecolor(_SOIL(0.3))
+    ramp = np.linspace(0, 1, 128)[:, None]
+    for shades, low, high in (
+        (_SOIL, bottom, view.horizon),
+        (_SKY, view.horizon, top),
+    ):
+        if view.horizon < top:
+            axes.imshow(
+                ramp, cmap=shades, extent=(left, right, low, high),
+                origin="lower", aspect="auto",
+            )  # fmt: skip
+    axes.imshow(_painted(view), extent=view.limits)
     axes.set(xlim=(left, right), ylim=(bottom, top), xticks=[], yticks=[])
     axes.set_aspect("equal")
     axes.grid(visible=False)
     for side in axes.spines.values():
         side.set_visible(False)
+
+
+def _painted(view: View) -> NDArray[np.uint8]:
+    """[pixels, pixels, 4]; clear where no face is."""
+    left, right, bottom, top = view.limits
+    low, high = view.outlines.min(axis=1), view.outlines.max(axis=1)
+    seen = (high > (left, bottom)).all(axis=1)
+    seen &= (low < (right, top)).all(axis=1)
+    height = _WIDTH * (top - bottom) / (right - left)
+    figure = Figure(figsize=(_WIDTH / 100, height / 100), dpi=100)
+    figure.patch.set_alpha(0)
+    axes = figure.add_axes(
+        (0, 0, 1, 1), xlim=(left, right), ylim=(bottom, top)
+    )
+    axes.set_axis_off()
+    # Edges close the seams between the faces of a leaf.
+    axes.add_collection(
+        PolyCollection(
+            view.outlines[seen], facecolors=view.colors[seen],
+            edgecolors="face", linewidths=0.5,
+        ),
+        autolim=False,
+    )  # fmt: skip
+    return style.pixels(figure)
 
 
 def face_colors(
@@ -201,8 +230,8 @@ def draw_field(case: Case, baseline: Mesh, best: Mesh) -> Figure:
         colors = face_colors(mesh, each, brightest)
         jitter = float(field.get("jitter", 0))
         stand = plant_field(mesh, colors, row, plant, jitter, size)
-        draw_at_eye_height(column[0], stand)
-        draw_from_above(column[1], stand)
+        show(column[0], at_eye_height(stand))
+        show(column[1], from_above(stand))
         column[0].set_title(name)
     unit = style.unit_label(case.best.profile("absorbed_by_leaf").unit)
     add_key(

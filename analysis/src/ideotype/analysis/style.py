@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 from matplotlib import colormaps
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
@@ -53,6 +54,13 @@ _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 def new_figure(width: float, height: float) -> Figure:
     """An empty figure [inches]; it belongs to no window and no global list."""
     return Figure(figsize=(width, height), layout="constrained")
+
+
+def pixels(figure: Figure) -> NDArray[np.uint8]:
+    """The figure painted, [height, width, 4]."""
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()  # type: ignore[no-untyped-call]
+    return np.array(canvas.buffer_rgba())  # type: ignore[no-untyped-call]
 
 
 def unit_label(unit: str) -> str:

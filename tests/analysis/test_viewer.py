@@ -79,7 +79,9 @@ def page_of(folder: Path, scene: str) -> Path:
     data = io.BytesIO()
     Image.new("RGB", (900, 600)).save(data, "WEBP")
     code = base64.b64encode(data.getvalue()).decode()
-    section.blocks += [Picture(name, name, code) for name in ("one", "two")]
+    section.blocks += [
+        Picture(name, f"How is {name}?", name, code) for name in ("one", "two")
+    ]
     page = folder / "view.html"
     page.write_text(render("Made", "view", [section]), encoding="utf-8")
     return page

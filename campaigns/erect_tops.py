@@ -1,0 +1,356 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""When does an erect top pay?
+
+erect_tops.py FOLDER [--figure FILE.png] [--light LIGHT...] [--limit LIMIT...]
+              [--densities N...] [--latitudes N...] [--generations N] [--seeds N]
+
+Breeds crops/maize.toml twice for each plant density, latitude, light and limit of leaf
+area: plants whose four highest leaves have insertion angles below 25 deg, and plants
+whose four highest leaves have more than 45 deg; everything else that a breeder can
+select is free (bounds "breedable"), and the plants of a line differ. Evaluates the best
+of both again with the same random numbers and prints how much more carbon the erect top
+gains [%], with its standard error, and the density from which on it pays. Where the sign
+changes between two densities both are bred with more seeds. The map is the figure.
+Searches that are in FOLDER already are not repeated; interrupted ones go on.
+IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+
+Light: a clear day (7 August), the season measured at Bondville, Illinois (40 deg
+north alone), or an overcast day with a quarter of the light outside of the atmosphere,
+all of it diffuse.
+Limits: what leaves cost to build and to keep ("carbon"), nitrogen of the stand that more
+leaves dilute ("nitrogen"), or the leaf area of the baseline ("area").
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import math
+import sys
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from datetime import date, time
+from itertools import pairwise, product
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import tomli_w
+from shared import (
+    HERE,
+    MAIZE,
+    Estimate,
+    Numbers,
+    best,
+    breed,
+    gain,
+    guard,
+    light,
+    mean_over_seeds,
+)  # fmt: skip
+
+from ideotype import Stand
+from ideotype.analysis.style import new_figure
+
+ROW = 0.762
+DENSITIES = (4.0, 6.0, 9.0, 13.0, 20.0)
+LATITUDES = (7.0, 42.0, 56.2)
+BONDVILLE = 40.05
+LIGHTS = ("clear", "season", "overcast")
+LIMITS = ("carbon", "nitrogen", "area")
+TOPS = {"erect": [0.0, 25.0], "flat": [45.0, 90.0]}
+TOP_LEAVES = 4
+DAY = date(2025, 8, 7)
+#: Of hybrids; see campaigns/README.md.
+VARIATION = {
+    "length": 0.05,
+    "width": 0.06,
+    "insertion_angle": 6.0,
+    "azimuth": 10.0,
+    "height": 0.04,
+}
+BASELINE_AREA = 0.3991
+"""Leaf area of the baseline [m2 per plant]."""
+
+
+@dataclass(frozen=True, order=True)
+class Condition:
+    light: str
+    limit: str
+    latitude: float
+    density: float
+
+    @property
+    def name(self) -> str:
+        return (
+            f"{self.light}_{self.limit}_{self.latitude:g}_{self.density:g}"
+        ).replace(".", "p")
+
+
+def overcast_day(latitude: float, folder: Path) -> Path:
+    """Hours of a day whose light is all diffuse: a quarter of what arrives
+    outside of the atmosphere (declination by Spencer 1971)."""
+    path = folder / f"overcast_{latitude:g}.csv"
+    angle = 2 * math.pi * (DAY.timetuple().tm_yday - 1) / 365
+    declination = (
+        0.006918
+        - 0.399912 * math.cos(angle)
+        + 0.070257 * math.sin(angle)
+        - 0.006758 * math.cos(2 * angle)
+        + 0.000907 * math.sin(2 * angle)
+    )
+    with path.open("w", newline="", encoding="utf-8") as file:
+        rows = csv.writer(file)
+        rows.writerow(["time", "global", "diffuse_fraction", "temperature"])
+        for hour in range(24):
+            height = math.sin(math.radians(latitude)) * math.sin(
+                declination
+            ) + math.cos(math.radians(latitude)) * math.cos(
+                declination
+            ) * math.cos(math.radians(15 * (hour + 0.5 - 12)))
+            shine = round(0.25 * 1361 * max(0.0, height), 3)
+            rows.writerow([f"{DAY}T{hour:02}:30", shine, 1, 25])
+    return path
+
+
+def season() -> dict[str, Any]:
+    return {
+        "name": "season",
+        "file": str(HERE / "weather" / "bondville_2011_0721_0920.csv"),
+        "from": date(2011, 7, 21),
+        "to": date(2011, 9, 20),
+        "time": ["time"],
+        "stamp": "middle",
+        "global": ["ppfd_umol", "umol/m2/s"],
+        "diffuse_fraction": ["diffuse_fraction_erbs", "1"],
+        "temperature": ["temp_c", "C"],
+        "humidity": ["rh", "1"],
+    }
+
+
+def overcast(latitude: float, folder: Path) -> dict[str, Any]:
+    return {
+        "name": "overcast",
+        "file": str(overcast_day(latitude, folder)),
+        "from": DAY,
+        "to": DAY,
+        "time": ["time"],
+        "stamp": "middle",
+        "global": ["global", "W/m2"],
+        "diffuse_fraction": ["diffuse_fraction", "1"],
+        "temperature": ["temperature", "C"],
+    }
+
+
+def campaign(where: Condition, folder: Path) -> dict[str, Any]:
+    """Without a shape of the top."""
+    tables: dict[str, Any] = {
+        "name": where.name,
+        "site": [
+            {
+                "name": "site",
+                "latitude": where.latitude,
+                "longitude": -88.37 if where.light == "season" else 0.0,
+                "utc_offset": -6 if where.light == "season" else 0,
+            }
+        ],
+        "spacing": [
+            {
+                "name": "stand",
+                "row": ROW,
+                "plant": round(1 / where.density / ROW, 6),
+            }
+        ],
+        "field": {"variation": VARIATION},
+        "plant": {"baseline": str(MAIZE), "bounds": "breedable"},
+        "objective": {"maximise": "carbon_balance"},
+        "search": {"optimizer": "cma_es", "population": 20},
+        "final": {"candidates": 3, "randomisations": 32},
+    }
+    if where.light == "clear":
+        tables["day"] = [{"date": DAY, "start": time(0), "end": "24:00"}]
+    elif where.light == "season":
+        tables["climate"] = [season()]
+    else:
+        tables["climate"] = [overcast(where.latitude, folder)]
+        tables["light"] = {"sky": "overcast"}
+    if where.limit == "nitrogen":
+        tables["photosynthesis"] = {"profile": "nitrogen"}
+    if where.limit == "area":
+        tables["constraints"] = {
+            "lai": [0.0, round(BASELINE_AREA * where.density, 4)]
+        }
+    return tables
+
+
+def bred(
+    tables: dict[str, Any], top: str, seed: int, generations: int, folder: Path
+) -> Numbers:
+    """The genome of the best plant with this top."""
+    angles = {"range": TOPS[top], "highest": TOP_LEAVES}
+    constraints = tables.get("constraints", {})
+    shaped = {
+        **tables,
+        "name": f"{tables['name']}_{top}_s{seed}",
+        "seed": seed,
+        "constraints": {**constraints, "insertion_angle": angles},
+        "stop": {"generations": generations},
+    }
+    path = folder / f"{shaped['name']}.toml"
+    path.write_text(tomli_w.dumps(shaped), encoding="utf-8")
+    return best(breed(path, shaped["name"], [], folder)[0])
+
+
+def difference(
+    where: Condition, folder: Path, generations: int, seeds: int
+) -> list[Estimate]:
+    """Of each seed, what the erect top gains over the flat one [%]."""
+    tables = campaign(where, folder)
+    stand = Stand(tables)
+    differences = []
+    for seed in range(1, seeds + 1):
+        plants = [
+            bred(tables, top, seed, generations, folder)
+            for top in ("flat", "erect")
+        ]
+        differences.append(gain(*light(stand, np.array(plants)).tolist()))
+    return differences
+
+
+def sign_changes(
+    results: dict[Condition, list[Estimate]],
+) -> Iterator[tuple[Condition, Condition]]:
+    """Neighbouring densities between which the sign changes."""
+    for one, other in pairwise(sorted(results)):
+        alike = (one.light, one.limit, one.latitude) == (
+            other.light,
+            other.limit,
+            other.latitude,
+        )
+        signs = [mean_over_seeds(results[x])[0] > 0 for x in (one, other)]
+        if alike and signs[0] != signs[1]:
+            yield one, other
+
+
+def line(
+    one: Estimate, other: Estimate, densities: Sequence[float]
+) -> Estimate:
+    """Where the difference is zero between two densities [m-2], by a straight
+    line over the logarithm of density."""
+    (a, da), (b, db) = one, other
+    width = math.log(densities[1] / densities[0])
+    share = a / (a - b)
+    error = math.hypot(b * da, a * db) / (a - b) ** 2 * width
+    at = densities[0] * math.exp(share * width)
+    return at, at * error
+
+
+def print_table(
+    results: dict[Condition, list[Estimate]], densities: Sequence[float]
+) -> None:
+    titles = " | ".join(f"{density:g} m-2" for density in densities)
+    print(f"| light | limit | latitude | {titles} | pays from |")
+    print("|---|---|---|" + "---|" * (len(densities) + 1))
+    lines = {
+        (one.light, one.limit, one.latitude): line(
+            mean_over_seeds(results[one]),
+            mean_over_seeds(results[other]),
+            (one.density, other.density),
+        )
+        for one, other in sign_changes(results)
+    }
+    for key in sorted({(x.light, x.limit, x.latitude) for x in results}):
+        cells = []
+        for density in densities:
+            mean, error = mean_over_seeds(results[Condition(*key, density)])
+            cells.append(f"{mean:+.1f} ± {error:.1f}")
+        pays = (
+            "{:.1f} ± {:.1f} m-2".format(*lines[key]) if key in lines else ""
+        )
+        print(
+            f"| {key[0]} | {key[1]} | {key[2]:g} | {' | '.join(cells)} "
+            f"| {pays} |"
+        )
+
+
+def draw(results: dict[Condition, list[Estimate]], path: Path) -> None:
+    lights = list(dict.fromkeys(x.light for x in sorted(results)))
+    limits = list(dict.fromkeys(x.limit for x in sorted(results)))
+    figure = new_figure(4 * len(limits), 3 * len(lights))
+    figure.suptitle("When does an erect top pay?")
+    axes = figure.subplots(
+        len(lights), len(limits), sharex=True, sharey=True, squeeze=False
+    )
+    for (row, of_light), (column, limit) in product(
+        enumerate(lights), enumerate(limits)
+    ):
+        axis = axes[row][column]
+        chosen = sorted(
+            x for x in results if (x.light, x.limit) == (of_light, limit)
+        )
+        for latitude in sorted({x.latitude for x in chosen}):
+            at = [x for x in chosen if x.latitude == latitude]
+            found = [mean_over_seeds(results[x]) for x in at]
+            axis.errorbar(
+                [x.density for x in at],
+                [mean for mean, _ in found],
+                [error for _, error in found],
+                marker="o",
+                label=f"{latitude:g} deg north",
+            )
+        axis.axhline(0, color="#999999", linewidth=1)
+        axis.set_xscale("log")
+        axis.set_xticks(DENSITIES, [f"{x:g}" for x in DENSITIES])
+        axis.minorticks_off()
+        axis.set_title(f"{of_light}, limit: {limit}", fontsize=9)
+        axis.legend(fontsize=7)
+    for row_of_axes in axes:
+        row_of_axes[0].set_ylabel("erect over flat top [%]")
+    for axis in axes[-1]:
+        axis.set_xlabel("plants m-2")
+    figure.savefig(path, dpi=110)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--figure", type=Path)
+    parser.add_argument("--light", nargs="+", choices=LIGHTS, default=LIGHTS)
+    parser.add_argument("--limit", nargs="+", choices=LIMITS, default=LIMITS)
+    parser.add_argument(
+        "--densities", nargs="+", type=float, default=DENSITIES
+    )
+    parser.add_argument(
+        "--latitudes", nargs="+", type=float, default=LATITUDES
+    )
+    parser.add_argument("--generations", type=int, default=30)
+    parser.add_argument("--seeds", type=int, default=3)
+    options = parser.parse_args()
+    options.folder.mkdir(parents=True, exist_ok=True)
+    wanted = [
+        Condition(of_light, limit, latitude, density)
+        for of_light, limit in product(options.light, options.limit)
+        for latitude in (
+            [BONDVILLE] if of_light == "season" else options.latitudes
+        )
+        for density in options.densities
+    ]
+    results = {}
+    for number, where in enumerate(wanted, 1):
+        print(f"{number} of {len(wanted)}: {where.name}", file=sys.stderr)
+        results[where] = difference(
+            where, options.folder.resolve(), options.generations, 1
+        )
+    for where in {x for pair in sign_changes(results) for x in pair}:
+        print(f"more seeds: {where.name}", file=sys.stderr)
+        results[where] = difference(
+            where, options.folder.resolve(), options.generations, options.seeds
+        )
+    print_table(results, options.densities)
+    if options.figure:
+        draw(results, options.figure)
+
+
+if __name__ == "__main__":
+    guard(main)

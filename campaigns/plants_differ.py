@@ -1,0 +1,136 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""What do plants that are all alike hide?
+
+plants_differ.py [--under CAMPAIGN] [--plants N] [--figure FILE.png]
+
+Evaluates N plants of the bounds "breedable", spread evenly, and the baseline in stands of
+plants alike and in stands of plants that differ: as hybrids do (estimates), and as the
+lines that were measured do (campaigns/README.md). Prints what the baseline absorbs and
+assimilates on the day of CAMPAIGN in each, how far the order of plants agrees (rank
+correlation), and what the best plant of the stand of plants alike is worth where plants
+differ, relative to the best one there.
+"""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from scipy.stats import qmc, spearmanr
+from shared import HERE, MAIZE, Estimate, Numbers, gain, guard, light
+
+from ideotype import Stand
+from ideotype.analysis.style import new_figure
+
+LINES: dict[str, dict[str, float]] = {
+    "alike": {},
+    "as hybrids": {
+        "length": 0.05,
+        "width": 0.06,
+        "insertion_angle": 6.0,
+        "azimuth": 10.0,
+        "height": 0.04,
+    },
+    "as measured": {
+        "length": 0.11,
+        "width": 0.12,
+        "insertion_angle": 9.0,
+        "azimuth": 17.3,
+        "height": 0.05,
+    },
+}
+OBJECTIVES = {
+    "absorbed_par": "absorbed PAR",
+    "net_assimilation": "net assimilation",
+}
+
+
+def stand(under: Path, objective: str, variation: dict[str, float]) -> Stand:
+    settings = [
+        f"objective.maximise={objective}",
+        f"plant.baseline={MAIZE}",
+        "plant.bounds=breedable",
+        'traits=[{name = "breedable", free = ["azimuth_deviation", '
+        '"leaf_plane", "length_profile", "width_profile", '
+        '"insertion_angle_profile"]}]',
+        "final.randomisations=32",
+    ]
+    settings += [f"field.variation.{key}={x}" for key, x in variation.items()]
+    return Stand.from_campaign(under, settings=settings)
+
+
+def plants(of: Stand, count: int) -> Numbers:
+    """The baseline, then plants spread evenly between their bounds."""
+    lower, upper = of.bounds
+    points = qmc.Sobol(len(lower), seed=1).random(count)
+    return np.vstack([of.start, qmc.scale(points, lower, upper)])
+
+
+def lost(values: Numbers, chosen: int) -> Estimate:
+    """By choosing this plant instead of the best one [%]."""
+    best = int(values.mean(1).argmax())
+    return gain(values[best].tolist(), values[chosen].tolist())
+
+
+def row(title: str, line: str, alike: Numbers, here: Numbers) -> str:
+    change = gain(alike[0].tolist(), here[0].tolist())
+    agreement = spearmanr(alike[1:].mean(1), here[1:].mean(1)).statistic
+    chosen = int(alike.mean(1).argmax())
+    worth = lost(here, chosen)
+    return (
+        f"| {title} | {line} | {change[0]:+.2f} ± {change[1]:.2f} "
+        f"| {agreement:.3f} | {worth[0]:+.2f} ± {worth[1]:.2f} |"
+    )
+
+
+def draw(values: dict[tuple[str, str], Numbers], path: Path) -> None:
+    figure = new_figure(8, 4)
+    figure.suptitle("Do plants that differ change which plant is best?")
+    for axis, (name, title) in zip(
+        figure.subplots(1, len(OBJECTIVES)), OBJECTIVES.items(), strict=True
+    ):
+        alike = values[name, "alike"].mean(1)
+        for line in list(LINES)[1:]:
+            here = values[name, line].mean(1)
+            axis.plot(alike, here / alike, "o", label=line, markersize=3)
+        axis.set_xlabel(f"{title}, plants alike")
+        axis.set_title(title, fontsize=9)
+        axis.legend(fontsize=7)
+    figure.axes[0].set_ylabel("plants that differ, relative to alike")
+    figure.savefig(path, dpi=110)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("--under", type=Path, default=HERE / "ames.toml")
+    parser.add_argument("--plants", type=int, default=64)
+    parser.add_argument("--figure", type=Path)
+    options = parser.parse_args()
+    values: dict[tuple[str, str], Any] = {}
+    print(
+        "| objective | plants | baseline, relative to plants alike [%] "
+        "| rank correlation | loss by choosing among plants alike [%] |"
+    )
+    print("|---|---|---|---|---|")
+    for name, title in OBJECTIVES.items():
+        for line, variation in LINES.items():
+            here = stand(options.under, name, variation)
+            values[name, line] = light(here, plants(here, options.plants))
+            if line != "alike":
+                print(
+                    row(
+                        title,
+                        line,
+                        values[name, "alike"],
+                        values[name, line],
+                    )
+                )
+    if options.figure:
+        draw(values, options.figure)
+
+
+if __name__ == "__main__":
+    guard(main)

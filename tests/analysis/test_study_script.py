@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: Apache-2.0
+"""campaigns/study.py makes tables from histories, and finds what they do not
+say."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+from real_program import CAMPAIGNS, executable
+
+PLACES = """# Results
+
+<!-- study: plants_differ -->
+<!-- end of study -->
+
+<!-- study: erect_tops -->
+old
+<!-- end of study -->
+"""
+
+
+def run(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [
+            *(sys.executable, CAMPAIGNS / "study.py", folder / "study"),
+            *("--short", "--results", folder / "RESULTS.md", *words),
+        ],
+        env=os.environ | {"IDEOTYPE_EXECUTABLE": executable()},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+def test_a_number_that_histories_do_not_say_is_found(tmp_path: Path) -> None:
+    results = tmp_path / "RESULTS.md"
+    results.write_text(PLACES)
+    made = run(tmp_path)
+    assert made.returncode == 0, made.stderr
+    assert re.search(r"erect_tops: .* [1-9]\d* evaluations", made.stdout)
+    text = results.read_text()
+    assert "old" not in text
+    row = re.search(r"\| clear \| area \| 42 \| ([+-][\d.]+) ±", text)
+    assert row is not None
+    assert len(re.findall(r"(?m)^\| (absorbed|net)", text)) == 4
+
+    again = run(tmp_path, "--only", "erect_tops", "--check")
+    assert again.returncode == 0, again.stderr
+    assert results.read_text() == text
+    changed = f"{float(row[1]) + 1:+.1f}"
+    results.write_text(text.replace(row[1], changed, 1))
+    wrong = run(tmp_path, "--only", "erect_tops", "--check")
+    assert wrong.returncode != 0
+    assert "erect_tops is not" in wrong.stderr and row[1] in wrong.stderr
+    assert changed in results.read_text()
+
+
+def test_a_place_that_is_missing_is_told(tmp_path: Path) -> None:
+    (tmp_path / "RESULTS.md").write_text("# Results\n")
+    done = run(tmp_path, "--only", "plants_differ")
+    assert done.returncode != 0
+    assert "has no place for plants_differ" in done.stderr

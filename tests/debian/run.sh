@@ -69,6 +69,7 @@ cp "$here/inside.sh" "$root/srv/inside.sh"
 exec unshare --mount --pid --fork --kill-child --propagation private \
     bash -euo pipefail -c '
         root=$1
+        mount --bind "$root" "$root"  # .ci/wheel asks for a mount at /
         mount -t proc proc "$root/proc"
         # Packages must not change settings of this kernel.
         mount --bind "$root/proc/sys" "$root/proc/sys"

@@ -25,25 +25,23 @@ leaves dilute ("nitrogen"), or the leaf area of the baseline ("area").
 from __future__ import annotations
 
 import argparse
-import csv
 import math
 import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from datetime import date, time
 from itertools import pairwise, product
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-import tomli_w
+from climates import CLEAR_DAY, bondville, overcast_day, season, site
 from shared import (
-    HERE,
+    HYBRIDS,
     MAIZE,
     Estimate,
     Numbers,
     best,
-    breed,
+    breed_tables,
     gain,
     guard,
     light,
@@ -61,15 +59,6 @@ LIGHTS = ("clear", "season", "overcast")
 LIMITS = ("carbon", "nitrogen", "area")
 TOPS = {"erect": [0.0, 25.0], "flat": [45.0, 90.0]}
 TOP_LEAVES = 4
-DAY = date(2025, 8, 7)
-#: Of hybrids; see campaigns/README.md.
-VARIATION = {
-    "length": 0.05,
-    "width": 0.06,
-    "insertion_angle": 6.0,
-    "azimuth": 10.0,
-    "height": 0.04,
-}
 BASELINE_AREA = 0.3991
 """Leaf area of the baseline [m2 per plant]."""
 
@@ -88,73 +77,13 @@ class Condition:
         ).replace(".", "p")
 
 
-def overcast_day(latitude: float, folder: Path) -> Path:
-    """Hours of a day whose light is all diffuse: a quarter of what arrives
-    outside of the atmosphere (declination by Spencer 1971)."""
-    path = folder / f"overcast_{latitude:g}.csv"
-    angle = 2 * math.pi * (DAY.timetuple().tm_yday - 1) / 365
-    declination = (
-        0.006918
-        - 0.399912 * math.cos(angle)
-        + 0.070257 * math.sin(angle)
-        - 0.006758 * math.cos(2 * angle)
-        + 0.000907 * math.sin(2 * angle)
-    )
-    with path.open("w", newline="", encoding="utf-8") as file:
-        rows = csv.writer(file)
-        rows.writerow(["time", "global", "diffuse_fraction", "temperature"])
-        for hour in range(24):
-            height = math.sin(math.radians(latitude)) * math.sin(
-                declination
-            ) + math.cos(math.radians(latitude)) * math.cos(
-                declination
-            ) * math.cos(math.radians(15 * (hour + 0.5 - 12)))
-            shine = round(0.25 * 1361 * max(0.0, height), 3)
-            rows.writerow([f"{DAY}T{hour:02}:30", shine, 1, 25])
-    return path
-
-
-def season() -> dict[str, Any]:
-    return {
-        "name": "season",
-        "file": str(HERE / "weather" / "bondville_2011_0721_0920.csv"),
-        "from": date(2011, 7, 21),
-        "to": date(2011, 9, 20),
-        "time": ["time"],
-        "stamp": "middle",
-        "global": ["ppfd_umol", "umol/m2/s"],
-        "diffuse_fraction": ["diffuse_fraction_erbs", "1"],
-        "temperature": ["temp_c", "C"],
-        "humidity": ["rh", "1"],
-    }
-
-
-def overcast(latitude: float, folder: Path) -> dict[str, Any]:
-    return {
-        "name": "overcast",
-        "file": str(overcast_day(latitude, folder)),
-        "from": DAY,
-        "to": DAY,
-        "time": ["time"],
-        "stamp": "middle",
-        "global": ["global", "W/m2"],
-        "diffuse_fraction": ["diffuse_fraction", "1"],
-        "temperature": ["temperature", "C"],
-    }
-
-
 def campaign(where: Condition, folder: Path) -> dict[str, Any]:
     """Without a shape of the top."""
     tables: dict[str, Any] = {
         "name": where.name,
-        "site": [
-            {
-                "name": "site",
-                "latitude": where.latitude,
-                "longitude": -88.37 if where.light == "season" else 0.0,
-                "utc_offset": -6 if where.light == "season" else 0,
-            }
-        ],
+        "site": bondville()["site"]
+        if where.light == "season"
+        else [site(where.latitude)],
         "spacing": [
             {
                 "name": "stand",
@@ -162,18 +91,18 @@ def campaign(where: Condition, folder: Path) -> dict[str, Any]:
                 "plant": round(1 / where.density / ROW, 6),
             }
         ],
-        "field": {"variation": VARIATION},
+        "field": {"variation": HYBRIDS},
         "plant": {"baseline": str(MAIZE), "bounds": "breedable"},
         "objective": {"maximise": "carbon_balance"},
         "search": {"optimizer": "cma_es", "population": 20},
         "final": {"candidates": 3, "randomisations": 32},
     }
     if where.light == "clear":
-        tables["day"] = [{"date": DAY, "start": time(0), "end": "24:00"}]
+        tables["day"] = [CLEAR_DAY]
     elif where.light == "season":
         tables["climate"] = [season()]
     else:
-        tables["climate"] = [overcast(where.latitude, folder)]
+        tables["climate"] = [overcast_day(where.latitude, folder)]
         tables["light"] = {"sky": "overcast"}
     if where.limit == "nitrogen":
         tables["photosynthesis"] = {"profile": "nitrogen"}
@@ -197,9 +126,7 @@ def bred(
         "constraints": {**constraints, "insertion_angle": angles},
         "stop": {"generations": generations},
     }
-    path = folder / f"{shaped['name']}.toml"
-    path.write_text(tomli_w.dumps(shaped), encoding="utf-8")
-    return best(breed(path, shaped["name"], [], folder)[0])
+    return best(breed_tables(shaped, folder)[0])
 
 
 def difference(

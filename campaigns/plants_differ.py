@@ -20,27 +20,25 @@ from typing import Any
 
 import numpy as np
 from scipy.stats import qmc, spearmanr
-from shared import HERE, MAIZE, Estimate, Numbers, gain, guard, light
+from shared import (
+    HERE,
+    HYBRIDS,
+    MAIZE,
+    MEASURED_LINES,
+    Estimate,
+    Numbers,
+    gain,
+    guard,
+    light,
+)
 
 from ideotype import Stand
 from ideotype.analysis.style import new_figure
 
 LINES: dict[str, dict[str, float]] = {
     "alike": {},
-    "as hybrids": {
-        "length": 0.05,
-        "width": 0.06,
-        "insertion_angle": 6.0,
-        "azimuth": 10.0,
-        "height": 0.04,
-    },
-    "as measured": {
-        "length": 0.11,
-        "width": 0.12,
-        "insertion_angle": 9.0,
-        "azimuth": 17.3,
-        "height": 0.05,
-    },
+    "as hybrids": HYBRIDS,
+    "as measured": MEASURED_LINES,
 }
 OBJECTIVES = {
     "absorbed_par": "absorbed PAR",

@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
+import tomli_w
 from numpy.typing import NDArray
 
 import ideotype
@@ -24,6 +25,22 @@ from ideotype import Stand
 
 HERE = Path(__file__).parent
 MAIZE = HERE / "crops" / "maize.toml"
+#: [field.variation] of hybrids, and of the lines that were measured; README.md has the
+#: sources.
+HYBRIDS = {
+    "length": 0.05,
+    "width": 0.06,
+    "insertion_angle": 6.0,
+    "azimuth": 10.0,
+    "height": 0.04,
+}
+MEASURED_LINES = {
+    "length": 0.11,
+    "width": 0.12,
+    "insertion_angle": 9.0,
+    "azimuth": 17.3,
+    "height": 0.05,
+}
 Numbers = NDArray[np.float64]
 Settings = Sequence[str]
 """As for --set: "search.optimizer=ga"."""
@@ -75,6 +92,13 @@ def breed(
         text=True,
     )
     return sorted((out / name).glob("*.h5"))
+
+
+def breed_tables(tables: Mapping[str, Any], folder: Path) -> list[Path]:
+    """The histories of a campaign that is written to a file of this folder."""
+    path = folder / f"{tables['name']}.toml"
+    path.write_text(tomli_w.dumps(tables), encoding="utf-8")
+    return breed(path, tables["name"], [], folder)
 
 
 def best(history: Path) -> Numbers:

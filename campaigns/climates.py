@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Light for campaigns that scripts of this folder write: a clear day, the season measured
+at Bondville, that season under the sun of another latitude, and an overcast day."""
+
+from __future__ import annotations
+
+import csv
+import math
+import tomllib
+from datetime import date, time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+from shared import HERE, Numbers
+
+DAY = date(2025, 8, 7)
+#: A whole clear day, as a [[day]] of a campaign.
+CLEAR_DAY: dict[str, Any] = {"date": DAY, "start": time(0), "end": "24:00"}
+SOLAR_CONSTANT = 1361.0
+"""W m-2"""
+LOW_SUN = 0.05
+"""Sine of the height below which what passes the atmosphere is not told by an hour."""
+OVERCAST_SHARE = 0.25
+"""Of the light outside of the atmosphere, under a closed layer of clouds (E)."""
+
+
+def bondville() -> dict[str, Any]:
+    """The campaign of the season."""
+    with (HERE / "bondville.toml").open("rb") as file:
+        return tomllib.load(file)
+
+
+def season() -> dict[str, Any]:
+    """As a [[climate]], with the whole path of its file."""
+    found: dict[str, Any] = dict(bondville()["climate"][0])
+    return {**found, "file": str(HERE / found["file"])}
+
+
+def site(latitude: float) -> dict[str, Any]:
+    """Where clocks tell the time of the sun, but for the equation of time."""
+    return {
+        "name": "site",
+        "latitude": latitude,
+        "longitude": 0.0,
+        "utc_offset": 0,
+    }
+
+
+def declination(day: date) -> float:
+    """[rad], by Spencer 1971."""
+    x = 2 * math.pi * (day.timetuple().tm_yday - 1) / 365
+    return (
+        0.006918
+        - 0.399912 * math.cos(x)
+        + 0.070257 * math.sin(x)
+        - 0.006758 * math.cos(2 * x)
+        + 0.000907 * math.sin(2 * x)
+    )
+
+
+def light_outside(latitude: float, day: date, hours: Numbers) -> Numbers:
+    """On a horizontal plane outside of the atmosphere [W m-2], at hours of solar
+    time."""
+    tilt, turn = math.radians(latitude), declination(day)
+    height = math.sin(tilt) * math.sin(turn) + math.cos(tilt) * math.cos(
+        turn
+    ) * np.cos(np.radians(15 * (hours - 12)))
+    return np.asarray(SOLAR_CONSTANT * np.maximum(height, 0))
+
+
+def half_day(latitude: float, day: date) -> float:
+    """Hours from sunrise to noon."""
+    x = -math.tan(math.radians(latitude)) * math.tan(declination(day))
+    return math.degrees(math.acos(min(1.0, max(-1.0, x)))) / 15
+
+
+def overcast_day(latitude: float, folder: Path) -> dict[str, Any]:
+    """A [[climate]] of one day without any direct light."""
+    path = folder / f"overcast_{latitude:g}.csv"
+    hours = np.arange(24) + 0.5
+    light = OVERCAST_SHARE * light_outside(latitude, DAY, hours)
+    with path.open("w", newline="", encoding="utf-8") as file:
+        rows = csv.writer(file)
+        rows.writerow(["time", "global", "diffuse_fraction", "temperature"])
+        for hour, each in enumerate(light):
+            rows.writerow([f"{DAY}T{hour:02}:30", round(each, 3), 1, 25])
+    return {
+        "name": "overcast",
+        "file": str(path),
+        "from": DAY,
+        "to": DAY,
+        "time": ["time"],
+        "stamp": "middle",
+        "global": ["global", "W/m2"],
+        "diffuse_fraction": ["diffuse_fraction", "1"],
+        "temperature": ["temperature", "C"],
+    }
+
+
+def moved_season(latitude: float, folder: Path) -> Path:
+    """A weather file: the season of Bondville under the sun of another latitude.
+
+    At each part of a day, from sunrise to sunset, the atmosphere lets as large a share
+    of the light pass and scatters as large a share of it as it did at Bondville at the
+    same part of that day; temperature and humidity are those of the hour."""
+    here = bondville()["site"][0]
+    fast = here["longitude"] / 15 - here["utc_offset"]
+    days = []
+    measured = pd.read_csv(season()["file"])
+    for _, rows in measured.groupby(measured.time.str[:10]):
+        day = date.fromisoformat(rows.time.iloc[0][:10])
+        hours = np.arange(24.0)
+        outside = light_outside(here["latitude"], day, hours + fast)
+        shines = outside > LOW_SUN * SOLAR_CONSTANT
+        part = (hours + fast - 12) / half_day(here["latitude"], day)
+        part_there = (hours - 12) / half_day(latitude, day)
+        passing, scattered = (
+            np.interp(part_there, part[shines], share.to_numpy()[shines])
+            for share in (
+                rows.ppfd_umol / np.maximum(outside, 1),
+                rows.diffuse_fraction_erbs,
+            )
+        )
+        days.append(
+            rows.assign(
+                time=rows.time.str[:16],
+                ppfd_umol=passing * light_outside(latitude, day, hours),
+                diffuse_fraction_erbs=scattered,
+            )
+        )
+    path = folder / f"season_{latitude:g}.csv"
+    pd.concat(days).round(4).to_csv(path, index=False)
+    return path

@@ -38,12 +38,26 @@ import ideotype
 class Part:
     question: str
     words: tuple[str, ...]
-    """The script and its options; {folder} and {figures} are folders."""
+    """The script and its options; {folder} is that of the part, {study} that of all
+    parts."""
     short: tuple[str, ...] = ()
     """Options of a short study, after the others."""
 
 
 PARTS = {
+    "paper_table": Part(
+        "How much can breeding gain, and which search finds it?",
+        (
+            "paper_table.py",
+            "{folder}",
+            "--figure",
+            "{figures}/paper_table.png",
+        ),
+        (
+            *("--objective", "net_assimilation", "--condition", "all", "7"),
+            *("--evaluations", "40", "--seeds", "1"),
+        ),
+    ),
     "plants_differ": Part(
         "What do plants that are all alike hide?",
         ("plants_differ.py", "--figure", "{figures}/plants_differ.png"),
@@ -62,6 +76,14 @@ PARTS = {
             *("--densities", "4", "20", "--latitudes", "42", "--seeds", "2"),
         ),
     ),
+    "claims": Part(
+        "What are the claims of arXiv:2512.06064 worth?",
+        ("claims.py", "{folder}", "--table", "{study}/paper_table"),
+        (
+            *("--set-up", "stand, absorbed PAR"),
+            *("--evaluations", "20", "--seeds", "1"),
+        ),
+    ),
 }
 
 
@@ -74,7 +96,9 @@ def table_of(name: str, folder: Path, figures: Path, is_short: bool) -> str:
             sys.executable,
             str(HERE / words[0]),
             *(
-                word.format(folder=folder / name, figures=figures)
+                word.format(
+                    folder=folder / name, study=folder, figures=figures
+                )
                 for word in words[1:]
             ),
         ],

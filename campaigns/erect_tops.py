@@ -4,6 +4,7 @@
 
 erect_tops.py FOLDER [--figure FILE.png] [--light LIGHT...] [--limit LIMIT...]
               [--densities N...] [--latitudes N...] [--generations N] [--seeds N]
+              [--rough]
 
 Breeds crops/maize.toml twice for each plant density, latitude, light and limit of leaf
 area: plants whose four highest leaves have insertion angles below 25 deg, and plants
@@ -13,7 +14,7 @@ of both again with the same random numbers and prints how much more carbon the e
 gains [%], with its standard error, and the density from which on it pays. Where the sign
 changes between two densities both are bred with more seeds. The map is the figure.
 Searches that are in FOLDER already are not repeated; interrupted ones go on.
-IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+--rough is for tests. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
 
 Light: a clear day (7 August), the season measured at Bondville, Illinois (40 deg
 north alone), or an overcast day with a quarter of the light outside of the atmosphere,
@@ -38,6 +39,7 @@ from climates import CLEAR_DAY, bondville, overcast_day, season, site
 from shared import (
     HYBRIDS,
     MAIZE,
+    ROUGH,
     Estimate,
     Numbers,
     best,
@@ -77,7 +79,7 @@ class Condition:
         ).replace(".", "p")
 
 
-def campaign(where: Condition, folder: Path) -> dict[str, Any]:
+def campaign(where: Condition, folder: Path, is_rough: bool) -> dict[str, Any]:
     """Without a shape of the top."""
     tables: dict[str, Any] = {
         "name": where.name,
@@ -95,7 +97,7 @@ def campaign(where: Condition, folder: Path) -> dict[str, Any]:
         "plant": {"baseline": str(MAIZE), "bounds": "breedable"},
         "objective": {"maximise": "carbon_balance"},
         "search": {"optimizer": "cma_es", "population": 20},
-        "final": {"candidates": 3, "randomisations": 32},
+        "final": {"candidates": 2, "paths": 4096, "randomisations": 32},
     }
     if where.light == "clear":
         tables["day"] = [CLEAR_DAY]
@@ -110,7 +112,7 @@ def campaign(where: Condition, folder: Path) -> dict[str, Any]:
         tables["constraints"] = {
             "lai": [0.0, round(BASELINE_AREA * where.density, 4)]
         }
-    return tables
+    return {**tables, **ROUGH} if is_rough else tables
 
 
 def bred(
@@ -130,10 +132,9 @@ def bred(
 
 
 def difference(
-    where: Condition, folder: Path, generations: int, seeds: int
+    tables: dict[str, Any], folder: Path, generations: int, seeds: int
 ) -> list[Estimate]:
     """Of each seed, what the erect top gains over the flat one [%]."""
-    tables = campaign(where, folder)
     stand = Stand(tables)
     differences = []
     for seed in range(1, seeds + 1):
@@ -253,8 +254,10 @@ def main() -> None:
     )
     parser.add_argument("--generations", type=int, default=30)
     parser.add_argument("--seeds", type=int, default=3)
+    parser.add_argument("--rough", action="store_true")
     options = parser.parse_args()
-    options.folder.mkdir(parents=True, exist_ok=True)
+    folder = options.folder.resolve()
+    folder.mkdir(parents=True, exist_ok=True)
     wanted = [
         Condition(of_light, limit, latitude, density)
         for of_light, limit in product(options.light, options.limit)
@@ -263,17 +266,15 @@ def main() -> None:
         )
         for density in options.densities
     ]
-    results = {}
-    for number, where in enumerate(wanted, 1):
-        print(f"{number} of {len(wanted)}: {where.name}", file=sys.stderr)
-        results[where] = difference(
-            where, options.folder.resolve(), options.generations, 1
-        )
-    for where in {x for pair in sign_changes(results) for x in pair}:
-        print(f"more seeds: {where.name}", file=sys.stderr)
-        results[where] = difference(
-            where, options.folder.resolve(), options.generations, options.seeds
-        )
+
+    def look(where: Condition, seeds: int) -> list[Estimate]:
+        print(f"{where.name}: {seeds} seeds", file=sys.stderr, flush=True)
+        tables = campaign(where, folder, options.rough)
+        return difference(tables, folder, options.generations, seeds)
+
+    results = {where: look(where, 1) for where in wanted}
+    for where in sorted({x for pair in sign_changes(results) for x in pair}):
+        results[where] = look(where, options.seeds)
     print_table(results, options.densities)
     if options.figure:
         draw(results, options.figure)

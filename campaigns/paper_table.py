@@ -4,7 +4,7 @@
 which search finds it?
 
 paper_table.py FOLDER [--figure FILE.png] [--objective NAME...] [--condition NAME...]
-               [--evaluations N] [--seeds N] [--other-seeds N]
+               [--evaluations N] [--seeds N] [--other-seeds N] [--rough]
 
 Breeds crops/maize.toml with four sets of traits, at five latitudes and at six spacings
 (bounds "paper", the others as in the first condition: all traits, 42 deg north, rows of 30
@@ -15,7 +15,7 @@ and prints gains over the baseline [%] with standard errors, leaf area, and the 
 area. The first condition has more seeds than the others. The season is that of Bondville,
 Illinois, 40 deg north in the place of 42, and moved to the other latitudes
 (climates.moved_season). Searches that are in FOLDER already are not repeated;
-interrupted ones go on. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+interrupted ones go on. --rough is for tests. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
 """
 
 from __future__ import annotations
@@ -33,6 +33,7 @@ import numpy as np
 from climates import CLEAR_DAY, bondville, moved_season, season, site
 from shared import (
     MAIZE,
+    ROUGH,
     Estimate,
     Numbers,
     best,
@@ -107,7 +108,9 @@ class Found:
     """Of the same plant [%]."""
 
 
-def campaign(where: Condition, objective: str, folder: Path) -> dict[str, Any]:
+def campaign(
+    where: Condition, objective: str, folder: Path, is_rough: bool
+) -> dict[str, Any]:
     """Without a search."""
     tables: dict[str, Any] = {
         "name": f"{objective}_{where.name}",
@@ -131,7 +134,7 @@ def campaign(where: Condition, objective: str, folder: Path) -> dict[str, Any]:
         moved = moved_season(where.latitude, folder)
         here = site(where.latitude)
         light = {"climate": [{**season(), "file": str(moved)}]}
-    return {**tables, "site": [here], **light}
+    return {**tables, "site": [here], **light, **(ROUGH if is_rough else {})}
 
 
 def bred(
@@ -153,9 +156,9 @@ def bred(
 
 
 def find(
-    where: Condition, objective: str, folder: Path, count: int, seeds: int
+    tables: dict[str, Any], folder: Path, count: int, seeds: int
 ) -> Found:
-    tables = campaign(where, objective, folder)
+    """The best plants of a campaign by each search and seed."""
     keys = list(product(SEARCHES, range(1, seeds + 1)))
     plants = [bred(tables, *key, count, folder) for key in keys]
     stand = Stand(tables)
@@ -277,8 +280,10 @@ def main() -> None:
     parser.add_argument("--evaluations", type=int, default=2500)
     parser.add_argument("--seeds", type=int, default=3)
     parser.add_argument("--other-seeds", type=int, default=1)
+    parser.add_argument("--rough", action="store_true")
     options = parser.parse_args()
-    options.folder.mkdir(parents=True, exist_ok=True)
+    folder = options.folder.resolve()
+    folder.mkdir(parents=True, exist_ok=True)
     wheres = [
         where
         for where in CONDITIONS
@@ -288,9 +293,8 @@ def main() -> None:
     for objective, where in product(options.objective, wheres):
         print(f"{objective}: {where.title}", file=sys.stderr, flush=True)
         results[objective, where] = find(
-            where,
-            objective,
-            options.folder.resolve(),
+            campaign(where, objective, folder, options.rough),
+            folder,
             options.evaluations,
             options.seeds if where == FIRST else options.other_seeds,
         )

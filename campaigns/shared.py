@@ -47,6 +47,12 @@ Settings = Sequence[str]
 Estimate = tuple[float, float]
 """Mean and standard error."""
 
+#: Light of tests: evaluations of milliseconds, with errors of per cents.
+ROUGH: Mapping[str, Any] = {
+    "light": {"paths": 64, "randomisations": 4},
+    "final": {"candidates": 1, "paths": 256, "randomisations": 4},
+}
+
 ANYWHERE: Mapping[str, Any] = {
     "name": "plant",
     "site": [{"name": "any", "latitude": 42, "longitude": 0, "utc_offset": 0}],

@@ -54,8 +54,10 @@ PARTS = {
             "{figures}/paper_table.png",
         ),
         (
-            *("--objective", "net_assimilation", "--condition", "all", "7"),
-            *("--evaluations", "40", "--seeds", "1"),
+            *("--rough", "--objective", "absorbed_par"),
+            *("--condition", "all", "azimuth", "angles", "widths"),
+            *("7", "56p2", "15x3", "15x6"),
+            *("--evaluations", "20", "--seeds", "1"),
         ),
     ),
     "plants_differ": Part(
@@ -72,8 +74,9 @@ PARTS = {
             "{figures}/erect_tops.png",
         ),
         (
-            *("--light", "clear", "--limit", "area", "--generations", "2"),
-            *("--densities", "4", "20", "--latitudes", "42", "--seeds", "2"),
+            *("--rough", "--light", "clear", "--limit", "area"),
+            *("--densities", "4", "20", "--latitudes", "42"),
+            *("--generations", "2", "--seeds", "2"),
         ),
     ),
     "claims": Part(
@@ -81,7 +84,7 @@ PARTS = {
         ("claims.py", "{folder}", "--table", "{study}/paper_table"),
         (
             *("--set-up", "stand, absorbed PAR"),
-            *("--evaluations", "20", "--seeds", "1"),
+            *("--evaluations", "20", "--seeds", "1", "--rough"),
         ),
     ),
 }

@@ -13,14 +13,17 @@ go on. The tables replace those between
 
 in RESULTS.md; with --check that file stays as it is, and the script fails if any number
 in it is not what the histories say. It tells the commit of the project, the version of
-the program, the time that each part took, and how many evaluations the histories have.
---short is a study of minutes with the same parts, for tests.
+the program, the digests of the files that were read, and of each part how many
+evaluations its histories have and how long it took, earlier sessions included.
+--short is a study of minutes with the same parts, rough; its tables stand between
+<!-- short study: PART --> and <!-- end of study -->.
 IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
 """
 
 from __future__ import annotations
 
 import argparse
+import hashlib
 import os
 import re
 import subprocess
@@ -114,27 +117,28 @@ def table_of(name: str, folder: Path, figures: Path, is_short: bool) -> str:
     return done.stdout.strip()
 
 
-def block(name: str) -> re.Pattern[str]:
-    return re.compile(
-        rf"(<!-- study: {name} -->\n)(.*?)(<!-- end of study -->)", re.DOTALL
-    )
+END = "<!-- end of study -->"
 
 
-def written(results: Path, name: str) -> str:
-    """The table of a part as the file has it."""
-    found = block(name).search(results.read_text(encoding="utf-8"))
+def block(place: str) -> re.Pattern[str]:
+    return re.compile(rf"(<!-- {place} -->\n)(.*?)({END})", re.DOTALL)
+
+
+def written(results: Path, place: str) -> str:
+    """The table that the file has there."""
+    found = block(place).search(results.read_text(encoding="utf-8"))
     if found is None:
         raise SystemExit(
-            f"{results} has no place for {name}; write "
-            f"<!-- study: {name} --> and <!-- end of study --> in it"
+            f"{results} has no place for this table; write "
+            f"<!-- {place} --> and {END} in it"
         )
     return found[2].strip()
 
 
-def write(results: Path, name: str, table: str) -> None:
+def write(results: Path, place: str, table: str) -> None:
     text = results.read_text(encoding="utf-8")
     results.write_text(
-        block(name).sub(lambda found: f"{found[1]}{table}\n{found[3]}", text),
+        block(place).sub(lambda found: f"{found[1]}{table}\n{found[3]}", text),
         encoding="utf-8",
     )
 
@@ -166,6 +170,29 @@ def versions() -> str:
     )
 
 
+def digests() -> list[str]:
+    """Of the plants, weather files and campaigns that the parts may read."""
+    return [
+        f"{hashlib.sha256(path.read_bytes()).hexdigest()[:12]} "
+        f"{path.relative_to(HERE)}"
+        for pattern in (
+            "crops/*.toml",
+            "plants/*.toml",
+            "weather/*.csv",
+            "*.toml",
+        )
+        for path in sorted(HERE.glob(pattern))
+    ]
+
+
+def timed(folder: Path, seconds: float) -> float:
+    """What a part has taken in all sessions."""
+    path = folder / "seconds"
+    before = float(path.read_text()) if path.exists() else 0.0
+    path.write_text(f"{before + seconds:.1f}\n")
+    return before + seconds
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("folder", type=Path)
@@ -176,23 +203,31 @@ def main() -> None:
     options = parser.parse_args()
     folder = options.folder.resolve()
     figures = folder if options.short or options.check else HERE / "figures"
-    print(versions())
-    names = options.only or list(PARTS)
-    told = {name: written(options.results, name) for name in names}
+    print("\n".join([versions(), *digests()]), flush=True)
+    places = {
+        name: f"{'short study' if options.short else 'study'}: {name}"
+        for name in options.only or PARTS
+    }
+    told = {
+        name: written(options.results, place) for name, place in places.items()
+    }
     wrong = []
-    for name in names:
+    for name, place in places.items():
         (folder / name).mkdir(parents=True, exist_ok=True)
         begin = time.monotonic()
         table = table_of(name, folder, figures, options.short)
+        seconds = time.monotonic() - begin
+        if not options.check:
+            seconds = timed(folder / name, seconds)
         print(
-            f"{name}: {PARTS[name].question} "
-            f"{time.monotonic() - begin:.0f} s, "
-            f"{evaluations(folder / name)} evaluations"
+            f"{name}: {PARTS[name].question} {seconds:.0f} s, "
+            f"{evaluations(folder / name)} evaluations",
+            flush=True,
         )
         if not options.check:
-            write(options.results, name, table)
+            write(options.results, place, table)
         elif told[name] != table:
-            wrong.append(f"{options.results}: {name} is not\n{table}")
+            wrong.append(f"{options.results}: {place} is not\n{table}")
     if wrong:
         raise SystemExit("\n".join(wrong))
 

@@ -16,7 +16,8 @@ PARTS = re.findall(
     r'(?m)^    "(\w+)": Part\(', (CAMPAIGNS / "study.py").read_text()
 )
 PLACES = "# Results\n\n" + "\n".join(
-    f"<!-- study: {name} -->\nold\n<!-- end of study -->\n" for name in PARTS
+    f"<!-- short study: {name} -->\nold\n<!-- end of study -->\n"
+    for name in PARTS
 )
 
 

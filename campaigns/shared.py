@@ -53,6 +53,15 @@ ROUGH: Mapping[str, Any] = {
     "final": {"candidates": 1, "paths": 256, "randomisations": 4},
 }
 
+#: What a breeder can select of hybrids, in rows of 30 inches with 6 inches between
+#: plants; a campaign that lacks light and an objective.
+BREEDABLE: Mapping[str, Any] = {
+    "spacing": [{"name": "30x6", "row": 0.762, "plant": 0.1524}],
+    "field": {"variation": HYBRIDS},
+    "plant": {"baseline": str(MAIZE), "bounds": "breedable"},
+    "final": {"candidates": 3, "randomisations": 32},
+}
+
 ANYWHERE: Mapping[str, Any] = {
     "name": "plant",
     "site": [{"name": "any", "latitude": 42, "longitude": 0, "utc_offset": 0}],
@@ -80,14 +89,18 @@ def guard(main: Callable[[], None]) -> None:
 
 
 def breed(
-    campaign: Path, name: str, settings: Settings, out: Path
+    campaign: Path,
+    name: str,
+    settings: Settings,
+    out: Path,
+    verb: str = "run",
 ) -> list[Path]:
-    """The histories of all seeds, in a folder of this name. Complete ones are
-    kept, interrupted ones go on.
+    """The histories of all cases and seeds, in a folder of this name. Complete
+    ones are kept, interrupted ones go on. `verb` may be "sensitivity".
 
     The program is that of IDEOTYPE_EXECUTABLE, else `ideotype` on PATH."""
     program = os.environ.get("IDEOTYPE_EXECUTABLE", "ideotype")
-    words = [program, "run", str(campaign), "--ranks", "auto", "--resume"]
+    words = [program, verb, str(campaign), "--ranks", "auto", "--resume"]
     words += ["--out", str(out)]
     for key in (f"name={name}", *settings):
         words += ["--set", key]
@@ -100,11 +113,13 @@ def breed(
     return sorted((out / name).glob("*.h5"))
 
 
-def breed_tables(tables: Mapping[str, Any], folder: Path) -> list[Path]:
+def breed_tables(
+    tables: Mapping[str, Any], folder: Path, verb: str = "run"
+) -> list[Path]:
     """The histories of a campaign that is written to a file of this folder."""
     path = folder / f"{tables['name']}.toml"
     path.write_text(tomli_w.dumps(tables), encoding="utf-8")
-    return breed(path, tables["name"], [], folder)
+    return breed(path, tables["name"], [], folder, verb)
 
 
 def best(history: Path) -> Numbers:
@@ -180,3 +195,13 @@ def mean_over_seeds(values: Sequence[Estimate]) -> Estimate:
     if len(values) > 1:
         error = max(error, stdev(means) / math.sqrt(len(means)))
     return fmean(means), error
+
+
+def print_table(
+    title: str, columns: Sequence[str], rows: Mapping[str, Sequence[str]]
+) -> None:
+    """As Markdown; `title` stands over the names of the rows."""
+    print(f"| {title} | {' | '.join(columns)} |")
+    print("|---" * (len(columns) + 1) + "|")
+    for name, cells in rows.items():
+        print(f"| {name} | {' | '.join(cells)} |")

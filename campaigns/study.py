@@ -90,6 +90,19 @@ PARTS = {
             *("--evaluations", "20", "--seeds", "1", "--rough"),
         ),
     ),
+    "what_matters": Part(
+        "Which traits make the difference?",
+        (
+            "what_matters.py",
+            "{folder}",
+            "--figure",
+            "{figures}/what_matters.png",
+        ),
+        (
+            *("--rough", "--only", "absorbed_par", "--samples", "4"),
+            *("--generations", "2", "--seeds", "1", "--draws", "2"),
+        ),
+    ),
 }
 
 

@@ -1,0 +1,345 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Which traits make the difference?
+
+what_matters.py FOLDER [--figure FILE.png] [--only OBJECTIVE...] [--samples N]
+                [--generations N] [--seeds N] [--draws N] [--rough]
+
+For absorbed PAR and net assimilation of the clear day of ames.toml, and for the carbon
+balance of the season of bondville.toml, of plants that a breeder can select (bounds
+"breedable") and that differ as hybrids do, prints
+
+* Sobol' indices of the traits over their bounds (`ideotype sensitivity`), with 95 %
+  intervals;
+* what sizes, insertion angles and azimuths of a bred plant have of its gain over the
+  baseline: the Shapley value of each, which is the mean of what it adds over all orders
+  in which the three can be taken over from the bred plant (Shapley 1953; Owen 2014,
+  doi:10.1137/130936233);
+* what a mistake of 10 deg costs the bred plant. Angles below 0 deg are 0.
+
+± is the standard error of randomisations that all plants share, or over seeds where that
+is larger. What is in FOLDER already is not bred again; interrupted searches go on.
+--rough is for tests. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import sys
+import tomllib
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from climates import season
+from shared import (
+    BREEDABLE,
+    HERE,
+    ROUGH,
+    Estimate,
+    Numbers,
+    best,
+    breed_tables,
+    gain,
+    guard,
+    light,
+    mean_over_seeds,
+    print_table,
+)  # fmt: skip
+
+from ideotype import Stand, open_history
+from ideotype.analysis.indices import Indices
+from ideotype.analysis.style import new_figure, series
+
+DAY, SEASON = HERE / "ames.toml", HERE / "bondville.toml"
+#: What is bred for: its title, and under which light.
+OBJECTIVES = {
+    "absorbed_par": ("absorbed PAR, clear day", DAY),
+    "net_assimilation": ("net assimilation, clear day", DAY),
+    "carbon_balance": ("carbon balance, season", SEASON),
+}
+#: What is taken over from a bred plant together.
+GROUPS = {
+    "sizes": ("length_profile", "width_profile"),
+    "insertion angles": ("insertion_angle_profile",),
+    "azimuths": ("azimuth_deviation", "leaf_plane"),
+}
+ANGLE, AZIMUTH = "insertion_angle", "azimuth_deviation"
+#: A trait, by how much all of it is off [deg], and whether each leaf is so
+#: either way at random.
+MISTAKES = {
+    "all insertion angles 10 deg larger": (ANGLE, 10.0, False),
+    "all insertion angles 10 deg smaller": (ANGLE, -10.0, False),
+    "each insertion angle 10 deg off": (ANGLE, 10.0, True),
+    "each azimuth 10 deg off": (AZIMUTH, 10.0, True),
+    "leaf plane turned by 10 deg": ("leaf_plane", 10.0, False),
+}
+
+
+@dataclass(frozen=True)
+class Result:
+    """Of one objective; shares of the gain in percentage points, costs in %."""
+
+    indices: Indices
+    gain: Estimate
+    shares: dict[str, Estimate]
+    costs: dict[str, Estimate]
+
+
+def campaign(objective: str, is_rough: bool) -> dict[str, Any]:
+    path = OBJECTIVES[objective][1]
+    tables = tomllib.loads(path.read_text(encoding="utf-8"))
+    lit = {"day": tables["day"]} if path == DAY else {"climate": [season()]}
+    return {
+        **BREEDABLE,
+        "name": objective,
+        "site": tables["site"],
+        **lit,
+        "objective": {"maximise": objective},
+        **(ROUGH if is_rough else {}),
+    }
+
+
+def is_of(stand: Stand, traits: Sequence[str]) -> np.ndarray:
+    """Which genes these traits have."""
+    return stand.genes.trait.isin(traits).to_numpy()
+
+
+def combined(
+    stand: Stand, bred: Numbers
+) -> Iterator[tuple[frozenset[str], Numbers]]:
+    """The baseline with any groups of traits of a bred plant; none first."""
+    for count in range(len(GROUPS) + 1):
+        for names in combinations(GROUPS, count):
+            traits = [trait for name in names for trait in GROUPS[name]]
+            yield (
+                frozenset(names),
+                np.where(is_of(stand, traits), bred, stand.baseline),
+            )
+
+
+def shapley(values: dict[frozenset[str], Numbers], name: str) -> Numbers:
+    """What one of them adds, mean over all orders; of each randomisation."""
+    count = len(GROUPS)
+    total = np.zeros_like(values[frozenset()])
+    for names, value in values.items():
+        if name not in names:
+            k = len(names)
+            weight = 1 / (count * math.comb(count - 1, k))
+            total += weight * (values[names | {name}] - value)
+    return total
+
+
+def shares(stand: Stand, bred: Numbers) -> dict[str, Estimate]:
+    """Of the gain [percentage points]; "" is all of it."""
+    names, plants = zip(*combined(stand, bred), strict=True)
+    values = dict(zip(names, light(stand, np.array(plants)), strict=True))
+    baseline = values[frozenset()]
+    parts = {name: shapley(values, name) for name in GROUPS}
+    parts[""] = values[frozenset(GROUPS)] - baseline
+    return {
+        name: gain(baseline.tolist(), (baseline + part).tolist())
+        for name, part in parts.items()
+    }
+
+
+def mistaken(
+    stand: Stand, plant: Numbers, mistake: str, draws: int
+) -> Iterator[Numbers]:
+    """Plants of which this trait is off."""
+    trait, degrees, is_random = MISTAKES[mistake]
+    genes = is_of(stand, [trait])
+    numbers = np.random.default_rng(1)
+    for _ in range(draws if is_random else 1):
+        signs = numbers.choice([-1, 1], len(plant)) if is_random else 1
+        yield plant + degrees * signs * genes
+
+
+def cost(stand: Stand, plant: Numbers, mistake: str, draws: int) -> Estimate:
+    """[%] of the objective."""
+    plants = [plant, *mistaken(stand, plant, mistake, draws)]
+    right, *wrong = light(stand, np.array(plants))
+    mean, error = gain(right.tolist(), np.mean(wrong, 0).tolist())
+    if len(wrong) > 1:
+        spread = np.mean(wrong, 1).std(ddof=1) / math.sqrt(len(wrong))
+        error = math.hypot(error, 100 * spread / right.mean())
+    return mean, error
+
+
+def indices(tables: dict[str, Any], samples: int, folder: Path) -> Indices:
+    """Of the objective."""
+    study = {
+        **tables,
+        "name": f"{tables['name']}_indices",
+        "sensitivity": {"samples": samples},
+    }
+    [history] = breed_tables(study, folder, "sensitivity")
+    with open_history(history) as opened:
+        return opened.sensitivity()[tables["name"]]
+
+
+def bred(tables: dict[str, Any], options: argparse.Namespace) -> list[Numbers]:
+    """The best plant of each seed."""
+    search = {
+        **tables,
+        "replicates": options.seeds,
+        "search": {"optimizer": "cma_es", "population": 20},
+        "stop": {"generations": options.generations},
+    }
+    return [best(path) for path in breed_tables(search, options.folder)]
+
+
+def look(objective: str, options: argparse.Namespace) -> Result:
+    tables = campaign(objective, options.rough)
+    print(f"sensitivity of {objective}", file=sys.stderr, flush=True)
+    found = indices(tables, options.samples, options.folder)
+    print(f"breeding for {objective}", file=sys.stderr, flush=True)
+    plants = bred(tables, options)
+    stand = Stand(tables)
+    by_seed = [shares(stand, plant) for plant in plants]
+    parts = {
+        name: mean_over_seeds([each[name] for each in by_seed])
+        for name in by_seed[0]
+    }
+    costs = {
+        mistake: mean_over_seeds(
+            [cost(stand, plant, mistake, options.draws) for plant in plants]
+        )
+        for mistake in MISTAKES
+    }
+    return Result(found, parts.pop(""), parts, costs)
+
+
+def of_trait(name: str) -> str:
+    return name.removesuffix("_profile").replace("_", " ")
+
+
+def sobol(indices: Indices, which: str) -> dict[str, Estimate]:
+    """Of each trait."""
+    numbers = (indices.index[which], indices.standard_error[which])
+    return {
+        of_trait(trait): (float(mean), float(error))
+        for trait, mean, error in zip(indices.factors, *numbers, strict=True)
+    }
+
+
+def interval(value: Estimate) -> str:
+    """95 %"""
+    mean, half = value[0], 1.96 * value[1]
+    return f"{mean:.2f} ({mean - half:.2f} .. {mean + half:.2f})"
+
+
+def signed(value: Estimate) -> str:
+    return f"{value[0]:+.2f} ± {value[1]:.2f}"
+
+
+def tell(
+    title: str,
+    columns: dict[str, dict[str, Estimate]],
+    form: Callable[[Estimate], str] = signed,
+) -> None:
+    names = next(iter(columns.values()))
+    rows = {
+        name: [form(values[name]) for values in columns.values()]
+        for name in names
+    }
+    print_table(title, list(columns), rows)
+
+
+def print_tables(results: dict[str, Result]) -> None:
+    found = {OBJECTIVES[name][0]: each for name, each in results.items()}
+    tell(
+        "Sobol' index",
+        {
+            f"{title}: {which}": sobol(each.indices, which)
+            for title, each in found.items()
+            for which in ("first", "total")
+        },
+        interval,
+    )
+    print()
+    tell(
+        "part of the gain over the baseline [%]",
+        {x: {**each.shares, "all": each.gain} for x, each in found.items()},
+    )
+    print()
+    tell(
+        "change of the bred plant by a mistake [%]",
+        {x: each.costs for x, each in found.items()},
+    )
+
+
+def draw(results: dict[str, Result], path: Path) -> None:
+    """Bars with 95 % intervals."""
+    figure = new_figure(11, 3.6)
+    figure.suptitle("Which traits make the difference?")
+    panels: dict[str, Callable[[Result], dict[str, Estimate]]] = {
+        "total Sobol' index: share of the\nvariance of plants": (
+            lambda each: sobol(each.indices, "total")
+        ),
+        "part of the gain over the baseline\n[percentage points]": (
+            lambda each: each.shares
+        ),
+        "change by a mistake\n[% of the bred plant]": lambda each: each.costs,
+    }
+    height = 0.8 / len(results)
+    axes = figure.subplots(1, len(panels))
+    for axis, (label, values_of) in zip(axes, panels.items(), strict=True):
+        for i, (name, each) in enumerate(results.items()):
+            values = values_of(each)
+            axis.barh(
+                np.arange(len(values)) + i * height,
+                [mean for mean, _ in values.values()],
+                height,
+                xerr=[1.96 * error for _, error in values.values()],
+                color=series(i)[0],
+                label=OBJECTIVES[name][0],
+                error_kw={"linewidth": 1},
+            )
+        axis.set_yticks(
+            np.arange(len(values)) + 0.4 - height / 2,
+            [name.replace(" 10 deg", "\n10 deg") for name in values],
+            fontsize=8,
+        )
+        axis.invert_yaxis()
+        axis.axvline(0, color="#999999", linewidth=1)
+        axis.grid(visible=False, axis="y")
+        axis.set_xlabel(label)
+    figure.legend(
+        *axes[0].get_legend_handles_labels(),
+        loc="outside lower center",
+        ncols=len(results),
+        fontsize=8,
+    )
+    figure.savefig(path, dpi=110)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--figure", type=Path)
+    parser.add_argument(
+        "--only", nargs="+", choices=OBJECTIVES, metavar="OBJECTIVE"
+    )
+    parser.add_argument("--samples", type=int, default=256)
+    parser.add_argument("--generations", type=int, default=60)
+    parser.add_argument("--seeds", type=int, default=2)
+    parser.add_argument("--draws", type=int, default=8)
+    parser.add_argument("--rough", action="store_true")
+    options = parser.parse_args()
+    options.folder = options.folder.resolve()
+    options.folder.mkdir(parents=True, exist_ok=True)
+    results = {
+        name: look(name, options) for name in options.only or OBJECTIVES
+    }
+    print_tables(results)
+    if options.figure:
+        draw(results, options.figure)
+
+
+if __name__ == "__main__":
+    guard(main)

@@ -93,9 +93,10 @@ def campaign(where: Condition, folder: Path, is_rough: bool) -> dict[str, Any]:
                 "plant": round(1 / where.density / ROW, 6),
             }
         ],
-        "field": {"variation": HYBRIDS},
+        "field": {"rows": 2, "variation": HYBRIDS},
         "plant": {"baseline": str(MAIZE), "bounds": "breedable"},
         "objective": {"maximise": "carbon_balance"},
+        "light": {"tolerance": 0.012},
         "search": {"optimizer": "cma_es", "population": 20},
         "final": {"candidates": 2, "paths": 4096, "randomisations": 32},
     }
@@ -105,7 +106,7 @@ def campaign(where: Condition, folder: Path, is_rough: bool) -> dict[str, Any]:
         tables["climate"] = [season()]
     else:
         tables["climate"] = [overcast_day(where.latitude, folder)]
-        tables["light"] = {"sky": "overcast"}
+        tables["light"]["sky"] = "overcast"
     if where.limit == "nitrogen":
         tables["photosynthesis"] = {"profile": "nitrogen"}
     if where.limit == "area":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The scripts of campaigns/ about what light is for, and what finds it."""
+"""Scripts of campaigns/ that are no part of the study."""
 
 from __future__ import annotations
 
@@ -36,23 +36,6 @@ def test_erect_leaves_pay_only_where_plants_stand_close() -> None:
         row = re.search(rf"(?m)^\| {name}.*\| (\S+) ± \S+ \| (\S+) ±", table)
         assert row is not None, table
         assert float(row[1]) < -2 and float(row[2]) > 2
-
-
-def test_objectives_are_bred_for_and_compared(tmp_path: Path) -> None:
-    words = [tmp_path, "--only", "area", "--generations", 1, "--seeds", 1]
-    figure = tmp_path / "angles.png"
-    table = run("objectives.py", *words, "--figure", figure)
-    rows = re.findall(
-        r"(?m)^\| the same, fixed leaf area \| (\S+) \|.*", table
-    )
-    assert rows == ["30x6", "15x3"]
-    assert figure.stat().st_size > 10000
-    # What is there is not bred again.
-    files = sorted(tmp_path.glob("*/*.h5"))
-    written = [file.read_bytes() for file in files]
-    assert run("objectives.py", *words) == table
-    assert len(files) == 2
-    assert [file.read_bytes() for file in files] == written
 
 
 def test_searches_are_compared_by_their_gains(tmp_path: Path) -> None:

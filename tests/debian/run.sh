@@ -61,7 +61,7 @@ done < <(env | grep -iE '^(https?_proxy|no_proxy|PIP_[A-Z_]+|SSL_CERT_FILE|CMAKE
 clone=$root/srv/ideotype  # with its build, when the root is used again
 [ -e "$clone" ] || git clone --quiet --no-checkout "$project" "$clone"
 commit=$(git -C "$project" rev-parse HEAD)
-git -C "$clone" fetch --quiet --tags "$project" "$commit"
+git -C "$clone" fetch --quiet --tags --force "$project" "$commit"
 git -C "$clone" checkout --quiet --detach "$commit"
 cp "$here/inside.sh" "$root/srv/inside.sh"
 

@@ -23,6 +23,7 @@ from shared import (
     MAIZE,
     Estimate,
     Numbers,
+    Settings,
     gain,
     guard,
     leaves,
@@ -77,15 +78,21 @@ def changed(stand: Stand, change: Change) -> Numbers:
     return genome
 
 
-def gains(under: Path, density: float) -> list[Estimate]:
-    """Of each variant [%]."""
+def gains(
+    under: Path, density: float, row: float = ROW, settings: Settings = ()
+) -> list[Estimate]:
+    """Of each variant [%], at a density [m-2] in rows this far apart [m]."""
     spacing = (
-        f"{{row = {ROW}, plant = {1 / density / ROW:.6f}, row_direction = 90}}"
+        f"{{row = {row}, plant = {1 / density / row:.6f}, row_direction = 90}}"
     )
     stand = stand_of(
         MAIZE,
         under,
-        [f"spacing=[{spacing}]", "objective.maximise=gross_assimilation"],
+        [
+            f"spacing=[{spacing}]",
+            "objective.maximise=gross_assimilation",
+            *settings,
+        ],
     )
     genomes = [
         changed(stand, change) for pair in VARIANTS.values() for change in pair

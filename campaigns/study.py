@@ -68,6 +68,11 @@ PARTS = {
         ("plants_differ.py", "--figure", "{figures}/plants_differ.png"),
         ("--under", str(HERE / "ames_quick.toml"), "--plants", "2"),
     ),
+    "validation": Part(
+        "Does the canopy behave as maize does in the field?",
+        ("validation.py", "--figure", "{figures}/validation.png"),
+        ("--rough",),
+    ),
     "erect_tops": Part(
         "When does an erect top pay?",
         (

@@ -41,11 +41,14 @@ def test_a_number_that_histories_do_not_say_is_found(tmp_path: Path) -> None:
     assert made.returncode == 0, made.stderr
     assert re.search(r"erect_tops: .* [1-9]\d* evaluations", made.stdout)
     text = results.read_text()
-    assert "old" not in text
+    assert "\nold\n" not in text
     row = re.search(r"\| clear \| area \| 42 \| ([+-][\d.]+) ±", text)
     assert row is not None
     assert len(PARTS) >= 4
     assert text.count("|---|") >= len(PARTS)
+    verdicts = re.findall(r"\| (lower|higher|as published) \|", text)
+    assert len(verdicts) > 20 and "as published" in verdicts
+    assert verdicts == sorted(verdicts, key=lambda x: x == "as published")
 
     again = run(tmp_path, "--only", "erect_tops", "--check")
     assert again.returncode == 0, again.stderr

@@ -108,6 +108,11 @@ PARTS = {
             *("--generations", "2", "--seeds", "1", "--draws", "2"),
         ),
     ),
+    "robust": Part(
+        "What does one plant for five sites cost?",
+        ("robust.py", "{folder}", "--figure", "{figures}/robust.png"),
+        ("--rough", "--latitudes", "7", "56.2", "--generations", "1"),
+    ),
 }
 
 

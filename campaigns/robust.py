@@ -1,0 +1,179 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""What does one plant for five sites cost?
+
+robust.py FOLDER [--figure FILE.png] [--latitudes N...] [--generations N] [--seeds N]
+          [--rough]
+
+Breeds crops/maize.toml for the carbon balance of a season at each latitude of
+arXiv:2512.06064 alone, and one robust plant for the mean of all of them: the season
+measured at Bondville, Illinois, under the sun of each latitude (temperature and the share
+of the light that passes the atmosphere are those of Bondville). Traits are those that a
+breeder can select (bounds "breedable"), and plants differ as hybrids do. Prints what each
+plant has at each latitude, relative to the plant that was bred there [%]; ± is the
+standard error of randomisations that all plants share, or over seeds where that is
+larger. What is in FOLDER already is not bred again; interrupted searches go on.
+--rough is for tests. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from statistics import fmean
+from typing import Any
+
+import numpy as np
+from climates import moved_season, season, site
+from shared import (
+    BREEDABLE,
+    ROUGH,
+    Estimate,
+    Numbers,
+    best,
+    breed_tables,
+    gain,
+    guard,
+    light,
+    mean_over_seeds,
+    print_table,
+)  # fmt: skip
+
+from ideotype import Stand
+from ideotype.analysis.style import new_figure, series
+
+ROBUST, BASELINE = "all of them", "baseline, not bred"
+LATITUDES = (7.0, 39.35, 42.0, 46.8, 56.2)
+Matrix = dict[str, list[Estimate]]
+"""Of each plant, what it has at each latitude [% of the plant bred there]."""
+
+
+def place(latitude: float, folder: Path) -> dict[str, Any]:
+    """As a [[site]], with its weather."""
+    return {
+        **site(latitude),
+        "name": f"n{latitude:g}".replace(".", "p"),
+        "weather": str(moved_season(latitude, folder)),
+    }
+
+
+def campaign(
+    name: str, places: list[dict[str, Any]], options: argparse.Namespace
+) -> dict[str, Any]:
+    """For the mean of these places."""
+    climate = season()
+    climate.pop("file")
+    return {
+        **BREEDABLE,
+        "name": name,
+        "replicates": options.seeds,
+        "site": places,
+        "climate": [climate],
+        "objective": {"maximise": "carbon_balance", "over": ["site"]},
+        "search": {"optimizer": "cma_es", "population": 20},
+        "stop": {"generations": options.generations},
+        **(ROUGH if options.rough else {}),
+    }
+
+
+def bred(tables: dict[str, Any], folder: Path) -> list[Numbers]:
+    """The best plant of each seed."""
+    print(f"breeding {tables['name']}", file=sys.stderr, flush=True)
+    return [best(path) for path in breed_tables(tables, folder)]
+
+
+def relative(stand: Stand, home: int, plants: list[Numbers]) -> list[Estimate]:
+    """What plants have here [% of the one whose home this is]."""
+    values = light(stand, np.array(plants)).tolist()
+    changes = (gain(values[home], value) for value in values)
+    return [(100 + mean, error) for mean, error in changes]
+
+
+def matrix(folder: Path, options: argparse.Namespace) -> Matrix:
+    places = [place(latitude, folder) for latitude in options.latitudes]
+    alone = [campaign(each["name"], [each], options) for each in places]
+    over = campaign("robust", places, options)
+    plants = [bred(tables, folder) for tables in (*alone, over)]
+    columns = []
+    for home, tables in enumerate(alone):
+        stand = Stand(tables)
+        by_seed = [
+            relative(stand, home, [*of_seed, stand.baseline])
+            for of_seed in zip(*plants, strict=True)
+        ]
+        columns.append(
+            [mean_over_seeds(each) for each in zip(*by_seed, strict=True)]
+        )
+    names = [f"{latitude:g} deg north" for latitude in options.latitudes]
+    rows = zip(*columns, strict=True)
+    return {
+        name: list(row)
+        for name, row in zip([*names, ROBUST, BASELINE], rows, strict=True)
+    }
+
+
+def mean_of_row(row: Sequence[Estimate]) -> Estimate:
+    """The error is at most that: fields are the same at all latitudes."""
+    return fmean(mean for mean, _ in row), fmean(error for _, error in row)
+
+
+def draw(found: Matrix, latitudes: Sequence[float], path: Path) -> None:
+    figure = new_figure(7.2, 4)
+    axes = figure.subplots()
+    for i, (name, row) in enumerate(found.items()):
+        if name == BASELINE:
+            continue
+        color, marker = series(i)
+        axes.errorbar(
+            range(len(row)),
+            [mean for mean, _ in row],
+            [1.96 * error for _, error in row],
+            color="#000000" if name == ROBUST else color,
+            linewidth=3 if name == ROBUST else 1.5,
+            marker=marker,
+            label=name,
+        )
+    axes.set_xticks(range(len(latitudes)), [f"{x:g}" for x in latitudes])
+    axes.set_xlabel("grown at [deg north]")
+    axes.set_ylabel("carbon balance\n[% of the plant bred there]")
+    figure.suptitle("What does one plant for five sites cost?")
+    figure.legend(title="bred for", loc="outside right upper", fontsize=8)
+    figure.savefig(path, dpi=110)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--figure", type=Path)
+    parser.add_argument(
+        "--latitudes", nargs="+", type=float, default=LATITUDES
+    )
+    parser.add_argument("--generations", type=int, default=60)
+    parser.add_argument("--seeds", type=int, default=1)
+    parser.add_argument("--rough", action="store_true")
+    options = parser.parse_args()
+    folder = options.folder.resolve()
+    folder.mkdir(parents=True, exist_ok=True)
+    found = matrix(folder, options)
+    print_table(
+        "bred for",
+        [
+            *(f"grown at {latitude:g} deg" for latitude in options.latitudes),
+            "mean",
+        ],
+        {
+            name: [
+                f"{mean:.2f} ± {error:.2f}"
+                for mean, error in (*row, mean_of_row(row))
+            ]
+            for name, row in found.items()
+        },
+    )
+    if options.figure:
+        draw(found, options.latitudes, options.figure)
+
+
+if __name__ == "__main__":
+    guard(main)

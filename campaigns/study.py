@@ -113,6 +113,11 @@ PARTS = {
         ("robust.py", "{folder}", "--figure", "{figures}/robust.png"),
         ("--rough", "--latitudes", "7", "56.2", "--generations", "1"),
     ),
+    "front": Part(
+        "How much leaf area does a season's carbon need?",
+        ("fronts.py", "{folder}", "--figure", "{figures}/front.png"),
+        ("--rough", "--generations", "2", "--seeds", "1"),
+    ),
 }
 
 

@@ -21,6 +21,7 @@ import numpy as np
 from shared import (
     HERE,
     MAIZE,
+    PLANT_AREA,
     Estimate,
     Numbers,
     Settings,
@@ -101,13 +102,6 @@ def gains(
     return list(map(gain, values[::2], values[1::2]))
 
 
-def leaf_area() -> float:
-    """Of the baseline [m2 per plant]."""
-    stand = stand_of(MAIZE, HERE / "ames.toml")
-    mesh = stand.mesh(stand.baseline)
-    return sum(mesh.area(x) for x in {*mesh.groups} if x.startswith("leaf"))
-
-
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--under", type=Path, default=HERE / "ames.toml")
@@ -116,9 +110,8 @@ def main() -> None:
     )
     options = parser.parse_args()
     rows = [gains(options.under, density) for density in options.densities]
-    area = leaf_area()
     titles = " | ".join(
-        f"{density:g} m-2, LAI {area * density:.1f}"
+        f"{density:g} m-2, LAI {PLANT_AREA * density:.1f}"
         for density in options.densities
     )
     print(f"| gross assimilation [%] | {titles} |")

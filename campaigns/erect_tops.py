@@ -39,6 +39,7 @@ from climates import CLEAR_DAY, bondville, overcast_day, season, site
 from shared import (
     HYBRIDS,
     MAIZE,
+    PLANT_AREA,
     ROUGH,
     Estimate,
     Numbers,
@@ -54,15 +55,13 @@ from ideotype import Stand
 from ideotype.analysis.style import new_figure
 
 ROW = 0.762
-DENSITIES = (4.0, 6.0, 9.0, 13.0, 20.0)
+DENSITIES = (4.0, 7.0, 12.0, 20.0)
 LATITUDES = (7.0, 42.0, 56.2)
 BONDVILLE = 40.05
 LIGHTS = ("clear", "season", "overcast")
 LIMITS = ("carbon", "nitrogen", "area")
 TOPS = {"erect": [0.0, 25.0], "flat": [45.0, 90.0]}
 TOP_LEAVES = 4
-BASELINE_AREA = 0.3991
-"""Leaf area of the baseline [m2 per plant]."""
 
 
 @dataclass(frozen=True, order=True)
@@ -111,7 +110,7 @@ def campaign(where: Condition, folder: Path, is_rough: bool) -> dict[str, Any]:
         tables["photosynthesis"] = {"profile": "nitrogen"}
     if where.limit == "area":
         tables["constraints"] = {
-            "lai": [0.0, round(BASELINE_AREA * where.density, 4)]
+            "lai": [0.0, round(PLANT_AREA * where.density, 4)]
         }
     return {**tables, **ROUGH} if is_rough else tables
 

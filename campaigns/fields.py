@@ -26,8 +26,6 @@ from ideotype import Stand
 
 DAY, SEASON = HERE / "ames.toml", HERE / "bondville.toml"
 SOIL_ALBEDO = 0.1
-PLANT_AREA = 0.399
-"""Leaf area of the baseline [m2]."""
 HOURS = {
     "day": "start = 07:00:00, end = 20:00:00",
     # the sun is highest at 13:20

@@ -25,6 +25,8 @@ from ideotype import Stand
 
 HERE = Path(__file__).parent
 MAIZE = HERE / "crops" / "maize.toml"
+PLANT_AREA = 0.3991
+"""Leaf area of this plant [m2]."""
 #: [field.variation] of hybrids, and of the lines that were measured; README.md has the
 #: sources.
 HYBRIDS = {

@@ -32,7 +32,6 @@ import erect_leaves
 import numpy as np
 from fields import (
     DAY,
-    PLANT_AREA,
     SEASON,
     Field,
     Measured,
@@ -44,7 +43,7 @@ from fields import (
     sign_change,
 )  # fmt: skip
 from published import PUBLISHED, Published, apsim_k, ceres_k
-from shared import ROUGH, Estimate, Settings, guard
+from shared import PLANT_AREA, ROUGH, Estimate, Settings, guard
 
 from ideotype.analysis.style import new_figure
 

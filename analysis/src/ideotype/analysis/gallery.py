@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any, TypeGuard
 
 import matplotlib
+from matplotlib.backends.backend_pdf import FigureCanvasPdf
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 from PIL import Image
@@ -80,8 +81,11 @@ def draw(folder: Path, most: float, drawing: Drawing) -> Block:
         image = _painted(figure)
         # Laid out once is enough, and the same in both files.
         figure.set_layout_engine("none")
-        pdf = folder / f"{name}.pdf"
-        figure.savefig(pdf, metadata={"CreationDate": None})
+        # Not savefig(), which draws it once more to lay it out.
+        canvas = FigureCanvasPdf(figure)
+        canvas.print_pdf(  # type: ignore[no-untyped-call]
+            folder / f"{name}.pdf", metadata={"CreationDate": None}
+        )
     (folder / f"{name}.png").write_bytes(_png(image))
     data = _small(_below(image, figure, title, part), most)
     return Picture(name, drawing.question, drawing.caption, data)

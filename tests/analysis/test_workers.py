@@ -44,6 +44,11 @@ def test_processes_work_at_once_and_keep_the_order(tmp_path: Path) -> None:
     assert len({os.getpid(), *(process for _, process in found)}) == 3
 
 
+def test_many_arguments_go_together_and_keep_the_order() -> None:
+    with workers(2) as run:
+        assert list(run(abs, range(-100, 0))) == [*range(100, 0, -1)]
+
+
 def test_a_process_that_is_killed_is_told() -> None:
     with (
         pytest.raises(OSError, match="was killed .* --jobs 1"),

@@ -10,6 +10,10 @@ from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from typing import Any
 
+_TOGETHER = 8
+"""Arguments that a process gets at once, which share what they have in
+common, such as an open history; fewer where that would leave others idle."""
+
 Map = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
 
 
@@ -25,8 +29,14 @@ def workers(count: int) -> Iterator[Map]:
     context = multiprocessing.get_context("forkserver")
     context.set_forkserver_preload(["ideotype.analysis.report"])
     pool = ProcessPoolExecutor(count, mp_context=context)
+
+    def run(work: Callable[[Any], Any], arguments: Iterable[Any]) -> Any:
+        every = list(arguments)
+        together = min(_TOGETHER, len(every) // (4 * count))
+        return pool.map(work, every, chunksize=max(together, 1))
+
     try:
-        yield pool.map
+        yield run
     except BrokenProcessPool as error:
         raise OSError(
             "a process that draws figures was killed (out of memory?); try "

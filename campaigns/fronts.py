@@ -237,7 +237,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("folder", type=Path)
     parser.add_argument("--figure", type=Path)
-    parser.add_argument("--generations", type=int, default=100)
+    parser.add_argument("--generations", type=int, default=60)
     parser.add_argument("--seeds", type=int, default=2)
     parser.add_argument("--rough", action="store_true")
     options = parser.parse_args()

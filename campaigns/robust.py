@@ -150,7 +150,7 @@ def main() -> None:
     parser.add_argument(
         "--latitudes", nargs="+", type=float, default=LATITUDES
     )
-    parser.add_argument("--generations", type=int, default=60)
+    parser.add_argument("--generations", type=int, default=40)
     parser.add_argument("--seeds", type=int, default=1)
     parser.add_argument("--rough", action="store_true")
     options = parser.parse_args()

@@ -96,18 +96,17 @@ def test_every_figure_is_a_file_and_in_the_page(made: Made) -> None:
     names |= {f"{case}_{name}" for case in CASES for name in DRAWN}
     names |= {f"{case}_{view}" for case in CASES for view in ("plan", "field")}
     files = {path.name for path in (made.folder / "figures").iterdir()}
-    assert files == {f"{n}.{end}" for n in names for end in ("png", "pdf")}
+    assert files == {f"{name}.png" for name in names}
     for path in (made.folder / "figures").iterdir():
-        start = b"\x89PNG" if path.suffix == ".png" else b"%PDF"
-        assert path.read_bytes().startswith(start)
-        assert path.suffix == ".pdf" or path.stat().st_size < 150_000
-    assert set(re.findall(r"\((\S+)\.png, \.pdf\)", made.text)) == names
+        assert path.read_bytes().startswith(b"\x89PNG")
+        assert path.stat().st_size < 150_000
+    assert set(re.findall(r"\((\S+)\.png\)", made.text)) == names
 
 
 def test_each_figure_answers_the_question_above_it(made: Made) -> None:
     figures = re.findall(
         r'(?s)<h3>(.*?)</h3>\s*<img src="data:image/webp;base64,(.*?)" '
-        r'alt="(.*?)">.*?\((\S+)\.png, \.pdf\)',
+        r'alt="(.*?)">.*?\((\S+)\.png\)',
         made.text,
     )
     assert len(figures) == 4 + len(CASES) * (len(DRAWN) + 2)

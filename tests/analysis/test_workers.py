@@ -65,7 +65,7 @@ def test_any_number_of_processes_makes_the_same_report(
     for jobs in (1, 3):
         folder = tmp_path / str(jobs)
         with open_study(first) as study:
-            written = write_report(study, folder, jobs=jobs)
+            written = write_report(study, folder, has_pdf=True, jobs=jobs)
         assert sorted(written.figures) == sorted(
             (folder / "figures").iterdir()
         )
@@ -73,6 +73,7 @@ def test_any_number_of_processes_makes_the_same_report(
             [path.read_bytes() for path in (written.page, *written.figures)]
         )
     assert len(content[0]) > 20
+    assert sum(data.startswith(b"%PDF") for data in content[0]) > 9
     assert content[0] == content[1]
 
 

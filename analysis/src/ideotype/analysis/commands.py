@@ -45,7 +45,7 @@ def report(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(
         prog="ideotype-report",
         description="Writes one HTML page about all histories, which needs "
-        "nothing else to be viewed, and its figures as PNG and PDF; also "
+        "nothing else to be viewed, and its figures as files; also "
         "while they are being written.",
         epilog=_EXIT_CODES,
     )
@@ -69,6 +69,11 @@ def report(arguments: Sequence[str] | None = None) -> int:
         type=Path,
         metavar="FILE",
         help="what ideotype fidelity --json has written",
+    )
+    parser.add_argument(
+        "--pdf",
+        action="store_true",
+        help="write each figure as PDF too, besides PNG",
     )
     parser.add_argument(
         "-j",
@@ -139,6 +144,7 @@ def _report(options: argparse.Namespace, study: Study) -> None:
         fidelity=fidelity,
         command=shlex.join(["ideotype-report", *sys.argv[1:]]),
         progress=Progress(),
+        has_pdf=options.pdf,
         jobs=options.jobs or len(os.sched_getaffinity(0)),
     )
     size = written.page.stat().st_size / 1e6

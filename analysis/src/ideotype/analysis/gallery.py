@@ -42,14 +42,18 @@ _COLORS = 256
 
 
 def draw_all(
-    sections: Sequence[Section], folder: Path, run: Map, progress: Progress
+    sections: Sequence[Section],
+    folder: Path,
+    run: Map,
+    progress: Progress,
+    has_pdf: bool,
 ) -> list[Path]:
     """Puts pictures in the place of drawings, and returns their files, PNG
-    and PDF. `run` is map() or does the same."""
+    and, if wanted, PDF. `run` is map() or does the same."""
     folder.mkdir(parents=True, exist_ok=True)
     drawings = [b for s in sections for b in s.blocks if _is_drawing(b)]
     most = _BYTES / max(len(drawings), 1)
-    drawn = iter(run(partial(draw, folder, most), drawings))
+    drawn = iter(run(partial(draw, folder, most, has_pdf), drawings))
     parts = [s for s in sections if any(map(_is_drawing, s.blocks))]
     progress.start(len(parts))
     for section in parts:
@@ -64,7 +68,7 @@ def draw_all(
         for section in parts
         for block in section.blocks
         if isinstance(block, Picture)
-        for end in ("png", "pdf")
+        for end in ("png", "pdf")[: 1 + has_pdf]
     ]
 
 
@@ -72,7 +76,7 @@ def _is_drawing(block: Block) -> TypeGuard[Drawing]:
     return isinstance(block, Drawing)
 
 
-def draw(folder: Path, most: float, drawing: Drawing) -> Block:
+def draw(folder: Path, most: float, has_pdf: bool, drawing: Drawing) -> Block:
     """The picture, of about so many bytes in the page, and its files; or
     where the data are missing, a sentence that says so."""
     name = file_name(drawing.name)
@@ -83,16 +87,20 @@ def draw(folder: Path, most: float, drawing: Drawing) -> Block:
             return Note(f"{drawing.question} Not drawn: {reason}.")
         title, part = _entitle(figure, drawing.question)
         image = _painted(figure)
-        # Laid out once is enough, and the same in both files.
-        figure.set_layout_engine("none")
-        # Not savefig(), which draws it once more to lay it out.
-        canvas = FigureCanvasPdf(figure)
-        canvas.print_pdf(  # type: ignore[no-untyped-call]
-            folder / f"{name}.pdf", metadata={"CreationDate": None}
-        )
+        if has_pdf:
+            _write_pdf(figure, folder / f"{name}.pdf")
     (folder / f"{name}.png").write_bytes(_png(image))
     data = _small(_below(image, figure, title, part), most)
     return Picture(name, drawing.question, drawing.caption, data)
+
+
+def _write_pdf(figure: Figure, path: Path) -> None:
+    # Laid out once is enough, and the same in both files.
+    figure.set_layout_engine("none")
+    # Not savefig(), which draws it once more to lay it out.
+    FigureCanvasPdf(figure).print_pdf(  # type: ignore[no-untyped-call]
+        path, metadata={"CreationDate": None}
+    )
 
 
 def _entitle(figure: Figure, question: str) -> tuple[Text, float]:

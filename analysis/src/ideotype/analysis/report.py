@@ -83,11 +83,12 @@ def write_report(
     fidelity: Fidelity | None = None,
     command: str = "",
     progress: Progress | None = None,
+    has_pdf: bool = False,
     jobs: int = 1,
 ) -> Written:
     """Writes report.html and figures/ into the folder, over those of an
-    earlier report. `command` is what the page names as its origin. `jobs`
-    processes draw the figures; with several, a script needs
+    earlier report. `command` is what the page names as its origin. With
+    `has_pdf` each figure is a PDF file too, besides PNG. `jobs` processes draw the figures; with several, a script needs
     `if __name__ == "__main__":`.
 
     Raises HistoryError if nothing is evaluated in any history, OSError if
@@ -130,6 +131,7 @@ def write_report(
             folder / "figures",
             run,
             progress or Progress(io.StringIO()),
+            has_pdf,
         )
     page = folder / "report.html"
     fresh = page.with_suffix(".html.part")

@@ -41,7 +41,7 @@ RC: dict[Any, Any] = {
     "lines.linewidth": 1.5,
     "lines.markersize": 4.5,
     "errorbar.capsize": 2.0,
-    "pdf.fonttype": 3,
+    "pdf.fonttype": 42,
     "savefig.dpi": 200,
 }
 

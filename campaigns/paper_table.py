@@ -262,6 +262,10 @@ def draw(results: dict[tuple[str, Condition], Found], path: Path) -> None:
         axis.set_title(OBJECTIVES[objective][0], fontsize=9)
         axis.set_xlabel("gain over the baseline [%]")
         axis.set_xscale("symlog", linthresh=30)
+        highest = axis.get_xlim()[1]
+        ticks = [x for x in (0, 10, 20, 30, 50, 100, 300) if x < highest]
+        axis.set_xticks(ticks, [f"{x}" for x in ticks])
+        axis.minorticks_off()
     axes[0].set_yticks(range(len(wheres)), [x.title for x in wheres])
     axes[0].invert_yaxis()
     axes[0].legend(fontsize=7)

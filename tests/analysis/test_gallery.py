@@ -21,7 +21,9 @@ def test_figures_for_documents_are_small(tmp_path: Path) -> None:
         figure.add_subplot().imshow(random.random((500, 500)))
         return figure
 
-    picture = draw(tmp_path, 1e6, Drawing("noise", "Is it noise?", "", noise))
+    picture = draw(
+        tmp_path, 1e6, False, Drawing("noise", "Is it noise?", "", noise)
+    )
     assert isinstance(picture, Picture)
     assert (tmp_path / "noise.png").stat().st_size <= 150_000
     with Image.open(tmp_path / "noise.png") as image:
@@ -37,7 +39,7 @@ def test_a_figure_of_any_width_is_painted_upright(tmp_path: Path) -> None:
         )
         return figure
 
-    draw(tmp_path, 1e6, Drawing("half", "Is it upright?", "", half))
+    draw(tmp_path, 1e6, False, Drawing("half", "Is it upright?", "", half))
     with Image.open(tmp_path / "half.png") as image:
         assert abs(image.width - 1140) < 2
         grey = np.asarray(image.convert("L"))

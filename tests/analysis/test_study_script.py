@@ -21,11 +21,14 @@ PLACES = "# Results\n\n" + "\n".join(
 )
 
 
-def run(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
+def run(
+    folder: Path, *words: str, results: Path | None = None
+) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
         [
             *(sys.executable, CAMPAIGNS / "study.py", folder / "study"),
-            *("--short", "--results", folder / "RESULTS.md", *words),
+            *("--short", "--results", results or folder / "RESULTS.md"),
+            *words,
         ],
         env=os.environ | {"IDEOTYPE_EXECUTABLE": executable()},
         capture_output=True,
@@ -61,8 +64,17 @@ def test_a_number_that_histories_do_not_say_is_found(tmp_path: Path) -> None:
     assert changed in results.read_text()
 
 
+def test_the_small_study_of_results_is_what_histories_say(
+    tmp_path: Path,
+) -> None:
+    quoted = CAMPAIGNS / "RESULTS.md"
+    done = run(tmp_path, "--only", "erect_tops", "--check", results=quoted)
+    assert done.returncode == 0, done.stderr
+
+
 def test_a_place_that_is_missing_is_told(tmp_path: Path) -> None:
     (tmp_path / "RESULTS.md").write_text("# Results\n")
     done = run(tmp_path, "--only", "plants_differ")
     assert done.returncode != 0
-    assert "has no place for plants_differ" in done.stderr
+    assert "has no place" in done.stderr
+    assert "<!-- short study: plants_differ -->" in done.stderr

@@ -14,10 +14,15 @@ head -1 old.csv | grep -q ",absorbed_by_source_beam_MJ_per_m2_per_day," ||
     fail "$(head -1 old.csv)"
 expect 0 "$ideotype" export "$old" --best --to bred.toml
 grep -q "^insertion_angle = " bred.toml || fail "$(cat bred.toml)"
-# Its campaign has the names of version 0.1. Light has changed a little since.
+# Its campaign has the names of version 0.1. Light has changed a little since. It
+# was evaluated with AVX-512, which not every processor has.
 "$ideotype" evaluate "$old" --best >out.log 2>&1 || [ $? -eq 1 ] ||
     fail "$(cat out.log)"
-says "final slot [12]: \(agrees bit for bit with\|DIFFERS from\) the history"
+if "$ideotype" --version | grep -q "instruction sets .*avx512"; then
+    says "final slot [12]: \(agrees bit for bit with\|DIFFERS from\) the history"
+else
+    says "this processor has no instruction set 'avx512'"
+fi
 cp "$old" packed.h5
 expect 0 "$ideotype" pack packed.h5
 says "is packed already"

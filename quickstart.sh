@@ -11,7 +11,7 @@ install_packages
 cmake --preset release >build-release.log 2>&1 || { cat build-release.log; exit 1; }
 cmake --build --preset release
 rm -f build-release.log
-install_python
+install_python release
 
 campaign=campaigns/ames_quick.toml
 out=${1:-results}

@@ -16,6 +16,12 @@ from made_kinds import Measured
 from real_program import run_shortened, start
 
 HERE = Path(__file__).parent
+LONG = ("test_study_script.py", "test_manual.py", "test_examples.py")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Files that take longest begin first, so that none is left for the end."""
+    items.sort(key=lambda item: item.path.name not in LONG)
 
 
 class WriterProcess:

@@ -11,6 +11,7 @@
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/hash.hpp"
 #include "sample_campaign.hpp"
+#include "temporary_folder.hpp"
 
 namespace ideotype {
 
@@ -114,7 +115,7 @@ TEST(Campaign, PlantsAreWrittenAsTheyAreRead) {
     EXPECT_EQ(b73.leaves.size(), 10u);
     const std::string text = crop_text(campaign, b73);
     EXPECT_EQ(text, crop_text(campaign, campaign.crop.baseline));
-    const std::string path = ::testing::TempDir() + "again.toml";
+    const std::string path = temporary_file("again.toml");
     std::ofstream(path) << text;
     const Plant again = read_plant(path);
     EXPECT_EQ(crop_text(campaign, again), text);

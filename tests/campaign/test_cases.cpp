@@ -7,6 +7,7 @@
 
 #include "ideotype/core/error.hpp"
 #include "sample_campaign.hpp"
+#include "temporary_folder.hpp"
 
 namespace ideotype {
 
@@ -35,7 +36,7 @@ TEST(Cases, ARuleOfBoundsMayChooseTheTraitsThatAreBred) {
         "plant = 0.15\n[plant]\nbaseline = \"" IDEOTYPE_CAMPAIGNS
         "/crops/maize.toml\"\nbounds = ";
     const auto bred = [&](const std::string& rule) {
-        const std::string path = ::testing::TempDir() + rule + ".toml";
+        const std::string path = temporary_file(rule + ".toml");
         std::ofstream(path) << text << '"' << rule << "\"\n";
         return cases(read_campaign(path)).front().traits;
     };

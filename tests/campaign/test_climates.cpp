@@ -8,6 +8,7 @@
 
 #include "ideotype/core/error.hpp"
 #include "sample_campaign.hpp"
+#include "temporary_folder.hpp"
 
 namespace ideotype {
 
@@ -73,7 +74,7 @@ TEST(Climates, ResolvedCampaignsNeedNoFile) {
 }
 
 TEST(Climates, SitesMayHaveFilesOfTheirOwn) {
-    const std::string other = fs::temp_directory_path() / "own_weather.toml";
+    const std::string other = temporary_file("own_weather.toml");
     std::string text;
     {
         std::ifstream in(folder / "bondville.toml");
@@ -86,7 +87,6 @@ TEST(Climates, SitesMayHaveFilesOfTheirOwn) {
     text = with(text, "crops/", (folder / "crops/").string());
     std::ofstream(other) << text;
     const Campaign campaign = read_campaign(other);
-    fs::remove(other);
     EXPECT_NE(campaign.resolved.find("weather = \"" + file), std::string::npos);
     // The place decides the sun, not its height the measured light.
     const Campaign usual = bondville();

@@ -6,6 +6,7 @@
 
 #include "ideotype/campaign/migration.hpp"
 #include "sample_campaign.hpp"
+#include "temporary_folder.hpp"
 
 namespace ideotype {
 
@@ -67,7 +68,7 @@ TEST(Migration, ACampaignOfVersion01BecomesTheSameOfThisVersion) {
 TEST(Migration, TheCampaignOfAHistoryOfFormat10IsThatOfItsMigratedFile) {
     const std::string stored =
         content(IDEOTYPE_TEST_DATA "/campaign/resolved_1_0.toml");
-    const std::string file = testing::TempDir() + "/migrated_sample.toml";
+    const std::string file = temporary_file("migrated_sample.toml");
     std::ofstream(file) << replaced(
         text_of(content(IDEOTYPE_TEST_DATA "/history/sample.toml")), "../../..",
         IDEOTYPE_TEST_DATA "/../..");

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -10,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ideotype/stand/mesh_study.hpp"
+#include "temporary_folder.hpp"
 
 namespace ideotype {
 namespace {
@@ -22,10 +22,9 @@ std::string data(const std::string& name) {
 
 //! A file with this [photosynthesis] table.
 std::string table(const std::string& name, const std::string& keys) {
-    const auto path =
-        std::filesystem::path(testing::TempDir()) / (name + ".toml");
+    const std::string path = temporary_file(name + ".toml");
     std::ofstream(path) << "[photosynthesis]\n" << keys;
-    return path.string();
+    return path;
 }
 
 MeshOptions mesh(const std::string& name, MeshOptions::Period period) {
@@ -270,8 +269,7 @@ TEST(Assimilation, OfWeakLeavesCountsThoseInTheSun) {
 
 //! The weather of Bondville to a day.
 std::string season(const std::string& to) {
-    const auto path =
-        std::filesystem::path(testing::TempDir()) / ("to_" + to + ".toml");
+    const std::string path = temporary_file("to_" + to + ".toml");
     std::ofstream(path) << fmt::format(
         "[site]\nlatitude = 40.05\nlongitude = -88.37\nutc_offset = -6\n"
         "elevation = 213\n[climate]\nfile = \"{}/weather/"
@@ -281,7 +279,7 @@ std::string season(const std::string& to) {
         "diffuse_fraction = [\"diffuse_fraction_erbs\", \"1\"]\n"
         "temperature = [\"temp_c\", \"C\"]\nhumidity = [\"rh\", \"1\"]\n",
         IDEOTYPE_CAMPAIGNS, to);
-    return path.string();
+    return path;
 }
 
 TEST(Assimilation, ByCollatzFollowsTheWeather) {
@@ -325,7 +323,7 @@ TEST(Assimilation, OfASeasonIsThatOfItsHours) {
 //! Two sheets over half of the ground each, side by side, in these groups.
 MeshOptions halves(const std::string& first, const std::string& second) {
     MeshOptions options = mesh("sheets1", {1, 1});
-    options.path = testing::TempDir() + "two_groups.obj";
+    options.path = temporary_file("two_groups.obj");
     std::ofstream(options.path)
         << "v 0 0 1\nv .5 0 1\nv .5 1 1\nv 0 1 1\nv 1 0 1\nv 1 1 1\n"
         << "g " << first << "\nf 1 2 3 4\ng " << second << "\nf 2 5 6 3\n";

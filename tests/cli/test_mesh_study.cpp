@@ -6,6 +6,7 @@
 
 #include "ideotype/canopy/quantities.hpp"
 #include "ideotype/stand/mesh_study.hpp"
+#include "temporary_folder.hpp"
 
 namespace ideotype {
 namespace {
@@ -88,7 +89,7 @@ TEST(MeshStudy, ExtinctionOfBlackHorizontalLeavesIsThatOfBeersLaw) {
 
 TEST(MeshStudy, StalksAreNoLeavesAndHaveTheirOwnOptics) {
     // A sheet of leaf over half of the ground, one of stalk over the other.
-    const std::string path = testing::TempDir() + "halves.obj";
+    const std::string path = temporary_file("halves.obj");
     std::ofstream(path) << "v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
                            "v .5 0 1\nv .5 1 1\n"
                            "g plant001_leaf01\nf 1 5 6 4\n"
@@ -111,7 +112,7 @@ TEST(MeshStudy, StalksAreNoLeavesAndHaveTheirOwnOptics) {
 }
 
 TEST(MeshStudy, AMeshInCentimetresIsWarnedOf) {
-    const std::string path = testing::TempDir() + "tall.obj";
+    const std::string path = temporary_file("tall.obj");
     const auto warnings = [&](double height) {
         std::ofstream(path)
             << "v 0 0 0\nv 1 0 0\nv 0 1 " << height << "\nf 1 2 3\n";

@@ -9,6 +9,7 @@
 
 #include "ideotype/canopy/quantities.hpp"
 #include "ideotype/fidelity/choice.hpp"
+#include "temporary_folder.hpp"
 
 namespace ideotype {
 namespace {
@@ -268,7 +269,7 @@ TEST(FidelityOfAssimilation, DatesOfASeasonAreTradedForTheObjective) {
     replace("to = 2011-09-20", "to = 2011-07-24");
     replace("\"weather/", '"' + folder + "/weather/");
     replace("\"crops/", '"' + folder + "/crops/");
-    const std::string path = testing::TempDir() + "fidelity_season.toml";
+    const std::string path = temporary_file("fidelity_season.toml");
     std::ofstream(path) << text
                         << "\n[objective]\nmaximise = \"carbon_balance\"\n";
     Campaign campaign = read_campaign(path);

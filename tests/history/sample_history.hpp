@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <filesystem>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -11,29 +10,9 @@
 
 #include "ideotype/core/quantity.hpp"
 #include "ideotype/history/history.hpp"
+#include "temporary_folder.hpp"
 
 namespace ideotype {
-
-//! A folder of its own for each test, removed with everything in it.
-class Folder {
-  public:
-    Folder() {
-        std::string name =
-            (std::filesystem::temp_directory_path() / "history-XXXXXX")
-                .string();
-        path_ = mkdtemp(name.data());
-    }
-    ~Folder() { std::filesystem::remove_all(path_); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    std::string operator/(const std::string& name) const {
-        return (path_ / name).string();
-    }
-
-  private:
-    std::filesystem::path path_;
-};
 
 //! 3 genes, 1 objective, a quantity along leaves; 4 slots, 5 generations, 3
 //! finalists.

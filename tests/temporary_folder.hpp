@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+//! Where tests write: they run at the same time.
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+namespace ideotype {
+
+//! A new folder that is removed with everything in it.
+class Folder {
+  public:
+    Folder() {
+        std::string name =
+            (std::filesystem::temp_directory_path() / "ideotype-XXXXXX")
+                .string();
+        path_ = mkdtemp(name.data());
+    }
+    ~Folder() { std::filesystem::remove_all(path_); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    std::string operator/(const std::string& name) const {
+        return (path_ / name).string();
+    }
+
+  private:
+    std::filesystem::path path_;
+};
+
+//! In a folder of this process.
+inline std::string temporary_file(const std::string& name) {
+    static const Folder folder;
+    return folder / name;
+}
+
+}  // namespace ideotype

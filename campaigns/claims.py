@@ -5,18 +5,17 @@
 claims.py FOLDER --table PAPER_TABLE [--evaluations N] [--seeds N] [--rough]
 
 Looks at each claim in four set-ups: that of the paper (a plot alone, lit from its sides,
-with the bare stalk of its plant, absorbed PAR), and a stand without end under absorbed PAR,
-net assimilation of a clear day, and the carbon balance of a season. The plants of the stand
-are the better ones that paper_table.py has bred by the genetic algorithm and by CMA-ES in the
-folder PAPER_TABLE; those of the plot are bred in FOLDER by the genetic algorithm, as in the
-paper. Gains and losses are in % with standard errors, of
-seeds where there are several. Searches that are there already are not repeated;
-interrupted ones go on. --rough is for tests. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+with the bare stalk of its plant, absorbed PAR), and a stand without end under absorbed
+PAR, net assimilation of a clear day, and the carbon balance of a season. The plants of
+the stand are the better ones that paper_table.py has bred by the genetic algorithm and by
+CMA-ES in the folder PAPER_TABLE; those of the plot are bred in FOLDER by the genetic
+algorithm, as in the paper. Gains and losses are in % with standard errors, of seeds where
+there are several. Searches that are there already are not repeated; interrupted ones go
+on. --rough is for tests. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
 """
 
 from __future__ import annotations
 
-import argparse
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -35,6 +34,8 @@ from shared import (
     leaves,
     light,
     mean_over_seeds,
+    parser_of_searches,
+    print_table,
     with_trait,
 )  # fmt: skip
 
@@ -252,16 +253,11 @@ CLAIMS: dict[str, Callable[[SetUp], str]] = {
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("folder", type=Path)
+    parser = parser_of_searches(__doc__, evaluations=2500, seeds=3)
     parser.add_argument("--table", type=Path, required=True)
     titles = [PLOT, *STANDS]
     parser.add_argument("--set-up", nargs="+", choices=titles, default=titles)
-    parser.add_argument("--evaluations", type=int, default=2500)
-    parser.add_argument("--seeds", type=int, default=3)
-    parser.add_argument("--rough", action="store_true")
     options = parser.parse_args()
-    options.folder.mkdir(parents=True, exist_ok=True)
     searches = {
         "evaluations": options.evaluations,
         "seeds": options.seeds,
@@ -273,7 +269,7 @@ def main() -> None:
         title=PLOT,
         objective="absorbed_par",
         elite=PLANTS / "elite_v01.toml",
-        folder=options.folder.resolve(),
+        folder=options.folder,
         is_plot=True,
         **searches,
     )
@@ -283,12 +279,11 @@ def main() -> None:
         else SetUp(title, STANDS[title], elite, table, **searches)
         for title in options.set_up
     ]
-    titles = " | ".join(x.title for x in set_ups)
-    print(f"| claim | {titles} |\n|---|" + "---|" * len(set_ups))
+    rows = []
     for claim, look in CLAIMS.items():
         print(claim, file=sys.stderr, flush=True)
-        cells = " | ".join(look(set_up) for set_up in set_ups)
-        print(f"| {claim} | {cells} |", flush=True)
+        rows.append([claim, *(look(set_up) for set_up in set_ups)])
+    print_table(["claim", *(x.title for x in set_ups)], rows)
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ import csv
 import math
 import tomllib
 from datetime import date, time
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -76,8 +77,9 @@ def half_day(latitude: float, day: date) -> float:
     return math.degrees(math.acos(min(1.0, max(-1.0, x)))) / 15
 
 
-def overcast_day(latitude: float, folder: Path) -> dict[str, Any]:
-    """A [[climate]] of one day without any direct light."""
+@cache
+def overcast_file(latitude: float, folder: Path) -> Path:
+    """A weather file of one day without any direct light."""
     path = folder / f"overcast_{latitude:g}.csv"
     hours = np.arange(24) + 0.5
     light = OVERCAST_SHARE * light_outside(latitude, DAY, hours)
@@ -86,9 +88,14 @@ def overcast_day(latitude: float, folder: Path) -> dict[str, Any]:
         rows.writerow(["time", "global", "diffuse_fraction", "temperature"])
         for hour, each in enumerate(light):
             rows.writerow([f"{DAY}T{hour:02}:30", round(each, 3), 1, 25])
+    return path
+
+
+def overcast_day(latitude: float, folder: Path) -> dict[str, Any]:
+    """A [[climate]] of one day without any direct light."""
     return {
         "name": "overcast",
-        "file": str(path),
+        "file": str(overcast_file(latitude, folder)),
         "from": DAY,
         "to": DAY,
         "time": ["time"],
@@ -99,6 +106,7 @@ def overcast_day(latitude: float, folder: Path) -> dict[str, Any]:
     }
 
 
+@cache
 def moved_season(latitude: float, folder: Path) -> Path:
     """A weather file: the season of Bondville under the sun of another latitude.
 

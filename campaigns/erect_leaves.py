@@ -29,6 +29,7 @@ from shared import (
     guard,
     leaves,
     light,
+    print_table,
     stand_of,
     with_trait,
 )  # fmt: skip
@@ -109,18 +110,18 @@ def main() -> None:
         "--densities", nargs="+", type=float, default=DENSITIES
     )
     options = parser.parse_args()
-    rows = [gains(options.under, density) for density in options.densities]
-    titles = " | ".join(
+    columns = [gains(options.under, density) for density in options.densities]
+    titles = [
         f"{density:g} m-2, LAI {PLANT_AREA * density:.1f}"
         for density in options.densities
-    )
-    print(f"| gross assimilation [%] | {titles} |")
-    print("|---|" + "---|" * len(options.densities))
-    for name, each in zip(VARIANTS, zip(*rows, strict=True), strict=True):
-        cells = " | ".join(
-            f"{mean:+.1f} ± {error:.1f}" for mean, error in each
+    ]
+    rows = [
+        [name, *(f"{mean:+.1f} ± {error:.1f}" for mean, error in each)]
+        for name, each in zip(
+            VARIANTS, zip(*columns, strict=True), strict=True
         )
-        print(f"| {name} | {cells} |")
+    ]
+    print_table(["gross assimilation [%]", *titles], rows)
 
 
 if __name__ == "__main__":

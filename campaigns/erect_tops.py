@@ -25,7 +25,6 @@ leaves dilute ("nitrogen"), or the leaf area of the baseline ("area").
 
 from __future__ import annotations
 
-import argparse
 import math
 import sys
 from collections.abc import Iterator, Sequence
@@ -49,6 +48,9 @@ from shared import (
     guard,
     light,
     mean_over_seeds,
+    parser_of_searches,
+    print_table,
+    sign_change,
 )  # fmt: skip
 
 from ideotype import Stand
@@ -162,44 +164,37 @@ def sign_changes(
 
 
 def line(
-    one: Estimate, other: Estimate, densities: Sequence[float]
+    results: dict[Condition, list[Estimate]], one: Condition, other: Condition
 ) -> Estimate:
     """Where the difference is zero between two densities [m-2], by a straight
     line over the logarithm of density."""
-    (a, da), (b, db) = one, other
-    width = math.log(densities[1] / densities[0])
-    share = a / (a - b)
-    error = math.hypot(b * da, a * db) / (a - b) ** 2 * width
-    at = densities[0] * math.exp(share * width)
-    return at, at * error
+    low, high = (
+        (math.log(x.density), mean_over_seeds(results[x]))
+        for x in (one, other)
+    )
+    at, error = sign_change(low, high)
+    return math.exp(at), math.exp(at) * error
 
 
-def print_table(
+def tell(
     results: dict[Condition, list[Estimate]], densities: Sequence[float]
 ) -> None:
-    titles = " | ".join(f"{density:g} m-2" for density in densities)
-    print(f"| light | limit | latitude | {titles} | pays from |")
-    print("|---|---|---|" + "---|" * (len(densities) + 1))
     lines = {
-        (one.light, one.limit, one.latitude): line(
-            mean_over_seeds(results[one]),
-            mean_over_seeds(results[other]),
-            (one.density, other.density),
-        )
+        (one.light, one.limit, one.latitude): line(results, one, other)
         for one, other in sign_changes(results)
     }
+    rows = []
     for key in sorted({(x.light, x.limit, x.latitude) for x in results}):
-        cells = []
+        row = [key[0], key[1], f"{key[2]:g}"]
         for density in densities:
             mean, error = mean_over_seeds(results[Condition(*key, density)])
-            cells.append(f"{mean:+.1f} ± {error:.1f}")
+            row.append(f"{mean:+.1f} ± {error:.1f}")
         pays = (
             "{:.1f} ± {:.1f} m-2".format(*lines[key]) if key in lines else ""
         )
-        print(
-            f"| {key[0]} | {key[1]} | {key[2]:g} | {' | '.join(cells)} "
-            f"| {pays} |"
-        )
+        rows.append([*row, pays])
+    titles = [f"{density:g} m-2" for density in densities]
+    print_table(["light", "limit", "latitude", *titles, "pays from"], rows)
 
 
 def draw(results: dict[Condition, list[Estimate]], path: Path) -> None:
@@ -241,8 +236,7 @@ def draw(results: dict[Condition, list[Estimate]], path: Path) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("folder", type=Path)
+    parser = parser_of_searches(__doc__, generations=30, seeds=3)
     parser.add_argument("--figure", type=Path)
     parser.add_argument("--light", nargs="+", choices=LIGHTS, default=LIGHTS)
     parser.add_argument("--limit", nargs="+", choices=LIMITS, default=LIMITS)
@@ -252,12 +246,7 @@ def main() -> None:
     parser.add_argument(
         "--latitudes", nargs="+", type=float, default=LATITUDES
     )
-    parser.add_argument("--generations", type=int, default=30)
-    parser.add_argument("--seeds", type=int, default=3)
-    parser.add_argument("--rough", action="store_true")
     options = parser.parse_args()
-    folder = options.folder.resolve()
-    folder.mkdir(parents=True, exist_ok=True)
     wanted = [
         Condition(of_light, limit, latitude, density)
         for of_light, limit in product(options.light, options.limit)
@@ -269,13 +258,13 @@ def main() -> None:
 
     def look(where: Condition, seeds: int) -> list[Estimate]:
         print(f"{where.name}: {seeds} seeds", file=sys.stderr, flush=True)
-        tables = campaign(where, folder, options.rough)
-        return difference(tables, folder, options.generations, seeds)
+        tables = campaign(where, options.folder, options.rough)
+        return difference(tables, options.folder, options.generations, seeds)
 
     results = {where: look(where, 1) for where in wanted}
     for where in sorted({x for pair in sign_changes(results) for x in pair}):
         results[where] = look(where, options.seeds)
-    print_table(results, options.densities)
+    tell(results, options.densities)
     if options.figure:
         draw(results, options.figure)
 

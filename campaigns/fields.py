@@ -145,14 +145,3 @@ def dry_matter(x: Measured) -> Estimate:
     assimilated, error = x["gross_assimilation"]
     share = CARBOHYDRATE / BUILDING / x["absorbed_par"][0]
     return (assimilated - x["respiration"][0]) * share, error * share
-
-
-def sign_change(
-    low: tuple[float, Estimate], high: tuple[float, Estimate]
-) -> Estimate:
-    """Where a line through two points is zero."""
-    (x, (y, error)), (x2, (y2, error2)) = low, high
-    slope = (y2 - y) / (x2 - x)
-    weight = -y / (y2 - y)
-    error = math.hypot((1 - weight) * error, weight * error2)
-    return x - y / slope, error / abs(slope)

@@ -30,10 +30,11 @@ from matplotlib.axes import Axes
 from shared import (
     BREEDABLE,
     ROUGH,
-    Estimate,
     Numbers,
     breed_tables,
+    estimate,
     guard,
+    parser_of_searches,
     print_table,
 )  # fmt: skip
 
@@ -102,10 +103,10 @@ def members(history: Path) -> Numbers:
     return front.members.genome
 
 
-def find(folder: Path, options: argparse.Namespace) -> Found:
+def find(options: argparse.Namespace) -> Found:
     tables = campaign(options)
     stand = Stand(tables)
-    bred = [members(path) for path in breed_tables(tables, folder)]
+    bred = [members(path) for path in breed_tables(tables, options.folder)]
     seed = np.repeat(np.arange(len(bred)), [len(plants) for plants in bred])
     genomes = np.vstack([*bred, stand.baseline])
     values = stand.evaluate(genomes, ["lai"], final=True)
@@ -122,11 +123,6 @@ def find(folder: Path, options: argparse.Namespace) -> Found:
         *(stand, genomes[order], lai[order], carbon[order], is_front),
         seed=seed[order[:-1]],
     )
-
-
-def estimate(values: Numbers) -> Estimate:
-    error = values.std(ddof=1) / math.sqrt(len(values))
-    return float(values.mean()), float(error)
 
 
 def angles(found: Found, plant: int) -> list[str]:
@@ -149,11 +145,12 @@ def top(found: Found) -> tuple[float, float, float]:
 
 def tell(found: Found) -> None:
     chosen = found.shown(SHOWN)
-    rows = {"baseline": row(found, len(found.lai) - 1, None)}
+    rows = [["baseline", *row(found, len(found.lai) - 1, None)]]
     for number, plant in enumerate(chosen, 1):
         before = chosen[number - 2] if number > 1 else None
-        rows[str(number)] = row(found, plant, before)
-    columns = [
+        rows.append([str(number), *row(found, plant, before)])
+    titles = [
+        "plant",
         "leaf area index",
         f"carbon balance [{found.unit}]",
         "per leaf area",
@@ -161,7 +158,7 @@ def tell(found: Found) -> None:
         "insertion angle of the upper 4 leaves [deg]",
         "of the lower 4",
     ]
-    print_table("plant", columns, rows)
+    print_table(titles, rows)
     carbon = found.carbon[:-1].mean(1)
     by_seed = [
         found.lai[np.where(found.seed == seed, carbon, 0).argmax()]
@@ -179,12 +176,13 @@ def row(found: Found, plant: int, before: int | None) -> list[str]:
     more = ""
     if before is not None:
         step = lai - found.lai[before]
-        mean, error = estimate((carbon - found.carbon[before]) / step)
+        steps = (carbon - found.carbon[before]) / step
+        mean, error = estimate(steps.tolist())
         more = f"{mean:+.3f} ± {error:.3f}"
     return [
         f"{lai:.2f}",
-        "{:.3f} ± {:.3f}".format(*estimate(carbon)),
-        "{:.3f} ± {:.3f}".format(*estimate(carbon / lai)),
+        "{:.3f} ± {:.3f}".format(*estimate(carbon.tolist())),
+        "{:.3f} ± {:.3f}".format(*estimate((carbon / lai).tolist())),
         more,
         *angles(found, plant),
     ]
@@ -234,16 +232,10 @@ def draw_plants(found: Found, panels: list[Axes], shown: list[int]) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("folder", type=Path)
+    parser = parser_of_searches(__doc__, generations=60, seeds=2)
     parser.add_argument("--figure", type=Path)
-    parser.add_argument("--generations", type=int, default=60)
-    parser.add_argument("--seeds", type=int, default=2)
-    parser.add_argument("--rough", action="store_true")
     options = parser.parse_args()
-    folder = options.folder.resolve()
-    folder.mkdir(parents=True, exist_ok=True)
-    found = find(folder, options)
+    found = find(options)
     tell(found)
     if options.figure:
         draw(found, options.figure)

@@ -7,26 +7,24 @@ paper_table.py FOLDER [--figure FILE.png] [--objective NAME...] [--condition NAM
                [--evaluations N] [--seeds N] [--other-seeds N] [--rough]
 
 Breeds crops/maize.toml with four sets of traits, at five latitudes and at six spacings
-(bounds "paper", the others as in the first condition: all traits, 42 deg north, rows of 30
-inches, plants 6 inches apart) for absorbed PAR and net assimilation of a clear day, and for
-the carbon balance of a season, by random search, the genetic algorithm and CMA-ES with as
-many evaluations each. Evaluates the best plants again, all with the same random numbers,
-and prints gains over the baseline [%] with standard errors, leaf area, and the gain per leaf
-area. The first condition has more seeds than the others. The season is that of Bondville,
-Illinois, 40 deg north in the place of 42, and moved to the other latitudes
-(climates.moved_season); its field repeats after 8 plants instead of 16. Searches that are in FOLDER already are not repeated;
-interrupted ones go on. --rough is for tests. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+(bounds "paper", the others as in the first condition: all traits, 42 deg north, rows of
+30 inches, plants 6 inches apart) for absorbed PAR and net assimilation of a clear day,
+and for the carbon balance of a season, by random search, the genetic algorithm and CMA-ES
+with as many evaluations each. Evaluates the best plants again, all with the same random
+numbers, and prints gains over the baseline [%] with standard errors, leaf area, and the
+gain per leaf area. The first condition has more seeds than the others. The season is that
+of Bondville, Illinois, 40 deg north in the place of 42, and moved to the other latitudes
+(climates.moved_season); its field repeats after 8 plants instead of 16. Searches that are
+in FOLDER already are not repeated; interrupted ones go on. --rough is for tests.
+IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
 """
 
 from __future__ import annotations
 
-import argparse
 import sys
-from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import product
 from pathlib import Path
-from statistics import fmean, stdev
 from typing import Any
 
 import numpy as np
@@ -34,13 +32,17 @@ from climates import CLEAR_DAY, bondville, moved_season, season, site
 from shared import (
     MAIZE,
     ROUGH,
+    TITLES,
     Estimate,
     Numbers,
     best,
     breed_tables,
+    estimate,
     gain,
     guard,
     mean_over_seeds,
+    parser_of_searches,
+    print_table,
 )  # fmt: skip
 
 from ideotype import Stand
@@ -82,10 +84,10 @@ CONDITIONS = (
         for row, plant in ((15, 3), (15, 6), (20, 3), (20, 6), (30, 3))
     ),
 )  # fmt: skip
-OBJECTIVES = {
-    "absorbed_par": ("absorbed PAR, clear day", "MJ m-2 day-1"),
-    "net_assimilation": ("net assimilation, clear day", "mol m-2 day-1"),
-    "carbon_balance": ("carbon balance, season", "mol m-2 day-1"),
+UNITS = {
+    "absorbed_par": "MJ m-2 day-1",
+    "net_assimilation": "mol m-2 day-1",
+    "carbon_balance": "mol m-2 day-1",
 }
 #: title, and plants of a generation
 SEARCHES = {
@@ -174,10 +176,7 @@ def find(
         gains[search].append(gain(baseline, each))
     first = int(values[1:].mean(1).argmax()) + 1
     return Found(
-        baseline=(
-            fmean(baseline),
-            stdev(baseline) / len(baseline) ** 0.5,
-        ),
+        baseline=estimate(baseline),
         gains=gains,
         lai=float(lai[first]),
         gain_per_leaf_area=gain(
@@ -192,54 +191,45 @@ def told(values: list[Estimate]) -> str:
     return f"{mean:.1f} ± {error:.1f}"
 
 
-def rows(
-    results: dict[tuple[str, Condition], Found],
-) -> Iterator[str]:
-    searches = " | ".join(f"{title} [%]" for title, _ in SEARCHES.values())
-    for objective, (title, unit) in OBJECTIVES.items():
-        chosen = {
-            where: found
-            for (name, where), found in results.items()
-            if name == objective
-        }
-        if not chosen:
-            continue
-        yield f"**{title}**\n"
-        yield (
-            f"| condition | baseline [{unit}] | {searches} "
-            "| LAI of the best | its gain per leaf area [%] |"
+def row(where: Condition, found: Found) -> list[str]:
+    return [
+        where.title,
+        "{:.3f} ± {:.3f}".format(*found.baseline),
+        *(told(found.gains[search]) for search in SEARCHES),
+        f"{found.lai:.1f}",
+        "{:+.1f} ± {:.1f}".format(*found.gain_per_leaf_area),
+    ]
+
+
+def tell(results: dict[tuple[str, Condition], Found]) -> None:
+    searches = [title for title, _ in SEARCHES.values()]
+    for objective in dict.fromkeys(name for name, _ in results):
+        print(f"**{TITLES[objective]}**\n")
+        titles = ["condition", f"baseline [{UNITS[objective]}]"]
+        titles += [f"{search} [%]" for search in searches]
+        titles += ["LAI of the best", "its gain per leaf area [%]"]
+        print_table(
+            titles,
+            [
+                row(where, found)
+                for (name, where), found in results.items()
+                if name == objective
+            ],
         )
-        yield "|---|---|---|---|---|---|---|"
-        for where, found in chosen.items():
-            gains = " | ".join(told(found.gains[x]) for x in SEARCHES)
-            yield (
-                f"| {where.title} | {found.baseline[0]:.3f} ± "
-                f"{found.baseline[1]:.3f} | {gains} | {found.lai:.1f} "
-                f"| {found.gain_per_leaf_area[0]:+.1f} ± "
-                f"{found.gain_per_leaf_area[1]:.1f} |"
-            )
-        yield ""
-
-
-def rows_of_seeds(
-    results: dict[tuple[str, Condition], Found],
-) -> Iterator[str]:
-    yield f"Gain by seed [%], {FIRST.title}\n"
-    titles = " | ".join(title for title, _ in SEARCHES.values())
-    yield f"| objective | {titles} |"
-    yield "|---|---|---|---|"
+        print()
+    print(f"Gain by seed [%], {FIRST.title}\n")
+    by_seed = []
     for (objective, where), found in results.items():
         if where == FIRST:
-            cells = " | ".join(
-                ", ".join(f"{mean:.1f}" for mean, _ in found.gains[x])
-                for x in SEARCHES
-            )
-            yield f"| {OBJECTIVES[objective][0]} | {cells} |"
+            gains = (found.gains[search] for search in SEARCHES)
+            cells = (", ".join(f"{x:.1f}" for x, _ in each) for each in gains)
+            by_seed.append([TITLES[objective], *cells])
+    print_table(["objective", *searches], by_seed)
 
 
 def draw(results: dict[tuple[str, Condition], Found], path: Path) -> None:
     wheres = list(dict.fromkeys(where for _, where in results))
-    names = [x for x in OBJECTIVES if any(x == name for name, _ in results)]
+    names = list(dict.fromkeys(name for name, _ in results))
     figure = new_figure(4 * len(names), 0.5 + 0.4 * len(wheres))
     figure.suptitle("How much can breeding gain, and which search finds it?")
     axes = figure.subplots(1, len(names), sharey=True, squeeze=False)[0]
@@ -259,7 +249,7 @@ def draw(results: dict[tuple[str, Condition], Found], path: Path) -> None:
                 marker=marker,
                 label=title,
             )
-        axis.set_title(OBJECTIVES[objective][0], fontsize=9)
+        axis.set_title(TITLES[objective], fontsize=9)
         axis.set_xlabel("gain over the baseline [%]")
         axis.set_xscale("symlog", linthresh=30)
         highest = axis.get_xlim()[1]
@@ -273,22 +263,15 @@ def draw(results: dict[tuple[str, Condition], Found], path: Path) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("folder", type=Path)
-    parser.add_argument("--figure", type=Path)
-    parser.add_argument(
-        "--objective", nargs="+", choices=OBJECTIVES, default=OBJECTIVES
+    parser = parser_of_searches(
+        __doc__, evaluations=2500, seeds=3, other_seeds=1
     )
+    parser.add_argument("--figure", type=Path)
+    parser.add_argument("--objective", nargs="+", choices=UNITS, default=UNITS)
     parser.add_argument(
         "--condition", nargs="+", choices=[x.name for x in CONDITIONS]
     )
-    parser.add_argument("--evaluations", type=int, default=2500)
-    parser.add_argument("--seeds", type=int, default=3)
-    parser.add_argument("--other-seeds", type=int, default=1)
-    parser.add_argument("--rough", action="store_true")
     options = parser.parse_args()
-    folder = options.folder.resolve()
-    folder.mkdir(parents=True, exist_ok=True)
     wheres = [
         where
         for where in CONDITIONS
@@ -298,12 +281,12 @@ def main() -> None:
     for objective, where in product(options.objective, wheres):
         print(f"{objective}: {where.title}", file=sys.stderr, flush=True)
         results[objective, where] = find(
-            campaign(where, objective, folder, options.rough),
-            folder,
+            campaign(where, objective, options.folder, options.rough),
+            options.folder,
             options.evaluations,
             options.seeds if where == FIRST else options.other_seeds,
         )
-    print("\n".join([*rows(results), *rows_of_seeds(results)]))
+    tell(results)
     if options.figure:
         draw(results, options.figure)
 

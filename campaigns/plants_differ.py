@@ -30,7 +30,8 @@ from shared import (
     gain,
     guard,
     light,
-)
+    print_table,
+)  # fmt: skip
 
 from ideotype import Stand
 from ideotype.analysis.style import new_figure
@@ -73,15 +74,18 @@ def lost(values: Numbers, chosen: int) -> Estimate:
     return gain(values[best].tolist(), values[chosen].tolist())
 
 
-def row(title: str, line: str, alike: Numbers, here: Numbers) -> str:
+def row(title: str, line: str, alike: Numbers, here: Numbers) -> list[str]:
     change = gain(alike[0].tolist(), here[0].tolist())
     agreement = spearmanr(alike[1:].mean(1), here[1:].mean(1)).statistic
     chosen = int(alike.mean(1).argmax())
     worth = lost(here, chosen)
-    return (
-        f"| {title} | {line} | {change[0]:+.2f} ± {change[1]:.2f} "
-        f"| {agreement:.3f} | {worth[0]:+.2f} ± {worth[1]:.2f} |"
-    )
+    return [
+        title,
+        line,
+        "{:+.2f} ± {:.2f}".format(*change),
+        f"{agreement:.3f}",
+        "{:+.2f} ± {:.2f}".format(*worth),
+    ]
 
 
 def draw(values: dict[tuple[str, str], Numbers], path: Path) -> None:
@@ -108,24 +112,24 @@ def main() -> None:
     parser.add_argument("--figure", type=Path)
     options = parser.parse_args()
     values: dict[tuple[str, str], Any] = {}
-    print(
-        "| objective | plants | baseline, relative to plants alike [%] "
-        "| rank correlation | loss by choosing among plants alike [%] |"
-    )
-    print("|---|---|---|---|---|")
+    rows = []
     for name, title in OBJECTIVES.items():
         for line, variation in LINES.items():
             here = stand(options.under, name, variation)
-            values[name, line] = light(here, plants(here, options.plants))
+            found = light(here, plants(here, options.plants))
+            values[name, line] = found
             if line != "alike":
-                print(
-                    row(
-                        title,
-                        line,
-                        values[name, "alike"],
-                        values[name, line],
-                    )
-                )
+                rows.append(row(title, line, values[name, "alike"], found))
+    print_table(
+        [
+            "objective",
+            "plants",
+            "baseline, relative to plants alike [%]",
+            "rank correlation",
+            "loss by choosing among plants alike [%]",
+        ],
+        rows,
+    )
     if options.figure:
         draw(values, options.figure)
 

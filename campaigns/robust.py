@@ -38,6 +38,7 @@ from shared import (
     guard,
     light,
     mean_over_seeds,
+    parser_of_searches,
     print_table,
 )  # fmt: skip
 
@@ -91,11 +92,13 @@ def relative(stand: Stand, home: int, plants: list[Numbers]) -> list[Estimate]:
     return [(100 + mean, error) for mean, error in changes]
 
 
-def matrix(folder: Path, options: argparse.Namespace) -> Matrix:
-    places = [place(latitude, folder) for latitude in options.latitudes]
+def matrix(options: argparse.Namespace) -> Matrix:
+    places = [
+        place(latitude, options.folder) for latitude in options.latitudes
+    ]
     alone = [campaign(each["name"], [each], options) for each in places]
     over = campaign("robust", places, options)
-    plants = [bred(tables, folder) for tables in (*alone, over)]
+    plants = [bred(tables, options.folder) for tables in (*alone, over)]
     columns = []
     for home, tables in enumerate(alone):
         stand = Stand(tables)
@@ -144,33 +147,19 @@ def draw(found: Matrix, latitudes: Sequence[float], path: Path) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("folder", type=Path)
+    parser = parser_of_searches(__doc__, generations=40, seeds=1)
     parser.add_argument("--figure", type=Path)
     parser.add_argument(
         "--latitudes", nargs="+", type=float, default=LATITUDES
     )
-    parser.add_argument("--generations", type=int, default=40)
-    parser.add_argument("--seeds", type=int, default=1)
-    parser.add_argument("--rough", action="store_true")
     options = parser.parse_args()
-    folder = options.folder.resolve()
-    folder.mkdir(parents=True, exist_ok=True)
-    found = matrix(folder, options)
-    print_table(
-        "bred for",
-        [
-            *(f"grown at {latitude:g} deg" for latitude in options.latitudes),
-            "mean",
-        ],
-        {
-            name: [
-                f"{mean:.2f} ± {error:.2f}"
-                for mean, error in (*row, mean_of_row(row))
-            ]
-            for name, row in found.items()
-        },
-    )
+    found = matrix(options)
+    grown = [f"grown at {latitude:g} deg" for latitude in options.latitudes]
+    rows = []
+    for name, row in found.items():
+        cells = (*row, mean_of_row(row))
+        rows.append([name, *(f"{x:.2f} ± {error:.2f}" for x, error in cells)])
+    print_table(["bred for", *grown, "mean"], rows)
     if options.figure:
         draw(found, options.latitudes, options.figure)
 

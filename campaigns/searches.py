@@ -7,10 +7,10 @@ searches.py FOLDER [--figure FILE.png] [--evaluations N] [--seeds N]
 
 Runs a campaign (ames.toml, unless another is given) with the plant of version
 0.1 and each search, takes the best plant of the generation in which each number
-of evaluations is reached (of all until then, where nothing is learnt), and evaluates all of these again with many paths,
-beside the baseline. Prints the gain over the baseline in %, the mean of the
-seeds with its standard error, and the seconds that all evaluations until then
-took. Cases that are in FOLDER already are not run again.
+of evaluations is reached (of all until then, where nothing is learnt), and
+evaluates all of these again with many paths, beside the baseline. Prints the
+gain over the baseline in %, the mean of the seeds with its standard error, and
+the seconds that all evaluations until then took. Cases that are in FOLDER already are not run again.
 IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
 """
 

@@ -4,6 +4,7 @@ light of a campaign, and gains with their standard errors."""
 
 from __future__ import annotations
 
+import argparse
 import math
 import os
 import subprocess
@@ -49,6 +50,13 @@ Settings = Sequence[str]
 Estimate = tuple[float, float]
 """Mean and standard error."""
 
+TITLES = {
+    "absorbed_par": "absorbed PAR, clear day",
+    "net_assimilation": "net assimilation, clear day",
+    "carbon_balance": "carbon balance, season",
+}
+"""Of objectives, with the light that they are looked at under."""
+
 #: Light of tests: evaluations of milliseconds, with errors of per cents.
 ROUGH: Mapping[str, Any] = {
     "light": {"paths": 64, "randomisations": 4},
@@ -88,6 +96,30 @@ def guard(main: Callable[[], None]) -> None:
         raise SystemExit(error.stderr.strip()) from None
     except (ideotype.Error, OSError) as error:
         raise SystemExit(str(error)) from None
+
+
+def folder_at(path: str) -> Path:
+    """Made if it is not there."""
+    folder = Path(path).resolve()
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+def parser_of_searches(
+    description: str | None, **counts: int
+) -> argparse.ArgumentParser:
+    """Options of a script that breeds in a folder; `counts` are the names of
+    numbers with what they are if they are not given."""
+    parser = argparse.ArgumentParser(
+        description=(description or "").partition("\n")[0]
+    )
+    parser.add_argument("folder", type=folder_at)
+    for name, count in counts.items():
+        parser.add_argument(
+            f"--{name.replace('_', '-')}", type=int, default=count
+        )
+    parser.add_argument("--rough", action="store_true")
+    return parser
 
 
 def breed(
@@ -181,6 +213,22 @@ def with_trait(
     return changed
 
 
+def estimate(values: Sequence[float]) -> Estimate:
+    """Of randomisations."""
+    return fmean(values), stdev(values) / math.sqrt(len(values))
+
+
+def sign_change(
+    low: tuple[float, Estimate], high: tuple[float, Estimate]
+) -> Estimate:
+    """Where a line through two points is zero."""
+    (x, (y, error)), (x2, (y2, error2)) = low, high
+    slope = (y2 - y) / (x2 - x)
+    weight = -y / (y2 - y)
+    error = math.hypot((1 - weight) * error, weight * error2)
+    return x - y / slope, error / abs(slope)
+
+
 def gain(before: Sequence[float], after: Sequence[float]) -> Estimate:
     """[%], of randomisations that both plants share."""
     differences = [b - a for a, b in zip(before, after, strict=True)]
@@ -199,11 +247,9 @@ def mean_over_seeds(values: Sequence[Estimate]) -> Estimate:
     return fmean(means), error
 
 
-def print_table(
-    title: str, columns: Sequence[str], rows: Mapping[str, Sequence[str]]
-) -> None:
-    """As Markdown; `title` stands over the names of the rows."""
-    print(f"| {title} | {' | '.join(columns)} |")
-    print("|---" * (len(columns) + 1) + "|")
-    for name, cells in rows.items():
-        print(f"| {name} | {' | '.join(cells)} |")
+def print_table(titles: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
+    """As Markdown."""
+    print(f"| {' | '.join(titles)} |")
+    print("|---" * len(titles) + "|")
+    for row in rows:
+        print(f"| {' | '.join(row)} |")

@@ -40,10 +40,17 @@ from fields import (
     noon_rate,
     ratio,
     scaled,
-    sign_change,
 )  # fmt: skip
 from published import PUBLISHED, Published, apsim_k, ceres_k
-from shared import PLANT_AREA, ROUGH, Estimate, Settings, guard
+from shared import (
+    PLANT_AREA,
+    ROUGH,
+    Estimate,
+    Settings,
+    guard,
+    print_table,
+    sign_change,
+)  # fmt: skip
 
 from ideotype.analysis.style import new_figure
 
@@ -170,13 +177,6 @@ def shown(x: Estimate) -> str:
     places = 1 - math.floor(math.log10(error)) if error else 4
     places = max(0, min(4, places))
     return f"{mean:.{places}f} ± {error:.{places}f}"
-
-
-def print_table(titles: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
-    print(f"| {' | '.join(titles)} |")
-    print("|---" * len(titles) + "|")
-    for row in rows:
-        print(f"| {' | '.join(row)} |")
 
 
 def print_comparison(ours: dict[str, Estimate]) -> None:

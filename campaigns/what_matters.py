@@ -40,6 +40,7 @@ from shared import (
     BREEDABLE,
     HERE,
     ROUGH,
+    TITLES,
     Estimate,
     Numbers,
     best,
@@ -48,6 +49,7 @@ from shared import (
     guard,
     light,
     mean_over_seeds,
+    parser_of_searches,
     print_table,
 )  # fmt: skip
 
@@ -56,11 +58,11 @@ from ideotype.analysis.indices import Indices
 from ideotype.analysis.style import new_figure, series
 
 DAY, SEASON = HERE / "ames.toml", HERE / "bondville.toml"
-#: What is bred for: its title, and under which light.
+#: What is bred for, and the campaign of its light.
 OBJECTIVES = {
-    "absorbed_par": ("absorbed PAR, clear day", DAY),
-    "net_assimilation": ("net assimilation, clear day", DAY),
-    "carbon_balance": ("carbon balance, season", SEASON),
+    "absorbed_par": DAY,
+    "net_assimilation": DAY,
+    "carbon_balance": SEASON,
 }
 #: What is taken over from a bred plant together.
 GROUPS = {
@@ -91,7 +93,7 @@ class Result:
 
 
 def campaign(objective: str, is_rough: bool) -> dict[str, Any]:
-    path = OBJECTIVES[objective][1]
+    path = OBJECTIVES[objective]
     tables = tomllib.loads(path.read_text(encoding="utf-8"))
     lit = {"day": tables["day"]} if path == DAY else {"climate": [season()]}
     return {
@@ -243,15 +245,15 @@ def tell(
     form: Callable[[Estimate], str] = signed,
 ) -> None:
     names = next(iter(columns.values()))
-    rows = {
-        name: [form(values[name]) for values in columns.values()]
+    rows = [
+        [name, *(form(values[name]) for values in columns.values())]
         for name in names
-    }
-    print_table(title, list(columns), rows)
+    ]
+    print_table([title, *columns], rows)
 
 
 def print_tables(results: dict[str, Result]) -> None:
-    found = {OBJECTIVES[name][0]: each for name, each in results.items()}
+    found = {TITLES[name]: each for name, each in results.items()}
     tell(
         "Sobol' index",
         {
@@ -297,7 +299,7 @@ def draw(results: dict[str, Result], path: Path) -> None:
                 height,
                 xerr=[1.96 * error for _, error in values.values()],
                 color=series(i)[0],
-                label=OBJECTIVES[name][0],
+                label=TITLES[name],
                 error_kw={"linewidth": 1},
             )
         axis.set_yticks(
@@ -319,20 +321,14 @@ def draw(results: dict[str, Result], path: Path) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("folder", type=Path)
+    parser = parser_of_searches(
+        __doc__, samples=256, generations=60, seeds=2, draws=8
+    )
     parser.add_argument("--figure", type=Path)
     parser.add_argument(
         "--only", nargs="+", choices=OBJECTIVES, metavar="OBJECTIVE"
     )
-    parser.add_argument("--samples", type=int, default=256)
-    parser.add_argument("--generations", type=int, default=60)
-    parser.add_argument("--seeds", type=int, default=2)
-    parser.add_argument("--draws", type=int, default=8)
-    parser.add_argument("--rough", action="store_true")
     options = parser.parse_args()
-    options.folder = options.folder.resolve()
-    options.folder.mkdir(parents=True, exist_ok=True)
     results = {
         name: look(name, options) for name in options.only or OBJECTIVES
     }

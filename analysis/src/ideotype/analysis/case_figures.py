@@ -121,8 +121,9 @@ CASE_FIGURES: dict[str, CaseFigure] = {
         "as cosine and sine and show the length of both coefficients. Hatched "
         "are traits that have no effect of their own: their variance inflation "
         "is above 10, since they go together with others, or the fittest hold "
-        "them at a bound that the coefficient points away from. Bred plants are relatives, not a "
-        "random sample: read it as a ranking within this evolution.",
+        "them at a bound that the coefficient points away from. Bred plants "
+        "are relatives, not a random sample: read it as a ranking within this "
+        "evolution.",
     ),
     "correlation": CaseFigure(
         draw_correlation,

@@ -47,9 +47,9 @@ _PLAN = "The plant among its neighbours, all turned alike; dashed: rows."
 _VIEW = (
     "Baseline (left) and {} (right). Leaves are coloured by what they "
     "absorb over the day; sheaths are dull green, stalks and other organs grey, "
-    "neighbours pale and all turned alike. Lines on the ground are the rows. Drag (on a touch screen "
-    "sideways) or use the arrow keys to turn; pinch, Ctrl and the wheel, or + "
-    "and - to zoom; Home to start again."
+    "neighbours pale and all turned alike. Lines on the ground are the rows. "
+    "Drag (on a touch screen sideways) or use the arrow keys to turn; pinch, "
+    "Ctrl and the wheel, or + and - to zoom; Home to start again."
 )
 _FRONT = (
     "Front: plants that no other betters in all objectives, evaluated again, "
@@ -88,7 +88,8 @@ def write_report(
 ) -> Written:
     """Writes report.html and figures/ into the folder, over those of an
     earlier report. `command` is what the page names as its origin. With
-    `has_pdf` each figure is a PDF file too, besides PNG. `jobs` processes draw the figures; with several, a script needs
+    `has_pdf` each figure is a PDF file too, besides PNG. `jobs` processes
+    draw the figures; with several, a script needs
     `if __name__ == "__main__":`.
 
     Raises HistoryError if nothing is evaluated in any history, OSError if

@@ -31,7 +31,7 @@ whole=$(history_of alone study)
 "$ideotype" verify "$whole"
 "$ideotype" evaluate "$whole" --generation 1 --slot 20 | grep "agrees bit for bit" ||
     fail "a row cannot be computed again"
-for ranks in 2 5; do
+for ranks in 1 2 5 12; do
     mpirun -n $ranks "${sensitivity[@]}" --out ranks$ranks --json ranks.json >/dev/null
     same_results "$whole" "$(history_of ranks$ranks study)"
     cmp alone.json ranks.json || fail "$ranks ranks find other indices"
@@ -45,7 +45,7 @@ if (same_group "$whole" "$(history_of other study)" /sensitivity) \
 fi
 
 # Stopped and resumed; nothing else may be written over it.
-longer=("${sensitivity[@]}" --set sensitivity.samples=120)
+longer=("${sensitivity[@]}" --set sensitivity.samples=240)
 "${longer[@]}" --out whole >/dev/null
 mpirun -n 3 "${longer[@]}" --out drained >drain.log &
 job=$!

@@ -10,8 +10,8 @@ Runs a campaign (ames.toml, unless another is given) with the plant of version
 of evaluations is reached (of all until then, where nothing is learnt), and
 evaluates all of these again with many paths, beside the baseline. Prints the
 gain over the baseline in %, the mean of the seeds with its standard error, and
-the seconds that all evaluations until then took. Cases that are in FOLDER already are not run again.
-IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+the seconds that all evaluations until then took. Cases that are in FOLDER
+already are not run again. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
 """
 
 from __future__ import annotations

@@ -215,7 +215,9 @@ void Surfaces::add(const std::array<std::uint32_t, 4>& face,
         return length > 0 ? n / length : glm::dvec3(0);
     };
     normals.push_back(normal(0, 1, 3));
-    normals.push_back(normal(2, 3, 1));
+    // Rounding may put a hit of a face with three corners into the second half
+    // that it does not have.
+    normals.push_back(face[2] == face[3] ? normals.back() : normal(2, 3, 1));
 }
 
 void Scene::add_images(const std::array<std::uint32_t, 4>& face,

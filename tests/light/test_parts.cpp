@@ -121,6 +121,24 @@ TEST(Parts, WithoutASunNothingIsSunlit) {
     EXPECT_EQ(r.steps[0].sunlit->mean, 0);
 }
 
+TEST(Parts, AHitOfALeafThatIsEdgeOnToTheSunStandsForALimitedArea) {
+    Mesh mesh = leaves_only();
+    add_leaf(mesh, {.5, 0, 0}, {0, 1, 0}, {0, 0, 1});
+    const Scene scene(widest_device(), mesh, 1, 1);
+    const Illumination sun = sun_from(45, 0);
+    Tally tally;
+    tally.resolution = std::make_shared<const Resolution>(
+        Resolution{{1e-3}, 0, 0, 0, 0, 0, 0, {}, {}});
+    LeafLight hit;
+    hit.beam = {{0, 1e-9}};
+    tally.leaf_light = {hit};
+    const double fraction =
+        sunlit_fractions({tally}, scene, sun, 1, leaf_area(mesh))
+            .fractions[0][0];
+    EXPECT_TRUE(std::isfinite(fraction));
+    EXPECT_LT(fraction, 1e-5);
+}
+
 TEST(Parts, APlotIsSunlitWhereverItStands) {
     Mesh mesh = leaves_only();
     add_leaf(mesh, {500, -30, 1}, {1, 0, 0}, {0, 1, 0});

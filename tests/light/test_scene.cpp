@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <limits>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "ideotype/core/error.hpp"
@@ -65,6 +66,19 @@ TEST(Scene, FacesBelowTheSoilOrWithoutAreaAreLeftOut) {
     mesh.faces.push_back({0, 0, 1, 1});
     mesh.face_group.push_back(0);
     EXPECT_EQ(Scene(widest_device(), mesh, 1, 1).faces(), 1u);
+}
+
+TEST(Scene, BothHalvesOfAFaceWithThreeCornersHaveItsNormal) {
+    Mesh mesh;
+    mesh.vertices = {{0, 0, 1}, {1, 0, 1}, {0, 1, 1.5}};
+    mesh.faces = {{0, 1, 2, 2}};
+    mesh.groups = {{"leaf01", Tissue::leaf}};
+    mesh.face_group = {0};
+    const Scene scene(widest_device(), mesh, 2, 2);
+    const auto& normals = scene.surfaces().normals;
+    ASSERT_EQ(normals.size(), 2u);
+    EXPECT_NEAR(glm::length(normals[0]), 1, 1e-12);
+    EXPECT_EQ(normals[0], normals[1]);
 }
 
 TEST(Scene, RefusesWhatCannotBeTraced) {

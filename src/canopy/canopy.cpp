@@ -48,9 +48,9 @@ void add_up_pieces(std::vector<Tally>& tallies,
         return groups_of;
     };
     Resolution resolution = *tallies.front().resolution;
-    resolution.groups = add_up(resolution.groups, std::vector<bool>(),
-                               [](auto& all, std::size_t g, bool is_open) {
-                                   all[g] = all[g] || is_open;
+    resolution.groups = add_up(resolution.groups, std::vector<double>(),
+                               [](auto& all, std::size_t g, double part) {
+                                   all[g] = std::max(all[g], part);
                                });
     const auto shared = std::make_shared<const Resolution>(resolution);
     for (Tally& tally : tallies) {

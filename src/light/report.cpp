@@ -35,22 +35,23 @@ Estimate over(const std::vector<Tally>& tallies,
     return estimate(replicates);
 }
 
-//! As over(), of a figure that a path of any source may change.
+//! As over(), of a figure to which a path of any source may add a part of its
+//! energy.
 Estimate over(const std::vector<Tally>& tallies, const Resolution& resolution,
-              bool is_open, const std::function<double(const Tally&)>& figure) {
+              double part, const std::function<double(const Tally&)>& figure) {
     return at_least(over(tallies, figure),
-                    is_open ? resolution.largest_path() / count(tallies) : 0);
+                    part * resolution.largest_path() / count(tallies));
 }
 
-//! A figure that is a sum over sources, each with its weight.
+//! A figure that is a sum over sources, each with its weight; a path may add a
+//! part of its energy.
 Estimate weighted(const std::vector<Tally>& tallies,
                   const Resolution& resolution,
-                  const std::vector<double>& weights, bool is_open,
+                  const std::vector<double>& weights, double part,
                   const std::function<double(const Budget&)>& figure) {
     double step = 0;
     for (std::size_t s = 0; s < resolution.path_energy.size(); ++s)
-        if (is_open)
-            step = std::max(step, weights[s] * resolution.path_energy[s]);
+        step = std::max(step, part * weights[s] * resolution.path_energy[s]);
     const Estimate found = over(tallies, [&](const Tally& tally) {
         double sum = 0;
         for (std::size_t s = 0; s < weights.size(); ++s)
@@ -69,8 +70,8 @@ BudgetEstimate weighted_budget(const std::vector<Tally>& tallies,
     std::vector<double> of_beams = weights, of_skies = weights;
     for (std::size_t s = 0; s < sources.size(); ++s)
         (sources[s].direction ? of_skies : of_beams)[s] = 0;
-    const auto part = [&](bool is_open, double Budget::*member) {
-        return weighted(tallies, resolution, weights, is_open,
+    const auto part = [&](double of_path, double Budget::*member) {
+        return weighted(tallies, resolution, weights, of_path,
                         [=](const Budget& b) { return b.*member; });
     };
     const auto unscattered = [&](const std::vector<double>& some) {
@@ -78,11 +79,11 @@ BudgetEstimate weighted_budget(const std::vector<Tally>& tallies,
                         [](const Budget& b) { return b.unscattered; });
     };
     return {incident,
-            part(false, &Budget::incident),
+            part(0, &Budget::incident),
             part(resolution.leaves, &Budget::leaves),
             part(resolution.stalks, &Budget::stalks),
             weighted(tallies, resolution, weights,
-                     resolution.leaves || resolution.stalks,
+                     std::max(resolution.leaves, resolution.stalks),
                      [](const Budget& b) { return b.leaves + b.stalks; }),
             part(resolution.soil, &Budget::soil),
             part(resolution.reflected, &Budget::reflected),
@@ -114,8 +115,8 @@ struct Part {
     double incident = 0;
 };
 
-bool is_set(const std::vector<bool>& flags, std::size_t i) {
-    return i < flags.size() && flags[i];
+double part_of(const std::vector<double>& parts, std::size_t i) {
+    return i < parts.size() ? parts[i] : 0;
 }
 
 double balance_error(const Tally& tally) {
@@ -141,7 +142,7 @@ DayReport report(const std::vector<Tally>& tallies,
     result.groups = absorbed_by_group(tallies);
     for (std::size_t l = 0; l < tallies.front().layers.size(); ++l)
         result.layers.push_back(
-            over(tallies, resolution, is_set(resolution.layers, l),
+            over(tallies, resolution, part_of(resolution.layers, l),
                  [l](const Tally& t) { return t.layers[l]; }));
     result.adaxial = over(tallies, resolution, resolution.leaves,
                           [](const Tally& t) { return t.adaxial; });
@@ -178,7 +179,8 @@ std::vector<Estimate> absorbed_by_group(const std::vector<Tally>& tallies) {
     const Resolution resolution = resolution_of(tallies);
     std::vector<Estimate> result;
     for (std::size_t g = 0; g < tallies.front().groups.size(); ++g)
-        result.push_back(over(tallies, resolution, is_set(resolution.groups, g),
+        result.push_back(over(tallies, resolution,
+                              part_of(resolution.groups, g),
                               [g](const Tally& t) { return t.groups[g]; }));
     return result;
 }

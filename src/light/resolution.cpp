@@ -15,15 +15,15 @@ Resolution combined(const Resolution& a, const Resolution& b) {
     Resolution both = a;
     for (std::size_t i = 0; i < b.path_energy.size(); ++i)
         both.path_energy[i] = std::max(a.path_energy[i], b.path_energy[i]);
-    for (bool Resolution::*figure :
+    for (double Resolution::*part :
          {&Resolution::leaves, &Resolution::stalks, &Resolution::soil,
           &Resolution::reflected, &Resolution::unscattered,
           &Resolution::scattered})
-        both.*figure = a.*figure || b.*figure;
+        both.*part = std::max(a.*part, b.*part);
     for (std::size_t i = 0; i < b.groups.size(); ++i)
-        both.groups[i] = a.groups[i] || b.groups[i];
+        both.groups[i] = std::max(a.groups[i], b.groups[i]);
     for (std::size_t i = 0; i < b.layers.size(); ++i)
-        both.layers[i] = a.layers[i] || b.layers[i];
+        both.layers[i] = std::max(a.layers[i], b.layers[i]);
     return both;
 }
 

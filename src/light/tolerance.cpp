@@ -21,6 +21,10 @@ constexpr int trial_randomisations = 16;
 //! Trials have randomisations that no result has.
 constexpr std::uint32_t first_of_trials = 1u << 16;
 
+//! First hits of leaves without which a trial tells too little of the leaves'
+//! light and of its scatter: with so many their sum is known to an eighth.
+constexpr double fewest_hits = 64;
+
 //! A trial with less than the result by more than this is followed by another.
 constexpr double longest_step = 8;
 
@@ -91,9 +95,8 @@ class Search {
         bool is_drawn = false;
         for (;;) {
             try_out(work, is_drawn);
-            if (!(found_.mean > 0)) {
-                if (!found_.is_open) return work;
-                // No path has met a leaf.
+            if (!found_.is_open && !(found_.mean > 0)) return work;
+            if (found_.is_open && found_.hits < fewest_hits) {
                 amounts = scaled(amounts, longest_step);
                 if (is_beyond(amounts)) {
                     is_capped_ = true;
@@ -163,8 +166,13 @@ class Search {
         return first_hits(amounts) > most();
     }
 
+    //! The most first hits. Scattered light keeps its paths, which are bounded
+    //! as well: few of them would carry too much each.
     Amounts capped(const Amounts& amounts) const {
-        return scaled(amounts, most() / first_hits(amounts));
+        Amounts most_amounts = scaled(amounts, most() / first_hits(amounts));
+        most_amounts[LightOrigin::scattered] =
+            std::min<double>(amounts[LightOrigin::scattered], most());
+        return most_amounts;
     }
 
     //! Simulates a trial and learns from it.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -117,17 +118,16 @@ std::vector<Tally> simulate(
     const Counted counted{scene, groups, layers};
     const Tracer tracer(counted, optics);
     std::vector<Launcher> launchers;
-    std::vector<double> of_path, largest;
+    std::vector<double> of_path, of_hit;
     double most_paths = 0;
     for (std::size_t s = 0; s < sources.size(); ++s) {
         launchers.emplace_back(scene, sources[s], optics.soil_albedo);
         const double all = sources[s].energy * launchers[s].entering();
-        const double of_hit = all / std::max(1u, work.first_hits[s]);
-        of_path.push_back(work.path_energy.empty() ? of_hit
+        of_hit.push_back(all / std::max(1u, work.first_hits[s]));
+        of_path.push_back(work.path_energy.empty() ? of_hit[s]
                                                    : work.path_energy[s]);
-        const double scattered = most_scattered(optics) * all;
-        largest.push_back(std::max(of_hit, std::min(of_path[s], scattered)));
-        if (work.first_hits[s] > 0) most_paths += scattered / of_path[s];
+        if (work.first_hits[s] > 0)
+            most_paths += most_scattered(optics) * all / of_path[s];
     }
     LeafSums leaf_sums;
     // So many randomisations at a time as memory is reasonable for.
@@ -161,8 +161,13 @@ std::vector<Tally> simulate(
         const auto last_source = static_cast<std::uint32_t>(sources.size() - 1);
         for (std::size_t r = first; r < last; ++r) follow(r, last_source);
     }
+    std::vector<double> largest = of_hit;
+    for (std::size_t s = 0; s < sources.size(); ++s)
+        for (const Tally& tally : tallies)
+            largest[s] = std::max(
+                largest[s], std::min(of_path[s], tally.sources[s].sent_on));
     const auto resolution = std::make_shared<const Resolution>(
-        resolution_of(scene, groups, optics, layers, largest));
+        resolution_of(scene, groups, optics, layers, std::move(largest)));
     for (Tally& tally : tallies) tally.resolution = resolution;
     return tallies;
 }

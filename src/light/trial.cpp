@@ -66,18 +66,31 @@ Findings try_out(const Subject& subject, const Workload& work,
     const Suns suns(light, work);
     Amounts amounts = amounts_of(work, light);
     amounts[LightOrigin::beams] *= suns.by_energy;
-    ByOrigin<double> variance{};
+    const Resolution& resolution = *tallies.front().resolution;
+    Findings found;
+    ByOrigin<double> variance{}, largest{};
     std::vector<double> next(tallies.size());
     double kept = 0;
     for (std::size_t s = 0; s < work.first_hits.size(); ++s) {
         if (work.first_hits[s] == 0) continue;
         std::vector<double> first;
+        double incident = 0, unscattered = 0, sent_on = 0;
         for (std::size_t r = 0; r < tallies.size(); ++r) {
             const Budget& budget = tallies[r].sources[s];
             first.push_back(budget.unscattered + caught * budget.sent_on);
             next[r] += budget.leaves - first.back();
+            incident = std::max(incident, budget.incident);
+            unscattered += budget.unscattered;
+            sent_on = std::max(sent_on, budget.sent_on);
         }
         const LightOrigin origin = origin_of(light.sources[s]);
+        const double of_hit =
+            resolution.unscattered * incident / work.first_hits[s];
+        largest[origin] = std::max(largest[origin], of_hit);
+        if (of_hit > 0) found.hits += unscattered / of_hit;
+        largest[LightOrigin::scattered] = std::max(
+            largest[LightOrigin::scattered],
+            resolution.scattered * std::min(sent_on, work.path_energy[s]));
         variance[origin] += variance_of(first) *
                             (origin == LightOrigin::beams ? suns.by_root : 1);
         kept += light.sources[s].energy;
@@ -87,15 +100,19 @@ Findings try_out(const Subject& subject, const Workload& work,
     if (suns.by_energy > 1) variance[LightOrigin::beams] *= for_others;
     variance[LightOrigin::scattered] =
         variance_of(next) * (light.energy() / kept);
-    Findings found;
-    for (std::size_t o = 0; o < origins; ++o)
-        found.laws[o] = {std::max(1., amounts[o]), variance[o], 1};
+    for (std::size_t o = 0; o < origins; ++o) {
+        // A trial may have missed what one more hit of a leaf in all of its
+        // randomisations would have shown.
+        const double of_one_hit = squared(largest[o]) / randomisations;
+        found.laws[o] = {std::max(1., amounts[o]),
+                         std::max(variance[o], of_one_hit), 1};
+    }
     found.laws[LightOrigin::beams].power =
         is_drawn ? power_of_lattices : power_of_nets;
     found.rays_per_unit = rays * light.energy() /
                           (all.incident * amounts[LightOrigin::scattered]);
     found.mean = all.leaves / randomisations;
-    found.is_open = tallies.front().resolution->leaves;
+    found.is_open = resolution.leaves > 0;
     found.is_whole = suns.by_energy == 1;
     return found;
 }

@@ -27,12 +27,33 @@ class LitLeaf : public ::testing::Test {
         return mesh;
     }
 
-    Simulation found(double tolerance, std::uint64_t seed = 1,
-                     double side = .7) const {
+    Simulation found(double tolerance, std::uint64_t seed = 1, double side = .7,
+                     const Optics& optics = {}) const {
         const Mesh mesh = leaf(side);
-        return simulate_to_tolerance(Scene(device, mesh, 1, 1), mesh.groups, {},
-                                     light, {most_paths, 16, tolerance},
+        return simulate_to_tolerance(Scene(device, mesh, 1, 1), mesh.groups,
+                                     optics, light, {most_paths, 16, tolerance},
                                      {seed, 0, 0});
+    }
+
+    //! The errors of 200 seeds, as a part of the light.
+    struct Errors {
+        double spread, reported, largest;
+    };
+    Errors errors(double tolerance, double side, const Optics& optics) const {
+        constexpr std::uint64_t seeds = 200;
+        std::vector<double> means;
+        double reported = 0, largest = 0;
+        for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+            const Simulation one = found(tolerance, seed, side, optics);
+            EXPECT_FALSE(one.is_capped);
+            const Estimate x = absorbed_by_leaves(one.tallies);
+            means.push_back(x.mean);
+            reported += x.standard_error * x.standard_error / seeds;
+            largest = std::max(largest, x.standard_error);
+        }
+        const Estimate all = estimate(means);
+        return {all.standard_error * std::sqrt(seeds) / all.mean,
+                std::sqrt(reported) / all.mean, largest / all.mean};
     }
 
     static Estimate leaves(const Simulation& simulation) {
@@ -98,6 +119,29 @@ TEST_F(LitLeaf, DoesNotTakeALeafThatNoPathMeetsForCertain) {
     EXPECT_EQ(leaves(rare).mean, 0);
     EXPECT_NEAR(absorbed_by_leaves(rare.tallies).standard_error,
                 1000. / (16. * most_paths), 1e-3);
+}
+
+//! Trials that met such a leaf by chance, or no light that soil had scattered
+//! to it, took far too few paths.
+TEST_F(LitLeaf, IsMetOftenEnoughWhereLeavesAreFew) {
+    Optics optics;
+    optics.leaf = {.05, .05};
+    optics.soil_albedo = .2;
+    constexpr double tolerance = .05;
+    const Errors found = errors(tolerance, .06, optics);
+    // The spread over 200 seeds is known to a twentieth.
+    EXPECT_NEAR(found.reported / found.spread, 1, .15);
+    EXPECT_LT(found.spread, 1.3 * tolerance);
+    EXPECT_LT(found.largest, 2.5 * tolerance);
+}
+
+//! Such a leaf keeps little of a path, so one path more or less tells little.
+TEST_F(LitLeaf, ReportsTheErrorsOfALeafThatIsNearlyWhite) {
+    Optics optics;
+    optics.leaf = {.499, .499};
+    optics.soil_albedo = .2;
+    const Errors found = errors(1e-2, .7, optics);
+    EXPECT_NEAR(found.reported / found.spread, 1, .15);
 }
 
 TEST_F(LitLeaf, IsCertainWhereItCannotAbsorb) {

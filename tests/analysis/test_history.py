@@ -302,7 +302,6 @@ def test_traits_have_bounds_and_know_the_circle(finished: Path) -> None:
     columns = genes.columns("azimuth")
     assert list(columns) == list(range(3, 40, 4))
     assert list(genes.leaves[columns]) == list(range(1, 11))
-    assert genes.words(10) == "insertion angle of leaf 3"
     assert list(np.flatnonzero(genes.is_circular)) == list(columns)
     assert set(genes.upper[genes.columns("width")]) == {0.14}
     assert genes.is_free.all()

@@ -16,7 +16,6 @@ from .correlation import draw_correlation
 from .front_figures import draw_front, draw_hypervolume
 from .plan import draw_roses
 from .profiles import draw_hours, draw_layers, draw_leaves, draw_parts
-from .sensitivity import draw_sensitivity
 from .shape import (
     draw_azimuths,
     draw_plant_traits,
@@ -111,19 +110,6 @@ CASE_FIGURES: dict[str, CaseFigure] = {
         "Where does the absorbed light come from, and on which face?",
         "Beam comes straight from the sun, scattered light from other "
         f"surfaces; adaxial is the upper face. {_BARS}",
-    ),
-    "sensitivity": CaseFigure(
-        draw_sensitivity,
-        "Which traits matter?",
-        "Coefficients of a linear regression of the "
-        "objective on all free traits over all evaluated plants, each in its "
-        "standard deviations and less the mean of its seed; circular ones enter "
-        "as cosine and sine and show the length of both coefficients. Hatched "
-        "are traits that have no effect of their own: their variance inflation "
-        "is above 10, since they go together with others, or the fittest hold "
-        "them at a bound that the coefficient points away from. Bred plants "
-        "are relatives, not a random sample: read it as a ranking within this "
-        "evolution.",
     ),
     "correlation": CaseFigure(
         draw_correlation,

@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
+import numpy as np
 import pandas
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
@@ -10,7 +13,53 @@ from numpy.typing import NDArray
 from . import style
 from .case import Case
 from .file import HistoryError
-from .sensitivity import Predictor, centred, evaluated, predictors
+from .genes import Genes
+from .rows import Rows, join
+
+
+@dataclass(frozen=True)
+class Column:
+    """A column of the table: a gene, or the cosine or sine of a circular
+    one."""
+
+    gene: int
+    wave: str = ""
+    """cos, sin, or empty"""
+
+
+def evaluated(case: Case) -> tuple[Rows, NDArray[np.int64]]:
+    """All evaluated plants of all seeds, and the seed of each."""
+    parts = [history.evaluations().done for history in case.histories]
+    rows = join(parts)
+    if not len(rows):
+        raise HistoryError("no plant is evaluated yet")
+    return rows, np.repeat(np.arange(len(parts)), [len(p) for p in parts])
+
+
+def centred(values: NDArray, seed: NDArray) -> NDArray:
+    """Less the mean of their seed, so that differences between seeds correlate
+    nothing."""
+    means = [values[seed == s].mean(0) for s in range(seed.max() + 1)]
+    return values - np.array(means)[seed]
+
+
+def columns_of(genes: Genes, rows: Rows) -> tuple[list[Column], NDArray]:
+    """The free genes that vary, with values [rows, columns]: in their unit,
+    circular ones as cosine and sine."""
+    found: list[Column] = []
+    columns: list[NDArray] = []
+    for i in np.flatnonzero(genes.is_free):
+        values = rows.genome[:, i]
+        if genes.is_circular[i]:
+            # The bounds are one point of the circle: their distance is a turn.
+            angle = 2 * np.pi * values / (genes.upper[i] - genes.lower[i])
+            found += [Column(int(i), "cos"), Column(int(i), "sin")]
+            columns += [np.cos(angle), np.sin(angle)]
+        else:
+            found.append(Column(int(i)))
+            columns.append(values)
+    varies = [i for i, column in enumerate(columns) if np.ptp(column) > 1e-9]
+    return [found[i] for i in varies], np.array([columns[i] for i in varies]).T
 
 
 def rank_correlation(x: NDArray) -> NDArray:
@@ -23,7 +72,7 @@ def draw_correlation(case: Case) -> Figure:
     """Spearman's rank correlation between the free traits of all evaluated
     plants; circular ones as cosine and sine."""
     rows, seed = evaluated(case)
-    columns, x = predictors(case.genes, rows)
+    columns, x = columns_of(case.genes, rows)
     if len(columns) < 2:
         raise HistoryError("fewer than two traits vary")
     kinds = [_kind(case, column) for column in columns]
@@ -61,7 +110,7 @@ def draw_correlation(case: Case) -> Figure:
     return figure
 
 
-def _kind(case: Case, column: Predictor) -> str:
+def _kind(case: Case, column: Column) -> str:
     """ "cos azimuth" or "insertion angle"."""
     trait = case.genes.traits[column.gene].replace("_", " ")
     return f"{column.wave} {trait}".strip()

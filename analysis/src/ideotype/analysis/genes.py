@@ -60,16 +60,6 @@ class Genes:
             return int(np.flatnonzero(self.columns(trait) == gene)[0]) + 1
         return int(self.leaves[gene])
 
-    def words(self, gene: int) -> str:
-        """ "insertion angle of leaf 3", "length profile, point 2 of 4"."""
-        name, number = self.traits[gene], self.number(gene)
-        trait = name.replace("_", " ")
-        if self.leaves[gene]:
-            return f"{trait} of leaf {number}"
-        if number:
-            return f"{trait}, point {number} of {len(self.columns(name))}"
-        return trait
-
     def label(self, trait: str) -> str:
         """Of an axis: "insertion angle [°]", "height [1]" of a factor."""
         unit = unit_label(self.units[self.columns(trait)[0]])

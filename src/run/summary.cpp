@@ -126,15 +126,16 @@ std::string left_to_gain(const History& history, const Campaign& campaign,
                      : ", which other organs and soil take");
 }
 
-//! Every member of a front; which of them another dominates when all have been
-//! evaluated again is told.
+//! Every member of a front with its row in /final, which is its number
+//! everywhere; which of them another dominates when all have been evaluated
+//! again is told.
 std::string front(const History& history, const Campaign& campaign,
                   const std::vector<Row>& finalists) {
     std::vector<Sense> senses;
-    std::string text = "  ";
+    std::string text = "  plant";
     for (const Objective& each : history.header().schema.objectives) {
         senses.push_back(each.sense);
-        text += fmt::format("{:>30}", each.name + " [" + each.unit + "]");
+        text += fmt::format("  {:>28}", each.name + " [" + each.unit + "]");
     }
     Population members;
     for (const auto& [candidate, outcome, attempt] : finalists)
@@ -144,9 +145,9 @@ std::string front(const History& history, const Campaign& campaign,
     const std::vector<std::size_t> level = fronts(members, senses);
     std::size_t left = 0;
     for (std::size_t i = 0; i < members.size(); ++i) {
-        text += "\n  ";
+        text += fmt::format("\n  {:>5}", i + 1);
         for (const Estimate& each : members[i].objectives)
-            text += fmt::format("{:>30}", format(each));
+            text += fmt::format("  {:>28}", format(each));
         const bool is_in_front =
             level[i] == 0 && members[i].status == Status::done;
         if (is_in_front)

@@ -31,7 +31,7 @@ from made_numbers import (
 )
 from phone import HEIGHT, phone_with
 from pymoo.util.nds.non_dominated_sorting import NonDominatedSorting
-from real_program import output_of, write_campaign
+from real_program import CAMPAIGNS, output_of, write_campaign
 
 import ideotype
 from ideotype.analysis import open_history, open_study
@@ -180,6 +180,49 @@ def test_plants_along_the_front_are_drawn(history: Path) -> None:
         assert len(faces.get_paths()) == len(mesh.faces)
     told = figure.get_suptitle()
     assert "absorbed PAR [MJ m⁻² day⁻¹ of ground]\nLAI [m² m⁻²" in told
+
+
+def test_a_plant_has_one_number_everywhere(tmp_path: Path) -> None:
+    """Though plants of the figure are in the order of the first objective,
+    and finalists in the order of their last generation."""
+    for seed in (1, 2):
+        path = tmp_path / f"case_r{seed}.h5"
+        make(path, attributes={"case": f"a_r{seed}"})
+        with h5py.File(path, "r+") as file:
+            for name in ("objectives", "objectives_by_randomisation"):
+                rows = file[f"final/{name}"]
+                rows[1:3] = rows[1:3][::-1]
+            file["final/lai"][1:3] = LAIS[1:3][::-1]
+            seal(file)
+    stand = ideotype.Stand.from_campaign(CAMPAIGNS / "ames_quick.toml")
+    mesh = stand.mesh(stand.baseline)
+    with open_study(tmp_path) as study:
+        (case,) = study.cases()
+        figure = draw_front_plants(case, mesh, [mesh] * 6)
+        (shown,) = json.loads(scene_of([(case, None)]))["cases"]
+        known = {
+            f"plant {front.number(i)} of seed {seed}": (
+                front.one(i).objective.mean
+            )
+            for seed, (_, front) in enumerate(case.fronts, start=1)
+            for i in range(len(front.members))
+        }
+    assert {
+        member["title"]: member["objectives"][0][0]
+        for member in shown["front"]["members"]
+    } == pytest.approx(known)
+    titles = [
+        axes.get_title().split("\n")
+        for axes in figure.axes
+        if axes.collections
+    ]
+    drawn = {name: light.split()[0] for name, light, *_ in titles}
+    assert list(drawn) == [
+        *("baseline", "plant 2 of seed 1", "plant 2 of seed 2"),
+        *("plant 1 of seed 1", "plant 1 of seed 2"),
+    ]
+    for name, light in list(drawn.items())[1:]:
+        assert light == f"{known[name]:.4f}"
 
 
 def test_figures_of_fronts(tmp_path: Path) -> None:
@@ -431,6 +474,19 @@ def test_a_report_of_a_front_that_the_program_bred(tmp_path: Path) -> None:
     said = re.search(r"(\d) of (\d) are still in the front", printed)
     assert said is not None
     (path,) = (tmp_path / "tiny").glob("*.h5")
+    rows = re.findall(r"(?m)^ +(\d) +([\d.]+) \+- [\d.]+ +([\d.]+)\b", printed)
+    with open_history(path) as opened:
+        front = opened.front()
+    assert front is not None
+    assert len(rows) == len(front.members)
+    for i, (number, light, lai) in enumerate(rows):
+        assert int(number) == front.number(i)
+        assert float(light) == pytest.approx(
+            front.one(i).objective.mean, abs=0.05
+        )
+        assert float(lai) == pytest.approx(
+            front.one(i).estimate("lai").mean, rel=1e-6
+        )
     out = tmp_path / "report"
     arguments = [path, "-o", out]
     assert report([str(argument) for argument in arguments]) == 0

@@ -77,6 +77,13 @@ class Case:
         found = ((h, h.front()) for h in self.histories)
         return tuple((h, front) for h, front in found if front is not None)
 
+    def member_title(self, seed: int, index: int) -> str:
+        """What a member of the front of one of `fronts` is called in every
+        figure, table and view: "plant 3", of several seeds also of which."""
+        _, front = self.fronts[seed]
+        of = f" of seed {seed + 1}" if len(self.histories) > 1 else ""
+        return f"plant {front.number(index)}{of}"
+
     @property
     def is_final(self) -> bool:
         """All seeds have their final evaluations."""

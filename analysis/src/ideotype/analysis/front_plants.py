@@ -31,39 +31,41 @@ def draw_front_plants(
 ) -> Figure:
     """The baseline and up to five plants of the front, at equal steps in the
     order of the first objective, from the side at one scale, with all
-    objectives and their standard errors.
+    objectives and their standard errors. Plants have the numbers that they have
+    everywhere.
 
     Raises HistoryError if there is no front."""
     plants = [
-        (front.one(i), bool(front.is_kept[i]))
-        for _, front in case.fronts
+        (front.one(i), case.member_title(seed, i), bool(front.is_kept[i]))
+        for seed, (_, front) in enumerate(case.fronts)
         for i in range(len(front.members))
     ]
     kept = [
-        (plant, mesh) for (plant, keeps), mesh in zip(plants, members) if keeps
+        (plant, mesh, name)
+        for (plant, name, keeps), mesh in zip(plants, members)
+        if keeps
     ]
     if not kept:
         raise HistoryError("no front is evaluated yet")
     kept.sort(key=lambda each: each[0].objective.mean)
     steps = np.linspace(0, len(kept) - 1, min(len(kept), _MOST))
-    shown = [(case.baseline, baseline)]
+    shown = [(case.baseline, baseline, "baseline")]
     shown += [kept[i] for i in dict.fromkeys(steps.round().astype(int))]
     columns = min(len(shown), 3)
     rows = -(-len(shown) // columns)
-    every = np.vstack([mesh.vertices for _, mesh in shown])
+    every = np.vstack([mesh.vertices for _, mesh, _ in shown])
     top = 1.03 * every[:, 2].max()
-    reach = 1.03 * max(np.abs(_side(mesh)[:, 0]).max() for _, mesh in shown)
+    reach = 1.03 * max(np.abs(_side(mesh)[:, 0]).max() for _, mesh, _ in shown)
     size = 1.9 * columns
     goals = case.best.row.goals
     words = 0.25 + 0.16 * len(goals)
     height = size / columns * top / (2 * reach) + words
     figure = style.new_figure(size, 0.5 + rows * height)
     panels = figure.subplots(rows, columns, squeeze=False)
-    for number, (axes, each) in enumerate(zip(chain(*panels), shown)):
-        _draw(axes, each[1])
+    for axes, (plant, mesh, name) in zip(chain(*panels), shown):
+        _draw(axes, mesh)
         axes.set(xlim=(-reach, reach), ylim=(0, top))
-        told = "\n".join(_objectives(each[0]))
-        name = f"plant {number}" if number else "baseline"
+        told = "\n".join(_objectives(plant))
         axes.set_title(f"{name}\n{told}", fontsize=8)
     for axes in chain(*panels):
         axes.set_axis_off()

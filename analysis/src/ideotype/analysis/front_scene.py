@@ -49,7 +49,7 @@ def front_scene(case: Case) -> dict[str, Any]:
         ],
         "members": [
             {
-                "title": _title(case, seed, front.number(i)),
+                "title": case.member_title(seed, i),
                 "seed": seed,
                 "is_kept": bool(front.is_kept[i]),
                 "objectives": _objectives(front.one(i)),
@@ -88,11 +88,6 @@ def told(case: Case) -> str:
         "fallen off, since another plant is as good in all objectives and "
         "better in one."
     )
-
-
-def _title(case: Case, seed: int, number: int) -> str:
-    of = f" of seed {seed + 1}" if len(case.histories) > 1 else ""
-    return f"plant {number}{of}"
 
 
 def _quantities(plant: Evaluation) -> list[str]:

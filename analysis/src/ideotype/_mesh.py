@@ -15,6 +15,7 @@ import xarray
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from ._arrays import real, unmasked
 from ._errors import Error
 
 Pair = tuple[float, float]
@@ -157,7 +158,7 @@ def mesh(
 
 
 def _vertices(given: ArrayLike) -> NDArray[np.float64]:
-    vertices = np.ascontiguousarray(given, float)
+    vertices = np.ascontiguousarray(real(given, "vertices"))
     if vertices.ndim != 2 or vertices.shape[1] != 3:
         raise Error(
             f"vertices are an array of {vertices.shape}; give [vertices, 3]"
@@ -175,7 +176,8 @@ def _polygons(
     given: ArrayLike | Sequence[Sequence[int]], vertices: int
 ) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
     """The corners of all faces, and how many each has."""
-    every: Any = given  # rows may differ in length, unlike an array's
+    # Rows may differ in length, unlike those of an array.
+    every: Any = unmasked(given, "faces")
     if not len(every):
         raise Error("faces is empty; a mesh needs at least one face")
     counts = np.fromiter(map(len, every), np.uint32, len(every))
@@ -184,14 +186,16 @@ def _polygons(
         raise Error(
             f"faces[{few[0]}] has {counts[few[0]]} corners; give three or more"
         )
-    corners = np.concatenate([np.asarray(face) for face in every])
+    corners = real(
+        np.concatenate([np.asarray(face) for face in every]), "faces"
+    )
     whole = corners.astype(np.int64)
     wrong = (whole != corners) | (whole < 0) | (whole >= vertices)
     if wrong.any():
         place = int(np.flatnonzero(wrong)[0])
         face = int(np.searchsorted(np.cumsum(counts), place, side="right"))
         raise Error(
-            f"faces[{face}] has corner {corners[place]}; vertices are 0 to "
+            f"faces[{face}] has corner {corners[place]:.15g}; vertices are 0 to "
             f"{vertices - 1}"
         )
     return whole.astype(np.uint32), counts

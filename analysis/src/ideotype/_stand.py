@@ -17,6 +17,7 @@ import xarray
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from ._arrays import real, unmasked
 from ._errors import Error
 from ._geometry import Mesh
 
@@ -113,7 +114,7 @@ class Stand:
                     history.campaign("resolved"),
                     os.fspath(path),
                     str(history.attributes["case"]),
-                    [float(x) for x in np.asarray(genome, float)],
+                    real(genome, "genome").tolist(),
                     str(history.attributes["isa"]) if same_isa else "",
                 )
             )
@@ -255,7 +256,7 @@ class Stand:
 
     def _plants(self, genomes: ArrayLike) -> NDArray[np.float64]:
         """[plants, genes]"""
-        given = np.atleast_2d(np.asarray(genomes, float))
+        given = np.atleast_2d(real(genomes, "genomes"))
         free = self.free
         if given.ndim != 2 or given.shape[1] not in (free.size, free.sum()):
             raise Error(
@@ -354,7 +355,7 @@ def _toml(value: Any) -> str:
         pairs = (f"{key} = {_toml(each)}" for key, each in value.items())
         return f"{{{', '.join(pairs)}}}"
     if isinstance(value, (list, tuple, np.ndarray)):
-        return f"[{', '.join(map(_toml, value))}]"
+        return f"[{', '.join(map(_toml, unmasked(value, 'a setting')))}]"
     plain = value.item() if isinstance(value, np.generic) else value
     return tomli_w.dumps({"x": plain}).partition("=")[2].strip()
 

@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-import numpy as np
 from gest_api.vocs import VOCS
 
+from ._arrays import real
 from ._errors import Error
 from ._stand import Stand
 
@@ -44,7 +44,7 @@ class Evaluator:
 
     def __call__(self, point: Mapping[str, float]) -> dict[str, float]:
         """Raises Error if the plant could not be evaluated."""
-        plant = [float(np.squeeze(point[name])) for name in self._names]
+        plant = [real(point[name], name).item() for name in self._names]
         found = self._stand.evaluate(
             plant, list(self._stand.objectives), threads=1, **self._options
         )

@@ -6,12 +6,14 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .._arrays import real
+
 _NO_DIRECTION = 1e-9
 """Below this resultant length the angles cancel and have no mean."""
 
 
 def _resultant(degrees: ArrayLike, axis: int) -> NDArray[np.complex128]:
-    angles = np.deg2rad(np.asarray(degrees, dtype=float))
+    angles = np.deg2rad(real(degrees, "degrees"))
     return np.mean(np.exp(1j * angles), axis=axis)
 
 
@@ -42,5 +44,5 @@ def signed_difference(
     degrees: ArrayLike, reference: ArrayLike
 ) -> NDArray[np.float64]:
     """degrees - reference by the short way, in [-180, 180) [deg]."""
-    difference = np.asarray(degrees, dtype=float) - np.asarray(reference)
+    difference = real(degrees, "degrees") - real(reference, "reference")
     return np.mod(difference + 180.0, 360.0) - 180.0

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .._arrays import real
 from .pair import Pair
 from .rows import Evaluation, Rows
 
@@ -18,8 +19,8 @@ def non_dominated(
     """Which rows of [rows, objectives] no other dominates: is as good in all
     and better in one. `signs` are 1 where larger is better, else -1. A row
     that violates constraints is dominated by all that do so less."""
-    values = np.asarray(objectives, float) * np.asarray(signs)
-    violation = np.broadcast_to(violation, len(values))
+    values = real(objectives, "objectives") * real(signs, "signs")
+    violation = np.broadcast_to(real(violation, "violation"), len(values))
     one, other = values[:, None], values[None]
     betters = (one >= other).all(2) & (one > other).any(2)
     less = violation[:, None] < violation[None]

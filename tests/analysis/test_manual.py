@@ -210,6 +210,30 @@ def test_pages_are_as_wide_as_the_screen(manual: Path, tmp_path: Path) -> None:
                 assert wide <= width, f"{name} is {wide} wide at {width}"
 
 
+def test_the_reference_has_what_the_compiled_module_serves(
+    manual: Path,
+) -> None:
+    page = (manual / "python_api.html").read_text()
+    for name in ("Stand.evaluate", "mesh", "Canopy.evaluate", "gest.vocs"):
+        assert f'id="ideotype.{name}"' in page
+
+
+def test_a_python_that_lacks_the_manual_s_needs_is_told(
+    tmp_path: Path,
+) -> None:
+    empty = tmp_path / "empty"
+    command = [sys.executable, "-m", "venv", "--without-pip", empty]
+    subprocess.run(command, check=True)
+    done = subprocess.run(
+        [DOCS / "build", empty / "bin" / "python"],
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.returncode == 1
+    assert "No module named 'breathe'" in done.stderr
+    assert f"run  {empty}/bin/python -m pip install '.[docs]'" in done.stderr
+    assert done.stderr.count("\n") == 1
+
+
 def test_every_picture_is_small_and_has_its_script() -> None:
     drawn = (DOCS / "draw.py").read_text()
     for picture in (DOCS / "figures").glob("*"):

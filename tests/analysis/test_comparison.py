@@ -13,9 +13,10 @@ from made_history import MadeHistory
 from made_layout import seal
 from made_numbers import final_absorbed
 
-from ideotype.analysis import HistoryError
+from ideotype.analysis import Estimate, HistoryError
 from ideotype.analysis.comparison import ELITE, draw_energy, draw_gains
 from ideotype.analysis.cross import Cross, draw_cross
+from ideotype.analysis.interval import ONE_SEED, interval
 from ideotype.analysis.places import draw_latitudes, draw_spacings
 from ideotype.analysis.study import open_study
 from ideotype.analysis.summary import summarize
@@ -94,6 +95,68 @@ def test_leaf_area_stands_beside_every_gain(tmp_path: Path) -> None:
     assert tick.get_text() == "a\nLAI 3.44 → 5.50"
     assert re.search(r"LAI +3\.440 +6\.000\n", words)
     assert re.search(r"\n  gain +-41\.81 \+- 0\.01 %\n", words)
+
+
+@pytest.mark.parametrize("seeds", [(1, 1), (2, 2), (1, 2)])
+def test_one_seed_does_not_tell_the_noise_of_the_search(
+    tmp_path: Path, seeds: tuple[int, int]
+) -> None:
+    """In every text, table and figure; "95 %" is of several seeds alone."""
+    place = (("ames", 42.0), ("edmonton", 53.5))
+    for (site, latitude), count in zip(place, seeds):
+        for seed in range(1, count + 1):
+            name = f"{site}_r{seed}"
+            attributes = {"site": site, "latitude": latitude, "case": name}
+            make(tmp_path / f"{name}.h5", **attributes)
+    plants = [
+        f"{site}_r{k + 1}"
+        for (site, _), n in zip(place, seeds)
+        for k in range(n)
+    ]
+    cross = Cross(
+        tuple(plants), ("ames",), np.full((len(plants), 1), 11.0),
+        np.full((len(plants), 1), 0.01),
+    )  # fmt: skip
+    with open_study(tmp_path) as study:
+        cases = study.cases()
+        table, *_ = gains(cases, None)
+        told = {
+            "gains": draw_gains(cases).get_suptitle(),
+            "energy": draw_energy(cases).get_suptitle(),
+            "latitudes": draw_latitudes(cases).get_suptitle(),
+            "cross": draw_cross(cross).get_suptitle(),
+            "table": table.caption,
+        }
+        printed = {len(c.pairs): str(c.relative_gain()) for c in cases}
+        words = summarize(study[0])
+    for name, text in told.items():
+        said = " ".join(text.split())
+        assert (ONE_SEED in said) == (1 in seeds), name
+        assert ("95 %" in said) == (2 in seeds), name
+    for count, text in printed.items():
+        assert text.endswith(f" % ({ONE_SEED})") == (count == 1)
+    # A history is one seed.
+    assert ONE_SEED[1:] in words and "95 %" not in words
+
+
+def test_the_interval_of_several_seeds_is_that_between_them() -> None:
+    """Four searches of the trial of version 0.2.0, whose errors knew the
+    noise of the light alone."""
+    gains = [
+        Estimate(mean, error, "%")
+        for mean, error in (
+            *((2.71, 0.16), (4.57, 0.24)),
+            *((2.81, 0.26), (4.41, 0.16)),
+        )
+    ]
+    found = interval(gains)
+    # Student's t with three degrees of freedom
+    scatter = np.std([x.mean for x in gains], ddof=1) / 2
+    assert found.half_width == pytest.approx(3.1824 * scatter, rel=1e-4)
+    assert str(found) == "3.6 ± 1.6 %"
+    # Seeds that agree by chance do not take the noise of the light away.
+    alike = interval([Estimate(3.0, 0.2), Estimate(3.0, 0.2)])
+    assert alike.half_width == pytest.approx(1.96 * 0.2 / 2**0.5)
 
 
 def test_an_objective_per_leaf_area_is_its_own_gain(tmp_path: Path) -> None:

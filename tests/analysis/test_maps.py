@@ -9,6 +9,7 @@ from made_history import MadeHistory
 from made_numbers import BASELINE, final_absorbed
 
 from ideotype.analysis import HistoryError, Study, open_study
+from ideotype.analysis.interval import ONE_SEED
 from ideotype.analysis.maps import draw_gain_map, draw_set_map, two_sets
 
 LATITUDES, PLANTS = (10.0, 50.0), (0.1, 0.2)
@@ -56,6 +57,7 @@ def best(trait_set: str, latitude: float, plant: float) -> float:
 
 def test_gains_are_mapped_for_each_trait_set(study: Study) -> None:
     figure = draw_gain_map(study.cases())
+    assert " ".join(figure.get_suptitle().split()) == ONE_SEED
     panels = [axes for axes in figure.axes if axes.images]
     assert [axes.get_title().split()[-1] for axes in panels] == [*SETS]
     for axes, trait_set in zip(panels, SETS):
@@ -84,6 +86,7 @@ def test_two_trait_sets_have_a_line_where_they_are_equal(
 ) -> None:
     assert two_sets(study.cases()) == SETS
     figure = draw_set_map(study.cases(), SETS)
+    assert " ".join(figure.get_suptitle().split()) == ONE_SEED
     axes = figure.axes[0]
     shown = np.asarray(axes.images[0].get_array())
     expected = 100 * (best("erect", 50.0, 0.1) / best("flat", 50.0, 0.1) - 1)

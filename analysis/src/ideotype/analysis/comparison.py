@@ -13,7 +13,7 @@ from . import style
 from .case import Case
 from .cross import Cross
 from .file import HistoryError
-from .interval import Interval
+from .interval import Interval, meaning
 
 ELITE = "elite"
 """What the elite plant is called in a cross-evaluation."""
@@ -39,10 +39,14 @@ def known_cases(cases: Sequence[Case]) -> list[Case]:
     return known
 
 
+def intervals_of(cases: Sequence[Case]) -> str:
+    """What the intervals of cases hold, by how many seeds they have."""
+    return meaning(len(case.pairs) for case in cases if case.pairs)
+
+
 def draw_gains(cases: Sequence[Case], cross: Cross | None = None) -> Figure:
     """Best minus baseline, and minus the elite plant where a cross-evaluation
-    has it, in % by case: mean of seeds with its 95 % confidence interval, and
-    the seeds."""
+    has it, in % by case: mean of seeds with its interval, and the seeds."""
     known = known_cases(cases)
     figure = style.new_figure(style.WIDTH, 1.4 + 0.42 * len(known))
     axes = figure.add_subplot()
@@ -54,7 +58,7 @@ def draw_gains(cases: Sequence[Case], cross: Cross | None = None) -> Figure:
         )  # fmt: skip
         _draw_interval(
             axes, case.relative_gain(), y, style.BEST, "o",
-            "over the baseline, 95 % confidence" if y == 0 else None,
+            "over the baseline" if y == 0 else None,
         )  # fmt: skip
     elite = [
         (y, gain)
@@ -64,7 +68,7 @@ def draw_gains(cases: Sequence[Case], cross: Cross | None = None) -> Figure:
     for i, (y, gain) in enumerate(elite):
         _draw_interval(
             axes, gain, y + 0.2, style.ANEW, "s",
-            "over the elite plant, 95 % confidence" if i == 0 else None,
+            "over the elite plant" if i == 0 else None,
         )  # fmt: skip
     axes.axvline(0, color=style.BASELINE, linewidth=1, linestyle="--")
     axes.set_yticks(range(len(known)), [_with_leaf_area(c) for c in known])
@@ -73,6 +77,7 @@ def draw_gains(cases: Sequence[Case], cross: Cross | None = None) -> Figure:
     what = style.words(names.pop()) if len(names) == 1 else "the objective"
     axes.set_xlabel(f"gain in {what} [%]")
     figure.legend(loc="outside lower center", ncols=3, fontsize=8)
+    style.say(figure, intervals_of(known))
     return figure
 
 
@@ -97,8 +102,8 @@ def _draw_interval(
 
 def draw_energy(cases: Sequence[Case]) -> Figure:
     """Where the incident PAR goes, baseline and best of each case, with the
-    95 % confidence interval of each part. Plots alone have a panel of their
-    own: light from their sides adds to what falls on their ground."""
+    interval of each part. Plots alone have a panel of their own: light from
+    their sides adds to what falls on their ground."""
     known = known_cases(cases)
     panels = [
         [case for case in known if case.is_isolated is alone]
@@ -123,6 +128,7 @@ def draw_energy(cases: Sequence[Case]) -> Figure:
         [bars[part] for part in shown], shown,
         loc="outside lower center", ncols=len(shown), fontsize=8,
     )  # fmt: skip
+    style.say(figure, intervals_of(known))
     return figure
 
 

@@ -17,7 +17,7 @@ from . import style
 from .case import Case
 from .estimate import Estimate, relative_gain
 from .file import HistoryError
-from .interval import Interval, interval
+from .interval import Interval, interval, meaning
 
 
 @dataclass(frozen=True)
@@ -57,6 +57,11 @@ class Cross:
             # Of a single one the name with its seed tells more.
             table.append((name if len(plants) > 1 else plants[0], row))
         return table
+
+    def intervals(self) -> str:
+        """What those of seeds_together() hold."""
+        table = self.seeds_together()
+        return meaning(x.seeds for _, row in table for x in row if x)
 
     def relative_gain(self, case: Case, plant: str) -> Interval | None:
         """Gain [%] of the best of a case's seeds over a plant under the same
@@ -119,7 +124,7 @@ def _from_csv(text: str) -> Cross:
 
 def draw_cross(cross: Cross) -> Figure:
     """Each plant under each case, the seeds of a case put together, in % of
-    the best there; below it half of its 95 % confidence interval."""
+    the best there; below it half of its interval."""
     table = cross.seeds_together()
     mean, error = (
         np.array(
@@ -153,4 +158,5 @@ def draw_cross(cross: Cross) -> Figure:
     axes.set_xlabel("under the light of")
     axes.set_ylabel("plant")
     figure.colorbar(image, label="% of the best there")
+    style.say(figure, cross.intervals())
     return figure

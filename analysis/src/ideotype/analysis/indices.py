@@ -137,7 +137,7 @@ def draw_indices(case: Case) -> Figure:
     figure.suptitle(
         f"{case.name}: {found.samples} samples, "
         f"{found.mean:.4g} ± {found.standard_deviation:.2g} "
-        f"{style.unit_label(found.unit)}",
+        f"{style.unit_label(found.unit)} (standard deviation)",
         fontsize=10,
     )
     return figure

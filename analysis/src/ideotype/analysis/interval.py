@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,6 +12,19 @@ import numpy as np
 from .estimate import Estimate
 
 _NORMAL = 1.960
+
+ONE_SEED = (
+    "one seed: the interval holds the noise of the light, not that of the "
+    "search"
+)
+"""What is told wherever the interval of a single seed is."""
+
+
+def meaning(seeds: Iterable[int]) -> str:
+    """What intervals of so many seeds each hold."""
+    counts = set(seeds)
+    several = ["95 % confidence interval over seeds"] * bool(counts - {1})
+    return "; ".join([*several, *[ONE_SEED] * (1 in counts)])
 
 
 def student(degrees_of_freedom: int) -> float:
@@ -24,7 +37,8 @@ def student(degrees_of_freedom: int) -> float:
 
 @dataclass(frozen=True)
 class Interval:
-    """A mean over seeds with its 95 % confidence interval."""
+    """A mean over seeds with its 95 % confidence interval; that of a single
+    seed knows the noise of the light alone."""
 
     mean: float
     half_width: float
@@ -32,17 +46,22 @@ class Interval:
     unit: str
     seeds: int
 
-    def __str__(self) -> str:
-        """ "+1.50 ± 0.06 %"."""
+    def number(self) -> str:
+        """ "1.50 ± 0.06", without the unit."""
         if not math.isfinite(self.half_width):
-            return f"{self.mean:.4g} {self.unit}, error unknown"
+            return f"{self.mean:.4g}, error unknown"
         digits = 2
         if self.half_width > 0:
             digits = min(
                 max(1 - math.floor(math.log10(self.half_width)), 0), 6
             )
-        text = f"{self.mean:.{digits}f} ± {self.half_width:.{digits}f}"
-        return text if self.unit == "1" else f"{text} {self.unit}"
+        return f"{self.mean:.{digits}f} ± {self.half_width:.{digits}f}"
+
+    def __str__(self) -> str:
+        """ "1.50 ± 0.06 %", and of a single seed what that does not hold."""
+        unit = "" if self.unit == "1" else f" {self.unit}"
+        known = f" ({ONE_SEED})" if self.seeds == 1 else ""
+        return f"{self.number()}{unit}{known}"
 
     def plus(self, other: Interval) -> Interval:
         """Both together, of the same seeds and unit; the half-width is the

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from . import style
 from .case import Case
-from .comparison import known_cases
+from .comparison import intervals_of, known_cases
 from .estimate import Estimate, relative_gain
 from .file import HistoryError
 from .interval import Interval
@@ -54,7 +54,9 @@ def draw_gain_map(cases: Sequence[Case]) -> Figure:
         name: {at: case.relative_gain() for at, case in members.items()}
         for name, members in groups.items()
     }
-    return _draw(maps, labels, "gain over the baseline [%]")
+    figure = _draw(maps, labels, "gain over the baseline [%]")
+    style.say(figure, intervals_of(known))
+    return figure
 
 
 def draw_set_map(cases: Sequence[Case], sets: tuple[str, str]) -> Figure:
@@ -64,7 +66,8 @@ def draw_set_map(cases: Sequence[Case], sets: tuple[str, str]) -> Figure:
 
     Raises HistoryError unless cases of both differ in two numbers."""
     first, second = sets
-    labels, groups = _maps(known_cases(cases))
+    known = known_cases(cases)
+    labels, groups = _maps(known)
     maps: dict[str, _Cells] = {}
     for name, members in groups.items():
         if not name.endswith(f" {first}"):
@@ -78,7 +81,9 @@ def draw_set_map(cases: Sequence[Case], sets: tuple[str, str]) -> Figure:
             }
     if not maps:
         raise HistoryError("no case has both sets")
-    return _draw(maps, labels, f"{first} over {second} [%]", has_line=True)
+    figure = _draw(maps, labels, f"{first} over {second} [%]", has_line=True)
+    style.say(figure, intervals_of(known))
+    return figure
 
 
 def two_sets(cases: Sequence[Case]) -> tuple[str, str] | None:

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 from . import style
 from .case import Case
-from .comparison import known_cases
+from .comparison import intervals_of, known_cases
 from .file import HistoryError
 from .interval import Interval
 from .photons import label_light
@@ -85,6 +85,7 @@ def _draw_against(
     figure.legend(
         handles, labels, loc="outside lower center", ncols=2, fontsize=8
     )
+    style.say(figure, intervals_of(known))
     return figure
 
 

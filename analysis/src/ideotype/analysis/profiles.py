@@ -47,7 +47,7 @@ def draw_hours(case: Case) -> Figure:
     kind = "" if case.best_pair.is_final else "provisional "
     gain = case.best_pair.gain.number().replace("+-", "±")
     figure.suptitle(
-        f"{case.name}: {kind}gain over the {span} {gain} %",
+        f"{case.name}: {kind}gain over the {span} {gain} % (standard error)",
         fontsize=10,
     )
     return figure

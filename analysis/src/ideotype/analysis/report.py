@@ -14,7 +14,7 @@ from . import tables
 from .blocks import Block, Drawing, Note, Section, Viewer
 from .case import Case
 from .case_figures import figures_of
-from .comparison import draw_energy, draw_gains
+from .comparison import draw_energy, draw_gains, intervals_of
 from .cross import Cross, draw_cross
 from .fidelity import Fidelity, draw_fidelity
 from .field import draw_field
@@ -47,7 +47,8 @@ _PLAN = "The plant among its neighbours, all turned alike; dashed: rows."
 _VIEW = (
     "Baseline (left) and {} (right). Leaves are coloured by what they "
     "absorb over the day; sheaths are dull green, stalks and other organs grey, "
-    "neighbours pale and all turned alike. Lines on the ground are the rows. "
+    "neighbours pale and all turned alike. Numbers are ± standard errors. Lines "
+    "on the ground are the rows. "
     "Drag (on a touch screen sideways) or use the arrow keys to turn; pinch, "
     "Ctrl and the wheel, or + and - to zoom; Home to start again."
 )
@@ -63,7 +64,9 @@ _READING = (
     "All figures use the palette of Okabe and Ito and the maps viridis and "
     "PuOr, which the colour-blind can tell apart; lines also differ by marker "
     "or dash. Black is always the baseline, blue the best plant. Axes of "
-    "photons take 4.57 mol for each MJ of PAR (McCree 1972)."
+    "photons take 4.57 mol for each MJ of PAR (McCree 1972). In tables and "
+    "figures over cases ± is half of the interval that they name; in what is "
+    "told of a single plant it is a standard error."
 )
 
 
@@ -166,8 +169,8 @@ def _overview(
         Drawing(
             "gains",
             "How much better than the baseline are the bred plants?",
-            "Mean over seeds with its 95 % "
-            "confidence interval; grey strokes are single seeds.",
+            f"Mean over seeds with its interval ({intervals_of(cases)}); grey "
+            "strokes are single seeds.",
             partial(draw_gains, cases, cross),
         )
     )
@@ -175,8 +178,7 @@ def _overview(
         Drawing(
             "energy",
             "Where does the light go?",
-            "Parts of the incident PAR; error bars are 95 % "
-            "confidence intervals over seeds.",
+            f"Parts of the incident PAR; error bars: {intervals_of(cases)}.",
             partial(draw_energy, cases),
         )
     )
@@ -186,9 +188,9 @@ def _overview(
 
 
 def _places(cases: Sequence[Case], cross: Cross | None) -> Section:
-    bars = "Error bars are 95 % confidence intervals over seeds."
+    bars = f"Error bars: {intervals_of(cases)}."
     section = Section("Latitudes, spacings, cross-evaluation")
-    cells = "Numbers are % ± half of the 95 % confidence interval."
+    cells = f"Numbers are % ± half of the interval ({intervals_of(cases)})."
     section.blocks += [
         Drawing(
             "latitudes",
@@ -227,8 +229,8 @@ def _places(cases: Sequence[Case], cross: Cross | None) -> Section:
                 "cross",
                 "How does each plant do under the light of each case?",
                 "Each plant under the light of each case, "
-                "in % of the best there ± half of the 95 % confidence "
-                "interval; the seeds of a case are put together.",
+                f"in % of the best there ± half of the interval "
+                f"({cross.intervals()}); the seeds of a case are put together.",
                 partial(draw_cross, cross),
             )
         )

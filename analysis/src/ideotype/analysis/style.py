@@ -5,6 +5,7 @@ both can be told apart by the colour-blind."""
 from __future__ import annotations
 
 import re
+from textwrap import fill
 from typing import Any
 
 import numpy as np
@@ -49,6 +50,12 @@ _LIGHT_UNITS = ("MJ m-2 day-1", "W m-2")
 """Per area of ground, or of leaf where the name says so."""
 
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def say(figure: Figure, text: str) -> None:
+    """Above all panels; the question is put above it later."""
+    lines = fill(text, round(12 * figure.get_figwidth()))
+    figure.suptitle(lines, fontsize=10)
 
 
 def new_figure(width: float, height: float) -> Figure:

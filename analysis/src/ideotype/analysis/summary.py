@@ -9,6 +9,7 @@ from datetime import timedelta
 from .estimate import Estimate
 from .file import HistoryError, Writer
 from .history import History
+from .interval import ONE_SEED
 from .pair import Pair
 
 _INDENT = 13
@@ -122,7 +123,7 @@ def _pair(pair: Pair) -> list[str]:
         else "Provisional: the best of a generation (not evaluated again) is too high "
         "on average; the final evaluation is not complete."
     )
-    return lines
+    return [*lines, f"{ONE_SEED[0].upper()}{ONE_SEED[1:]}."]
 
 
 def _error_of_gain(pair: Pair) -> str:

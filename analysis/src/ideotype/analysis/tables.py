@@ -10,7 +10,7 @@ import numpy as np
 
 from .blocks import Block, Note, Table
 from .case import Case
-from .comparison import ELITE
+from .comparison import ELITE, intervals_of
 from .cross import Cross
 from .estimate import relative_gain
 from .file import HistoryError
@@ -34,12 +34,17 @@ def gains(cases: Sequence[Case], cross: Cross | None) -> list[Block]:
         Table(
             _GAINS,
             rows,
-            "Means over seeds ± half of the 95 % confidence interval, in "
+            f"Means over seeds ± half of the interval{_held(cases)}, in "
             f"{_unit(cases)}, of plants evaluated again after the evolution.",
         )
     ]
     blocks += [Note(text) for text in _remarks(cases, cross)]
     return blocks
+
+
+def _held(cases: Sequence[Case]) -> str:
+    told = intervals_of(cases)
+    return f" ({told})" if told else ""
 
 
 def markdown(blocks: Sequence[Block]) -> str:
@@ -90,7 +95,7 @@ def _gain_row(case: Case, cross: Cross | None) -> list[str]:
 
 def _bare(figure: Interval) -> str:
     # kept on one line by the browser
-    return str(replace(figure, unit="1")).replace(" ", "\u00a0")
+    return figure.number().replace(" ", "\u00a0")
 
 
 def _lai(case: Case, who: str) -> str:
@@ -123,11 +128,11 @@ def _room(case: Case) -> str:
 
 def _remarks(cases: Sequence[Case], cross: Cross | None) -> list[str]:
     remarks = [
-        "The interval is Student's t over the scatter of the seeds, or that "
-        "of their standard errors where it is wider; with a single seed it "
-        "knows nothing of how seeds differ. Standard errors of gains over the "
-        "baseline are paired: baseline and best share random numbers, and are "
-        "compared randomisation by randomisation.",
+        "The interval of several seeds is Student's t over their scatter, or "
+        "that of their standard errors where it is wider; that of a single "
+        "seed is the latter. Standard errors of gains over the baseline are "
+        "paired: baseline and best share random numbers, and are compared "
+        "randomisation by randomisation.",
         "LAI is the one-sided leaf area per ground area, which is known "
         "without error; the gain per leaf area is that in absorbed PAR per "
         "one-sided leaf area.",
@@ -213,7 +218,7 @@ def organs(cases: Sequence[Case]) -> list[Table]:
             ("plant", *(name.replace("_", " ") for name in names)),
             rows,
             "PAR that organs other than leaves absorb, in % of the incident: "
-            "means over seeds ± half of the 95 % confidence interval.",
+            f"means over seeds ± half of the interval{_held(cases)}.",
         )
     ]
 
@@ -239,7 +244,7 @@ def scenarios(cases: Sequence[Case]) -> list[Table]:
             ("case: scenario", "baseline", "best", "gain [%]"),
             rows,
             f"{title[0].upper()}{title[1:]}: means over seeds ± half of the "
-            "95 % confidence interval; that of gains takes baseline and best "
+            f"interval{_held(cases)}; that of gains takes baseline and best "
             "as independent.",
         )
         for title, rows in found.items()

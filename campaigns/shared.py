@@ -23,6 +23,8 @@ from numpy.typing import NDArray
 
 import ideotype
 from ideotype import Stand
+from ideotype.analysis.estimate import Estimate as Figure
+from ideotype.analysis.estimate import relative_gain
 
 HERE = Path(__file__).parent
 MAIZE = HERE / "crops" / "maize.toml"
@@ -230,11 +232,14 @@ def sign_change(
 
 
 def gain(before: Sequence[float], after: Sequence[float]) -> Estimate:
-    """[%], of randomisations that both plants share."""
-    differences = [b - a for a, b in zip(before, after, strict=True)]
-    scale = 100 / fmean(before)
-    error = stdev(differences) / math.sqrt(len(differences))
-    return scale * fmean(differences), scale * error
+    """100 (after / before - 1) [%], of randomisations that both plants share."""
+    found = relative_gain(
+        *(
+            Figure(*estimate(values), draws=np.array(values))
+            for values in (after, before)
+        )
+    )
+    return found.mean, found.standard_error
 
 
 def mean_over_seeds(values: Sequence[Estimate]) -> Estimate:

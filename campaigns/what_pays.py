@@ -24,8 +24,10 @@ import pandas as pd
 from shared import (
     MAIZE,
     Estimate,
+    gain,
     guard,
     leaves,
+    light,
     mean_over_seeds,
     stand_of,
     with_trait,
@@ -106,17 +108,8 @@ def study(
     for trait, change in VARIANTS.values():
         values = change(list(best[trait]), list(baseline[trait]))
         genomes.append(with_trait(stand, stand.baseline, trait, values))
-    name = next(iter(stand.objectives))
-    found = stand.evaluate(np.array(genomes), [name], final=True)
-    means = found[name].values
-    errors = found[f"{name}_standard_error"].values
-    return best, [
-        (
-            100 * (mean / means[0] - 1),
-            100 / means[0] * math.hypot(error, errors[0]),
-        )
-        for mean, error in zip(means[1:], errors[1:], strict=True)
-    ]
+    own, *changed = light(stand, np.array(genomes)).tolist()
+    return best, [gain(own, each) for each in changed]
 
 
 def main() -> None:

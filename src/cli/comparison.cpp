@@ -135,6 +135,17 @@ std::optional<Estimate> Comparison::difference(std::size_t plant,
                                 figure);
 }
 
+std::optional<Estimate> Comparison::relative_gain(std::size_t plant,
+                                                  std::size_t chosen,
+                                                  std::size_t figure) const {
+    if (!difference(plant, chosen, figure) ||
+        value(0, chosen, figure)->mean == 0)
+        return std::nullopt;
+    return ideotype::relative_gain(
+        randomisations_of(outcomes[0][chosen], figure),
+        randomisations_of(outcomes[plant][chosen], figure));
+}
+
 Comparison read_comparison(const CompareOptions& options) {
     std::vector<std::string> settings = options.settings;
     if (options.seed) settings.push_back(fmt::format("seed={}", *options.seed));

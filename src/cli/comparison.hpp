@@ -62,6 +62,10 @@ struct Comparison {
     //! one of pairs of randomisations.
     std::optional<Estimate> difference(std::size_t plant, std::size_t chosen,
                                        std::size_t figure) const;
+
+    //! The same relative to the first plant [%]. Nothing if that has zero.
+    std::optional<Estimate> relative_gain(std::size_t plant, std::size_t chosen,
+                                          std::size_t figure) const;
 };
 
 //! Reads the plants and the campaign; nothing is evaluated yet.

@@ -87,15 +87,18 @@ std::string title(const Quantity& quantity) {
     return fmt::format("{} [{}]", quantity.name, quantity.unit);
 }
 
-//! Also relative to the value of the first plant.
+//! Also relative to the first plant; each with its standard error.
 std::string difference_text(const Comparison& all, std::size_t p, std::size_t c,
                             std::size_t f) {
     const std::optional<Estimate> x = all.difference(p, c, f);
     if (!x) return "-";
-    const double base = all.value(0, c, f)->mean;
-    return base != 0 && x->mean != 0
-               ? fmt::format("{} ({:+.2f} %)", format(*x), 100 * x->mean / base)
-               : format(*x);
+    const std::optional<Estimate> gain = all.relative_gain(p, c, f);
+    if (!gain || x->mean == 0) return format(*x);
+    const std::string percent = gain->standard_error > 0
+                                    ? format(*gain)
+                                    : fmt::format("{:.2f}", gain->mean);
+    return fmt::format("{} ({}{} %)", format(*x), gain->mean > 0 ? "+" : "",
+                       percent);
 }
 
 std::string value_text(const Comparison& all, std::size_t p, std::size_t c,
@@ -106,14 +109,14 @@ std::string value_text(const Comparison& all, std::size_t p, std::size_t c,
 
 constexpr auto number_line = "  {:<36} {:>24}{}\n";
 constexpr auto profile_line = "  {:>6} {:>24}{}\n";
-constexpr auto profile_end = " {:>24} {:>34}";
+constexpr auto profile_end = " {:>24} {:>44}";
 
 void print_number(const Comparison& all, std::size_t c, std::size_t f) {
     for (std::size_t p = 0; p < all.plants.size(); ++p)
         fmt::print(number_line, all.plants[p].name, value_text(all, p, c, f),
                    p == 0
                        ? ""
-                       : fmt::format(" {:>34}", difference_text(all, p, c, f)));
+                       : fmt::format(" {:>44}", difference_text(all, p, c, f)));
 }
 
 //! A profile of a plant beside that of the first.

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace ideotype {
 
@@ -16,6 +17,42 @@ Estimate estimate(std::span<const double> replicates) {
     double squares = 0;
     for (const double x : replicates) squares += (x - mean) * (x - mean);
     return {mean, std::sqrt(squares / (n * (n - 1)))};
+}
+
+namespace {
+
+//! The standard error of b - factor * a.
+double error_of_difference(const Randomisations& a, const Randomisations& b,
+                           double factor) {
+    const std::size_t count = a.values.size();
+    const bool is_paired = count > 1 && count == b.values.size() &&
+                           !std::isnan(a.values.front()) &&
+                           !std::isnan(b.values.front());
+    if (!is_paired)
+        return std::hypot(factor * a.figure.standard_error,
+                          b.figure.standard_error);
+    std::vector<double> differences;
+    for (std::size_t i = 0; i < count; ++i)
+        differences.push_back(b.values[i] - factor * a.values[i]);
+    return estimate(differences).standard_error;
+}
+
+}  // namespace
+
+Estimate difference(const Randomisations& a, const Randomisations& b) {
+    return {b.figure.mean - a.figure.mean, error_of_difference(a, b, 1)};
+}
+
+Estimate relative_gain(const Randomisations& a, const Randomisations& b) {
+    const double reference = a.figure.mean;
+    if (reference == 0) {
+        const double nan = std::numeric_limits<double>::quiet_NaN();
+        return {nan, nan};
+    }
+    // To first order, b / a - r has the error of (b - r a) / a for r = b / a.
+    const double ratio = b.figure.mean / reference;
+    return {100 * (ratio - 1),
+            100 * error_of_difference(a, b, ratio) / std::abs(reference)};
 }
 
 }  // namespace ideotype

@@ -73,15 +73,11 @@ std::string gain(const Outcome& a, double area_a, const Outcome& b,
         return outcome;
     };
     const Outcome before = per(a, area_a), after = per(b, area_b);
-    const double reference = before.objectives.front().mean;
-    const Estimate found = difference(before, after);
-    if (!(reference > 0)) return format(found) + " " + unit;
-    // To first order, x / a - 1 has the error of (x - x / a * a) / a.
-    const double ratio = after.objectives.front().mean / reference;
-    const Estimate relative = difference(per(before, 1 / ratio), after);
-    return fmt::format(
-        "{} {} = {} %", format(found), unit,
-        format({100 * (ratio - 1), 100 * relative.standard_error / reference}));
+    const std::string found = format(difference(before, after)) + " " + unit;
+    if (!(before.objectives.front().mean > 0)) return found;
+    return fmt::format("{} = {} %", found,
+                       format(relative_gain(randomisations_of(before),
+                                            randomisations_of(after))));
 }
 
 //! Much of a gain may be leaf area: it stands beside it, and the gain that is

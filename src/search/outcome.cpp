@@ -94,21 +94,18 @@ std::optional<Estimate> find(const OutcomeSchema& schema,
     return outcome.quantities.at(schema.measured.offset(name));
 }
 
+Randomisations randomisations_of(const Outcome& outcome,
+                                 std::size_t objective) {
+    const std::size_t count =
+        outcome.randomisations.size() / outcome.objectives.size();
+    const std::span<const double> every = outcome.randomisations;
+    return {outcome.objectives.at(objective),
+            every.subspan(objective * count, count)};
+}
+
 Estimate difference(const Outcome& a, const Outcome& b, std::size_t objective) {
-    const Estimate& x = a.objectives.at(objective);
-    const Estimate& y = b.objectives.at(objective);
-    const std::size_t count = a.randomisations.size() / a.objectives.size();
-    const bool is_paired =
-        count > 1 && count == b.randomisations.size() / b.objectives.size() &&
-        !std::isnan(a.randomisations.front()) &&
-        !std::isnan(b.randomisations.front());
-    if (!is_paired)
-        return {y.mean - x.mean,
-                std::hypot(x.standard_error, y.standard_error)};
-    std::vector<double> differences;
-    for (std::size_t i = objective * count; i < (objective + 1) * count; ++i)
-        differences.push_back(b.randomisations[i] - a.randomisations[i]);
-    return {y.mean - x.mean, estimate(differences).standard_error};
+    return difference(randomisations_of(a, objective),
+                      randomisations_of(b, objective));
 }
 
 }  // namespace ideotype

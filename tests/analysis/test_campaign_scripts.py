@@ -10,6 +10,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 from real_program import CAMPAIGNS, executable
 
@@ -77,6 +78,23 @@ def test_the_blades_of_the_script_take_the_light_of_the_program(
     assert row is not None and own is not None, table
     assert 70 < float(row[1]) < float(row[2]) < 100
     assert abs(float(own[1])) < 1
+
+
+def test_the_error_of_a_gain_is_that_of_the_ratio(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """As of the carbon balance at 15 x 3 inches: the baseline has nearly
+    nothing, and the noise of both plants is about the same."""
+    monkeypatch.syspath_prepend(CAMPAIGNS)
+    shared = importlib.import_module("shared")
+    draw, runs, count = np.random.default_rng(3), 2000, 16
+    common = draw.normal(0.0, 0.004, (runs, 1, count))
+    values = common + draw.normal(0.0, 0.002, (runs, 2, count))
+    values += np.array([0.171, 0.728])[:, None]
+    found = np.array([shared.gain(*both) for both in values.tolist()])
+    assert found[:, 0].mean() == pytest.approx(100 * (0.728 / 0.171 - 1), 0.01)
+    error = np.sqrt((found[:, 1] ** 2).mean())
+    assert error == pytest.approx(found[:, 0].std(), rel=0.05)
 
 
 def test_parts_of_the_light_are_told_by_organ(

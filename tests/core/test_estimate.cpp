@@ -52,6 +52,60 @@ TEST(Estimate, ItsErrorIsTheSpreadOfTheMean) {
     EXPECT_NEAR(squared_errors * 96, 1, 0.05);
 }
 
+namespace {
+
+double root_mean_square(const std::vector<double>& values) {
+    double squares = 0;
+    for (const double x : values) squares += x * x;
+    return std::sqrt(squares / static_cast<double>(values.size()));
+}
+
+}  // namespace
+
+TEST(RelativeGain, HasTheErrorOfTheRatio) {
+    // A baseline of .171 and a plant four times as good, which share part of
+    // their noise, as carbon balances at 15 x 3 inches do.
+    RandomStream random(2, Purpose::jitter);
+    const auto noise = [&] { return random.uniform() - 0.5; };
+    std::vector<double> gains, paired, independent;
+    for (int trial = 0; trial < 2000; ++trial) {
+        std::vector<double> before(16), after(16);
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            const double common = 0.016 * noise();
+            before[i] = 0.171 + common + 0.008 * noise();
+            after[i] = 0.728 + common + 0.008 * noise();
+        }
+        const Randomisations a{estimate(before), before};
+        const Randomisations b{estimate(after), after};
+        const Estimate found = relative_gain(a, b);
+        gains.push_back(found.mean - 100 * (0.728 / 0.171 - 1));
+        paired.push_back(found.standard_error);
+        independent.push_back(
+            relative_gain({a.figure, {}}, {b.figure, {}}).standard_error);
+        // That of the difference alone, as it was told once, is far too small.
+        EXPECT_GT(found.standard_error,
+                  2 * 100 / a.figure.mean * difference(a, b).standard_error);
+    }
+    const double spread = root_mean_square(gains);
+    EXPECT_NEAR(root_mean_square(paired) / spread, 1, 0.05);
+    EXPECT_GT(root_mean_square(independent) / spread, 1.1);
+}
+
+TEST(RelativeGain, IsOfTheMagnitudeOfWhatItIsRelativeTo) {
+    const Estimate found = relative_gain({{-2, 0.1}, {}}, {{-1, 0}, {}});
+    EXPECT_DOUBLE_EQ(found.mean, -50);
+    EXPECT_DOUBLE_EQ(found.standard_error, 2.5);
+    EXPECT_TRUE(std::isnan(relative_gain({{0, 0}, {}}, {{1, 0}, {}}).mean));
+}
+
+TEST(RelativeGain, ComparesRandomisationsOnlyWhereBothHaveThem) {
+    const double nan = std::nan("");
+    const std::vector<double> unknown{nan, nan}, known{1, 1.2}, more{1, 2, 3};
+    const Randomisations b{{2, 0.3}, known};
+    for (const std::vector<double>& other : {unknown, more})
+        EXPECT_DOUBLE_EQ(difference({{1, 0.4}, other}, b).standard_error, 0.5);
+}
+
 TEST(Scaled, ScalesTheErrorByTheMagnitude) {
     const Estimate x = scaled({3, 0.5}, -2);
     EXPECT_EQ(x.mean, -6);

@@ -16,6 +16,21 @@ struct Estimate {
 //! its error: the standard error is then NaN.
 Estimate estimate(std::span<const double> replicates);
 
+//! A figure, and its values in independent randomisations if they are known.
+struct Randomisations {
+    Estimate figure;
+    std::span<const double> values;
+};
+
+//! b - a. The standard error is that of the differences in each randomisation
+//! where both share them; else that of independent figures, which is if
+//! anything too large.
+Estimate difference(const Randomisations& a, const Randomisations& b);
+
+//! 100 (b / a - 1) [%], with the standard error of the ratio to first order,
+//! paired as in difference(). Both are NaN if a is zero.
+Estimate relative_gain(const Randomisations& a, const Randomisations& b);
+
 //! a * x for an exact factor a.
 inline Estimate scaled(Estimate x, double a) {
     return {a * x.mean, (a < 0 ? -a : a) * x.standard_error};

@@ -85,6 +85,10 @@ Outcome checked_outcome(const OutcomeSchema& schema, Outcome outcome);
 std::optional<Estimate> find(const OutcomeSchema& schema,
                              const Outcome& outcome, const std::string& name);
 
+//! An objective with its values by randomisation.
+Randomisations randomisations_of(const Outcome& outcome,
+                                 std::size_t objective = 0);
+
 //! By how much an objective of b exceeds that of a: the mean and its standard
 //! error over randomisations that both share. Where they are not known, as if
 //! both were independent, which is if anything too large.

@@ -116,11 +116,8 @@ class LeafReader {
                 return fmt::format(
                     "column '{}' has no unit; name it {}_{}", name, name,
                     std::string_view(each.unit) == "m" ? "cm" : each.unit);
-        const std::string nearest = nearest_name(name, names);
         return fmt::format("there is no column '{}'; {}", name,
-                           nearest.empty() ? fmt::format("use some of {}",
-                                                         fmt::join(names, ", "))
-                                           : "did you mean '" + nearest + "'?");
+                           did_you_mean(name, names));
     }
 
     void read_row(std::string_view line, const Location& where) {

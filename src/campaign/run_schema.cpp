@@ -65,7 +65,7 @@ Section light_section(Campaign& campaign) {
 }
 
 Section objective_section(Campaign& campaign) {
-    const std::vector<std::string> names = number_names();
+    const std::vector<std::string> names = objective_names();
     return {"objective",
             {Key("maximise", &campaign.maximised,
                  "any single number of the canopy: on a mean day light that "

@@ -85,12 +85,8 @@ class TraitCheck {
         std::vector<std::string> known;
         for (const MeasureInfo& each : measures(plant_))
             known.push_back(each.name);
-        const std::string nearest = nearest_name(name, known);
-        fail(fmt::format(
-            "acts on \"{}\" (the plant has no such measure); {}", name,
-            nearest.empty()
-                ? fmt::format("use one of {}", fmt::join(known, ", "))
-                : "did you mean \"" + nearest + "\"?"));
+        fail(fmt::format("acts on \"{}\" (the plant has no such measure); {}",
+                         name, did_you_mean(name, known)));
     }
 
     void check_range() {

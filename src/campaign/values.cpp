@@ -167,8 +167,10 @@ struct Reader {
         const auto& names = key.choices;
         const auto found = std::find(names.begin(), names.end(), *text);
         if (found != names.end()) return found - names.begin();
-        fail(fmt::format("is \"{}\" (not one of its values); use {}", *text,
-                         range_text(key)));
+        fail(fmt::format("is \"{}\" (not one of its values); {}", *text,
+                         nearest_name(*text, names).empty()
+                             ? "use " + range_text(key)
+                             : did_you_mean(*text, names)));
         return std::nullopt;
     }
 
@@ -337,12 +339,8 @@ struct Reader {
                 "has \"{}\" twice (once is enough); remove one", *text));
         texts.push_back(*text);
         if (key.choices.empty() || is_in(key.choices)) return;
-        const std::string nearest = nearest_name(*text, key.choices);
-        fail(fmt::format("has \"{}\" (not one of {}); {}", *text,
-                         fmt::join(key.choices, ", "),
-                         nearest.empty()
-                             ? "use any of those"
-                             : "did you mean \"" + nearest + "\"?"));
+        fail(fmt::format("has \"{}\" (not one of its values); {}", *text,
+                         did_you_mean(*text, key.choices)));
     }
 };
 

@@ -24,6 +24,7 @@ using TakeProfile = std::function<std::vector<Randomised>(const CanopyReport&)>;
 struct Declaration {
     Quantity quantity;
     std::variant<TakeNumber, TakeNumbers, TakeProfile> take;
+    bool is_of_method = false;  //!< tells how light was traced, of no plant
 };
 
 //! In the order of their columns.

@@ -107,10 +107,11 @@ std::vector<Measured> measure_numbers(const CanopyReport& report) {
     return all;
 }
 
-std::vector<std::string> number_names() {
+std::vector<std::string> objective_names() {
     std::vector<std::string> names;
     for (const Declaration& each : declared(true))
-        if (each.quantity.axes.empty()) names.push_back(each.quantity.name);
+        if (each.quantity.axes.empty() && !each.is_of_method)
+            names.push_back(each.quantity.name);
     return names;
 }
 

@@ -26,12 +26,33 @@ void check_verb_name(const CLI::App& app, const std::string& word) {
     if (word.empty() || word.starts_with('-') ||
         std::ranges::find(verbs, word) != verbs.end())
         return;
-    const std::string nearest = nearest_name(word, verbs);
-    throw Error(
-        fmt::format("there is no command '{}'; {}", word,
-                    nearest.empty()
-                        ? fmt::format("use one of {}", fmt::join(verbs, ", "))
-                        : "did you mean '" + nearest + "'?"),
+    throw Error(fmt::format("there is no command '{}'; {}", word,
+                            did_you_mean(word, verbs)),
+                ExitCode::usage);
+}
+
+//! Words that a verb does not know: the first that looks like an option, or
+//! else the first of all.
+Error unknown_word(const CLI::App& verb) {
+    const std::vector<std::string> words = verb.remaining();
+    const auto found = std::ranges::find_if(words, [](const std::string& each) {
+        return each.starts_with('-') && each != "--";
+    });
+    const std::string how = "see ideotype " + verb.get_name() + " --help";
+    if (found == words.end())
+        return Error(
+            fmt::format("{}: '{}' is one word too many; {}", verb.get_name(),
+                        words.empty() ? "" : words.front(), how),
+            ExitCode::usage);
+    std::vector<std::string> names;
+    for (const DescribedOption& each : describe_options(verb))
+        if (!each.is_positional)
+            names.insert(names.end(), each.names.begin(), each.names.end());
+    const std::string name = found->substr(0, found->find('='));
+    const std::string nearest = nearest_name(name, names);
+    return Error(
+        fmt::format("{}: there is no option {}; {}", verb.get_name(), name,
+                    nearest.empty() ? how : "did you mean " + nearest + "?"),
         ExitCode::usage);
 }
 
@@ -92,6 +113,10 @@ int run_command_line(int argc, char** argv) {
         app.parse(argc, argv);
         require_shared_work(*app.get_subcommands().front(), launch);
         return action();
+    } catch (const CLI::ExtrasError&) {
+        if (is_silent) return 0;
+        return static_cast<int>(
+            report_error(unknown_word(*app.get_subcommands().front())));
     } catch (const CLI::ParseError& error) {
         if (is_silent) return 0;
         return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::usage);

@@ -22,11 +22,8 @@ const std::vector<std::string> keys{
 //! "there is no 'x'; did you mean 'y'?"
 std::string unknown(const std::string& what, const std::string& word,
                     const std::vector<std::string>& names) {
-    const std::string nearest = nearest_name(word, names);
-    return fmt::format(
-        "there is no {} '{}'; {}", what, word,
-        nearest.empty() ? fmt::format("use one of {}", fmt::join(names, ", "))
-                        : "did you mean '" + nearest + "'?");
+    return fmt::format("there is no {} '{}'; {}", what, word,
+                       did_you_mean(word, names));
 }
 
 //! Enough of a value to know it by.

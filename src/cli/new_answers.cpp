@@ -31,11 +31,8 @@ namespace {
 void require_known(const std::string& what, const std::string& name,
                    const std::vector<std::string>& names) {
     if (std::find(names.begin(), names.end(), name) != names.end()) return;
-    const std::string nearest = nearest_name(name, names);
-    refuse(fmt::format(
-        "there is no {} '{}'; {}", what, name,
-        nearest.empty() ? fmt::format("use one of {}", fmt::join(names, ", "))
-                        : "did you mean '" + nearest + "'?"));
+    refuse(fmt::format("there is no {} '{}'; {}", what, name,
+                       did_you_mean(name, names)));
 }
 
 void check_plant(const std::string& plant) {
@@ -75,7 +72,7 @@ std::vector<Question> questions() {
          &NewOptions::plant, known_crop_names().front(), check_plant},
         {"--objective", "What to breed for", &NewOptions::objective,
          "absorbed_par", [](const std::string& text) {
-             require_known("objective", text, number_names());
+             require_known("objective", text, objective_names());
          }}};
 }
 

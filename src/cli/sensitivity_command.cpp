@@ -20,15 +20,10 @@ std::size_t find(const SensitivityForm& form, const std::string& quantity) {
     const auto found = std::ranges::find(form.quantities, quantity);
     if (found != form.quantities.end())
         return static_cast<std::size_t>(found - form.quantities.begin());
-    const std::string nearest = nearest_name(quantity, form.quantities);
     throw Error(
-        fmt::format(
-            "--quantity: there is no '{}'; {}; the study is finished, "
-            "so add --resume",
-            quantity,
-            nearest.empty()
-                ? fmt::format("use one of {}", fmt::join(form.quantities, ", "))
-                : "did you mean '" + nearest + "'?"),
+        fmt::format("--quantity: there is no '{}'; {}; the study is finished, "
+                    "so add --resume",
+                    quantity, did_you_mean(quantity, form.quantities)),
         ExitCode::usage);
 }
 

@@ -63,4 +63,14 @@ std::string nearest_name(const std::string& word,
     return nearest;
 }
 
+std::string did_you_mean(const std::string& word,
+                         const std::vector<std::string>& candidates) {
+    const std::string nearest = nearest_name(word, candidates);
+    if (!nearest.empty()) return "did you mean '" + nearest + "'?";
+    std::string all;
+    for (const std::string& each : candidates)
+        all += (all.empty() ? "use one of " : ", ") + each;
+    return all;
+}
+
 }  // namespace ideotype

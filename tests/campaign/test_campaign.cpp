@@ -319,11 +319,17 @@ TEST(Campaign, AnySingleNumberOfTheCanopyMayBeAnObjective) {
     EXPECT_FALSE(parse_campaign(text("fapar"), "c").photosynthesis);
     EXPECT_TRUE(parse_campaign(text("sunlit_lai"), "c").photosynthesis);
     EXPECT_EQ(problem_of(text("extinction_coefficient")), "");
-    EXPECT_NE(problem_of(text("fparr")).find("did you mean \"fapar\"?"),
+    EXPECT_NE(problem_of(text("fparr")).find("did you mean 'fapar'?"),
               std::string::npos);
-    EXPECT_NE(
-        problem_of(text("absorbed_by_leaf")).find("not one of absorbed_par, "),
-        std::string::npos);
+    EXPECT_NE(problem_of(text("net_assimilaton"))
+                  .find("did you mean 'net_assimilation'?"),
+              std::string::npos);
+    // What has nothing near is answered with all that there are, but for what
+    // tells of the method alone.
+    const std::string all = problem_of(text("xyz"));
+    EXPECT_NE(all.find("use one of absorbed_par, "), std::string::npos) << all;
+    for (const char* own : {"paths", "capped", "balance_error"})
+        EXPECT_EQ(all.find(own), std::string::npos) << all;
     EXPECT_NE(problem_of(text("extinction_coefficient") +
                          "[field]\nboundary = \"isolated\"\n")
                   .find("light enters a plot"),

@@ -40,7 +40,7 @@ TEST(Settings, AreCheckedLikeTheFileAllInOnePass) {
         const std::string all = error.what();
         for (const char* each :
              {"--set search.optimizer=randum: search.optimizer is \"randum\" "
-              "(not one of its values); use \"ga\"",
+              "(not one of its values); did you mean 'random'?",
               "--set site.latitud=3: unknown key 'latitud'",
               "--set seed: not a key and its value",
               "--set seed=\"a: seed is a text (expected: ",

@@ -16,6 +16,14 @@ says "did you mean 'check'"
 expect 3 "$ideotype" evaluate campaigns/crops/maize.toml
 says "maize.toml:1:1: this is a crop file .*ideotype compare PLANT --under CAMPAIGN"
 expect 2 "$ideotype"
+expect 2 "$ideotype" run campaigns/verbs.toml --rank 2
+says "^ideotype: run: there is no option --rank; did you mean --ranks?$"
+expect 2 "$ideotype" status results --jsno
+says "status: there is no option --jsno; did you mean --json?"
+expect 2 "$ideotype" check campaigns/verbs.toml --xyz=3
+says "check: there is no option --xyz; see ideotype check --help"
+expect 2 "$ideotype" plan campaigns/verbs.toml more
+says "plan: 'more' is one word too many; see ideotype plan --help"
 expect 2 "$ideotype" run campaigns/verbs.toml --wall-time soon
 says "'soon' is no time; write for example 90, 90s, 30m, 2h, 1h30m or 01:30:00"
 expect 1 "$ideotype" check campaigns/missing.toml

@@ -31,9 +31,9 @@ struct Measured {
 //! All of them that a report has.
 std::vector<Measured> measure_numbers(const CanopyReport& report);
 
-//! The names of all quantities without axes that a report may have: each can
-//! be an objective.
-std::vector<std::string> number_names();
+//! The names of quantities without axes that a report may have, but for those
+//! that tell of the method alone: each can be an objective.
+std::vector<std::string> objective_names();
 
 //! Whether only reports with assimilation have it.
 bool is_of_assimilation(const std::string& quantity);

@@ -61,4 +61,8 @@ class InputError : public Error {
 std::string nearest_name(const std::string& word,
                          const std::vector<std::string>& candidates);
 
+//! "did you mean 'x'?", or "use one of x, y, z" if no candidate is near.
+std::string did_you_mean(const std::string& word,
+                         const std::vector<std::string>& candidates);
+
 }  // namespace ideotype

@@ -30,12 +30,22 @@ void declare_row(CLI::App& verb, RowChoice& row) {
     verb.add_option("--slot", row.slot, "slot of the row")->excludes("--best");
 }
 
+CLI::Option* add_json(CLI::App& verb, bool& is_json) {
+    return verb.add_flag("--json", is_json, "print JSON instead of text");
+}
+
+void add_case(CLI::App& verb, int& index) {
+    verb.add_option("--case", index,
+                    "index of the case of the campaign (see plan)")
+        ->capture_default_str();
+}
+
 void declare_check(CLI::App& verb, CheckOptions& options) {
     add_campaign(verb, options.campaign_path, options.settings);
     verb.add_option("--out", options.out,
                     "folder that the histories will be in")
         ->capture_default_str();
-    verb.add_flag("--json", options.is_json);
+    add_json(verb, options.is_json);
 }
 
 void declare_plan(CLI::App& verb, PlanOptions& options) {
@@ -49,7 +59,7 @@ void declare_plan(CLI::App& verb, PlanOptions& options) {
     verb.add_option("--out", options.out,
                     "folder in which --left looks for histories")
         ->capture_default_str();
-    verb.add_flag("--json", options.is_json)->excludes("--count");
+    add_json(verb, options.is_json)->excludes("--count");
 }
 
 void declare_status(CLI::App& verb, StatusOptions& options) {
@@ -57,7 +67,7 @@ void declare_status(CLI::App& verb, StatusOptions& options) {
     verb.add_flag("--resumable", options.only_resumable,
                   "print only the files of unfinished cases that nobody "
                   "works on");
-    verb.add_flag("--json", options.is_json)->excludes("--resumable");
+    add_json(verb, options.is_json)->excludes("--resumable");
 }
 
 //! The two kinds of `evaluate`.
@@ -74,10 +84,9 @@ void declare_evaluate(CLI::App& verb, AnyEvaluate& options) {
         "file", paths, "campaign (.toml: its baseline) or history (.h5)");
     verb.add_option("--under", under)->group("");
     add_settings(verb, one.settings)->needs(files);
-    verb.add_option("--case", one.case_index, "case of the campaign")
-        ->capture_default_str();
+    add_case(verb, one.case_index);
     declare_row(verb, one.row);
-    verb.add_flag("--json", one.is_json);
+    add_json(verb, one.is_json);
     add_mesh_options(verb, mesh);
     verb.add_option("--tolerance", one.tolerance,
                     "relative standard error of the leaves' total: of a mesh "
@@ -125,8 +134,7 @@ void declare_compare(CLI::App& verb, CompareOptions& options) {
         ->check(CLI::Range(1e-5, 0.05));
     verb.add_option("--csv", options.csv_path,
                     "also write all figures to this new file, one per line");
-    verb.add_flag("--json", options.is_json,
-                  "print all figures as JSON instead of tables");
+    add_json(verb, options.is_json);
 }
 
 void declare_new(CLI::App& verb, NewOptions& options) {
@@ -147,14 +155,15 @@ void declare_new(CLI::App& verb, NewOptions& options) {
                     "the campaign; a crop file (.toml) or measured leaves "
                     "(.csv)");
     verb.add_option("--objective", options.objective,
-                    "what to breed for: absorbed_par, net_assimilation, any "
-                    "single number of a canopy");
+                    "what to breed for: carbon_balance (if not given), "
+                    "net_assimilation, absorbed_par, any single number of a "
+                    "canopy");
     verb.add_option("--name", options.name, "of the campaign");
 }
 
 void declare_fidelity(CLI::App& verb, FidelityOptions& options) {
     add_campaign(verb, options.campaign_path, options.settings);
-    verb.add_option("--case", options.case_index)->capture_default_str();
+    add_case(verb, options.case_index);
     verb.add_option("--tolerance", options.tolerance,
                     "relative error of one evaluation that will do")
         ->check(CLI::Range(1e-5, 0.05))
@@ -170,13 +179,12 @@ void declare_fidelity(CLI::App& verb, FidelityOptions& options) {
 
 void declare_serve(CLI::App& verb, ServeOptions& options) {
     add_campaign(verb, options.campaign_path, options.settings);
-    verb.add_option("--case", options.case_index, "case of the campaign")
-        ->capture_default_str();
+    add_case(verb, options.case_index);
     add_log_level(verb, options.level);
 }
 
 void declare_export(CLI::App& verb, ExportOptions& options) {
-    verb.add_option("file", options.path)->required();
+    verb.add_option("file", options.path, "history (.h5)")->required();
     declare_row(verb, options.row);
     verb.add_option("--to", options.to, "new file, .obj, .vtp, .csv or .toml")
         ->required();
@@ -214,10 +222,12 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
                    std::function<int()>& action) {
     const auto add = [&]<class Options>(
                          const char* name, const char* about,
+                         const char* example,
                          void (*declare)(CLI::App&, Options&),
                          ExitCode (*run)(const Options&)) -> Options& {
         const auto options = std::make_shared<Options>();
         CLI::App* verb = app.add_subcommand(name, about);
+        verb->footer(fmt::format("Example:\n  ideotype {} {}", name, example));
         declare(*verb, *options);
         verb->callback([&action, options, run] {
             action = [=] { return static_cast<int>(run(*options)); };
@@ -227,58 +237,62 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
     add("new",
         "write a commented campaign for a place and a plant; what is not given "
         "is asked for on a terminal",
-        declare_new, write_new_campaign);
-    add("check", "validate a campaign; report its size and cost", declare_check,
-        check);
+        "mine.toml --latitude 42.03 --longitude -93.63", declare_new,
+        write_new_campaign);
+    add("check", "validate a campaign; report its size and cost",
+        "campaigns/quickstart.toml", declare_check, check);
     add("plan", "list the cases of a campaign with index, seed and cost",
-        declare_plan, plan);
+        "campaigns/latitudes.toml", declare_plan, plan);
     add("run",
         "evolve the cases of a campaign on the cores of this machine "
         "(--ranks auto), alone, or on a cluster (under mpirun or srun)",
-        declare_run, start_run)
+        "campaigns/quickstart.toml --ranks auto --resume", declare_run,
+        start_run)
         .words = words;
     add("sensitivity",
         "what light, or any other quantity, depends on: indices by Sobol' or "
         "Morris for the traits and for numeric keys of a campaign; runs, "
         "stops and is resumed as run",
-        declare_sensitivity, start_sensitivity)
+        "campaigns/ames_quick.toml --ranks auto", declare_sensitivity,
+        start_sensitivity)
         .run.words = words;
     add("status", "how far histories have come, also while they are written",
-        declare_status, status);
+        "results", declare_status, status);
     add("evaluate",
         "the light in one canopy: a campaign's baseline, or a row of a "
         "history, which is recomputed and compared bit for bit, or any mesh",
-        declare_evaluate, evaluate_any);
+        "campaigns/quickstart.toml", declare_evaluate, evaluate_any);
     add("compare",
         "plants in the same light: how each differs from the first, with "
         "paired standard errors, in all and by leaf and layer; alone, or under "
         "mpirun or srun",
+        "maize.toml field.csv --under campaigns/ames_quick.toml",
         declare_compare, compare);
     add("serve",
         "evaluate the genomes that arrive as lines of JSON on the standard "
         "input, and answer each with a line of JSON, until the input ends; "
         "alone, or on all ranks under mpirun or srun",
-        declare_serve, serve);
+        "campaigns/ames_quick.toml < genomes > answers", declare_serve, serve);
     add("fidelity",
         "measure what accuracy costs here: error and time of every setting "
         "that trades one for the other, and the cheapest that will do",
-        declare_fidelity, fidelity);
+        "campaigns/ames_quick.toml", declare_fidelity, fidelity);
     add("export",
         "write a plant of a history as OBJ (mesh), VTP (mesh with the PAR "
         "that each face absorbs, for ParaView), CSV (traits) or TOML (plant "
         "file, for campaigns), or all complete generations as CSV",
-        declare_export, export_any);
+        "FILE.h5 --best --to best.toml", declare_export, export_any);
     add("migrate",
         "give a campaign of an earlier version, and the crop file that it "
         "names, the names of this version; the rest of the text stays",
-        declare_migrate, migrate);
+        "old.toml", declare_migrate, migrate);
     add("verify",
         "compare all of histories with their checksums, also while they are "
         "written",
-        declare_files, verify);
+        "FILE.h5", declare_files, verify);
     add("pack",
         "compress finished histories; each is verified before and after",
-        declare_files, pack);
+        "FILE.h5", declare_files, pack);
 }
 
 }  // namespace ideotype

@@ -71,7 +71,8 @@ std::string man_page(const CLI::App& app) {
         man_options(app));
     for (const CLI::App* verb : app.get_subcommands({}))
         text += ".SS " + escape(verb->get_name()) + "\n" +
-                sentence(verb->get_description()) + man_options(*verb);
+                sentence(verb->get_description()) + man_options(*verb) +
+                ".PP\n" + escape(verb->get_footer()) + "\n";
     text.pop_back();  // the last line's end, which is printed too
     return text;
 }

@@ -35,6 +35,21 @@ FieldForm& field_of(MeshOptions& options) {
     return *options.field;
 }
 
+//! An option whose values are these words.
+template <class Value, class Target>
+CLI::Option* add_choice(CLI::App& verb, const std::string& name, Target& target,
+                        const std::map<std::string, Value>& choices,
+                        const std::string& about) {
+    return verb
+        .add_option_function<std::string>(
+            name,
+            [&target, choices](const std::string& text) {
+                target = choices.at(text);
+            },
+            about)
+        ->check(CLI::IsMember(choices));
+}
+
 void add_light(CLI::App& verb, MeshOptions& options, CLI::Option* mesh) {
     verb.add_option_function<Two>(
             "--sun",
@@ -44,14 +59,12 @@ void add_light(CLI::App& verb, MeshOptions& options, CLI::Option* mesh) {
             "elevation and azimuth, clockwise from north = +y [deg]; its "
             "light on level ground is 1")
         ->needs(mesh);
-    verb.add_option("--sky", options.sky,
-                    "light of the sky: uniform, overcast or clear (clear "
-                    "needs --sun for the sun's place); with --site the sky "
-                    "of that day")
-        ->transform(CLI::CheckedTransformer(
-            std::map<std::string, SkyModel>{{"uniform", SkyModel::uniform},
-                                            {"overcast", SkyModel::overcast},
-                                            {"clear", SkyModel::clear}}))
+    add_choice<SkyModel>(verb, "--sky", options.sky,
+                         {{"uniform", SkyModel::uniform},
+                          {"overcast", SkyModel::overcast},
+                          {"clear", SkyModel::clear}},
+                         "light of the sky (clear needs --sun for the sun's "
+                         "place); with --site the sky of that day")
         ->needs(mesh);
     verb.add_option("--beam-ppfd", options.beam_ppfd,
                     "beam of --sun on level ground above the canopy "
@@ -97,12 +110,11 @@ void add_ground(CLI::App& verb, MeshOptions& options, CLI::Option* mesh) {
             },
             "lattice on which the mesh repeats, along x and y [m]")
         ->needs(mesh);
-    verb.add_option("--boundary", options.boundary,
-                    "periodic (default): an endless stand; isolated: the mesh "
-                    "alone on endless soil")
-        ->transform(CLI::CheckedTransformer(
-            std::map<std::string, Boundary>{{"periodic", Boundary::periodic},
-                                            {"isolated", Boundary::isolated}}))
+    add_choice<Boundary>(
+        verb, "--boundary", options.boundary,
+        {{"periodic", Boundary::periodic}, {"isolated", Boundary::isolated}},
+        "periodic (default): an endless stand; isolated: the "
+        "mesh alone on endless soil")
         ->needs(mesh);
     verb.add_option("--ground-area", options.ground_area,
                     "ground that fractions refer to [m2]; of a periodic stand "
@@ -128,10 +140,12 @@ void add_ground(CLI::App& verb, MeshOptions& options, CLI::Option* mesh) {
 //! What surfaces of a tissue do with light.
 void add_surface(CLI::App& verb, const std::string& tissue, Lambertian& surface,
                  const std::string& meaning, CLI::Option* mesh) {
-    verb.add_option(tissue + "-reflectance", surface.reflectance, meaning)
+    verb.add_option(tissue + "-reflectance", surface.reflectance,
+                    "reflected part of the light, " + meaning)
         ->capture_default_str()
         ->needs(mesh);
-    verb.add_option(tissue + "-transmittance", surface.transmittance)
+    verb.add_option(tissue + "-transmittance", surface.transmittance,
+                    "transmitted part of the light, " + meaning)
         ->capture_default_str()
         ->needs(mesh);
 }
@@ -151,7 +165,8 @@ void add_mesh_options(CLI::App& verb, MeshOptions& options) {
     add_surface(
         verb, "--sheath", options.sheath,
         "of groups whose names begin with sheath, or with plantN_sheath", mesh);
-    verb.add_option("--soil-albedo", options.soil_albedo)
+    verb.add_option("--soil-albedo", options.soil_albedo,
+                    "part of the light that the soil reflects")
         ->capture_default_str()
         ->needs(mesh);
     verb.add_option("--paths", options.paths,

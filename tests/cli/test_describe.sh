@@ -33,10 +33,15 @@ for verb in "${verbs[@]}"; do
     grep -q "^ *'$verb:" made_zsh || fail "zsh does not complete $verb"
     grep -qx "\.SS $verb" plain || fail "no section of $verb"
 done
+! grep -B1 '^$' made_man | grep '^\.TP' || fail "an option without words"
 count=0
 for verb in "${verbs[@]}"; do
-    complete_words ideotype "$verb" -
     sed -n "/^\.SS $verb\$/,/^\.SS/p" plain >section
+    expect 0 "$ideotype" "$verb" --help
+    ! grep -E "ENUM|value in|->" out.log || fail "not names of values"
+    says "^  ideotype $verb "
+    grep -q "ideotype $verb " section || fail "the page has no example of $verb"
+    complete_words ideotype "$verb" -
     grep "^ *$verb) " made_zsh >zsh_case
     while read -r option; do
         grep -q -- "^.*\\\\fB.*$option\\b" section ||

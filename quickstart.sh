@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # From a fresh Debian 12 or 13 to an evolved canopy: installs what is missing,
-# builds, runs the quick Ames campaign on all cores, writes its report.
+# builds, runs a quick campaign on all cores, writes its report.
 # May be run again: finished parts are not repeated.
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -13,7 +13,7 @@ cmake --build --preset release
 rm -f build-release.log
 install_python release
 
-campaign=campaigns/ames_quick.toml
+campaign=campaigns/quickstart.toml
 out=${1:-results}
 ideotype=build/release/src/ideotype
 
@@ -25,8 +25,8 @@ echo
 "$ideotype" run "$campaign" --ranks auto --out "$out" --resume
 
 echo
-.venv/bin/ideotype-summary "$out/ames_quick"
+.venv/bin/ideotype-summary --gains "$out/quickstart"
 echo
-.venv/bin/ideotype-report "$out/ames_quick" -o "$out/ames_quick/report"
+.venv/bin/ideotype-report "$out/quickstart" -o "$out/quickstart/report"
 echo
-echo "everything is in $(cd "$out/ames_quick" && pwd)"
+echo "open $(cd "$out/quickstart/report" && pwd)/report.html"

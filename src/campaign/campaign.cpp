@@ -174,6 +174,7 @@ Crop read_crop(const std::string& path, const Plant* other) {
     Crop crop = draft.campaign.crop;
     for (const TraitEntry& entry : draft.traits)
         crop.traits.push_back(complete(entry));
+    crop.rules = rule_names(draft);
     return crop;
 }
 

@@ -2,6 +2,7 @@
 #include "new_answers.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -33,6 +34,39 @@ void require_known(const std::string& what, const std::string& name,
     if (std::find(names.begin(), names.end(), name) != names.end()) return;
     refuse(fmt::format("there is no {} '{}'; {}", what, name,
                        did_you_mean(name, names)));
+}
+
+//! What a newcomer may choose from, the first if unsure.
+struct Goal {
+    const char *objective, *meaning;
+};
+constexpr std::array<Goal, 4> goals{{
+    {"carbon_balance",
+     "the carbon that leaves take up less what they respire and are built of: "
+     "leaf area\n     has its price (take this if unsure)"},
+    {"net_assimilation",
+     "the carbon that leaves take up less what they respire by day: leaf area "
+     "costs little"},
+    {"absorbed_par",
+     "the light that leaves absorb: leaf area costs nothing, so expect much "
+     "of it"},
+    {"net_assimilation_per_leaf_area",
+     "the same carbon per leaf area: few leaves, each in good light"},
+}};
+
+std::string goal_text() {
+    std::string text = "What plants are bred for:\n";
+    for (std::size_t i = 0; i < goals.size(); ++i)
+        text += fmt::format("  {}  {}\n     {}\n", i + 1, goals[i].objective,
+                            goals[i].meaning);
+    return text + "Number or name";
+}
+
+//! The objective of a number in the list of goals, or the text as it is.
+std::string to_objective(const std::string& text) {
+    for (std::size_t i = 0; i < goals.size(); ++i)
+        if (text == std::to_string(i + 1)) return goals[i].objective;
+    return text;
 }
 
 void check_plant(const std::string& plant) {
@@ -70,9 +104,9 @@ std::vector<Question> questions() {
          fmt::format("Plant: {}, a crop file (.toml) or measured leaves (.csv)",
                      fmt::join(known_crop_names(), ", ")),
          &NewOptions::plant, known_crop_names().front(), check_plant},
-        {"--objective", "What to breed for", &NewOptions::objective,
-         "absorbed_par", [](const std::string& text) {
-             require_known("objective", text, objective_names());
+        {"--objective", goal_text(), &NewOptions::objective,
+         goals.front().objective, [](const std::string& text) {
+             require_known("objective", to_objective(text), objective_names());
          }}};
 }
 
@@ -153,6 +187,7 @@ void complete(NewOptions& options) {
             answer = each.initial;
         }
     }
+    options.objective = to_objective(options.objective);
     if (!missing.empty())
         refuse(fmt::format(
             "new: there is no {} (on a terminal you would be asked); "

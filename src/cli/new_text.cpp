@@ -122,7 +122,9 @@ std::string text_of(const NewCampaign& campaign) {
         "# Other keys have defaults: see campaigns/README.md.\n\n";
     out.key("name", quoted(name));
     out.key("seed");
-    out.key("replicates");
+    out.key("replicates", "3",
+            "searches of each case, apart but for their seeds: how far they "
+            "differ is how sure a gain is");
     out.table("[[site]]", "The place and its clear sky.");
     out.key("name", quoted(site.name));
     out.key("latitude", number(site.latitude));
@@ -149,7 +151,12 @@ std::string text_of(const NewCampaign& campaign) {
     out.key("jitter");
     out.table("[plant]", "The plant that breeding begins with.");
     out.key("baseline", quoted(plant_file), "crop file, from this folder");
-    if (const std::string bounds = wider_bounds(crop); bounds.empty()) {
+    const bool is_breedable = std::ranges::count(crop.rules, "breedable") > 0;
+    if (is_breedable) {
+        out.key("bounds", quoted("breedable"),
+                "what a breeder could select: sizes and angles that change "
+                "smoothly from leaf to leaf; \"traits\" frees each leaf");
+    } else if (const std::string bounds = wider_bounds(crop); bounds.empty()) {
         out.key("bounds", "", "how far traits may move: as the crop file says");
     } else {
         out.text +=
@@ -170,7 +177,8 @@ std::string text_of(const NewCampaign& campaign) {
     out.key("randomisations");
     out.key("sky", "", "diffuse light; \"overcast\" and \"clear\" are others");
     out.table("[objective]", "What plants are bred for.");
-    out.key("maximise", quoted(objective), "any single number of a canopy");
+    out.key("maximise", quoted(objective),
+            "\"net_assimilation\", \"absorbed_par\" are others");
     out.table("[search]", "How plants are proposed.");
     out.key("optimizer", "", "\"cma_es\", \"nsga2\", \"random\" are others");
     out.key("population", "100");

@@ -161,8 +161,8 @@ TEST(Campaign, EveryCampaignOfTheProjectIsValidAndItsSize) {
     const std::map<std::string, std::size_t> sizes{
         {"ames", 3},           {"bondville", 6},      {"ames_quick", 1},
         {"isolated_plot", 12}, {"latitudes", 15},     {"profiles", 6},
-        {"row_direction", 12}, {"same_leaf_area", 3}, {"sorghum", 2},
-        {"spacings", 18},      {"trait_sets", 12}};
+        {"quickstart", 3},     {"row_direction", 12}, {"same_leaf_area", 3},
+        {"sorghum", 2},        {"spacings", 18},      {"trait_sets", 12}};
     std::size_t found = 0;
     for (const auto& file :
          std::filesystem::directory_iterator(IDEOTYPE_CAMPAIGNS)) {

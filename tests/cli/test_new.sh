@@ -13,14 +13,15 @@ says "^next: ideotype check own/my.toml$"
 cmp own/maize.toml campaigns/crops/maize.toml
 expect 0 "$ideotype" check own/my.toml
 says "^own/my.toml: no errors$"
-says "^campaign  my, 1 case$"
+says "^campaign  my, 3 cases$"
 says "^sun .*left out"
 says " 0.0 % "
 (cd own && "$ideotype" plan my.toml) | grep -q "my_0701_762x150_all_r1" ||
     fail "not the campaign that was asked for"
 for line in 'latitude = 42.03  *# .*\[deg\]' 'utc_offset = -6  *#' \
     'start = 04:00:00' 'end = 20:00:00' 'row = 0.762  *# .*\[m\]' \
-    'maximise = "absorbed_par"  *#' 'baseline = "maize.toml"  *#'; do
+    'maximise = "carbon_balance"  *#' 'replicates = 3  *#' \
+    'bounds = "breedable"  *#' 'baseline = "maize.toml"  *#'; do
     grep -q "^$line" own/my.toml || fail "no '$line' in $(cat own/my.toml)"
 done
 if grep -E '^[a-z_]+ = ' own/my.toml | grep -v '#'; then
@@ -58,8 +59,14 @@ length_cm,width_cm,insertion_angle_deg,curvature_deg,azimuth_deg,insertion_heigh
 CSV
 expect 0 "$ideotype" new other/field.toml "${place[@]}" "${field[@]}" \
     --plant own/field.csv
-grep -q '^length = \[0.3, 1.1\]' other/field.toml ||
-    fail "bounds that the baseline is beyond: $(cat other/field.toml)"
+grep -q '^bounds = "breedable"' other/field.toml ||
+    fail "not the bounds of maize: $(cat other/field.toml)"
+sed -e 's/maize/sorghum/' -e 's/^30,4/3,2/' own/field.csv >own/short.csv
+expect 0 "$ideotype" new other/short.toml "${place[@]}" "${field[@]}" \
+    --plant own/short.csv
+grep -q '^length = \[0.03, ' other/short.toml ||
+    fail "bounds that the baseline is beyond: $(cat other/short.toml)"
+expect 0 "$ideotype" check other/short.toml
 expect 0 "$ideotype" check other/field.toml
 says "^plant     field, 2 leaves"
 expect 0 "$ideotype" migrate other/field.toml
@@ -91,7 +98,10 @@ says '"2021-02-30" is no date'
 expect 2 "$ideotype" new none.toml --plant maze </dev/null
 says "did you mean 'maize'"
 expect 2 "$ideotype" new none.toml --objective light </dev/null
-says "there is no objective 'light'"
+says "there is no objective 'light'; use one of absorbed_par, "
+! grep -qE "paths|capped|balance_error" out.log || fail "internals are offered"
+expect 2 "$ideotype" new none.toml --objective net_assimilaton </dev/null
+says "did you mean 'net_assimilation'"
 expect 2 "$ideotype" new nowhere/none.toml "${place[@]}" "${field[@]}" \
     --plant maize
 says "there is no folder nowhere"
@@ -110,14 +120,21 @@ says 'none.toml:.*name is "my own"'
     echo 0.762
     echo 0.15
     echo
-    echo
+    echo paths
+    echo yield
+    echo 1
 } >answers
 expect 0 script -qec "'$ideotype' new asked.toml" /dev/null <answers
 says "Latitude of the place"
 says '"west" is no longitude (expected: a number, -180 .. 180 deg)'
 says '"2021-13-01" is no date'
 says "(maize): "
-says "(absorbed_par): "
+says "^  1  carbon_balance"
+says "^  4  net_assimilation_per_leaf_area"
+says "Number or name (carbon_balance): "
+says "there is no objective 'paths'"
+says "there is no objective 'yield'"
+! grep -qE "capped|balance_error" out.log || fail "internals are offered"
 expect 0 "$ideotype" check asked.toml
 diff -b <(sed 's/my/asked/g' own/my.toml) asked.toml ||
     fail "answers make another campaign than options"

@@ -36,6 +36,8 @@ struct Trait {
 struct Crop {
     Plant baseline;
     std::vector<Trait> traits;
+    //! Bounds that its crop file has under names, for campaigns to choose.
+    std::vector<std::string> rules{};
 };
 
 //! One number of a trait.

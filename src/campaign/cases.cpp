@@ -43,7 +43,9 @@ void add_scenario(const Campaign& campaign, const Case& scenario,
     found->scenarios.push_back(scenario);
 }
 
-LightSeries to_series(const SiteWeather& weather, Site site) {
+//! Dates are those of the file; hours are told on the clock of the site.
+LightSeries to_series(const SiteWeather& weather, const Site& here) {
+    Site site = here;
     site.utc_offset = weather.utc_offset;
     const auto at = [](const std::vector<double>& values, std::size_t i) {
         return values.empty() ? std::nullopt : std::optional(values.at(i));
@@ -51,10 +53,12 @@ LightSeries to_series(const SiteWeather& weather, Site site) {
     const double seconds = 86400 / static_cast<double>(weather.hours.size());
     LightSeries series;
     series.days = static_cast<int>(weather.dates.size());
+    series.utc_offset = here.utc_offset;
+    const double shift = here.utc_offset - weather.utc_offset;
     for (const Date& date : weather.dates)
         for (const double hour : weather.hours) {
             const std::size_t i = series.steps.size();
-            series.steps.push_back({hour,
+            series.steps.push_back({hour + shift,
                                     seconds,
                                     sun_position(site, date, hour),
                                     {weather.beam.at(i), weather.diffuse.at(i)},

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "declaration.hpp"
+#include "ideotype/core/clock.hpp"
 #include "ideotype/core/error.hpp"
 
 namespace ideotype {
@@ -45,13 +46,15 @@ Axis layer_axis(const Layers& layers) {
 }
 
 Axis hour_axis(const LightSeries& series) {
-    return {"hour", "h", "local clock", series.hours()};
+    return {"hour", "h",
+            "time on the clock of the site, " + clock_name(series.utc_offset),
+            series.hours()};
 }
 
 Axis day_axis(const LightSeries& series) {
     std::vector<std::string> dates;
     for (const Date& date : series.dates()) dates.push_back(to_string(date));
-    return {"day", "", "dates on the local clock", std::move(dates)};
+    return {"day", "", "date", std::move(dates)};
 }
 
 }  // namespace

@@ -144,6 +144,8 @@ void print_assimilation(const CanopyReport& report, Span span) {
 }
 
 void print_hours(const CanopyReport& report) {
+    fmt::print("\nhours are on the clock of the site, {}",
+               clock_name(report.light.utc_offset));
     fmt::print("\n{:<5} {:>8} {:>20} {:>20} {:>20} {:>20} {:>20}\n", "hour",
                "W m-2", "leaf", "  of the sun", "soil", "reflected",
                "sunlit leaf area");
@@ -246,6 +248,7 @@ Json to_json(const CanopyReport& report, Span span) {
     json["lai"] = report.lai;
     json["ground_area_m2"] = report.ground_area;
     json["balance_error"] = light.balance_error;
+    if (span == Span::day) json["clock"] = clock_name(light.utc_offset);
     for (const StepReport& step : light.steps) {
         Json hour{{"hour", step.hour}};
         hour.update(to_json(step.budget, report, "W m-2"));

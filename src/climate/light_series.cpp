@@ -98,6 +98,7 @@ LightSeries clear_days(const Site& site, const DaySpan& span,
     const double step_hours = (span.end - span.start) / count;
     LightSeries series;
     series.days = static_cast<int>(span.dates.size());
+    series.utc_offset = site.utc_offset;
     for (const Date& date : span.dates)
         for (int i = 0; i <= count; ++i) {
             const double hour =

@@ -31,6 +31,14 @@ std::optional<double> parse_duration(const std::string& text) {
     return 3600 * number(match[1]) + 60 * number(match[2]) + number(match[3]);
 }
 
+std::string clock_name(double utc_offset) {
+    const long minutes = std::lround(std::abs(utc_offset) * 60);
+    if (minutes == 0) return "UTC";
+    return fmt::format(
+        "UTC{}{}{}", utc_offset < 0 ? '-' : '+', minutes / 60,
+        minutes % 60 == 0 ? "" : fmt::format(":{:02}", minutes % 60));
+}
+
 std::string clock_time(double hour) {
     constexpr long day = 24 * 60;
     const long minutes = (std::lround(hour * 60) + day) % day;

@@ -149,6 +149,7 @@ DayReport report(const std::vector<Tally>& tallies,
     result.abaxial = over(tallies, resolution, resolution.leaves,
                           [](const Tally& t) { return t.abaxial; });
 
+    result.utc_offset = series.utc_offset;
     const std::vector<double> hours = series.hours();
     const auto steps_of_hours = series.steps_of_hours();
     for (std::size_t h = 0; h < hours.size(); ++h) {

@@ -43,16 +43,17 @@ namespace {
 
 std::string table_of_days(const Campaign& campaign) {
     constexpr auto row =
-        "{:<9} {:<12} {:<16} {:<6} {:>7} {:>5} {:>9} {:>6} "
+        "{:<9} {:<12} {:<16} {:<6} {:<8} {:>7} {:>5} {:>9} {:>6} "
         "{:>8} {:>11}\n";
     std::string text =
-        fmt::format(row, "sun", "site", "place", "day", "sunrise", "noon",
-                    "elevation", "sunset", "left out", "clock ahead");
+        fmt::format(row, "sun", "site", "place", "day", "clock", "sunrise",
+                    "noon", "elevation", "sunset", "left out", "clock ahead");
     for (const Site& site : campaign.sites)
         for (const auto& [name, span] : campaign.days) {
             const Daylight sun = daylight(site, middle(span.dates));
             text += fmt::format(
-                row, "", site.name, place(site), name, clock(sun.sunrise),
+                row, "", site.name, place(site), name,
+                clock_name(site.utc_offset), clock(sun.sunrise),
                 clock(sun.noon), fmt::format("{:.1f} deg", sun.elevation),
                 clock(sun.sunset),
                 fmt::format("{:.1f} %", 100 * share_left_out(site, span)),
@@ -77,11 +78,13 @@ std::string by_day(const LightSeries& series,
 
 std::string table_of_climates(const Campaign& campaign) {
     constexpr auto row =
-        "{:<9} {:<12} {:<16} {:<10} {:>4} {:>11} {:>8} {:>11} {:>8} {:>7} "
+        "{:<9} {:<12} {:<16} {:<10} {:>4} {:>11} {:>8} {:>11} {:>8} {:<8} "
+        "{:>7} "
         "{:>5} {:>6}\n";
-    std::string text = fmt::format(
-        row, "climate", "site", "place", "period", "days", "PAR per day",
-        "diffuse", "temperature", "humidity", "sunrise", "noon", "sunset");
+    std::string text =
+        fmt::format(row, "climate", "site", "place", "period", "days",
+                    "PAR per day", "diffuse", "temperature", "humidity",
+                    "clock", "sunrise", "noon", "sunset");
     for (const Case& one : cases(campaign))
         for (const Case& each : scenarios(one)) {
             const Site& site = each.site;
@@ -98,7 +101,8 @@ std::string table_of_climates(const Campaign& campaign) {
                             100 * series.diffuse() / series.incident()),
                 by_day(series, &TimeStep::temperature, 1, "C"),
                 by_day(series, &TimeStep::humidity, 100, "%"),
-                clock(sun.sunrise), clock(sun.noon), clock(sun.sunset));
+                clock_name(site.utc_offset), clock(sun.sunrise),
+                clock(sun.noon), clock(sun.sunset));
         }
     return text +
            "          temperature and humidity are weighted by light; "

@@ -7,11 +7,14 @@ import shutil
 import subprocess
 from pathlib import Path
 
+import h5py
 import numpy as np
 import pytest
+from made_layout import header_checksum
 from real_program import CAMPAIGNS, executable, output_of, write_campaign
 
-from ideotype.analysis import open_history, open_study
+import ideotype
+from ideotype.analysis import open_arrays, open_history, open_study
 from ideotype.analysis.calendar import draw_calendar
 from ideotype.analysis.profiles import draw_hours, draw_parts
 
@@ -58,6 +61,49 @@ def test_hours_and_days_sum_to_the_mean_day(season: Path) -> None:
     mol = table[:, 1].sum() * 3600 / 10 / 1e6
     assert best.estimate("incident").mean == pytest.approx(
         mol / 4.57, rel=1e-9
+    )
+
+
+def test_hours_are_told_on_the_clock_of_the_site(
+    campaign: Path, season: Path, tmp_path: Path
+) -> None:
+    """The file of this campaign is in UTC-6, and so is its site."""
+    late = campaign.with_name("late.toml")
+    late.write_text(
+        campaign.read_text()
+        .replace("utc_offset = -6", "utc_offset = -4.5", 1)
+        .replace("[[climate]]", "[[climate]]\nutc_offset = -6", 1)
+    )
+    output_of("run", late, "--out", tmp_path)
+    (new,) = (tmp_path / "tiny").glob("*.h5")
+    # As version 0.2.0 wrote it.
+    old = Path(shutil.copy(new, tmp_path / "old.h5"))
+    with h5py.File(old, "r+") as file:
+        for group in ("evaluations", "final"):
+            hour = file[group]["hour"]
+            hour[:] = hour[:] - 1.5
+            hour.attrs["long_name"] = "local clock"
+        file.attrs["checksum"] = header_checksum(file)
+    name = "time on the clock of the site, UTC-4:30"
+    stand = ideotype.Stand.from_campaign(late)
+    made = stand.evaluate([stand.baseline])
+    with open_history(season) as history:
+        same = history.finalists().quantities["absorbed_by_hour"]
+    assert same.axis is not None
+    assert same.axis.meaning == "time on the clock of the site, UTC-6"
+    for path in (new, old):
+        arrays = open_arrays(path, "final")
+        assert arrays.hour.attrs["long_name"] == name
+        assert list(arrays.hour) == list(made.hour)
+        with open_study(path) as study:
+            (case,) = study.cases()
+            hours = draw_hours(case).axes[-1]
+            best = case.best.profile("absorbed_by_hour")
+        assert hours.get_xlabel() == f"{name} [h]"
+        assert list(best.labels) == [hour + 1.5 for hour in same.axis.labels]
+    assert made.hour.attrs["long_name"] == name
+    assert "hours are on the clock of the site, UTC-4:30" in output_of(
+        "evaluate", late
     )
 
 

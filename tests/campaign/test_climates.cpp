@@ -4,6 +4,7 @@
 #include <fstream>
 #include <numeric>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "ideotype/core/error.hpp"
@@ -54,6 +55,23 @@ TEST(Climates, ASeasonIsReadFromItsFile) {
     EXPECT_EQ(light.steps[0].temperature, 25.1);
     EXPECT_EQ(light.steps[0].humidity, 0.9);
     EXPECT_EQ(campaign.sun_dates, 3);
+}
+
+TEST(Climates, HoursAreToldOnTheClockOfTheSite) {
+    const auto series = [](const std::string& site, const std::string& file) {
+        const Campaign campaign = read_campaign(
+            (folder / "quickstart.toml").string(),
+            {"site.utc_offset=" + site, "climate.utc_offset=" + file});
+        return light_of(campaign, cases(campaign)[0]);
+    };
+    const LightSeries same = series("-6", "-6");
+    EXPECT_EQ(same.utc_offset, -6);
+    for (const double ahead : {-1., 1., 0.5}) {
+        LightSeries other = series(fmt::format("{}", -6 + ahead), "-6");
+        EXPECT_EQ(other.utc_offset, -6 + ahead);
+        for (TimeStep& step : other.steps) step.hour -= ahead;
+        expect_same(other, same);
+    }
 }
 
 TEST(Climates, ResolvedCampaignsNeedNoFile) {

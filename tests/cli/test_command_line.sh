@@ -31,7 +31,7 @@ says "missing.toml"
 
 expect 0 "$ideotype" check campaigns/verbs.toml
 says "LAI 3.44"
-says "Ames  *42 N 93.6 W  *0807  *06:19  *13:20  *64.2 deg  *20:20  *0.2 %  *+1.24 h"
+says "Ames  *42 N 93.6 W  *0807  *UTC-5  *06:19  *13:20  *64.2 deg  *20:20  *0.2 %  *+1.24 h"
 sed -e 's/^start = .*/start = 01:00:00/' -e 's/^end = .*/end = 05:00:00/' \
     campaigns/verbs.toml >campaigns/dark.toml
 for verb in check run plan evaluate; do

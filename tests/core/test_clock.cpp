@@ -26,6 +26,14 @@ TEST(Duration, IsNothingElse) {
     EXPECT_FALSE(parse_duration(std::string(1 << 20, '1')));
 }
 
+TEST(ClockName, TellsTheOffsetFromUtc) {
+    EXPECT_EQ(clock_name(0), "UTC");
+    EXPECT_EQ(clock_name(2), "UTC+2");
+    EXPECT_EQ(clock_name(-5), "UTC-5");
+    EXPECT_EQ(clock_name(5.5), "UTC+5:30");
+    EXPECT_EQ(clock_name(-3.5), "UTC-3:30");
+}
+
 TEST(ClockTime, IsOfOneDay) {
     EXPECT_EQ(clock_time(0), "00:00");
     EXPECT_EQ(clock_time(13.33), "13:20");

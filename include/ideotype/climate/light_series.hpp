@@ -21,11 +21,11 @@ struct DaySpan {
 
 //! One instant that stands for the time around it.
 struct TimeStep {
-    double hour = 0;     //!< local clock [h]
+    double hour = 0;     //!< site's clock, of the date or around it [h]
     double seconds = 0;  //!< the time that it stands for [s]
     SunPosition sun;
     Irradiance par;  //!< photosynthetically active, horizontal [W m-2]
-    Date date{};
+    Date date{};     //!< on the clock of the weather file, if there is one
     std::optional<double> temperature{};  //!< of the air [deg C]
     std::optional<double> humidity{};     //!< relative, 0 to 1
 
@@ -37,6 +37,7 @@ struct TimeStep {
 struct LightSeries {
     std::vector<TimeStep> steps;
     int days = 1;
+    double utc_offset = 0;  //!< of the clock of hours [h]
 
     double beam() const;      //!< PAR on a mean day [J m-2 day-1]
     double diffuse() const;   //!< PAR on a mean day [J m-2 day-1]

@@ -10,6 +10,10 @@ namespace ideotype {
 //! the text is none of these.
 std::optional<double> parse_duration(const std::string& text);
 
+//! "UTC-5", "UTC+5:30" or "UTC": what a clock is called that is so many hours
+//! ahead of UTC.
+std::string clock_name(double utc_offset);
+
 //! A local clock time [h] as "HH:MM"; it may be of the day before or after.
 std::string clock_time(double hour);
 

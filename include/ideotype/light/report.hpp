@@ -33,7 +33,7 @@ struct BudgetEstimate {
 //! One instant of the day; of several days the mean, in which a day without
 //! light at that hour counts too.
 struct StepReport {
-    double hour = 0;        //!< local clock [h]
+    double hour = 0;        //!< site's clock [h]
     BudgetEstimate budget;  //!< [W m-2]
     //! Part of the one-sided leaf area that the sun shines on, if it was asked
     //! for.
@@ -47,6 +47,7 @@ struct DayReport {
     std::vector<Estimate> layers;   //!< by leaves, lowest first [J m-2 day-1]
     Estimate adaxial, abaxial;      //!< by faces of leaves [J m-2 day-1]
     std::vector<StepReport> steps;  //!< LightSeries::hours()
+    double utc_offset = 0;          //!< of their clock [h]
     //! Of several days what leaves absorb on each [J m-2 day-1].
     std::vector<Estimate> dates;
     //! Largest relative difference between incident light and the sum of its

@@ -80,7 +80,6 @@ def _draw_hours(
         color=color, marker=marker, markersize=3.5, linestyle=line,
         label=label,
     )  # fmt: skip
-    axes.set_xlabel("local clock time [h]")
     set_hours(axes, found)
 
 

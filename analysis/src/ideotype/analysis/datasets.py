@@ -59,6 +59,10 @@ class Datasets:
         """The unit of a dataset."""
         return text(self._dataset(name).attrs.get("units", ""))
 
+    def meaning(self, name: str) -> str:
+        """What a dataset is, in words; "" if the file does not say."""
+        return text(self._dataset(name).attrs.get("long_name", ""))
+
     def read(
         self,
         name: str,

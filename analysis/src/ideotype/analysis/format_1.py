@@ -92,6 +92,9 @@ class Format1(Datasets):
     def units(self, name: str) -> str:
         return self._views[name].units if name in self._views else ""
 
+    def meaning(self, name: str) -> str:
+        return ""
+
     def read(
         self,
         name: str,

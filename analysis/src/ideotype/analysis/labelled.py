@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import xarray
 
+from .clock import clock_of
 from .format_1 import Format1
 from .history import open_history
 from .rows import Status
@@ -36,6 +37,11 @@ def open_arrays(
             found = _presented(data, group)
         else:
             found = _stored(history.path, group)
+            if "hour" in found.coords:
+                clock = clock_of(data, group)
+                about = {**found.hour.attrs, "long_name": clock.meaning}
+                hours = found.hour.values + clock.shift
+                found = found.assign_coords(hour=("hour", hours, about))
     if "status" in found and not all_rows:
         dimension = found["status"].dims[0]
         recorded = np.flatnonzero(found["status"] >= Status.DONE)

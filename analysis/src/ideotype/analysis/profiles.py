@@ -77,14 +77,14 @@ def _draw_hours(upper: Axes, lower: Axes, case: Case, name: str) -> None:
     )
     label_light(upper, "y", _title(name), best.unit)
     lower.set_ylabel(style.axis_label("best − baseline\n", best.unit))
-    lower.set_xlabel("local clock time [h]")
     set_hours(lower, best)
     upper.set_ylim(bottom=0)
     upper.legend()
 
 
 def set_hours(axes: Axes, profile: Profile) -> None:
-    """Whole hours, as many as there is room for."""
+    """Whole hours, as many as there is room for, and their clock."""
+    axes.set_xlabel(f"{profile.meaning} [h]")
     first, last = np.floor(profile.labels.min()), np.ceil(profile.labels.max())
     step = max(1, round((last - first) / 14))
     axes.set_xticks(np.arange(first, last + 1, step))

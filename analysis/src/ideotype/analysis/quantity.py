@@ -22,6 +22,8 @@ class Axis:
     labels: NDArray
     """Numbers or words."""
     units: str = "1"
+    meaning: str = ""
+    """In words; "" where the name says it."""
 
     def __eq__(self, other: object) -> bool:
         return (
@@ -52,13 +54,15 @@ class Quantity:
 
 @dataclass(frozen=True)
 class Profile:
-    """A quantity of one plant along its axis, such as the local clock time
-    [h] or the rank of leaves."""
+    """A quantity of one plant along its axis, such as the time of day [h] or
+    the rank of leaves."""
 
     labels: NDArray
     unit: str
     values: Floats
     standard_error: Floats
+    meaning: str = ""
+    """Of the labels."""
 
     def estimates(self) -> list[Estimate]:
         """Of each label."""

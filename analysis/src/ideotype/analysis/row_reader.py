@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from .clock import clock_of
 from .datasets import Datasets
 from .file import text
 from .genes import Genes
@@ -110,4 +111,8 @@ class RowReader:
         labels = self.data.read(path)
         if labels.dtype.kind in "SO":
             labels = np.array([text(label) for label in labels])
-        return Axis(names[0], labels, self.data.units(path))
+        meaning = ""
+        if names[0] == "hour":
+            clock = clock_of(self.data, group)
+            labels, meaning = labels + clock.shift, clock.meaning
+        return Axis(names[0], labels, self.data.units(path), meaning)

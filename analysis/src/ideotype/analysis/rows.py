@@ -234,4 +234,5 @@ class Evaluation:
         if found is None or found.axis is None:
             raise HistoryError(f"the history has no {name}")
         values, error = found.values[0], found.standard_error[0]
-        return Profile(found.axis.labels, found.unit, values, error)
+        axis = found.axis
+        return Profile(axis.labels, found.unit, values, error, axis.meaning)

@@ -75,6 +75,21 @@ void check_spacing(const Spacing& spacing, Report& report) {
     check("plant", spacing.plant);
 }
 
+//! Warns of stands that hold more leaves of the baseline than fields have.
+void check_leaf_area(const Campaign& campaign, Report& report) {
+    const double area =
+        leaf_area(build_plant(campaign.crop.baseline, campaign.tessellation));
+    for (const auto& [name, spacing] : campaign.spacings)
+        if (const std::string doubt =
+                doubt_of_lai(area / (spacing.row * spacing.plant));
+            !doubt.empty())
+            report.warn(&spacing.row,
+                        fmt::format("spacing.row is {} m (with {} m between "
+                                    "plants the baseline {}); check both "
+                                    "distances",
+                                    spacing.row, spacing.plant, doubt));
+}
+
 void check_surface(const std::string& name, const Lambertian& surface,
                    Report& report) {
     if (!report.usable({&surface.reflectance, &surface.transmittance})) return;
@@ -225,6 +240,15 @@ void check_field(const FieldForm& field, Report& report) {
 
 }  // namespace
 
+std::string doubt_of_lai(double lai) {
+    constexpr double most = 8;
+    return lai > most ? fmt::format(
+                            "has a leaf area index of {:.2f}, and "
+                            "fields hardly ever have more than {}",
+                            lai, most)
+                      : "";
+}
+
 void check_draft(Draft& draft, Report& report) {
     const Campaign& campaign = draft.campaign;
     check_names("site", campaign.sites, report);
@@ -249,6 +273,8 @@ void check_draft(Draft& draft, Report& report) {
         draft.is_crop_known ? campaign.crop.baseline.leaves.size() : 0, report);
     check_plant(draft, report);
     check_breeding(draft, report);
+    if (draft.is_crop_known && report.empty())
+        check_leaf_area(campaign, report);
 }
 
 }  // namespace ideotype

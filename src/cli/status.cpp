@@ -91,6 +91,9 @@ class Overview {
             commands_.push_back(command);
     }
 
+    //! A gain has been told that one search alone has found.
+    void note_one_seed() { is_of_one_seed_ = true; }
+
     void print() const {
         int count = 0;
         std::string states;
@@ -104,6 +107,7 @@ class Overview {
             if (rate_ > 0) fmt::print("; {:.1f} evaluations/s", rate_);
             fmt::print("\n");
         }
+        if (is_of_one_seed_) fmt::print("{}\n", one_seed);
         if (commands_.empty()) return;
         fmt::print("go on with\n");
         for (const std::string& command : commands_)
@@ -119,6 +123,7 @@ class Overview {
     }
 
     std::map<State, int> cases_;
+    bool is_of_one_seed_ = false;
     double rate_ = 0;                    //!< of what runs [evaluations/s]
     std::vector<std::string> commands_;  //!< cases of one job share one
 };
@@ -134,6 +139,7 @@ struct Report {
     std::optional<Estimate> best, hypervolume;
     bool is_evaluated_again = false;
     double violation = 0;              //!< of the best
+    std::string doubt;                 //!< of the leaf area of the best
     std::optional<double> rate, left;  //!< [evaluations/s], [s]
 };
 
@@ -145,17 +151,20 @@ void add_best(const History& history, Report& report) {
     const std::vector<Row> finalists = history.finalists();
     const std::size_t slot = best_finalist(finalists, objective.sense);
     report.is_evaluated_again = slot > 0 && history.finished();
+    const auto take = [&](const Outcome& outcome) {
+        report.violation = outcome.violation;
+        if (const auto lai = find(history.header().schema, outcome, "lai"))
+            report.doubt = doubt_of_lai(lai->mean);
+    };
     if (report.is_evaluated_again) {
         report.best = finalists[slot].outcome.objectives.front();
-        report.violation = finalists[slot].outcome.violation;
-        return;
+        return take(finalists[slot].outcome);
     }
     const auto summaries = history.summaries();
     const GenerationSummary& last = summaries.back();
     const auto generation = static_cast<std::uint32_t>(summaries.size() - 1);
     report.best = {last.best, last.best_standard_error};
-    report.violation =
-        history.row(generation, last.best_slot).outcome.violation;
+    take(history.row(generation, last.best_slot).outcome);
 }
 
 Report report_on(const std::string& path, Overview& overview) {
@@ -190,6 +199,10 @@ Report report_on(const std::string& path, Overview& overview) {
                  is_stopped ? way_on_with(history) : "");
     if (summaries.empty()) return report;
     add_best(history, report);
+    if (report.is_evaluated_again &&
+        header.campaign_resolved.find("\nreplicates = 1\n") !=
+            std::string::npos)
+        overview.note_one_seed();
     const GenerationSummary& last = summaries.back();
     if (!std::isnan(last.hypervolume))
         report.hypervolume = {last.hypervolume,
@@ -225,6 +238,7 @@ std::string to_text(const Report& report) {
             report.is_evaluated_again ? "(evaluated again)"
                                       : not_evaluated_again(report.violation),
             report.failures);
+    if (!report.doubt.empty()) line += "; this plant " + report.doubt;
     if (report.hypervolume)
         line += fmt::format(", hypervolume {}", format(*report.hypervolume));
     if (report.rate)

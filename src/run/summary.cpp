@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ideotype/run/summary.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -80,6 +81,26 @@ std::string gain(const Outcome& a, double area_a, const Outcome& b,
                                             randomisations_of(after))));
 }
 
+std::string gain_line(const History& history, const Row& baseline,
+                      const Row& best) {
+    const Objective& objective = history.header().schema.objectives.front();
+    return fmt::format(
+        "{}, with LAI {:.2f} instead of {:.2f}",
+        gain(baseline.outcome, 1, best.outcome, 1, objective.unit),
+        lai_of(history, best), lai_of(history, baseline));
+}
+
+//! A warning of plants that no field has so densely, or "".
+std::string too_dense(const std::string& what, double lai) {
+    const std::string doubt = doubt_of_lai(lai);
+    return doubt.empty()
+               ? ""
+               : fmt::format(
+                     "  warning   {} {}; limit [constraints] lai, or breed for "
+                     "carbon_balance, in which leaf area has its price\n",
+                     what, doubt);
+}
+
 //! Much of a gain may be leaf area: it stands beside it, and the gain that is
 //! left of it per leaf area, unless several scenarios have each their own.
 std::string gains(const History& history, const Campaign& campaign,
@@ -88,9 +109,7 @@ std::string gains(const History& history, const Campaign& campaign,
     const double lai_after = lai_of(history, best);
     const Objective& objective = history.header().schema.objectives.front();
     std::string text =
-        fmt::format("  gain      {}, with LAI {:.2f} instead of {:.2f}\n",
-                    gain(baseline.outcome, 1, best.outcome, 1, objective.unit),
-                    lai_after, lai_before);
+        fmt::format("  gain      {}\n", gain_line(history, baseline, best));
     const bool is_per_ground =
         objective.name.find("leaf_area") == std::string::npos;
     if (campaign.over.empty() && is_per_ground && lai_before > 0 &&
@@ -98,7 +117,13 @@ std::string gains(const History& history, const Campaign& campaign,
         text += fmt::format("            {} per leaf area\n",
                             gain(baseline.outcome, lai_before, best.outcome,
                                  lai_after, objective.unit));
-    return text;
+    text += fmt::format(
+        "            {}\n",
+        campaign.replicates == 1
+            ? one_seed
+            : "how seeds differ is told by ideotype-summary --gains, "
+              "not by this interval");
+    return text + too_dense("the best plant", lai_after);
 }
 
 //! Plain absorption in an endless stand has a ceiling: a word of warning.
@@ -155,10 +180,14 @@ std::string front(const History& history, const Campaign& campaign,
                         members.size());
     std::vector<double> reference = campaign.search.reference;
     if (reference.empty()) reference = worst_of(history.generation(0), senses);
-    if (reference.empty()) return text;
-    return text + fmt::format("  hypervolume {}, relative to {:.6g}\n",
-                              format(hypervolume(members, reference, senses)),
-                              fmt::join(reference, ", "));
+    if (!reference.empty())
+        text += fmt::format("  hypervolume {}, relative to {:.6g}\n",
+                            format(hypervolume(members, reference, senses)),
+                            fmt::join(reference, ", "));
+    double lai = 0;
+    for (std::size_t i = 1; i < finalists.size(); ++i)
+        lai = std::max(lai, lai_of(history, finalists[i]));
+    return text + too_dense("a plant of the front", lai);
 }
 
 }  // namespace
@@ -189,6 +218,19 @@ std::string final_summary(const History& history, const Campaign& campaign) {
         described(history, finalists[0]), described(history, finalists[best]),
         gains(history, campaign, finalists[0], finalists[best]),
         left_to_gain(history, campaign, finalists[best]));
+}
+
+std::string final_line(const History& history, const Campaign& campaign) {
+    const std::vector<Row> finalists = history.finalists();
+    const auto& objectives = history.header().schema.objectives;
+    const std::size_t best = best_finalist(finalists, objectives.front().sense);
+    if (is_sensitivity(campaign)) return "sensitivity study";
+    if (finalists.empty() || finalists[0].outcome.status != Status::done ||
+        best == 0)
+        return "no finalist could be evaluated";
+    if (objectives.size() > 1)
+        return fmt::format("front of {}", finalists.size() - 1);
+    return "gain " + gain_line(history, finalists[0], finalists[best]);
 }
 
 }  // namespace ideotype

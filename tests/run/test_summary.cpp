@@ -61,6 +61,27 @@ TEST_F(Summary, PutsLeafAreaBesideTheGain) {
         << text;
 }
 
+TEST_F(Summary, SaysWhatOneSeedDoesNotTell) {
+    const std::string text =
+        "one seed: the interval holds the noise of the "
+        "light, not that of the search\n";
+    EXPECT_NE(of({10, 0.03}, 2.5, {11, 0.04}, 5).find(text), std::string::npos);
+    campaign_.replicates = 3;
+    const std::string three = of({10, 0.03}, 2.5, {11, 0.04}, 5);
+    EXPECT_EQ(three.find("one seed"), std::string::npos) << three;
+    EXPECT_NE(three.find("ideotype-summary"), std::string::npos) << three;
+}
+
+TEST_F(Summary, WarnsOfMoreLeavesThanFieldsHave) {
+    EXPECT_EQ(of({10, 0.03}, 3.4, {11, 0.04}, 8).find("warning"),
+              std::string::npos);
+    const std::string text = of({10, 0.03}, 3.4, {11, 0.04}, 8.5);
+    EXPECT_NE(text.find("  warning   the best plant has a leaf area index of "
+                        "8.50, and fields hardly ever have more than 8; "),
+              std::string::npos)
+        << text;
+}
+
 TEST_F(Summary, NeverDividesByNothing) {
     const std::string text = of({0, 0}, 0, {0, 0}, 0);
     EXPECT_NE(text.find("  gain      0 MJ m-2 day-1, with LAI 0.00 instead of "

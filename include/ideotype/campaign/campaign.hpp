@@ -171,6 +171,10 @@ struct Aim {
     Sense sense = Sense::maximise;
 };
 
+//! What is said of a canopy with more leaves than fields have: "has a leaf area
+//! index of 9.3, ..."; "" of others.
+std::string doubt_of_lai(double lai);
+
 //! What a campaign searches for, at least one.
 std::vector<Aim> aims(const Campaign& campaign);
 

@@ -9,6 +9,11 @@
 
 namespace ideotype {
 
+//! What is said of a gain that one search alone has found.
+inline constexpr const char* one_seed =
+    "one seed: the interval holds the noise of the light, not that of the "
+    "search";
+
 //! Daily energy per ground area in the three units of the field:
 //! "x MJ m-2 day-1 = y mol m-2 day-1 = z MWh acre-1 day-1".
 std::string format_daily(Estimate mj_per_m2);
@@ -20,5 +25,8 @@ std::size_t best_finalist(const std::vector<Row>& finalists, Sense sense);
 //! Best plant against the baseline after a finished evolution, both evaluated
 //! again under the same fresh random numbers.
 std::string final_summary(const History& history, const Campaign& campaign);
+
+//! The same in one line without its end.
+std::string final_line(const History& history, const Campaign& campaign);
 
 }  // namespace ideotype

@@ -3,6 +3,9 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <set>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,6 +19,7 @@
 #include "ideotype/run/progress.hpp"
 #include "ideotype/run/run.hpp"
 #include "ideotype/run/sky_table.hpp"
+#include "ideotype/run/way_on.hpp"
 #include "json.hpp"
 
 namespace ideotype {
@@ -177,17 +181,78 @@ Json to_json(const std::vector<Problem>& problems) {
     return all;
 }
 
-//! What check looks at in the first case.
+//! How the campaign is run.
+void tell_next(const std::string& path,
+               const std::vector<std::string>& settings) {
+    std::vector<std::string> words{"ideotype", "run", path};
+    for (const std::string& each : settings) {
+        words.emplace_back("--set");
+        words.push_back(each);
+    }
+    words.insert(words.end(), {"--ranks", "auto"});
+    fmt::print("next: {}\n", quoted(words));
+}
+
+//! The least and the greatest of some values.
+class Extent {
+  public:
+    void add(double value) {
+        lower_ = std::min(lower_, value);
+        upper_ = std::max(upper_, value);
+    }
+
+    Json json(double unit = 1) const { return {lower_ / unit, upper_ / unit}; }
+
+    //! "3.44", or "1.90 .. 9.50" where they differ in what is printed.
+    std::string text(std::string_view form, double unit = 1) const {
+        const std::string lower =
+            fmt::format(fmt::runtime(form), lower_ / unit);
+        const std::string upper =
+            fmt::format(fmt::runtime(form), upper_ / unit);
+        return lower == upper ? lower : lower + " .. " + upper;
+    }
+
+  private:
+    double lower_ = std::numeric_limits<double>::infinity();
+    double upper_ = -std::numeric_limits<double>::infinity();
+};
+
+//! What differs between the stands of the cases and their scenarios.
+struct Stands {
+    Extent period_x, period_y;   //!< [m]
+    Extent lai;                  //!< of the baseline
+    Extent steps, par, diffuse;  //!< number, [J m-2 day-1], part of it
+};
+
+Stands stands_of(const Campaign& campaign, double leaf_area) {
+    Stands all;
+    for (const auto& [name, spacing] : campaign.spacings) {
+        all.period_x.add(campaign.field.rows * spacing.row);
+        all.period_y.add(campaign.field.plants * spacing.plant);
+        all.lai.add(leaf_area / (spacing.row * spacing.plant));
+    }
+    std::set<std::pair<std::string, std::string>> seen;
+    for (const Case& one : cases(campaign))
+        for (const Case& each : scenarios(one)) {
+            if (!seen.emplace(each.site.name, each.day_name).second) continue;
+            const LightSeries light = light_of(campaign, each);
+            all.steps.add(static_cast<double>(light.steps.size()));
+            all.par.add(light.incident());
+            all.diffuse.add(light.diffuse() / light.incident());
+        }
+    return all;
+}
+
+//! What check looks at; in the first case alone where nothing else is said.
 struct Findings {
     Mesh plant;
     LightSeries light;
     Field field;
+    Stands stands;
     Cost cost;
     DiskRoom room;
     double excess;  //!< of constraints, by the baseline
     std::size_t genes, free_genes;
-
-    double lai() const { return leaf_area(field.mesh) / field.ground_area; }
 };
 
 Findings look_at(const Campaign& campaign) {
@@ -203,13 +268,15 @@ Findings look_at(const Campaign& campaign) {
     Findings found{plant,
                    scenario.light.series,
                    field,
+                   stands_of(campaign, leaf_area(plant)),
                    Cost(campaign, measure_cost(campaign, first)),
                    disk_room(campaign, all),
                    0,
                    genes.size(),
                    count_free(genes)};
     found.excess = violation(campaign.constraints, campaign.crop.traits,
-                             campaign.crop.baseline, found.lai());
+                             campaign.crop.baseline,
+                             leaf_area(field.mesh) / field.ground_area);
     return found;
 }
 
@@ -233,12 +300,14 @@ Json to_json(const CheckOptions& options, const Campaign& campaign,
               {"plants_per_row", campaign.field.plants},
               {"period_x_m", found.field.period_x},
               {"period_y_m", found.field.period_y},
-              {"lai", found.lai()},
+              {"lai", leaf_area(found.field.mesh) / found.field.ground_area},
+              {"lai_of_cases", found.stands.lai.json()},
               {"faces", found.field.mesh.faces.size()}}},
             {"light",
              {{"steps", found.light.steps.size()},
               {"days", found.light.days},
               {"par_MJ_per_m2_per_day", found.light.incident() / 1e6},
+              {"par_MJ_per_m2_per_day_of_cases", found.stands.par.json(1e6)},
               {"diffuse_fraction",
                found.light.diffuse() / found.light.incident()}}},
             {"genes", found.genes},
@@ -252,7 +321,7 @@ Json to_json(const CheckOptions& options, const Campaign& campaign,
 void print(const CheckOptions& options, const Campaign& campaign,
            const Findings& found) {
     const std::vector<Case> all = cases(campaign);
-    const LightSeries& light = found.light;
+    const Stands& stands = found.stands;
     fmt::print("{}: no errors\n", options.campaign_path);
     fmt::print("campaign  {}, {} case{}\n", campaign.name, all.size(),
                all.size() == 1 ? "" : "s");
@@ -261,19 +330,19 @@ void print(const CheckOptions& options, const Campaign& campaign,
                campaign.crop.baseline.name,
                campaign.crop.baseline.leaves.size(), leaf_area(found.plant),
                found.plant.faces.size());
-    fmt::print(
-        "field     {} x {} plants, period {:.4g} x {:.4g} m, LAI {:.2f}"
-        ", {} faces\n",
-        campaign.field.rows, campaign.field.plants, found.field.period_x,
-        found.field.period_y, found.lai(), found.field.mesh.faces.size());
-    fmt::print(
-        "light     {} {}, {:.3f} MJ m-2 day-1 of PAR, {:.0f} % diffuse\n",
-        light.steps.size(),
-        campaign.climates.empty()
-            ? "instants with the sun up"
-            : fmt::format("time steps with the suns of {} of {} dates",
-                          std::min(campaign.sun_dates, light.days), light.days),
-        light.incident() / 1e6, 100 * light.diffuse() / light.incident());
+    fmt::print("field     {} x {} plants, period {} x {} m, LAI {}, {} faces\n",
+               campaign.field.rows, campaign.field.plants,
+               stands.period_x.text("{:.4g}"), stands.period_y.text("{:.4g}"),
+               stands.lai.text("{:.2f}"), found.field.mesh.faces.size());
+    fmt::print("light     {} {}, {} MJ m-2 day-1 of PAR, {} % diffuse\n",
+               stands.steps.text("{:.0f}"),
+               campaign.climates.empty()
+                   ? "instants with the sun up"
+                   : fmt::format("time steps with the suns of {} of {} dates",
+                                 std::min(campaign.sun_dates, found.light.days),
+                                 found.light.days),
+               stands.par.text("{:.3f}", 1e6),
+               stands.diffuse.text("{:.0f}", 0.01));
     fmt::print("{}", sky_table(campaign));
     if (found.excess > 0)
         fmt::print(
@@ -281,7 +350,8 @@ void print(const CheckOptions& options, const Campaign& campaign,
             "limits: all that is bred must first leave that behind\n",
             found.excess);
     fmt::print("genes     {} of {} free\n", found.free_genes, found.genes);
-    fmt::print("cost      {} per case\n", found.cost.text());
+    fmt::print("cost      {} per case{}\n", found.cost.text(),
+               all.size() == 1 ? "" : " (measured on the first)");
     const auto mebibytes = [](std::uint64_t bytes) {
         return static_cast<double>(bytes) / (1 << 20);
     };
@@ -289,6 +359,7 @@ void print(const CheckOptions& options, const Campaign& campaign,
         "disk      {:.2f} MiB per case, {:.2f} MiB for all of them, "
         "reserved when a case begins\n",
         mebibytes(found.room.largest), mebibytes(found.room.all));
+    tell_next(options.campaign_path, options.settings);
 }
 
 }  // namespace
@@ -341,6 +412,7 @@ ExitCode plan(const PlanOptions& options) {
         fmt::print("{:>7}  {:>12}  {:>12}\n", workers,
                    format_duration(cost.of_case(workers)),
                    format_duration(cost.of_cases(all.size(), workers)));
+    tell_next(options.campaign_path, options.settings);
     return ExitCode::ok;
 }
 

@@ -9,6 +9,7 @@
 #include <ctime>
 #include <fcntl.h>
 #include <unistd.h>
+#include <utility>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -34,11 +35,20 @@ double now() {
 std::string format(Estimate x) {
     if (!std::isfinite(x.mean)) return "unknown";
     const double error = std::abs(x.standard_error);
+    const double mean = std::abs(x.mean);
     if (!std::isfinite(error)) return fmt::format("{:.6g}", x.mean);
-    if (error == 0) return fmt::format("{:.9g}", x.mean);
-    const int digits =
-        std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 12);
-    return fmt::format("{:.{}f} +- {:.{}f}", x.mean, digits, error, digits);
+    // Less than this is what rounding leaves of zero, and of an error.
+    constexpr double nothing = 1e-12, exact = 1e-9, small = 1e-4;
+    if (mean < nothing && error < nothing) return "0";
+    if (error <= exact * mean)
+        return fmt::format("{:.{}g}", x.mean, mean < small ? 3 : 9);
+    const int digits = 1 - static_cast<int>(std::floor(std::log10(error)));
+    if (mean < small && error < small)
+        return fmt::format("{:.1e} +- {:.1e}", x.mean, error);
+    std::string text = fmt::format("{:.{}f}", x.mean, std::max(digits, 0));
+    if (text.find_first_of("123456789") == text.npos && text[0] == '-')
+        text.erase(0, 1);
+    return fmt::format("{} +- {:.{}f}", text, error, std::max(digits, 0));
 }
 
 std::string format_duration(double seconds) {
@@ -46,6 +56,48 @@ std::string format_duration(double seconds) {
     if (s >= 3600)
         return fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
     return fmt::format("{}:{:02}", s / 60, s % 60);
+}
+
+std::string progress_line(const JobProgress& progress, std::size_t columns) {
+    // In the order of the line; the higher the rank, the sooner it is left
+    // out.
+    struct Part {
+        std::string text;
+        int rank;
+    };
+    std::vector<Part> parts;
+    const auto add = [&](int rank, std::string text) {
+        parts.push_back({std::move(text), rank});
+    };
+    if (progress.cases > 1)
+        add(0,
+            fmt::format("{} of {} cases done", progress.ended, progress.cases));
+    if (progress.in_flight > 1)
+        add(8, fmt::format(", {} in flight", progress.in_flight));
+    if (progress.left)
+        add(1, fmt::format(", {} left", format_duration(*progress.left)));
+    add(6,
+        fmt::format(", {:.1f} evaluations/s", progress.evaluations_per_second));
+    add(5, ", " + progress.name);
+    add(3, fmt::format(", {} of {} generations", progress.complete,
+                       progress.generations));
+    if (progress.best) {
+        const std::string best = format(*progress.best);
+        const std::size_t end = std::min(best.find(" +- "), best.size());
+        add(0, ", best " + best.substr(0, end));
+        add(4, best.substr(end));
+        add(2, " " + progress.unit);
+    }
+    if (progress.hypervolume)
+        add(7, ", hypervolume " + format(*progress.hypervolume));
+    const auto line = [&] {
+        std::string all;
+        for (const Part& each : parts) all += each.text;
+        return all.starts_with(", ") ? all.substr(2) : all;
+    };
+    while (line().size() > columns && parts.size() > 1)
+        parts.erase(std::ranges::max_element(parts, {}, &Part::rank));
+    return line().substr(0, columns);
 }
 
 std::string utc_now() {
@@ -124,15 +176,11 @@ class ProgressLog::CaseWatcher : public Watcher {
                        const GenerationSummary& summary) override {
         entry_.generation = generation;
         ++entry_.complete;
-        entry_.best = fmt::format(
-            "{} {} {}", format({summary.best, summary.best_standard_error}),
-            unit_of(aims(log_.campaign_).front().quantity),
-            not_evaluated_again(summary.violation));
+        entry_.best = {summary.best, summary.best_standard_error};
+        entry_.violation = summary.violation;
         if (!std::isnan(summary.hypervolume))
-            entry_.best +=
-                fmt::format(", hypervolume {}",
-                            format({summary.hypervolume,
-                                    summary.hypervolume_standard_error}));
+            entry_.hypervolume = {summary.hypervolume,
+                                  summary.hypervolume_standard_error};
         to_evaluate_ = log_.all_after(generation + 1);
         std::string line = log_.text(entry_);
         if (summary.failures > 0)
@@ -179,7 +227,7 @@ ProgressLog::~ProgressLog() {
 
 std::unique_ptr<Watcher> ProgressLog::watch(const Case& chosen,
                                             std::uint32_t generation) {
-    in_flight_[chosen.index] = {chosen.name, generation, generation, "-"};
+    in_flight_[chosen.index] = {chosen.name, generation, generation, {}, {}};
     to_evaluate_[chosen.index] = all_after(generation);
     return std::make_unique<CaseWatcher>(*this, chosen.index);
 }
@@ -208,18 +256,39 @@ long long ProgressLog::all_after(std::uint32_t generation) const {
            campaign_.search.population;
 }
 
-std::string ProgressLog::text(const Entry& entry) const {
+JobProgress ProgressLog::progress_of(const Entry& entry) const {
     const double seconds = std::max(now() - started_, 1e-3);
-    const double rate = evaluations_ / seconds;
     long long left = 0;
     for (const auto& [index, count] : to_evaluate_) left += count;
-    return fmt::format(
+    JobProgress progress{cases_,
+                         ended_,
+                         static_cast<int>(in_flight_.size()),
+                         entry.name,
+                         entry.complete,
+                         static_cast<std::uint32_t>(campaign_.stop.generations),
+                         entry.best,
+                         unit_of(aims(campaign_).front().quantity),
+                         entry.hypervolume,
+                         evaluations_ / seconds,
+                         {}};
+    if (evaluations_ > 0)
+        progress.left = static_cast<double>(left) * seconds / evaluations_;
+    return progress;
+}
+
+//! A line of a log file.
+std::string ProgressLog::text(const Entry& entry) const {
+    const JobProgress progress = progress_of(entry);
+    std::string line = fmt::format(
         "{}  generation {}, {} of {} complete, {} left, {:.1f} evaluations/s, "
-        "best {}",
-        entry.name, entry.generation, entry.complete,
-        campaign_.stop.generations,
-        rate > 0 ? format_duration(static_cast<double>(left) / rate) : "?",
-        rate, entry.best);
+        "best {} {} {}",
+        entry.name, entry.generation, entry.complete, progress.generations,
+        progress.left ? format_duration(*progress.left) : "?",
+        progress.evaluations_per_second, format(entry.best.value()),
+        progress.unit, not_evaluated_again(entry.violation));
+    if (entry.hypervolume)
+        line += fmt::format(", hypervolume {}", format(*entry.hypervolume));
+    return line;
 }
 
 //! The case that comes first stands for those in flight.
@@ -227,13 +296,10 @@ void ProgressLog::show_live() {
     if (columns_ == 0 || level_ < LogLevel::info || in_flight_.empty() ||
         now() - shown_ < calm)
         return;
-    const std::string cases =
-        cases_ == 1 ? ""
-                    : fmt::format("{} of {} cases done, {} in flight  ", ended_,
-                                  cases_, in_flight_.size());
     // A line that wraps could not be written over.
-    const std::string line = cases + text(in_flight_.begin()->second);
-    fmt::print("\r\x1b[K{:.{}}", line, columns_ - 1);
+    fmt::print("\r\x1b[K{}",
+               progress_line(progress_of(in_flight_.begin()->second),
+                             static_cast<std::size_t>(columns_ - 1)));
     std::fflush(stdout);
     shown_ = now();
     is_live_ = true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ideotype/run/run.hpp"
 
+#include <filesystem>
 #include <optional>
 
 #include <fmt/format.h>
@@ -12,9 +13,12 @@
 #include "ideotype/run/provenance.hpp"
 #include "ideotype/run/sky_table.hpp"
 #include "ideotype/run/start_plant.hpp"
+#include "ideotype/run/way_on.hpp"
 #include "sweep.hpp"
 
 namespace ideotype {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -118,6 +122,15 @@ ExitCode direct(const RunOptions& options, const Campaign& campaign,
         crew.job.abort(static_cast<int>(code));
     }
     if (failure) throw Error(*failure);
+    if (code == ExitCode::ok && crew.job.rank() == 0 &&
+        options.level >= LogLevel::info) {
+        const std::string folder =
+            fs::path(path_of(options.out, campaign, crew.cases.front()))
+                .parent_path()
+                .string();
+        fmt::print("next: {}\n", quoted({"ideotype-report", folder, "-o",
+                                         folder + "/report"}));
+    }
     return code;
 }
 

@@ -92,7 +92,8 @@ Routine<Ending> Sweep::evolve_guarded(const Case& chosen) {
 
 Routine<Ending> Sweep::evolve_one(const Case& chosen) {
     History history = open_history(chosen);
-    if (!history.finished()) {
+    const bool was_finished = history.finished().has_value();
+    if (!was_finished) {
         history.begin_session(session_record(options_.command, ranks_));
         const double began = now();
         const auto watcher = progress_.watch(chosen, history.next_generation());
@@ -109,9 +110,12 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
         }
     }
     progress_.end(chosen);
+    const std::string path = path_of(options_.out, campaign_, chosen);
     progress_.print_result(
-        fmt::format("{}history: {}", final_summary(history, campaign_),
-                    path_of(options_.out, campaign_, chosen)));
+        was_finished ? fmt::format("finished before: {}, {}", path,
+                                   final_line(history, campaign_))
+                     : fmt::format("{}history: {}",
+                                   final_summary(history, campaign_), path));
     co_return Ending::finished;
 }
 

@@ -31,6 +31,7 @@ says "missing.toml"
 
 expect 0 "$ideotype" check campaigns/verbs.toml
 says "LAI 3.44"
+says "^next: ideotype run campaigns/verbs.toml --ranks auto$"
 says "Ames  *42 N 93.6 W  *0807  *UTC-5  *06:19  *13:20  *64.2 deg  *20:20  *0.2 %  *+1.24 h"
 sed -e 's/^start = .*/start = 01:00:00/' -e 's/^end = .*/end = 05:00:00/' \
     campaigns/verbs.toml >campaigns/dark.toml
@@ -42,7 +43,15 @@ sed 's/^utc_offset = .*/utc_offset = -4/' campaigns/verbs.toml \
     >campaigns/clock.toml
 expect 0 "$ideotype" check campaigns/clock.toml
 says "warning: campaigns/clock.toml:7:14: site.utc_offset is -4 h"
-expect 0 "$ideotype" plan campaigns/verbs.toml
+# Of several cases the range is told, and a stand of too many leaves is warned of.
+sed -e 's/^\[spacing\]/[[spacing]]\nrow = 0.2\nplant = 0.1524\n[[spacing]]/' \
+    campaigns/verbs.toml >campaigns/dense.toml
+expect 0 "$ideotype" check campaigns/dense.toml
+says "^campaign  verbs, 2 cases"
+says "period 0.6 .. 2.286 x 0.4572 m, LAI 3.44 .. 13.09, "
+says "warning: campaigns/dense.toml:14:7: spacing.row is 0.2 m (with 0.1524 m between plants the baseline has a leaf area index of 13.09, and fields hardly ever have more than 8); check both distances"
+expect 0 "$ideotype" plan campaigns/verbs.toml --set seed=3
+says "^next: ideotype run campaigns/verbs.toml --set seed=3 --ranks auto$"
 says "ames_0807_762x152_all_r1"
 says "^ *128  *[0-9:]*  *[0-9:]*$"
 expect 0 "$ideotype" plan campaigns/verbs.toml --count
@@ -127,16 +136,23 @@ says "with LAI .* instead of 3.44"
 # A log file has the time (UTC); its generations are counted as in the history.
 says "^20[0-9-]*T[0-9:]*Z  ames.*  generation 1, 2 of 2 complete, "
 says "best .* MJ m-2 day-1 (not evaluated again)$"
+says "one seed: the interval holds the noise of the light, not that of the search"
+says "^next: ideotype-report results/verbs -o results/verbs/report$"
 # On a terminal one line is written over and over; it must not wrap.
-expect 0 script -qec "stty cols 60; '$ideotype' run campaigns/verbs.toml \
-    --out terminal" /dev/null
-says "generation 0, "
-longest=$(tr '\r' '\n' <out.log | sed 's/\x1b\[K//' | grep " of 2 complete" | wc -L)
-[ "$longest" -le 59 ] || fail "a live line has $longest columns: $(cat out.log)"
+for columns in 60 80 100 200; do
+    expect 0 script -qec "stty cols $columns; '$ideotype' run \
+        campaigns/verbs.toml --out terminal$columns" /dev/null
+    tr '\r' '\n' <out.log | sed 's/\x1b\[K//' | grep " left, " >live ||
+        fail "no live line: $(cat out.log)"
+    grep -q " of 2 generations" live || fail "no generations: $(cat live)"
+    [ "$(wc -L <live)" -lt "$columns" ] ||
+        fail "a live line is wider than $columns: $(cat live)"
+done
 history=$(history_of results verbs)
 expect 0 "$ideotype" status "$history"
 says "2 of 2 generations, best .* MJ m-2 day-1 (evaluated again)"
 says "finished by generations"
+says "^one seed: the interval holds the noise of the light, not that of the search$"
 expect 0 "$ideotype" status "$history" --resumable
 [ ! -s out.log ] || fail "a finished history is not resumable"
 expect 0 "$ideotype" plan campaigns/verbs.toml --left
@@ -219,7 +235,8 @@ expect 2 "$ideotype" export "$history" --best --to plant.doc
 
 # A second look at a finished case repeats its summary and evaluates nothing.
 expect 0 "$ideotype" run campaigns/verbs.toml --resume
-says "gain"
+says "finished before: $history, gain .* %, with LAI .* instead of 3.44$"
+[ "$(grep -vc "^next: " out.log)" -eq 1 ] || fail "not one line a case: $(cat out.log)"
 
 # A time limit of this start stops cleanly.
 write_campaign limited 12 400

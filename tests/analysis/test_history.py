@@ -285,6 +285,20 @@ def test_leaves_are_an_axis(finished: Path) -> None:
             best.profile(name)
 
 
+def test_a_misspelt_name_is_answered_with_the_nearest(finished: Path) -> None:
+    with open_history(finished) as history:
+        best, rows = history.best(), history.finalists()
+    meant = "did you mean 'absorbed_by_leaf'"
+    with pytest.raises(HistoryError, match=meant):
+        best.profile("absorbed_by_laef")
+    with pytest.raises(HistoryError, match="did you mean 'absorbed_fraction'"):
+        best.estimate("absorbed_fracton")
+    with pytest.raises(KeyError, match="did you mean 'lai'"):
+        rows["lais"]
+    with pytest.raises(KeyError, match="is called nothing'"):
+        rows["nothing"]
+
+
 def test_the_top_are_different_plants_best_first(finished: Path) -> None:
     with open_history(finished) as history:
         latest = history.latest()

@@ -258,8 +258,10 @@ def test_impossible_genomes_are_errors(
 
 
 def test_impossible_requests_are_errors(stand: ideotype.Stand) -> None:
-    with pytest.raises(ideotype.Error, match="no quantity 'absorbed'"):
-        stand.evaluate(stand.baseline, ["absorbed"])
+    with pytest.raises(ideotype.Error, match="no quantity 'water'; use"):
+        stand.evaluate(stand.baseline, ["water"])
+    with pytest.raises(ideotype.Error, match="did you mean 'absorbed_par'"):
+        stand.evaluate(stand.baseline, ["absorbed_parr"])
     with pytest.raises(ideotype.Error, match="tolerance is 0.3"):
         stand.evaluate(stand.baseline, tolerance=0.3)
     with pytest.raises(ideotype.Error, match="cannot read"):

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from difflib import get_close_matches
 from typing import NamedTuple
 
 
@@ -31,3 +32,9 @@ class InputError(Error):
     ) -> None:
         super().__init__(message)
         self.problems = tuple(Problem(*each) for each in problems)
+
+
+def did_you_mean(word: str, names: Sequence[str]) -> str:
+    """ "; did you mean 'x'?", or "" if none is near."""
+    near = get_close_matches(word, names, 1, 0.8)
+    return f"; did you mean '{near[0]}'?" if near else ""

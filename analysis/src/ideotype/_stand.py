@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arrays import real, unmasked
-from ._errors import Error
+from ._errors import Error, did_you_mean
 from ._geometry import Mesh
 
 _GENES = (
@@ -286,8 +286,11 @@ class Stand:
         for name in names:
             if name not in known:
                 raise Error(
-                    f"there is no quantity '{name}'; use some of "
-                    + ", ".join(known)
+                    f"there is no quantity '{name}'"
+                    + (
+                        did_you_mean(name, known)
+                        or "; use some of " + ", ".join(known)
+                    )
                 )
         return list(names)
 

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .._errors import did_you_mean
 from .estimate import Estimate
 from .file import HistoryError
 from .genes import Genes
@@ -87,7 +88,16 @@ class Rows:
             values = self.genome[:, i]
             unit = self.genes.units[i]
             return Quantity(name, unit, values, np.zeros_like(values))
-        raise KeyError(f"no quantity, objective or gene is called {name}")
+        raise KeyError(
+            f"no quantity, objective or gene is called {name}"
+            + did_you_mean(name, self.names)
+        )
+
+    @property
+    def names(self) -> list[str]:
+        """Of quantities, objectives and genes."""
+        goals = (goal.name for goal in self.goals)
+        return [*self.quantities, *goals, *self.genes.names]
 
     def with_axis(self, axis: str) -> list[Quantity]:
         """The quantities that have it."""
@@ -206,7 +216,10 @@ class Evaluation:
         try:
             found = self.row[name]
         except KeyError as error:
-            raise HistoryError(f"the history has no {name}") from error
+            raise HistoryError(
+                f"the history has no {name}"
+                + did_you_mean(name, self.row.names)
+            ) from error
         return Estimate(
             float(found.values[0]), float(found.standard_error[0]), found.unit
         )
@@ -232,7 +245,10 @@ class Evaluation:
         Raises HistoryError if there is none."""
         found = self.row.quantities.get(name)
         if found is None or found.axis is None:
-            raise HistoryError(f"the history has no {name}")
+            known = [n for n, q in self.row.quantities.items() if q.axis]
+            raise HistoryError(
+                f"the history has no {name}" + did_you_mean(name, known)
+            )
         values, error = found.values[0], found.standard_error[0]
         axis = found.axis
         return Profile(axis.labels, found.unit, values, error, axis.meaning)

@@ -87,18 +87,19 @@ std::string title(const Quantity& quantity) {
     return fmt::format("{} [{}]", quantity.name, quantity.unit);
 }
 
-//! Also relative to the first plant; each with its standard error.
+//! Also relative to the first plant, if both are more than zero as they are
+//! printed; each with its standard error.
 std::string difference_text(const Comparison& all, std::size_t p, std::size_t c,
                             std::size_t f) {
     const std::optional<Estimate> x = all.difference(p, c, f);
     if (!x) return "-";
+    const std::string text = format(*x);
     const std::optional<Estimate> gain = all.relative_gain(p, c, f);
-    if (!gain || x->mean == 0) return format(*x);
+    if (!gain || text == "0" || format(*all.value(0, c, f)) == "0") return text;
     const std::string percent = gain->standard_error > 0
                                     ? format(*gain)
                                     : fmt::format("{:.2f}", gain->mean);
-    return fmt::format("{} ({}{} %)", format(*x), gain->mean > 0 ? "+" : "",
-                       percent);
+    return fmt::format("{} ({}{} %)", text, gain->mean > 0 ? "+" : "", percent);
 }
 
 std::string value_text(const Comparison& all, std::size_t p, std::size_t c,

@@ -27,6 +27,7 @@ says "^  elite .* +- .* +- .* (+[0-9.]* +- [0-9.]* %)$"
 # Per cent of what is exact have no error.
 says "^  elite  *[0-9.]*  *[0-9.]* (+[0-9.]* %)$"
 says "^lai .m2 m-2.$"
+! grep -E "0\.000000|[0-9]e-1[0-9]" out.log || fail "zeros have tails"
 says "^  *z .m.  *b73  *elite  *difference$"
 says "^absorbed_by_leaf"
 [ "$(head -1 all.csv)" = "plant,case,quantity,unit,leaf,layer_m,mean,standard_error,difference,difference_standard_error" ] ||

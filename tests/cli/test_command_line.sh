@@ -50,6 +50,11 @@ expect 0 "$ideotype" check campaigns/dense.toml
 says "^campaign  verbs, 2 cases"
 says "period 0.6 .. 2.286 x 0.4572 m, LAI 3.44 .. 13.09, "
 says "warning: campaigns/dense.toml:14:7: spacing.row is 0.2 m (with 0.1524 m between plants the baseline has a leaf area index of 13.09, and fields hardly ever have more than 8); check both distances"
+expect 0 "$ideotype" run campaigns/dense.toml --case 0 --out dense
+says "warning: campaigns/dense.toml:14:7: spacing.row is 0.2 m"
+says "^  warning   the best plant has a leaf area index of 1[0-9.]*, and fields hardly ever have more than 8; limit .constraints. lai, or breed for carbon_balance"
+expect 0 "$ideotype" status dense
+says "(evaluated again), 0 failed; this plant has a leaf area index of 1"
 expect 0 "$ideotype" plan campaigns/verbs.toml --set seed=3
 says "^next: ideotype run campaigns/verbs.toml --set seed=3 --ranks auto$"
 says "ames_0807_762x152_all_r1"

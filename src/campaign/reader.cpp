@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "ideotype/campaign/known_crops.hpp"
 #include "leaf_table.hpp"
@@ -126,11 +127,12 @@ class DraftReader {
         report_.open(file);
         if (const std::optional<Written> crop = note_of(text, file, "crop")) {
             draft_.is_crop_known = false;
+            tables_above_.push_back(file);
             if (const auto known = known_crop(crop->text))
                 read_crop(*known, crop->text);
             else
-                read_plant_file(path_from(file, crop->text), "# crop",
-                                crop->where);
+                read_crop_of_table(path_from(file, crop->text), crop->where);
+            tables_above_.pop_back();
         } else if (!draft_.is_crop_known) {
             report_.add(
                 Location{file, 1, 1},
@@ -217,6 +219,26 @@ class DraftReader {
             read_crop(*text, file);
     }
 
+    void read_crop_of_table(const std::string& file, const Location& named_at) {
+        std::error_code none;
+        const auto first = std::find_if(
+            tables_above_.begin(), tables_above_.end(),
+            [&](const std::string& above) {
+                return above == file || fs::equivalent(above, file, none);
+            });
+        if (first == tables_above_.end())
+            return read_plant_file(file, "# crop", named_at);
+        // It begins and ends with the file that the message is about.
+        std::rotate(first, tables_above_.end() - 1, tables_above_.end());
+        report_.add(
+            named_at,
+            fmt::format("the table takes its crop from itself ({} -> {}); name "
+                        "a crop such as {}, or a crop file (.toml)",
+                        fmt::join(first, tables_above_.end(), " -> "), *first,
+                        known_crop_names().front()));
+        std::rotate(first, first + 1, tables_above_.end());
+    }
+
     void read_crop(const std::string& text, const std::string& file) {
         TableReader tables(file, report_);
         if (const auto table = parse(text, file, report_))
@@ -243,6 +265,7 @@ class DraftReader {
     Draft& draft_;
     Report& report_;
     TableReader tables_;
+    std::vector<std::string> tables_above_;  //!< each names the next as crop
 };
 
 }  // namespace

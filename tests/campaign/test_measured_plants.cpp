@@ -206,6 +206,31 @@ TEST_F(MeasuredPlants, ATableNamesItsCrop) {
     }
 }
 
+TEST_F(MeasuredPlants, TablesThatNameEachOtherAreToldAsOneCircle) {
+    const std::string leaf = "leaf,length_cm\n1,50\n";
+    EXPECT_EQ(problems_of("# crop: field.csv\n" + leaf),
+              "field.csv:1:9: the table takes its crop from itself (field.csv "
+              "-> field.csv); name a crop such as maize, or a crop file "
+              "(.toml)");
+    written("# crop: field.csv\n" + leaf, "b.csv");
+    EXPECT_EQ(problems_of("# of today\n# crop: ./b.csv\n" + leaf),
+              "b.csv:1:9: the table takes its crop from itself (b.csv -> "
+              "field.csv -> b.csv); name a crop such as maize, or a crop file "
+              "(.toml)");
+    // Whoever begins it; a table that leads to the circle is no part of it.
+    written("# crop: c.csv\n" + leaf, "c.csv");
+    fs::create_directory_symlink(folder_, folder_ / "same");
+    EXPECT_EQ(problems_of("# crop: same/c.csv\n" + leaf),
+              "same/c.csv:1:9: the table takes its crop from itself "
+              "(same/c.csv -> same/c.csv); name a crop such as maize, or a "
+              "crop file (.toml)");
+    // A table may take its crop from another.
+    std::string ten = "length_cm\n";
+    for (int i = 0; i < 10; ++i) ten += "50\n";
+    written("# crop: maize\n" + ten, "b.csv");
+    EXPECT_EQ(problems_of("# crop: b.csv\n" + ten), "");
+}
+
 TEST_F(MeasuredPlants, ATableCanBeTheBaselineOfACampaign) {
     std::string table = "# crop: maize\nlength_cm\n";
     for (int leaf = 1; leaf <= 10; ++leaf) table += "55\n";

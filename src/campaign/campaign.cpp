@@ -215,6 +215,11 @@ SeasonLight read_climate(const std::string& path) {
     return {light_of(campaign, chosen), report.warnings()};
 }
 
+void require_breedable(const Campaign& campaign) {
+    if (!campaign.outside_bounds.empty())
+        throw InputError(campaign.outside_bounds);
+}
+
 std::vector<Aim> aims(const Campaign& campaign) {
     std::vector<Aim> all;
     for (const std::string& each : campaign.maximised)

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "checks.hpp"
 #include "ideotype/crop/measures.hpp"
@@ -95,6 +97,8 @@ void check_constraints(const Draft& draft, Report& report) {
 //! Any trait set that breeds a trait, or nullptr.
 const Named<TraitSet>* breeder(const Campaign& campaign,
                                const std::string& trait) {
+    if (is_sensitivity(campaign) && !campaign.sensitivity.has_traits)
+        return nullptr;
     for (const Named<TraitSet>& set : campaign.trait_sets)
         if (std::find(set.value.begin(), set.value.end(), trait) !=
             set.value.end())
@@ -102,49 +106,111 @@ const Named<TraitSet>* breeder(const Campaign& campaign,
     return nullptr;
 }
 
-//! The bred numbers of the baseline must be inside their bounds.
-void check_baseline(Draft& draft, Report& report) {
-    const bool is_table = draft.rule.empty();
-    if (!is_table && !report.usable({&draft.rule})) return;
-    Crop crop = draft.campaign.crop;
-    for (const TraitEntry& entry : draft.traits)
-        crop.traits.push_back(complete(entry));
-    const std::vector<TraitNumber> numbers = trait_numbers(crop);
-    const std::vector<double> baseline = baseline_numbers(crop);
-    // Where the value of a number in the baseline was written.
-    const auto place = [&](const TraitNumber& number) -> const void* {
-        const Trait& trait = crop.traits[number.trait];
+//! Notes numbers of the baseline that are outside the bounds in which they
+//! would be bred, and the bounds to write.
+class BaselineCheck {
+  public:
+    BaselineCheck(Draft& draft, const Report& report)
+        : draft_(draft), report_(report), crop_(draft.campaign.crop) {
+        for (const TraitEntry& entry : draft.traits)
+            crop_.traits.push_back(complete(entry));
+        wider_.resize(crop_.traits.size());
+    }
+
+    void run() {
+        const bool is_table = draft_.rule.empty();
+        if (!is_table && !report_.usable({&draft_.rule})) return;
+        const std::vector<TraitNumber> numbers = trait_numbers(crop_);
+        const std::vector<double> baseline = baseline_numbers(crop_);
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            if (!is_table ||
+                report_.usable({&draft_.own_bounds[numbers[i].trait]}))
+                check(numbers[i], baseline[i]);
+        if (found_.empty()) return;
+        found_ = report_.sorted(std::move(found_));
+        found_.push_back(
+            {report_.where(is_table ? static_cast<void*>(&draft_.own_bounds[0])
+                                    : &draft_.rule),
+             fmt::format("plant.bounds leave the baseline out (what is bred "
+                         "begins with it); {}{}",
+                         is_table ? "write in [plant.bounds]:"
+                                  : "delete bounds = \"...\" if it is there, "
+                                    "and add at the end of the campaign:\n"
+                                    "[plant.bounds]",
+                         lines())});
+        draft_.campaign.outside_bounds = std::move(found_);
+    }
+
+  private:
+    void check(const TraitNumber& number, double value) {
+        const Trait& trait = crop_.traits[number.trait];
+        const Named<TraitSet>* set = breeder(draft_.campaign, trait.name);
+        const void* written = place(number);
+        if (!set || !report_.usable({written})) return;
+        const Range range = bounds_of(draft_, number.trait, value);
+        std::optional<Range>& wider = wider_[number.trait];
+        if (!wider) wider = range;
+        wider = {std::min({wider->lower, range.lower, value}),
+                 std::max({wider->upper, range.upper, value})};
+        if (value >= range.lower && value <= range.upper) return;
+        const std::string unit = trait.unit == "1" ? "" : ' ' + trait.unit;
+        found_.push_back(
+            {report_.where(written),
+             fmt::format(
+                 "{}{} is {}{} (outside the {} bounds {:.6g} .. {:.6g}{}, and "
+                 "trait set \"{}\" breeds it); change the baseline, the "
+                 "bounds or the free traits",
+                 trait.effect == TraitEffect::sets ? trait.measures[0]
+                                                   : "trait " + trait.name,
+                 number.leaf > 0 ? fmt::format(" of leaf {}", number.leaf) : "",
+                 value, unit,
+                 draft_.rule.empty() ? "table's" : '"' + draft_.rule + '"',
+                 range.lower, range.upper, unit, set->name)});
+    }
+
+    //! Where the value of a number in the baseline was written.
+    const void* place(const TraitNumber& number) {
+        const Trait& trait = crop_.traits[number.trait];
         if (trait.effect != TraitEffect::sets)
-            return &draft.traits[number.trait].trait.range;
+            return &draft_.traits[number.trait].trait.range;
         const auto measure =
-            find_measure(draft.campaign.crop.baseline, trait.measures[0]);
+            find_measure(draft_.campaign.crop.baseline, trait.measures[0]);
         return measure
             ->values[static_cast<std::size_t>(std::max(number.leaf, 1) - 1)];
-    };
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const auto& [t, leaf, point] = numbers[i];
-        const std::string unit =
-            crop.traits[t].unit == "1" ? "" : ' ' + crop.traits[t].unit;
-        const Trait& trait = crop.traits[t];
-        const Named<TraitSet>* set = breeder(draft.campaign, trait.name);
-        const void* written = place(numbers[i]);
-        if (!set || !report.usable({written})) continue;
-        if (is_table && !report.usable({&draft.own_bounds[t]})) continue;
-        const Range range = bounds_of(draft, t, baseline[i]);
-        if (baseline[i] >= range.lower && baseline[i] <= range.upper) continue;
-        report.add(
-            written,
-            fmt::format(
-                "{}{} is {}{} (outside the {} bounds {:.6g} .. {:.6g}{}, and "
-                "trait set \"{}\" breeds it); change the baseline, the bounds "
-                "or the free traits",
-                trait.effect == TraitEffect::sets ? trait.measures[0]
-                                                  : "trait " + trait.name,
-                leaf > 0 ? fmt::format(" of leaf {}", leaf) : "", baseline[i],
-                unit, is_table ? "table's" : '"' + draft.rule + '"',
-                range.lower, range.upper, unit, set->name));
     }
-}
+
+    //! The bred traits whose bounds are not those that a table begins with,
+    //! and which traits are bred if the rule that the table replaces tells.
+    std::string lines() const {
+        std::string text;
+        for (std::size_t t = 0; t < wider_.size(); ++t) {
+            const Range usual = draft_.rule.empty() ? draft_.own_bounds[t]
+                                                    : crop_.traits[t].range;
+            if (wider_[t] && (wider_[t]->lower != usual.lower ||
+                              wider_[t]->upper != usual.upper))
+                text += fmt::format("\n{} = [{}, {}]", crop_.traits[t].name,
+                                    wider_[t]->lower, wider_[t]->upper);
+        }
+        TraitSet by_rule, by_table;
+        for (const TraitEntry& entry : draft_.traits) {
+            if (is_bred(draft_, entry.trait, draft_.rule))
+                by_rule.push_back(entry.trait.name);
+            if (entry.trait.is_bred) by_table.push_back(entry.trait.name);
+        }
+        const Named<TraitSet>& first = draft_.campaign.trait_sets.front();
+        if (by_rule != by_table && first.value == by_rule)
+            text += fmt::format("\n[[traits]]\nname = \"{}\"\nfree = [\"{}\"]",
+                                first.name, fmt::join(by_rule, "\", \""));
+        return text;
+    }
+
+    Draft& draft_;
+    const Report& report_;
+    Crop crop_;
+    //! Of each bred trait: the bounds of its numbers, and the baseline's.
+    std::vector<std::optional<Range>> wider_;
+    std::vector<Problem> found_;
+};
 
 //! A start has a number of each gene, those that are bred within their bounds.
 void check_start(const Draft& draft, Report& report) {
@@ -198,7 +264,7 @@ void check_breeding(Draft& draft, Report& report) {
     for (const TraitEntry& entry : draft.traits)
         if (!is_sound(entry, report)) return;
     check_constraints(draft, report);
-    check_baseline(draft, report);
+    BaselineCheck(draft, report).run();
     check_start(draft, report);
 }
 

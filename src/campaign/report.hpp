@@ -51,13 +51,12 @@ class Report {
 
     //! In the same order.
     std::vector<Problem> warnings() const { return sorted(warnings_); }
+    std::vector<Problem> sorted(std::vector<Problem> problems) const;
 
     //! Fixes the order of files.
     void open(const std::string& file);
 
   private:
-    std::vector<Problem> sorted(std::vector<Problem> problems) const;
-
     std::vector<std::string> files_;
     std::map<const void*, Location> places_;
     std::set<const void*> unusable_;

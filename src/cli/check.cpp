@@ -365,8 +365,11 @@ void print(const CheckOptions& options, const Campaign& campaign,
 }  // namespace
 
 ExitCode check(const CheckOptions& options) try {
-    const Campaign campaign =
-        read_campaign(options.campaign_path, options.settings);
+    Campaign campaign = read_campaign(options.campaign_path, options.settings);
+    // Nothing is bred here, but that is what most checked campaigns are for.
+    campaign.warnings.insert(campaign.warnings.end(),
+                             campaign.outside_bounds.begin(),
+                             campaign.outside_bounds.end());
     if (!options.is_json) print_warnings(campaign);
     const std::vector<Case> all = cases(campaign);
     require_names_fit(campaign, all, options.out);

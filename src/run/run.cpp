@@ -140,7 +140,9 @@ Campaign read_with_start(const RunOptions& options) {
     if (!options.start.empty())
         settings.push_back(
             start_setting(read_campaign(path, settings), options.start));
-    return read_campaign(path, settings);
+    Campaign campaign = read_campaign(path, settings);
+    require_breedable(campaign);
+    return campaign;
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ std::string without(std::string text, const std::string& unwanted) {
 //! folder; empty if nothing is wrong.
 std::string messages(const fs::path& path) {
     try {
-        read_campaign(path.string());
+        require_breedable(read_campaign(path.string()));
     } catch (const InputError& error) {
         return without(error.what(), path.parent_path().string() + '/') + '\n';
     }

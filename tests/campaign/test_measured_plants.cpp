@@ -251,5 +251,44 @@ TEST_F(MeasuredPlants, ATableCanBeTheBaselineOfACampaign) {
     EXPECT_EQ(again.crop.baseline.name, "field");
 }
 
+TEST_F(MeasuredPlants, BoundsAreForWhatIsBred) {
+    const auto campaign_with = [&](const std::string& plant) {
+        return read_campaign(
+            written("name = \"mine\"\n"
+                    "[[site]]\nname = \"a\"\nlatitude = 42.0\n"
+                    "longitude = -93.6\nutc_offset = -5\n"
+                    "[[day]]\ndate = 2025-08-07\nstart = 07:00:00\n"
+                    "end = 20:00:00\n"
+                    "[[spacing]]\nrow = 0.762\nplant = 0.1524\n"
+                    "[plant]\nbaseline = \"field.csv\"\n" +
+                        plant,
+                    "mine.toml"));
+    };
+    std::string table = "# crop: maize\nwidth_cm,insertion_angle_deg\n";
+    for (int leaf = 1; leaf <= 10; ++leaf)
+        table += leaf == 9 ? "4.2,5\n" : "8,30\n";
+    written(table);
+    // Whatever breeds nothing takes the plant.
+    const Campaign mine = campaign_with("bounds = \"biological\"\n");
+    EXPECT_EQ(mine.crop.baseline.leaves[8].width, .042);
+    try {
+        require_breedable(mine);
+        FAIL() << "a baseline outside its bounds would be bred";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.problems().size(), 2u) << error.what();
+    }
+    // The lines to write are ready.
+    const std::string advice = mine.outside_bounds.back().what;
+    EXPECT_EQ(advice,
+              "plant.bounds leave the baseline out (what is bred begins with "
+              "it); delete bounds = \"...\" if it is there, and add at the end "
+              "of the campaign:\n"
+              "[plant.bounds]\n"
+              "width = [0.0273, 0.10800000000000001]\n"
+              "insertion_angle = [5, 80]");
+    require_breedable(
+        campaign_with(advice.substr(advice.find("[plant.bounds]")) + "\n"));
+}
+
 }  // namespace
 }  // namespace ideotype

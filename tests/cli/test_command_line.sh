@@ -72,6 +72,21 @@ expect 2 "$ideotype" plan campaigns/verbs.toml --left --count
 expect 0 "$ideotype" check campaigns/dense.toml
 says "fails the .constraints."
 
+# Only breeding needs a baseline within the bounds.
+sed -e '/^bounds = /d' \
+    -e 's/^baseline = .*/&\nbounds = { length = [1.05, 1.1] }/' \
+    campaigns/verbs.toml >campaigns/narrow.toml
+expect 0 "$ideotype" evaluate campaigns/narrow.toml
+expect 0 "$ideotype" compare campaigns/plants/b73_v01.toml --under campaigns/narrow.toml
+expect 0 "$ideotype" check campaigns/narrow.toml
+says "warning: campaigns/plants/b73_v01.toml:.*leaf.length of leaf 1 .*outside the table's bounds 1.05 .. 1.1 m"
+says "narrow.toml:.*write in .plant.bounds.:"
+says "^length = .*, 1.1]$"
+for verb in run sensitivity; do
+    expect 3 "$ideotype" $verb campaigns/narrow.toml
+    says "leaf.length of leaf 1 .*outside the table's bounds 1.05 .. 1.1 m"
+done
+
 sed 's/plants = 3/plnats = 3/' campaigns/verbs.toml >campaigns/typo.toml
 expect 3 "$ideotype" check campaigns/typo.toml
 says "typo.toml:18:1"

@@ -127,6 +127,9 @@ struct Campaign {
                            //!< key with its value, the plant inlined
     std::string sha256;    //!< of resolved
     std::vector<Problem> warnings;  //!< what may be wrong with it
+    //! Numbers of the baseline that are outside the bounds in which they would
+    //! be bred, then the lines to write. Only breeding needs them to be inside.
+    std::vector<Problem> outside_bounds;
 
     std::string name;
     std::uint64_t seed = 1;
@@ -222,6 +225,9 @@ Campaign read_campaign_text(const std::string& text, const std::string& path,
 //! parse_campaign(c.resolved, f).resolved == c.resolved.
 //! @throws InputError
 Campaign parse_campaign(const std::string& text, const std::string& file);
+
+//! @throws InputError if the baseline is outside its bounds.
+void require_breedable(const Campaign& campaign);
 
 //! Reads a crop file, a table of measured leaves (.csv) with the crop that it
 //! names, or the crop of a campaign file.

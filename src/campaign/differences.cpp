@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <map>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -16,23 +17,68 @@ namespace {
 //! line is a header or a key.
 using Entries = std::vector<std::pair<std::string, std::string>>;
 
-Entries entries(const std::string& resolved) {
-    Entries result;
+//! Names of the entries of each axis that a case is made of.
+using Names = std::map<std::string, std::set<std::string>>;
+
+Names names_of(const Case& chosen) {
+    Names names;
+    for (const Case& each : scenarios(chosen)) {
+        names["site"].insert(each.site.name);
+        for (const char* axis : {"day", "climate"})
+            names[axis].insert(each.day_name);
+        names["spacing"].insert(each.spacing_name);
+        names["traits"].insert(each.trait_set_name);
+    }
+    return names;
+}
+
+//! Whether a case is made of the entry of a list of tables with these keys.
+bool is_part(const std::string& list, const Entries& keys, const Names& names) {
+    const auto matches = [&](const std::string& axis, const char* key) {
+        return std::ranges::any_of(keys, [&](const auto& entry) {
+            return entry.first == key && entry.second.size() > 2 &&
+                   names.at(axis).contains(
+                       entry.second.substr(1, entry.second.size() - 2));
+        });
+    };
+    if (list == "weather")
+        return matches("site", "site") && matches("climate", "climate");
+    return !names.contains(list) || matches(list, "name");
+}
+
+Entries entries(const std::string& resolved, const Names& names) {
+    Entries result, keys;
     std::map<std::string, int> used;
-    std::string prefix;
+    std::string list, prefix;
+    const auto end_table = [&] {
+        if (!list.empty() && is_part(list, keys, names)) {
+            // Of an axis that is not over scenarios one entry is left.
+            const bool is_one =
+                names.contains(list) && names.at(list).size() == 1;
+            prefix = is_one ? list + '.'
+                            : fmt::format("{}[{}].", list, used[list]++);
+        } else if (!list.empty()) {
+            keys.clear();
+        }
+        for (auto& [name, value] : keys)
+            result.emplace_back(prefix + name, std::move(value));
+        keys.clear();
+    };
     std::istringstream lines(resolved);
     for (std::string line; std::getline(lines, line);) {
         const std::size_t equals = line.find(" = ");
-        if (line.starts_with("[[")) {
-            const std::string name = line.substr(2, line.find(']') - 2);
-            prefix = fmt::format("{}[{}].", name, used[name]++);
-        } else if (line.starts_with("[")) {
-            prefix = line.substr(1, line.find(']') - 1) + '.';
+        if (line.starts_with("[")) {
+            end_table();
+            const bool is_list = line.starts_with("[[");
+            list = is_list ? line.substr(2, line.find(']') - 2) : "";
+            prefix = is_list ? "" : line.substr(1, line.find(']') - 1) + '.';
         } else if (equals != std::string::npos) {
-            result.emplace_back(prefix + line.substr(0, equals),
-                                line.substr(equals + 3));
+            keys.emplace_back(line.substr(0, equals), line.substr(equals + 3));
         }
     }
+    end_table();
+    std::erase_if(
+        result, [](const auto& entry) { return entry.first == "replicates"; });
     return result;
 }
 
@@ -58,9 +104,12 @@ std::string shown(const std::string& value) {
 }  // namespace
 
 std::vector<std::string> differences(const std::string& was,
-                                     const std::string& is) {
-    const Entries before = entries(was);
-    const Entries after = entries(is);
+                                     const std::string& is,
+                                     const Case& chosen) {
+    if (was == is) return {};
+    const Names names = names_of(chosen);
+    const Entries before = entries(was, names);
+    const Entries after = entries(is, names);
     std::vector<std::string> lines;
     for (const auto& [name, value] : before) {
         const std::string* now = find(after, name);

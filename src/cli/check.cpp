@@ -17,6 +17,7 @@
 #include "ideotype/run/disk.hpp"
 #include "ideotype/run/evaluator.hpp"
 #include "ideotype/run/progress.hpp"
+#include "ideotype/run/provenance.hpp"
 #include "ideotype/run/run.hpp"
 #include "ideotype/run/sky_table.hpp"
 #include "ideotype/run/way_on.hpp"
@@ -145,6 +146,7 @@ std::map<int, std::uint64_t> cases_left(const PlanOptions& options,
         left[each.index] = 0;
         if (!history_exists(path)) continue;
         const History history = History::read(path);
+        require_same_campaign(history.header(), campaign, each, path);
         if (history.finished())
             left.erase(each.index);
         else

@@ -60,12 +60,11 @@ HistoryHeader header_of(const Campaign& campaign, const Case& chosen,
     return header;
 }
 
-namespace {
-
 void require_same_campaign(const HistoryHeader& header,
                            const Campaign& campaign, const Case& chosen,
                            const std::string& path) {
-    auto changed = differences(header.campaign_resolved, campaign.resolved);
+    auto changed =
+        differences(header.campaign_resolved, campaign.resolved, chosen);
     // How long workers may take is a matter of the machine.
     std::erase_if(changed, [](const std::string& line) {
         return line.starts_with("parallel.");
@@ -82,6 +81,8 @@ void require_same_campaign(const HistoryHeader& header,
                                 path, header.text.at("case"), chosen.name),
                     ExitCode::refused);
 }
+
+namespace {
 
 // A history of a program that did not yet keep one of these facts is taken.
 void require_same_program(const HistoryHeader& header,

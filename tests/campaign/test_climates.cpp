@@ -118,7 +118,7 @@ TEST(Climates, AnotherFileIsAnotherCampaign) {
     std::string is = was;
     is[sum] = is[sum] == '0' ? '1' : '0';
     is = with(is, "beam = [0, ", "beam = [1, ");
-    const auto lines = differences(was, is);
+    const auto lines = differences(was, is, cases(bondville()).front());
     ASSERT_EQ(lines.size(), 2u);
     EXPECT_EQ(lines[0].substr(0, 22), "weather[0].sha256 was ");
     // Not all 1488 numbers.

@@ -108,3 +108,40 @@ for r in 1 3; do
     same_results "whole/cut/ames_0807_762x152_all_r$r.h5" \
         "deleted/cut/ames_0807_762x152_all_r$r.h5"
 done
+
+# Cases may be added, in front too: those that were there are resumed or passed
+# over, and an old history is not touched. What a case is made of must stay.
+write_campaign grid 6 3
+"$ideotype" run campaigns/grid.toml --out grown >/dev/null
+sed -i 's/^\[site\]/[[site]]/' campaigns/grid.toml
+old=grown/grid/ames_0807_762x152_all_r1.h5
+digest=$(sha256sum $old)
+{
+    sed '/^\[\[site\]\]/,$d' campaigns/grid.toml
+    printf '[[site]]\nname = "Boone"\nlatitude = 50.0\nlongitude = -93.6\nutc_offset = -5\n'
+    sed -n '/^\[\[site\]\]/,$p' campaigns/grid.toml
+} >campaigns/more.toml
+expect 0 "$ideotype" plan campaigns/more.toml --left --out grown
+[ "$(cat out.log)" = "0	0" ] || fail "one case is to be begun: $(cat out.log)"
+expect 0 mpirun -n 3 "$ideotype" run campaigns/more.toml --out grown --resume
+"$ideotype" run campaigns/more.toml --out both >/dev/null
+for site in ames boone; do
+    same_results both/grid/${site}_0807_762x152_all_r1.h5 \
+        grown/grid/${site}_0807_762x152_all_r1.h5
+done
+[ "$(sha256sum $old)" = "$digest" ] || fail "a finished history was written"
+expect 0 "$ideotype" plan campaigns/more.toml --left --out grown
+[ ! -s out.log ] || fail "nothing is left: $(cat out.log)"
+expect 0 "$ideotype" plan campaigns/grid.toml --left --out grown
+[ ! -s out.log ] || fail "nothing is left: $(cat out.log)"
+expect 0 "$ideotype" status grown
+says "2 cases: 2 finished"
+sed -i 's/^latitude = 50.0/latitude = 51.0/' campaigns/more.toml
+for command in "run --resume" "run --resume --case 0" "plan --left"; do
+    read -r verb options <<<"$command"
+    # shellcheck disable=SC2086
+    expect 4 "$ideotype" $verb campaigns/more.toml --out grown $options
+    says "grown/grid/boone_0807_762x152_all_r1.h5: the campaign has changed"
+    says "  site.latitude was 50, is 51$"
+done
+expect 0 "$ideotype" run campaigns/more.toml --out grown --resume --case 1

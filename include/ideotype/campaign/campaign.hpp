@@ -292,9 +292,11 @@ bool is_sensitivity(const Campaign& campaign);
 //! @throws InputError if they contradict the rest of the campaign.
 Campaign at_keys(const Campaign& campaign, Genome& genome);
 
-//! What differs between two resolved campaigns, one line per key:
-//! "light.paths was 4096, is 8192". Empty if nothing does.
+//! What differs between two resolved campaigns in what a case is made of, one
+//! line per key: "light.paths was 4096, is 8192". Empty if nothing does. Sites,
+//! days, climates, spacings and trait sets of other cases, and how many
+//! replicates there are, are no part of it.
 std::vector<std::string> differences(const std::string& was,
-                                     const std::string& is);
+                                     const std::string& is, const Case& chosen);
 
 }  // namespace ideotype

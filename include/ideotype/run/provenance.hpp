@@ -12,6 +12,13 @@ namespace ideotype {
 HistoryHeader header_of(const Campaign& campaign, const Case& chosen,
                         const std::string& isa);
 
+//! Refuses a history of another case, and one of a campaign that differs in
+//! what the case is made of; other cases may have been added.
+//! @throws Error (refused) that names each difference.
+void require_same_campaign(const HistoryHeader& header,
+                           const Campaign& campaign, const Case& chosen,
+                           const std::string& path);
+
 //! Refuses to go on with a history that another campaign, case, program,
 //! compiler, ray tracer or C library wrote.
 //! @throws Error (refused) that names each difference.

@@ -73,8 +73,8 @@ struct Reader {
         return "";
     }
 
-    //! Reports a number that is in the range in another unit; a file has most
-    //! likely all its lengths in that unit.
+    //! Reports a number that is in the range in another unit; other entries of
+    //! a file most likely have that key in the same unit.
     bool is_mistaken(double value) const {
         if (!(value > key.upper)) return false;
         std::vector<std::string> units, values;
@@ -87,7 +87,7 @@ struct Reader {
         if (units.empty()) return false;
         const bool is_length = key.unit == "m";
         report.add_once(
-            address(key.value), is_length ? "metres" : key.name,
+            address(key.value), name(),
             fmt::format(
                 "{} is {}{}{} (above the range {}, it looks like {}); "
                 "give {}: {}{}",

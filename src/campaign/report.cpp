@@ -40,7 +40,7 @@ void Report::add_once(const void* value, const std::string& kind,
 }
 
 void Report::warn(const void* value, const std::string& what) {
-    warnings_.push_back({where(value), what});
+    warn(Problem{where(value), with_short_quotes(what)});
 }
 
 void Report::open(const std::string& file) {

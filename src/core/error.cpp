@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string_view>
 
 #include <fmt/format.h>
+
+#include "ideotype/core/text.hpp"
 
 namespace ideotype {
 
@@ -44,8 +47,48 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 
 }  // namespace
 
+std::string with_short_quotes(const std::string& message) {
+    constexpr std::size_t longest = 80, kept = 60;
+    if (message.size() <= longest) return message;
+    std::string result;
+    const auto add = [&](std::string_view part) {
+        const std::string shown =
+            part.size() > longest ? first_bytes(std::string(part), kept) : "";
+        if (shown.empty())
+            result += part;
+        else
+            result += fmt::format("{}... ({} bytes)", shown, part.size());
+    };
+    bool is_quote = false;
+    for (std::string_view rest = message; !rest.empty();) {
+        const std::size_t end = std::min(
+            rest.find_first_of(is_quote ? "\"" : "\" \n"), rest.size());
+        const std::string_view part = rest.substr(0, end);
+        // Paths outside quotes are whole, since one may want to copy them.
+        if (is_quote || part.find('/') == part.npos)
+            add(part);
+        else
+            result += part;
+        if (end < rest.size()) result += rest[end];
+        if (end < rest.size() && rest[end] == '"') is_quote = !is_quote;
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return result;
+}
+
+namespace {
+
+std::vector<Problem> shortened(std::vector<Problem> problems) {
+    for (Problem& problem : problems)
+        problem.what = with_short_quotes(problem.what);
+    return problems;
+}
+
+}  // namespace
+
 InputError::InputError(std::vector<Problem> problems)
-    : Error(joined(problems), ExitCode::invalid_campaign),
+    : Error(joined(problems = shortened(std::move(problems))),
+            ExitCode::invalid_campaign),
       problems_(std::move(problems)) {}
 
 std::string nearest_name(const std::string& word,
@@ -54,6 +97,8 @@ std::string nearest_name(const std::string& word,
     // A suggestion that shares less than half of the letters only confuses.
     std::size_t least = word.size() / 2 + 1;
     for (const std::string& candidate : candidates) {
+        // So many letters are only in the word, which may be megabytes long.
+        if (word.size() >= candidate.size() + least) continue;
         const std::size_t distance = edit_distance(word, candidate);
         if (distance < least) {
             least = distance;

@@ -67,4 +67,33 @@ TEST(NearestName, StaysSilentIfNothingIsNear) {
     EXPECT_EQ(nearest_name("", {"latitude"}), "");
 }
 
+TEST(ShortQuotes, AreOfLongTextsOnly) {
+    const std::string name(100, 'n'), list = "use one of a, b, c ";
+    EXPECT_EQ(with_short_quotes("x is \"y\"; use z"), "x is \"y\"; use z");
+    EXPECT_EQ(with_short_quotes("x is \"" + name + "\"; use z"),
+              "x is \"" + std::string(60, 'n') + "... (100 bytes)\"; use z");
+    EXPECT_EQ(with_short_quotes("key '" + name + "' is"),
+              "key '" + std::string(59, 'n') + "... (102 bytes) is");
+    EXPECT_EQ(with_short_quotes("\"" + name.substr(0, 50) + ' ' + name + '"'),
+              '"' + std::string(50, 'n') + ' ' + std::string(9, 'n') +
+                  "... (151 bytes)\"");
+    // What the program says itself, and paths.
+    std::string lists;
+    for (int i = 0; i < 9; ++i) lists += list;
+    EXPECT_EQ(with_short_quotes(lists), lists);
+    const std::string path = "cannot read /" + name + "/x.toml";
+    EXPECT_EQ(with_short_quotes(path), path);
+    // No character is cut in two.
+    std::string umlauts = "\"n";
+    for (int i = 0; i < 50; ++i) umlauts += "\u00e4";
+    EXPECT_EQ(with_short_quotes(umlauts).substr(0, 63),
+              umlauts.substr(0, 60) + "...");
+}
+
+TEST(NearestName, OfMegabytesIsNone) {
+    const std::vector<std::string> names(1000, "curvature");
+    EXPECT_EQ(nearest_name(std::string(10'000'000, 'c'), names), "");
+    EXPECT_EQ(nearest_name("curvatures_of", names), "curvature");
+}
+
 }  // namespace ideotype

@@ -46,6 +46,10 @@ struct Problem {
 //! `file:line:column: what`
 std::string to_string(const Problem& problem);
 
+//! A message in which texts between double quotes, and words that are no paths,
+//! have some 80 characters at most: what a user wrote may be megabytes.
+std::string with_short_quotes(const std::string& message);
+
 //! Every problem of an input, found in one pass, in the order of the text.
 class InputError : public Error {
   public:

@@ -147,9 +147,8 @@ Campaign parse(const std::string& text, const std::string& file,
 
 Campaign read_campaign(const std::string& path,
                        const std::vector<std::string>& settings) {
-    const std::optional<std::string> text = read_text(path);
-    if (!text) throw Error("cannot read " + path);
-    return read_campaign_text(*text, path, settings);
+    const std::string text = read_text(path);
+    return read_campaign_text(text, path, settings);
 }
 
 Campaign read_campaign_text(const std::string& text, const std::string& path,
@@ -158,16 +157,15 @@ Campaign read_campaign_text(const std::string& text, const std::string& path,
 }
 
 Crop read_crop(const std::string& path, const Plant* other) {
-    const std::optional<std::string> text = read_text(path);
-    if (!text) throw Error("cannot read " + path);
+    const std::string text = read_text(path);
     Draft draft;
     Report report;
     if (is_measured(path)) {
         draft.is_crop_known = other != nullptr;
         if (other) draft.campaign.crop.baseline = *other;
-        read_measured_draft(*text, path, draft, report);
-    } else if (!read_plant_draft(*text, path, draft, report)) {
-        return parse(*text, path, PlantSource::file_or_table).crop;
+        read_measured_draft(text, path, draft, report);
+    } else if (!read_plant_draft(text, path, draft, report)) {
+        return parse(text, path, PlantSource::file_or_table).crop;
     }
     check_plant(draft, report);
     report.throw_if_any();
@@ -183,22 +181,19 @@ Plant read_plant(const std::string& path) {
 }
 
 Photosynthesis read_photosynthesis(const std::string& path) {
-    const std::optional<std::string> text = read_text(path);
-    if (!text) throw Error("cannot read " + path);
+    const std::string text = read_text(path);
     PhotosynthesisTable table;
     table.profile = CapacityProfile::none;
     table.follows_weather = false;
     Report report;
-    read_tables(*text, path, {one_table(photosynthesis_section(table))},
-                report);
+    read_tables(text, path, {one_table(photosynthesis_section(table))}, report);
     check_photosynthesis(table, 0, report);
     report.throw_if_any();
     return to_photosynthesis(table);
 }
 
 SeasonLight read_climate(const std::string& path) {
-    const std::optional<std::string> text = read_text(path);
-    if (!text) throw Error("cannot read " + path);
+    const std::string text = read_text(path);
     Draft draft;
     Report report;
     Campaign& campaign = draft.campaign;
@@ -206,7 +201,7 @@ SeasonLight read_climate(const std::string& path) {
     campaign.climates.assign(1, {});
     // It has no [optics].
     report.locate(&campaign.par_fraction, {path, 1, 1});
-    read_tables(*text, path, climate_file_tables(campaign), report);
+    read_tables(text, path, climate_file_tables(campaign), report);
     read_weathers(path, PlantSource::file_or_table, draft, report);
     report.throw_if_any();
     Case chosen;

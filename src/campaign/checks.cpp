@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <map>
 
 #include <fmt/format.h>
@@ -38,6 +40,26 @@ void check_names(const std::string& axis, const std::vector<Entry>& entries,
                             "{}); give each a name of its own",
                             axis, *name, report.where(earlier->second).line));
     }
+}
+
+//! Many cases are work for months, and too many to look at in time. Returns
+//! whether there are few enough.
+bool check_count(const Campaign& campaign, Report& report) {
+    double count = campaign.replicates;
+    const auto multiply = [&](const std::string& axis, std::size_t entries) {
+        if (!is_over(campaign, axis)) count *= static_cast<double>(entries);
+    };
+    multiply("site", campaign.sites.size());
+    multiply("day", campaign.days.size() + campaign.climates.size());
+    multiply("spacing", campaign.spacings.size());
+    multiply("traits", campaign.trait_sets.size());
+    if (count <= static_cast<double>(most_cases)) return true;
+    report.add(&campaign.replicates,
+               fmt::format("there are {:.0f} cases (sites x days x spacings "
+                           "x trait sets x replicates; the limit is {}); "
+                           "split the campaign",
+                           count, most_cases));
+    return false;
 }
 
 //! Names may contain the underscore that joins them to the name of a case.
@@ -195,6 +217,17 @@ void check_search(const Campaign& campaign, Report& report) {
                         "breeds without waiting for a generation); "
                         "leave it out, or use search.optimizer = \"ga\"",
                         window));
+    constexpr double most_rows = std::numeric_limits<std::int32_t>::max();
+    const int& generations = campaign.stop.generations;
+    if (report.usable({&population, &generations}) &&
+        1. * population * generations > most_rows)
+        report.add(
+            &generations,
+            fmt::format("stop.generations is {} (with a population of "
+                        "{} a history would have more rows than {:.0f}); "
+                        "use {:.0f} or fewer",
+                        generations, population, most_rows,
+                        std::floor(most_rows / population)));
     at_most("search.elites", campaign.search.ga.elites, population - 1);
     at_most("search.tournament", campaign.search.ga.tournament, population);
     at_most("final.candidates", campaign.final_rule.candidates, population);
@@ -218,6 +251,23 @@ void check_light(const Campaign& campaign, Report& report) {
                                "that it falls to is {}); give a tolerance "
                                "above 0 and at most that",
                                campaign.first_tolerance, light.tolerance));
+}
+
+//! Faces of the leaves of a field must have room in the memory.
+void check_faces(const Campaign& campaign, Report& report) {
+    constexpr double most = 20e6;
+    const FieldForm& field = campaign.field;
+    const int& cells = campaign.tessellation.cells_along;
+    if (!report.usable({&field.rows, &field.plants, &cells})) return;
+    const auto leaves =
+        static_cast<double>(campaign.crop.baseline.leaves.size());
+    const double faces = 2. * cells * leaves * field.rows * field.plants;
+    if (faces > most)
+        report.add(&cells,
+                   fmt::format("plant.cells_along is {} (the leaves of {} x {} "
+                               "plants have {:.0f} faces, the limit is {:.0f});"
+                               " use fewer, or a smaller field",
+                               cells, field.rows, field.plants, faces, most));
 }
 
 void check_field(const FieldForm& field, Report& report) {
@@ -256,15 +306,17 @@ void check_draft(Draft& draft, Report& report) {
     check_names("climate", campaign.climates, report);
     check_names("spacing", campaign.spacings, report);
     check_names("traits", campaign.trait_sets, report);
+    const bool are_few = check_count(campaign, report);
     // Repeated names of one axis have been told apart already.
     if (report.empty()) check_case_names(campaign, report);
-    check_sky(campaign, report);
+    if (are_few) check_sky(campaign, report);
     for (const Named<Spacing>& spacing : campaign.spacings)
         check_spacing(spacing.value, report);
     check_surface("leaf", campaign.optics.leaf, report);
     check_surface("stalk", campaign.optics.stalk, report);
     check_surface("sheath", campaign.optics.sheath, report);
     check_field(campaign.field, report);
+    if (draft.is_crop_known) check_faces(campaign, report);
     check_light(campaign, report);
     check_search(campaign, report);
     check_sensitivity(draft, report);

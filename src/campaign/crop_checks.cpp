@@ -42,8 +42,9 @@ void check_leaves(const Plant& plant, Report& report) {
 
 void check_blade(const Blade& blade, Report& report) {
     const std::vector<double>& controls = blade.width_controls;
+    constexpr double least = 1e-6;  // others cannot be scaled to 1
     if (report.usable({&controls}) &&
-        *std::max_element(controls.begin(), controls.end()) <= 0)
+        *std::max_element(controls.begin(), controls.end()) < least)
         report.add(&controls,
                    "blade.width_controls are all 0 (a blade has a width); "
                    "leave the key out for the usual profile");

@@ -42,7 +42,12 @@ class LeafReader {
             const Location where{file_, number, 1};
             if (table_.header.line == 0)
                 read_header(line, where);
-            else
+            else if (table_.rows.size() == most_leaves) {
+                add(where, fmt::format("there are more leaves than {} (the "
+                                       "limit of a plant); remove some",
+                                       most_leaves));
+                break;
+            } else
                 read_row(line, where);
         }
         if (table_.header.line == 0) table_.header = {file_, 1, 1};

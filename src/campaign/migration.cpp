@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "ideotype/core/file.hpp"
 #include "measured_plant.hpp"
 #include "old_names.hpp"
 #include "reader.hpp"
@@ -89,15 +90,14 @@ Migration migrated(const std::string& text, const std::string& file) {
 }
 
 std::vector<Migration> read_migrations(const std::string& path) {
-    const std::optional<std::string> text = read_text(path);
-    if (!text) throw Error("cannot read " + path);
-    std::vector<Migration> result{migrated(*text, path)};
+    const std::string text = read_text(path);
+    std::vector<Migration> result{migrated(text, path)};
     const std::string plant = result[0].plant_file;
     // A table has no old names; who checks the campaign tells what cannot be
     // read.
     if (is_measured(plant)) return result;
-    if (const auto plant_text = plant.empty() ? std::nullopt : read_text(plant))
-        result.push_back(migrated(*plant_text, plant));
+    const FileText read = read_file(plant, most_input_bytes);
+    if (read.is_there) result.push_back(migrated(read.text, plant));
     return result;
 }
 

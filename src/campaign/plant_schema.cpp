@@ -235,16 +235,22 @@ Section plant_file_section(Plant& plant) {
 
 std::vector<Table> plant_tables(Draft& draft) {
     Plant& plant = draft.campaign.crop.baseline;
+    Table leaves = list_of_tables<Leaf>("leaf", leaf_section, plant.leaves);
     Table organs = list_of_tables<Organ>("organ", organ_section, plant.organs);
+    Table traits =
+        list_of_tables<TraitEntry>("trait", trait_section, draft.traits);
     Table bounds = list_of_tables<BoundsEntry>("bounds", bounds_entry_section,
                                                draft.bounds);
     organs.is_optional = bounds.is_optional = true;
+    leaves.most = most_leaves;
+    organs.most = most_organs;
+    traits.most = most_traits;
     return {one_table(stalk_section(plant.stalk)),
             one_table(sheath_section(plant.sheath)),
             one_table(blade_section(plant.blade)),
-            list_of_tables<Leaf>("leaf", leaf_section, plant.leaves),
+            leaves,
             organs,
-            list_of_tables<TraitEntry>("trait", trait_section, draft.traits),
+            traits,
             bounds};
 }
 

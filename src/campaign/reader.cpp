@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <map>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "ideotype/campaign/known_crops.hpp"
+#include "ideotype/core/file.hpp"
 #include "leaf_table.hpp"
 #include "measured_plant.hpp"
 #include "nodes.hpp"
@@ -202,21 +201,21 @@ class DraftReader {
 
     void read_plant_file(const std::string& file, const std::string& named_by,
                          const Location& named_at) {
-        const std::optional<std::string> text = read_text(file);
-        if (!text) {
+        const FileText read = read_file(file, most_input_bytes);
+        if (!read.is_there) {
             const std::string near = nearest_file(file);
-            report_.add(
-                named_at,
-                fmt::format("cannot read {} (named by {}); {}", file, named_by,
-                            near.empty()
-                                ? "give a path relative to this file"
-                                : "did you mean '" + near + ".toml'?"));
+            report_.add(named_at,
+                        fmt::format("{} (named by {}); {}", read.refusal(file),
+                                    named_by,
+                                    near.empty()
+                                        ? "give a path relative to this file"
+                                        : "did you mean '" + near + ".toml'?"));
             return;
         }
         if (is_measured(file))
-            read_measured(*text, file);
+            read_measured(read.text, file);
         else
-            read_crop(*text, file);
+            read_crop(read.text, file);
     }
 
     void read_crop_of_table(const std::string& file, const Location& named_at) {
@@ -252,11 +251,6 @@ class DraftReader {
         const std::vector<Table> parts = plant_tables(draft_);
         tables.read(table, plant_file_section(plant), parts);
         for (const Table& part : parts) tables.read(table, part);
-        if (plant.leaves.size() > most_leaves)
-            report_.add(&plant.leaves[most_leaves],
-                        fmt::format("the plant has {} leaves (the limit is "
-                                    "{}); remove some",
-                                    plant.leaves.size(), most_leaves));
         draft_.is_crop_known = true;
     }
 
@@ -328,13 +322,10 @@ std::string path_from(const std::string& file, const std::string& path) {
         .generic_string();
 }
 
-std::optional<std::string> read_text(const std::string& path) {
-    std::ifstream stream(path, std::ios::binary);
-    std::error_code none;
-    if (!stream || fs::is_directory(path, none)) return std::nullopt;
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
+std::string read_text(const std::string& path) {
+    FileText file = read_file(path, most_input_bytes);
+    if (!file.is_there) throw Error(file.refusal(path));
+    return std::move(file.text);
 }
 
 }  // namespace ideotype

@@ -45,7 +45,7 @@ std::string plant_path(const toml::table& campaign, const std::string& file);
 //! A path that a campaign file names, as seen from here.
 std::string path_from(const std::string& file, const std::string& path);
 
-//! The whole content of a file; nothing if it cannot be read.
-std::optional<std::string> read_text(const std::string& path);
+//! The text of a campaign, crop or plant. @throws Error if it cannot be read.
+std::string read_text(const std::string& path);
 
 }  // namespace ideotype

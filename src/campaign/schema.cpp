@@ -309,19 +309,23 @@ Table field_table(FieldForm& field) {
 
 std::vector<Table> campaign_tables(Draft& draft) {
     Campaign& campaign = draft.campaign;
+    Table sites = list_of_tables<Site>("site", site_section, campaign.sites);
     Table days =
         list_of_tables<Named<DaySpan>>("day", day_section, campaign.days);
+    Table spacings = list_of_tables<Named<Spacing>>("spacing", spacing_section,
+                                                    campaign.spacings);
+    sites.most = days.most = spacings.most = most_entries;
     days.is_optional = draft.has_climate;
     Table climates = list_of_tables<Named<Climate>>("climate", climate_section,
                                                     campaign.climates);
     Table weathers = list_of_tables<SiteWeather>("weather", weather_section,
                                                  campaign.weathers);
     climates.is_optional = weathers.is_optional = true;
-    return {list_of_tables<Site>("site", site_section, campaign.sites),
+    weathers.most = most_entries;
+    return {sites,
             days,
             climates,
-            list_of_tables<Named<Spacing>>("spacing", spacing_section,
-                                           campaign.spacings),
+            spacings,
             list_of_tables<Named<TraitSet>>(
                 "traits",
                 [&draft](Named<TraitSet>& traits) {

@@ -135,6 +135,7 @@ struct Table {
     std::vector<Table> children{};  //!< tables in it, if there is one entry
     bool is_default = false;        //!< nothing of it needs to be written
     bool is_optional = false;       //!< there may be no entry
+    std::size_t most = 1000;        //!< entries
 };
 
 inline Table one_table(const Section& section) {
@@ -191,6 +192,10 @@ Section final_section(FinalRule& rule);
 Section parallel_section(AnswerLimits& limits);
 
 inline constexpr std::size_t most_leaves = 40;
+inline constexpr std::size_t most_organs = 40;
+inline constexpr std::size_t most_traits = 100;
+inline constexpr std::size_t most_entries = 10'000;  //!< of an axis
+inline constexpr std::size_t most_cases = 100'000;
 
 //! The value of a key as canonical TOML: shortest text that reads back to
 //! the same value.

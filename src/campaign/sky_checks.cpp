@@ -43,6 +43,16 @@ void check_day(const DaySpan& day, Report& report) {
     if (!report.usable({&day.step_minutes})) return;
     const double span = (day.end - day.start) * 60;
     const double steps = span / day.step_minutes;
+    const double instants = steps * static_cast<double>(day.dates.size());
+    constexpr double most = 1e6;
+    if (instants > most)
+        return report.add(
+            &day.step_minutes,
+            fmt::format(
+                "day.step_minutes is {} min (with {} dates that is "
+                "{:.0f} instants, the limit is {:.0f}); use fewer dates "
+                "or a longer step",
+                day.step_minutes, day.dates.size(), instants, most));
     if (std::abs(steps - std::round(steps)) < 1e-6 && steps > 0.5) return;
     const double fewer = std::max(1.0, std::floor(steps));
     report.add(

@@ -82,8 +82,16 @@ void TableReader::read(const toml::table& table, const Section& section,
 void TableReader::read(const toml::table& parent, const Table& table) {
     const toml::node* node = parent.get(table.name);
     if (!node) report_missing(parent, table);
-    const auto found =
+    auto found =
         node ? entries(*node, table) : std::vector<const toml::table*>{};
+    // Checks of entries against each other would take for ever.
+    if (found.size() > table.most) {
+        report_.add(where(*found[table.most]),
+                    fmt::format("there are {} tables [[{}]] (the limit is {}); "
+                                "remove some",
+                                found.size(), table.name, table.most));
+        found.resize(table.most);
+    }
     if (node && table.resize) table.resize(found.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
         read(*found[i], table.section(i), table.children);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "ideotype/climate/weather_reader.hpp"
+#include "ideotype/core/file.hpp"
 #include "ideotype/core/hash.hpp"
 
 namespace ideotype {
@@ -167,23 +168,22 @@ class WeathersReader {
         const std::string& own =
             climate.file.empty() ? site.weather : climate.file;
         const std::string path = path_from(campaign_file_, own);
-        const std::optional<std::string> text = read_text(path);
-        if (!text)
+        const FileText file = read_file(path, most_data_bytes);
+        if (!file.is_there)
             return report_.add(
                 climate.file.empty() ? &site.weather : &climate.file,
-                fmt::format("cannot read {}; give a path "
-                            "relative to this file",
-                            path));
+                file.refusal(path) + "; give a path relative to this file");
         report_.open(path);
         try {
             const WeatherReading reading = parse_weather(
-                *text, request_of(path, site, climate, campaign_.par_fraction));
+                file.text,
+                request_of(path, site, climate, campaign_.par_fraction));
             for (const Problem& warning : reading.warnings)
                 if (is_new(warning)) report_.warn(warning);
             found.push_back(to_site_weather(reading.weather));
             found.back().site = site.name;
             found.back().climate = name;
-            found.back().sha256 = sha256(*text);
+            found.back().sha256 = sha256(file.text);
         } catch (const InputError& error) {
             // Sites may share a file.
             for (const Problem& problem : error.problems())

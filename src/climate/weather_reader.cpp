@@ -2,9 +2,8 @@
 #include "ideotype/climate/weather_reader.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
+#include "ideotype/core/file.hpp"
 #include "weather_light.hpp"
 #include "weather_place.hpp"
 
@@ -43,11 +42,10 @@ WeatherReading parse_weather(const std::string& text,
 }
 
 WeatherReading read_weather(const WeatherRequest& request) {
-    std::ifstream file(request.file, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    if (!file || file.bad())
-        throw InputError({{{request.file}, "the file cannot be read"}});
-    return parse_weather(text, request);
+    const FileText file = read_file(request.file, most_data_bytes);
+    if (!file.is_there)
+        throw InputError({{{request.file}, file.refusal(request.file)}});
+    return parse_weather(file.text, request);
 }
 
 }  // namespace ideotype

@@ -2,7 +2,6 @@
 #include "ideotype/crop/obj_reader.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <sstream>
 #include <string_view>
@@ -15,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "ideotype/core/error.hpp"
+#include "ideotype/core/file.hpp"
 #include "ideotype/crop/polygon.hpp"
 #include "obj_statements.hpp"
 
@@ -152,6 +152,11 @@ class ObjBuilder {
         }
         const SplitPolygon split =
             split_polygon(mesh.vertices, std::move(corners));
+        if (split.kind == PolygonKind::intricate)
+            fail(polygon.line,
+                 fmt::format("a polygon of {} corners is too intricate to be "
+                             "split; give it as triangles",
+                             polygon.count));
         if (split.kind == PolygonKind::without_area)
             without_area_.add(polygon.line);
         if (split.kind == PolygonKind::crossing) crossing_.add(polygon.line);
@@ -201,13 +206,10 @@ ObjMesh parse_obj(std::string text, const std::string& file) {
 }
 
 ObjMesh read_obj(const std::string& path) {
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) throw Error(path + ": cannot be opened");
-    std::ostringstream text;
-    // The end of an empty file is no failure; a folder cannot be read at all.
-    text << stream.rdbuf();
-    if (stream.bad() || text.bad()) throw Error(path + ": cannot be read");
-    return parse_obj(std::move(text).str(), path);
+    FileText file = read_file(path, most_data_bytes);
+    if (!file.is_there)
+        throw Error(fmt::format("{}; name an OBJ file", file.refusal(path)));
+    return parse_obj(std::move(file.text), path);
 }
 
 }  // namespace ideotype

@@ -13,6 +13,9 @@ namespace {
 //! Areas below this part of the squared diameter are rounding.
 constexpr double negligible = 1e-12;
 
+//! Corners that may be looked at to split a polygon: a second of work.
+constexpr std::size_t most_looks = 300'000'000;
+
 double cross(const glm::dvec2& u, const glm::dvec2& v) {
     return u.x * v.y - u.y * v.x;
 }
@@ -93,6 +96,7 @@ class EarClipping {
         std::size_t at = 0;
         std::size_t tried = 0;
         while (left_.size() > 3 && tried < left_.size()) {
+            if (looked_at_ > most_looks) return {PolygonKind::intricate, {}};
             at %= left_.size();
             if (is_ear(at)) {
                 result.faces.push_back(triangle(before(at), at, after(at)));
@@ -122,11 +126,12 @@ class EarClipping {
         return {corners_[left_[a]], corners_[left_[b]], last, last};
     }
 
-    bool is_ear(std::size_t at) const {
+    bool is_ear(std::size_t at) {
         const std::size_t a = left_[before(at)];
         const std::size_t b = left_[at];
         const std::size_t c = left_[after(at)];
         if (!(outline_.turn(a, b, c) >= 0)) return false;
+        looked_at_ += left_.size();
         // Outlines with holes pass some places twice; those do not count.
         return std::none_of(left_.begin(), left_.end(), [&](std::size_t p) {
             return !outline_.is_same_place(p, a) &&
@@ -139,6 +144,7 @@ class EarClipping {
     const Outline& outline_;
     const Corners& corners_;
     std::vector<std::size_t> left_;
+    std::size_t looked_at_ = 0;  //!< corners, of all ears that were tried
 };
 
 void remove_repeated(Corners& corners) {

@@ -123,6 +123,10 @@ Handle in_this_format(const std::string& path, Handle file) {
     return file;
 }
 
+constexpr auto smaller_history =
+    "make room, choose another folder with --out, or ask for fewer "
+    "stop.generations";
+
 void write_everything(hid_t file, const HistoryHeader& header) {
     write_header(file, header);
     // The large comes last: it is what a file that is cut short loses.
@@ -163,9 +167,7 @@ void write_file(const std::string& unfinished, const HistoryHeader& header,
         H5Fcreate(unfinished.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access),
         H5Fclose, "create the file");
     write_everything(file, header);
-    reserve_space(file, path,
-                  "make room, choose another folder with --out, or ask for "
-                  "fewer stop.generations");
+    reserve_space(file, path, smaller_history);
     flush(file);
     file.close("write the file");
     synchronize_path(unfinished);
@@ -210,6 +212,10 @@ std::uint64_t history_bytes(const HistoryHeader& header) {
 }
 
 void create_file(const std::string& path, const HistoryHeader& header) {
+    // Numbers of rows alone can fill a disk before the whole is reserved.
+    constexpr int many = 1'000'000;
+    if (header.rows() > many)
+        require_room(path, history_bytes(header), smaller_history);
     const std::string unfinished = path + ".new";
     std::error_code failure;
     try {

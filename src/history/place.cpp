@@ -9,20 +9,10 @@
 #include <sys/stat.h>
 
 #include "ideotype/core/error.hpp"
+#include "ideotype/core/file.hpp"
 #include "ideotype/history/history.hpp"
 
 namespace ideotype {
-
-namespace {
-
-std::string kind_of(const struct stat& status) {
-    if (S_ISDIR(status.st_mode)) return "a folder";
-    if (S_ISFIFO(status.st_mode)) return "a named pipe";
-    if (S_ISSOCK(status.st_mode)) return "a socket";
-    return "a device";
-}
-
-}  // namespace
 
 bool history_exists(const std::string& path) {
     struct stat status {};

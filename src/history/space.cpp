@@ -52,6 +52,15 @@ int allocate(int descriptor, std::uintmax_t size) {
     return 0;
 }
 
+[[noreturn]] void refuse(const std::string& path, int failure,
+                         std::uintmax_t needed, std::uintmax_t free,
+                         const std::string& advice) {
+    throw Error(fmt::format(
+        "{}: there is no room for this history ({}): {} in {}; {}", path,
+        std::generic_category().message(failure), needed_and_free(needed, free),
+        folder_of(path).string(), advice));
+}
+
 }  // namespace
 
 void reserve_space(hid_t file, const std::string& path,
@@ -68,11 +77,13 @@ void reserve_space(hid_t file, const std::string& path,
     int failure = allocate(own, size);
     if (failure == EOPNOTSUPP || failure == ENOSYS)
         failure = needed <= free ? 0 : ENOSPC;
-    if (failure == 0) return;
-    throw Error(fmt::format(
-        "{}: there is no room for this history ({}): {} in {}; {}", path,
-        std::generic_category().message(failure), needed_and_free(needed, free),
-        folder_of(path).string(), advice));
+    if (failure != 0) refuse(path, failure, needed, free, advice);
+}
+
+void require_room(const std::string& path, std::uint64_t bytes,
+                  const std::string& advice) {
+    const std::uintmax_t free = free_bytes(path);
+    if (bytes > free) refuse(path, ENOSPC, bytes, free, advice);
 }
 
 bool has_all_room(hid_t file) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "handle.hpp"
@@ -13,6 +14,10 @@ namespace ideotype {
 //! needed and how much is free, with this advice.
 void reserve_space(hid_t file, const std::string& path,
                    const std::string& advice);
+
+//! @throws Error as above if there is less room than for so many bytes.
+void require_room(const std::string& path, std::uint64_t bytes,
+                  const std::string& advice);
 
 //! Whether the file has all the room that it will ever need, and lacks no byte.
 bool has_all_room(hid_t file);

@@ -2,7 +2,10 @@
 #include "ideotype/run/disk.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <string_view>
 #include <unistd.h>
 
@@ -46,9 +49,14 @@ void require_length(const std::string& what, const std::string& text,
 
 DiskRoom disk_room(const Campaign& campaign, const std::vector<Case>& chosen) {
     DiskRoom room;
+    // Files differ by genes, scenarios, and how long the names are.
+    std::map<std::array<std::size_t, 5>, std::uint64_t> known;
     for (const Case& each : chosen) {
-        const std::uint64_t bytes =
-            history_bytes(header_of(campaign, each, "any"));
+        std::uint64_t& bytes =
+            known[{each.name.size(), each.site.name.size(),
+                   each.day_name.size(), each.spacing_name.size(),
+                   std::hash<std::string>()(each.trait_set_name)}];
+        if (bytes == 0) bytes = history_bytes(header_of(campaign, each, "any"));
         room.largest = std::max(room.largest, bytes);
         room.all += bytes;
     }
@@ -58,7 +66,7 @@ DiskRoom disk_room(const Campaign& campaign, const std::vector<Case>& chosen) {
 void require_names_fit(const Campaign& campaign,
                        const std::vector<Case>& chosen,
                        const std::string& out) {
-    const fs::path folder = existing(out);
+    const fs::path folder = existing(path_of(out, campaign, chosen.front()));
     const long longest_name = pathconf(folder.c_str(), _PC_NAME_MAX);
     const long longest_path = pathconf(folder.c_str(), _PC_PATH_MAX);
     for (const Case& each : chosen) {

@@ -16,6 +16,9 @@ namespace fs = std::filesystem;
 
 std::string path_of(const std::string& out, const Campaign& campaign,
                     const Case& chosen) {
+    if (out.empty())
+        throw Error("--out is empty; name a folder, or . for this one",
+                    ExitCode::usage);
     return (fs::path(out) / campaign.name / (chosen.name + ".h5")).string();
 }
 

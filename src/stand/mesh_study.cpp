@@ -101,13 +101,31 @@ void check_images(const Field& field) {
             field.period_x, field.period_y, images, most_faces));
 }
 
-//! Of the highest face above the soil [m].
-double height(const Mesh& mesh) {
-    double highest = 0;
+//! Heights of the lowest and the highest face, and of the soil [m].
+Range heights(const Mesh& mesh) {
+    Range all{0, 0};
     for (const auto& face : mesh.faces)
-        for (const std::uint32_t vertex : face)
-            highest = std::max(highest, mesh.vertices[vertex].z);
-    return highest;
+        for (const std::uint32_t vertex : face) {
+            const double z = mesh.vertices[vertex].z;
+            all = {std::min(all.lower, z), std::max(all.upper, z)};
+        }
+    return all;
+}
+
+//! Light would have to fall almost for ever to meet so few faces, or to get
+//! out of so many.
+void check_area(const Field& field) {
+    constexpr double least = 1e-6, most = 1e4;
+    double area = 0;
+    for (const double each : face_areas(field.mesh)) area += each;
+    const bool is_much = area > most * field.ground_area;
+    if (is_much || (field.boundary == Boundary::periodic &&
+                    area < least * field.ground_area))
+        throw Error(fmt::format(
+            "the mesh has {:.2g} m2 over {:.4g} m2 of ground (the {} is {:.0e} "
+            "of it); is it in metres?",
+            area, field.ground_area, is_much ? "most" : "least",
+            is_much ? most : least));
 }
 
 //! Light would take almost for ever through a tower in a narrow cell.
@@ -164,12 +182,19 @@ MeshReport study(Mesh mesh, const MeshOptions& options) {
     check(options);
     MeshReport result;
     Field field = field_of(std::move(mesh), options);
-    const double top = height(field.mesh);
+    const auto [bottom, top] = heights(field.mesh);
+    constexpr double below = -1e-3;  // more than rounding
+    if (bottom < below)
+        result.warnings.push_back(
+            fmt::format("the mesh reaches {:.4g} m below the soil (z = 0), "
+                        "where there is no light; lift it",
+                        -bottom));
     if (top > usual_height)
         result.warnings.push_back(fmt::format(
             "the mesh is {:.4g} m high (coordinates are taken as metres); if "
             "they are centimetres, divide them by 100",
             top));
+    check_area(field);
     if (field.boundary == Boundary::periodic) {
         check_images(field);
         check_height(field, top);

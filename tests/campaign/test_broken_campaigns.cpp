@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -6,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "ideotype/core/error.hpp"
 #include "sample_campaign.hpp"
@@ -101,9 +103,110 @@ TEST(BrokenCampaign, PlantsHaveAtMostFortyLeaves) {
             "[[plant.baseline.leaf]]\nlength = 0.8\nwidth = 0.08\n"
             "insertion_angle = 40\ncurvature = 60\nazimuth = 90\n"
             "insertion_height = 0.2\n";
-    EXPECT_NE(problem_of(sample_text("", leaves))
-                  .find("the plant has 41 leaves (the limit is 40)"),
-              std::string::npos);
+    EXPECT_EQ(problem_of(sample_text("", leaves))
+                  .find("sample.toml:299:1: there are 41 tables [[leaf]] (the "
+                        "limit is 40); remove some"),
+              0u)
+        << problem_of(sample_text("", leaves));
+}
+
+TEST(BrokenCampaign, TooMuchIsRefusedBeforeItIsWorkedOn) {
+    const auto refuses = [](const std::string& text, const std::string& what) {
+        const std::string problem = problem_of(text);
+        EXPECT_NE(problem.find(what), std::string::npos) << problem;
+        EXPECT_EQ(std::count(problem.begin(), problem.end(), '\n'), 0);
+    };
+    const auto many = [](int count, const std::string& table) {
+        std::string text;
+        for (int i = 0; i < count; ++i)
+            text += fmt::format(fmt::runtime(table), i);
+        return text;
+    };
+    refuses(sample_text("", many(41,
+                                 "[[plant.baseline.organ]]\nname = \"o{}\"\n"
+                                 "length = 0.1\nbase_diameter = 0.01\n")),
+            "there are 41 tables [[organ]] (the limit is 40)");
+    const std::string spacings =
+        many(100, "[[spacing]]\nname = \"s{}\"\nrow = 0.3\nplant = 0.2\n");
+    refuses(sample_text("replicates = 1000\n", spacings),
+            "there are 101000 cases");
+    EXPECT_EQ(
+        problem_of(sample_text("replicates = 1000\n",
+                               "[objective]\nover = \"spacing\"\n" + spacings)),
+        "");
+    // A history numbers its rows with 32 bits.
+    const std::string stop = "[search]\npopulation = 100000\n[stop]\n";
+    refuses(sample_text("", stop + "generations = 21475\n"),
+            "stop.generations is 21475 (with a population of 100000 a history "
+            "would have more rows than 2147483647); use 21474 or fewer");
+    EXPECT_EQ(problem_of(sample_text("", stop + "generations = 21474\n")), "");
+    const std::string leaf =
+        "[[plant.baseline.leaf]]\nlength = 0.8\nwidth = 0.08\n"
+        "insertion_angle = 40\ncurvature = 60\nazimuth = 90\n"
+        "insertion_height = 0.2\n";
+    std::string field =
+        sample_text("", "[field]\nrows = 100\nplants = 100\n" + many(5, leaf));
+    field.replace(field.find("[plant]"), 7, "[plant]\ncells_along = 200");
+    refuses(field,
+            "plant.cells_along is 200 (the leaves of 100 x 100 plants have "
+            "24000000 faces, the limit is 20000000)");
+    std::string dates = "date = [2000-01-01";
+    for (int year = 2001; year <= 2060; ++year)
+        for (int day = 1; day < 29; ++day)
+            dates += fmt::format(", {}-02-{:02}", year, day);
+    std::string text = sample_text();
+    text.replace(text.find("date = 2025-08-07"), 17,
+                 dates + "]\nstep_minutes = 1");
+    refuses(text, "that is 1311180 instants");
+}
+
+TEST(BrokenCampaign, ABladeHasAWidth) {
+    for (const char* controls : {"0, 0, 0, 0, 0, 0", "0, 0, 0, 0, 0, 1e-300"})
+        EXPECT_NE(
+            problem_of(sample_text("", fmt::format("[plant.baseline.blade]\n"
+                                                   "width_controls = [{}]\n",
+                                                   controls)))
+                .find("blade.width_controls are all 0"),
+            std::string::npos);
+}
+
+TEST(BrokenCampaign, WhatIsNoFileIsRefusedAndNotWaitedFor) {
+    const std::string folder = testing::TempDir();
+    const std::string pipe = folder + "/pipe.csv";
+    fs::remove(pipe);
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_THROW(read_campaign(pipe), Error);
+    const auto problem = [&](const std::string& plant) -> std::string {
+        std::string text = sample_text();
+        text = text.substr(0, text.find("bounds")) + "baseline = \"" + plant +
+               "\"\n";
+        try {
+            read_campaign_text(text, folder + "/of_files.toml");
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    for (const auto& [plant, what] :
+         {std::pair{"pipe.csv", "pipe.csv (a named pipe, no regular file)"},
+          {"/dev/zero", "cannot read /dev/zero (a device, no regular file)"},
+          {"/", "cannot read / (a folder, no regular file)"}})
+        EXPECT_NE(problem(plant).find(what), std::string::npos)
+            << problem(plant);
+}
+
+TEST(BrokenCampaign, MessagesQuoteWhatIsShort) {
+    const std::string name(10'000'000, 'x');
+    std::string text = sample_text();
+    text.replace(text.find("Ames"), 4, name);
+    for (const std::string& each :
+         {problem_of(text), problem_of(sample_text(name + " = 1\n")),
+          problem_of(sample_text("", "[light]\nsky = \"" + name + "\"\n"))}) {
+        EXPECT_NE(each.find(std::string(59, 'x')), std::string::npos);
+        EXPECT_EQ(each.find(std::string(65, 'x')), std::string::npos)
+            << each.substr(0, 1000);
+        EXPECT_LT(each.size(), 1500u);
+    }
 }
 
 TEST(BrokenCampaign, UnknownSkiesAreRefusedWithTheKnownOnes) {

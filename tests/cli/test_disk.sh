@@ -80,6 +80,17 @@ cp packed.h5 "$(history_of cut disk)"
 expect 0 "${run[@]}" --out cut --resume
 says "gain"
 
+# What can never fit is told before a byte is written.
+expect 1 "${run[@]}" --out huge --set search.population=100000 --set stop.generations=20000
+says "MiB are needed and .* MiB are free"
+[ -z "$(find huge -type f)" ] || fail "something is left: $(ls -R huge)"
+for verb in check run; do
+    expect 3 "$ideotype" $verb "${run[2]}" --set search.population=100000 --set stop.generations=1000000
+    says "stop.generations is 1000000 .*use 21474 or fewer"
+    expect 2 "$ideotype" $verb "${run[2]}" --out ""
+    says "out is empty"
+done
+
 # A real full disk.
 mkdir small
 if ! mount -t tmpfs -o size=1m tmpfs small 2>/dev/null; then

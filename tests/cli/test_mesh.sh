@@ -57,7 +57,13 @@ evaluate 0 '"incident_unit": "W m-2"' "${maize[@]}" --site 42 -93.6 -5 \
     fail "not one unit of the day's light in: $(cat out.log)"
 
 square=(--period 1 1 --sun 60 180 --mesh square.obj)
-evaluate 1 "cannot be opened" "${square[@]}"
+evaluate 1 "cannot read square.obj; name an OBJ file" "${square[@]}"
+mkfifo pipe.obj
+for thing in "campaigns a folder" "pipe.obj a named pipe" "/dev/zero a device"; do
+    read -r path what <<<"$thing"
+    evaluate 1 "cannot read $path ($what, no regular file); name an OBJ file" \
+        --period 1 1 --sun 60 180 --mesh "$path"
+done
 printf 'v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n' >vertices
 : >square.obj
 evaluate 3 "square.obj: there are no faces" "${square[@]}"
@@ -69,6 +75,9 @@ evaluate 3 "square.obj:1:5: 'nan'" "${square[@]}"
 evaluate 3 "square.obj:5:1: the coordinate 1e+09" "${square[@]}"
 (cat vertices && printf 'g \xff\nf 1 2 3 4\nf 1 1 2\n') >square.obj
 evaluate 0 "1 faces without area" "${square[@]}" --json
+
+printf 'v 0 0 -1\nv 1 0 1\nv 1 1 1\nf 1 2 3\n' >square.obj
+evaluate 0 "warning: .*reaches 1 m below the soil" "${square[@]}" --paths 1000
 
 # Very many groups take no longer than very many faces.
 awk 'BEGIN { for (i = 0; i < 200000; ++i) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <fstream>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "ideotype/canopy/quantities.hpp"
@@ -128,6 +129,26 @@ TEST(MeshStudy, AMeshInCentimetresIsWarnedOf) {
     EXPECT_NE(warnings(230)[0].find("230 m high"), std::string::npos);
     // Light would cross the cell a million times.
     EXPECT_THROW(warnings(1e6), Error);
+}
+
+TEST(MeshStudy, AMeshBelowTheSoilIsWarnedOfAndATinyOneRefused) {
+    const std::string path = temporary_file("low.obj");
+    const auto warnings = [&](double size, double lowest) {
+        std::ofstream(path) << fmt::format(
+            "v 0 0 1\nv {0} 0 1\nv 0 {0} {1}\nf 1 2 3\n", size, lowest);
+        MeshOptions options;
+        options.path = path;
+        options.period = {1, 1};
+        options.sun = {30, 180};
+        return study(options).warnings;
+    };
+    EXPECT_TRUE(warnings(.5, 0).empty());
+    ASSERT_EQ(warnings(.5, -.25).size(), 1u);
+    EXPECT_EQ(warnings(.5, -.25)[0],
+              "the mesh reaches 0.25 m below the soil (z = 0), where there is "
+              "no light; lift it");
+    EXPECT_THROW(warnings(1e-7, 1), Error);
+    EXPECT_THROW(warnings(200, 1), Error);
 }
 
 TEST(MeshStudy, TheSameOptionsGiveTheSameBits) {

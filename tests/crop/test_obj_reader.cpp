@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include <gtest/gtest.h>
@@ -194,7 +195,34 @@ TEST(ObjReader, BrokenFilesAreErrorsWithTheirPlace) {
 
 TEST(ObjReader, AFileThatCannotBeReadIsAnError) {
     EXPECT_THROW(read_obj("/no/such/file.obj"), Error);
-    EXPECT_THROW(read_obj("/"), Error);
+    try {
+        read_obj("/");
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(),
+                     "cannot read / (a folder, no regular file); name an OBJ "
+                     "file");
+    }
+    EXPECT_THROW(read_obj("/dev/zero"), Error);
+}
+
+TEST(ObjReader, PolygonsOfVeryManyCornersAreSplitOrRefusedSoon) {
+    // A star and a disc.
+    const auto polygon = [](int corners, double inner) {
+        std::string text, face = "f";
+        for (int i = 0; i < corners; ++i) {
+            const double angle = 2 * M_PI * i / corners;
+            const double radius = i % 2 == 0 ? inner : 1;
+            text += "v " + std::to_string(radius * std::cos(angle)) + ' ' +
+                    std::to_string(radius * std::sin(angle)) + " 1\n";
+            face += ' ' + std::to_string(i + 1);
+        }
+        return text + face + "\n";
+    };
+    EXPECT_EQ(error_of(polygon(100'000, .9)),
+              "a.obj:100001:1: a polygon of 100000 corners is too intricate "
+              "to be split; give it as triangles");
+    EXPECT_EQ(parse_obj(polygon(10'000, 1), "a.obj").mesh.faces.size(), 9998u);
 }
 
 }  // namespace

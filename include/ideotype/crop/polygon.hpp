@@ -17,6 +17,7 @@ enum class PolygonKind {
     simple,
     without_area,  //!< there are no faces
     crossing,      //!< its outline crosses itself: the faces may overlap
+    intricate,     //!< it would take too long: there are no faces
 };
 
 //! The faces of a mesh that cover a polygon: one quadrilateral for four
@@ -27,7 +28,9 @@ struct SplitPolygon {
 };
 
 //! Splits a polygon of any shape. Seen along its mean normal the faces do not
-//! overlap, unless the outline crosses itself.
+//! overlap, unless the outline crosses itself. What takes more than some
+//! seconds, with tens of thousands of corners that turn both ways, is not
+//! split.
 SplitPolygon split_polygon(const std::vector<glm::dvec3>& vertices,
                            Corners corners);
 

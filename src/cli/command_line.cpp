@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <csignal>
+#include <cstdlib>
+#include <exception>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -76,19 +78,40 @@ ExitCode code_of(const std::exception& error) {
     return own != nullptr ? own->exit_code() : ExitCode::runtime;
 }
 
+//! Embree and TBB end the program where they get no thread or memory: says so,
+//! and ends it as other failures do.
+[[noreturn]] void end_with_reason() {
+    std::string reason = "no reason given";
+    try {
+        if (const auto error = std::current_exception())
+            std::rethrow_exception(error);
+    } catch (const std::exception& error) {
+        reason = reason_of(error);
+    } catch (...) {
+        reason = "an exception of unknown type";
+    }
+    fmt::print(stderr,
+               "ideotype: a library ended the program ({}), as a rule for lack "
+               "of memory or threads (see ulimit -a); what a run has recorded "
+               "is kept, go on with --resume\n",
+               reason);
+    std::_Exit(static_cast<int>(ExitCode::runtime));
+}
+
 }  // namespace
 
 ExitCode report_error(const std::exception& error) {
-    fmt::print(stderr, "ideotype: {}\n", error.what());
+    fmt::print(stderr, "ideotype: {}\n", reason_of(error));
     return code_of(error);
 }
 
 ExitCode report_error(const std::exception& error, const Log& log) {
-    log.write(LogLevel::error, error.what());
+    log.write(LogLevel::error, reason_of(error));
     return code_of(error);
 }
 
 int run_command_line(int argc, char** argv) {
+    std::set_terminate(end_with_reason);
     // A file beyond `ulimit -f` shall fail with a reason, not kill.
     std::signal(SIGXFSZ, SIG_IGN);
     CLI::App app(

@@ -14,4 +14,9 @@ ExitCode report_error(const std::exception& error);
 //! The same, in a log.
 ExitCode report_error(const std::exception& error, const Log& log);
 
+//! Whether the program threw this itself, with a message for the user.
+inline bool is_told(const std::exception& error) {
+    return dynamic_cast<const Error*>(&error) != nullptr;
+}
+
 }  // namespace ideotype

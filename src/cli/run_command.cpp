@@ -46,9 +46,10 @@ ExitCode run_on_ranks(const RunOptions& options, const Session& session,
         return code;
     } catch (const std::exception& error) {
         const ExitCode code = report_error(error, Log(options.level));
-        // Rank 0 has told the others to leave. It would wait for ever for one
-        // that fails by itself.
-        if (session.rank() != 0) session.abort(static_cast<int>(code));
+        // Rank 0 tells the others to leave before an Error of its own. Ranks
+        // would wait for ever for one that fails by itself.
+        if (session.rank() != 0 || (session.size() > 1 && !is_told(error)))
+            session.abort(static_cast<int>(code));
         return code;
     }
 }

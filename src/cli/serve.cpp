@@ -236,9 +236,9 @@ ExitCode serve(const ServeOptions& options) {
                        : serve_alone(options, stop, log);
     } catch (const std::exception& error) {
         const ExitCode code = report_error(error, log);
-        // Rank 0 has told the others to leave. It would wait for ever for one
-        // that fails by itself.
-        if (session && session->rank() != 0)
+        // Rank 0 tells the others to leave before an Error of its own. Ranks
+        // would wait for ever for one that fails by itself.
+        if (session && (session->rank() != 0 || !is_told(error)))
             session->abort(static_cast<int>(code));
         return code;
     }

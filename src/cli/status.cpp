@@ -135,6 +135,7 @@ struct Report {
     std::uint64_t missing_bytes = 0;
     std::optional<std::string> reason;  //!< of the end
     double complete = 0, generations = 0, evaluations = 0, failures = 0;
+    std::size_t finalists = 0, failed_finalists = 0;
     std::string objective, unit;
     std::optional<Estimate> best, hypervolume;
     bool is_evaluated_again = false;
@@ -149,6 +150,8 @@ void add_best(const History& history, Report& report) {
     report.objective = objective.name;
     report.unit = objective.unit;
     const std::vector<Row> finalists = history.finalists();
+    report.finalists = finalists.size();
+    report.failed_finalists = failed_finalists(finalists);
     const std::size_t slot = best_finalist(finalists, objective.sense);
     report.is_evaluated_again = slot > 0 && history.finished();
     const auto take = [&](const Outcome& outcome) {
@@ -239,6 +242,9 @@ std::string to_text(const Report& report) {
                                       : not_evaluated_again(report.violation),
             report.failures);
     if (!report.doubt.empty()) line += "; this plant " + report.doubt;
+    if (report.failed_finalists > 0)
+        line += fmt::format(", {} of {} finalists failed",
+                            report.failed_finalists, report.finalists);
     if (report.hypervolume)
         line += fmt::format(", hypervolume {}", format(*report.hypervolume));
     if (report.rate)
@@ -270,6 +276,8 @@ Json to_json(const Report& report) {
             {"generations", report.generations},
             {"evaluations", report.evaluations},
             {"failed", report.failures},
+            {"finalists", report.finalists},
+            {"failed_finalists", report.failed_finalists},
             {"best", best},
             {"hypervolume",
              report.hypervolume ? to_json(*report.hypervolume) : Json()},

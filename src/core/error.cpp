@@ -2,6 +2,7 @@
 #include "ideotype/core/error.hpp"
 
 #include <algorithm>
+#include <new>
 #include <numeric>
 #include <string_view>
 
@@ -10,6 +11,12 @@
 #include "ideotype/core/text.hpp"
 
 namespace ideotype {
+
+std::string reason_of(const std::exception& error) {
+    return dynamic_cast<const std::bad_alloc*>(&error) != nullptr
+               ? "not enough memory"
+               : error.what();
+}
 
 std::string to_string(const Problem& problem) {
     const Location& where = problem.where;

@@ -2,6 +2,7 @@
 #include "ideotype/light/device.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,6 +11,16 @@
 #include "ideotype/core/error.hpp"
 
 namespace ideotype {
+
+void require_no_error(RTCDeviceTy* device, const std::string& action) {
+    const RTCError error = rtcGetDeviceError(device);
+    if (error == RTC_ERROR_NONE) return;
+    throw std::runtime_error(
+        fmt::format("Embree cannot {} ({})", action,
+                    error == RTC_ERROR_OUT_OF_MEMORY
+                        ? "not enough memory"
+                        : fmt::format("error {}", static_cast<int>(error))));
+}
 
 Device::Device(const std::string& isa) : isa_(isa) {
     const std::vector<std::string> supported = supported_isas();
@@ -20,7 +31,7 @@ Device::Device(const std::string& isa) : isa_(isa) {
             isa, fmt::join(supported, ", ")));
     RTCDevice device = rtcNewDevice(
         fmt::format("threads=1,set_affinity=0,isa={}", isa).c_str());
-    if (!device) throw Error("Embree cannot create a device");
+    if (!device) require_no_error(nullptr, "create a device");
     handle_ = std::make_unique<Handle>(Handle{device});
 }
 

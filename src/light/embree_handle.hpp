@@ -18,6 +18,11 @@ struct Device::Handle {
     RTCDevice device;
 };
 
+//! @throws std::runtime_error if Embree could not do what it was told. That is
+//! the machine's fault, and no Error of the plant that is evaluated.
+//! @param device null: what kept one from being created
+void require_no_error(RTCDeviceTy* device, const std::string& action);
+
 struct Scene::Handle {
     explicit Handle(RTCScene s) : scene(s) {}
     ~Handle() { rtcReleaseScene(scene); }

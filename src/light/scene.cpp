@@ -276,11 +276,8 @@ void Scene::commit(const Device& device) {
     rtcSetSceneFlags(handle_->scene, RTC_SCENE_FLAG_ROBUST);
     if (!prim_face_.empty()) attach_faces(embree);
     rtcCommitScene(handle_->scene);
-    if (const RTCError error = rtcGetDeviceError(embree))
-        throw Error(
-            fmt::format("Embree cannot build a scene of {} faces "
-                        "(error {})",
-                        prim_face_.size(), static_cast<int>(error)));
+    require_no_error(
+        embree, fmt::format("build a scene of {} faces", prim_face_.size()));
 }
 
 void Scene::attach_faces(RTCDeviceTy* embree) {

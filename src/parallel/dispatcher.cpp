@@ -78,22 +78,28 @@ void Dispatcher::run(Director& director) {
         // Before routines go on, since they take their time to breed.
         while (hand_out()) continue;
         resume_complete();
-        while (!idle_.empty() && !stop_.requested())
+        while (!idle_.empty() && !is_ending())
             if (!hand_out() && !(has_next = has_next && director.start_next()))
                 break;
 
         if (busy_in_time() > 0)
             receive(director);
-        else if (stop_.requested() && !open_.empty())
+        else if (is_ending() && !open_.empty())
             release_all();
-        else if (open_.empty() && (stop_.requested() || !has_next))
-            return;
+        else if (open_.empty() && (is_ending() || !has_next))
+            break;
         else if (idle_.empty())
             throw Error(fmt::format(
                 "no worker answers any more; if evaluations take longer than "
                 "{:.4g} s, raise parallel.deadline",
                 rules_.deadline));
     }
+    if (!obstacle_.empty()) throw Error(obstacle_);
+}
+
+//! Whether no more work is to be handed out.
+bool Dispatcher::is_ending() const {
+    return stop_.requested() || !obstacle_.empty();
 }
 
 bool Dispatcher::dismiss() {
@@ -181,7 +187,7 @@ std::optional<int> Dispatcher::next_late() {
 //! Sends the next work to an idle worker; false if there is none of either, or
 //! a stop is requested.
 bool Dispatcher::hand_out() {
-    if (stop_.requested() || idle_.empty()) return false;
+    if (is_ending() || idle_.empty()) return false;
     for (const auto& [precedence, open] : open_) {
         Batch& batch = *open;
         if (batch.waiting_.empty() && !fetch(batch)) {
@@ -221,9 +227,25 @@ void Dispatcher::release_all() {
 
 //! Waits until an answer arrives or a worker is late, but not for long.
 void Dispatcher::receive(Director& director) {
-    if (const auto answer = workers_->wait(seconds_to_wait()))
-        settle(take(answer->worker, answer->outcome), answer->outcome);
+    if (const auto answer = workers_->wait(seconds_to_wait())) {
+        const auto& [worker, outcome] = *answer;
+        const Assignment given = take(worker, outcome);
+        if (outcome.status == Status::proposed)
+            note_obstacle(workers_->rank(worker), given.task, outcome.message);
+        else
+            settle(given, outcome);
+    }
     while (const auto worker = next_late()) give_up(*worker, director);
+}
+
+//! A machine could not evaluate, which says nothing of the plant.
+void Dispatcher::note_obstacle(int rank, const Task& task,
+                               const std::string& reason) {
+    if (!obstacle_.empty()) return;
+    obstacle_ = fmt::format(
+        "rank {} could not evaluate {} {}; that is not the plant's fault, so "
+        "nothing is said of it: give each rank more memory, or start fewer",
+        rank, name_of(task), reason);
 }
 
 //! Records an outcome, unless its batch is gone or another attempt was first.
@@ -242,7 +264,7 @@ void Dispatcher::settle(const Assignment& given, const Outcome& outcome) {
         batch.failure_ = std::current_exception();
     }
     const bool goes_on = !batch.failure_ && (!batch.unanswered_.empty() ||
-                                             stop_.requested() || fetch(batch));
+                                             is_ending() || fetch(batch));
     if (!goes_on) close(batch);
 }
 
@@ -259,7 +281,7 @@ void Dispatcher::give_up(int worker, Director& director) {
         director.on_silence(given.task, what);
         return;
     }
-    if (stop_.requested()) {
+    if (is_ending()) {
         director.on_silence(given.task, what + "; left for the next start");
         return;
     }

@@ -136,11 +136,13 @@ Bytes encode_reply(const Reply& reply) {
 Reply decode_reply(std::span<const std::byte> bytes,
                    const OutcomeSchema& schema) {
     const auto header = read_header<ReplyHeader>(bytes, Mark::reply, "a reply");
-    Outcome outcome = unknown_outcome(schema);
+    const auto status = static_cast<Status>(header.status);
+    Outcome outcome =
+        status == Status::proposed ? Outcome{} : unknown_outcome(schema);
     std::size_t expected = sizeof(ReplyHeader);
     outcome.for_each_number([&](double&) { expected += sizeof(double); });
     check_size(bytes, expected, "a reply");
-    outcome.status = static_cast<Status>(header.status);
+    outcome.status = status;
     outcome.seconds = header.seconds;
     outcome.worker = header.worker;
     outcome.message.assign(

@@ -25,7 +25,7 @@ Outcome CaseStand::evaluate(const Genome& genome,
         return checked_outcome(schema, devices_.with([&](const Device& device) {
             return stand_.evaluate(plant, sampling, device);
         }));
-    } catch (const std::exception& error) {
+    } catch (const Error& error) {
         return failed_outcome(schema, error.what());
     }
 }

@@ -2,14 +2,13 @@
 #include "ideotype/run/machines.hpp"
 
 #include <algorithm>
-#include <array>
-#include <unistd.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "ideotype/core/error.hpp"
+#include "ideotype/core/host.hpp"
 #include "ideotype/core/maths.hpp"
 #include "ideotype/core/version.hpp"
 #include "ideotype/light/device.hpp"
@@ -24,12 +23,6 @@ bool has(const Machine& machine, const std::string& isa) {
 }
 
 }  // namespace
-
-std::string host_name() {
-    std::array<char, 256> name{};
-    gethostname(name.data(), name.size() - 1);
-    return name.data();
-}
 
 ProgramFacts program_facts() {
     const BuildInfo& build = build_info();

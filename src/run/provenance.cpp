@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "ideotype/core/error.hpp"
+#include "ideotype/core/host.hpp"
 #include "ideotype/core/maths.hpp"
 #include "ideotype/core/version.hpp"
 #include "ideotype/light/device.hpp"

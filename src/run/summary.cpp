@@ -35,6 +35,22 @@ std::size_t best_finalist(const std::vector<Row>& finalists, Sense sense) {
     return best;
 }
 
+std::size_t failed_finalists(const std::vector<Row>& finalists) {
+    return static_cast<std::size_t>(
+        std::ranges::count(finalists, Status::failed,
+                           [](const Row& row) { return row.outcome.status; }));
+}
+
+std::string failures_of(const std::vector<Row>& finalists) {
+    const auto first =
+        std::ranges::find(finalists, Status::failed,
+                          [](const Row& row) { return row.outcome.status; });
+    if (first == finalists.end()) return "";
+    return fmt::format("{} of {} finalists failed; the first reason: {}",
+                       failed_finalists(finalists), finalists.size(),
+                       first->outcome.message);
+}
+
 namespace {
 
 Estimate quantity(const History& history, const Row& row,
@@ -197,27 +213,32 @@ std::string final_summary(const History& history, const Campaign& campaign) {
     const auto& objectives = history.header().schema.objectives;
     const std::size_t best = best_finalist(finalists, objectives.front().sense);
     if (is_sensitivity(campaign)) return "";
+    std::string failures = failures_of(finalists);
+    if (!failures.empty()) failures += '\n';
     if (finalists.empty() || finalists[0].outcome.status != Status::done ||
         best == 0)
-        return "no finalist could be evaluated; see the messages of failed "
-               "rows\n";
+        return failures +
+               "without the baseline and another finalist there is "
+               "no gain\n";
     const Accuracy& sampling = campaign.final_rule.sampling;
     const std::string how =
         fmt::format("{} of {} paths with a new field each",
                     sampling.randomisations, sampling.paths);
     if (objectives.size() > 1)
-        return fmt::format("front, {}:\n{}", how,
-                           front(history, campaign, finalists));
+        return failures + fmt::format("front, {}:\n{}", how,
+                                      front(history, campaign, finalists));
     const std::string& name = objectives.front().name;
-    return fmt::format(
-        "{}, {}:\n"
-        "  baseline  {}\n"
-        "  best      {}\n"
-        "{}{}",
-        name == "absorbed_par" ? "absorbed by leaves" : name, how,
-        described(history, finalists[0]), described(history, finalists[best]),
-        gains(history, campaign, finalists[0], finalists[best]),
-        left_to_gain(history, campaign, finalists[best]));
+    return failures +
+           fmt::format(
+               "{}, {}:\n"
+               "  baseline  {}\n"
+               "  best      {}\n"
+               "{}{}",
+               name == "absorbed_par" ? "absorbed by leaves" : name, how,
+               described(history, finalists[0]),
+               described(history, finalists[best]),
+               gains(history, campaign, finalists[0], finalists[best]),
+               left_to_gain(history, campaign, finalists[best]));
 }
 
 std::string final_line(const History& history, const Campaign& campaign) {

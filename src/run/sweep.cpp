@@ -114,6 +114,10 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
     }
     progress_.end(chosen);
     const std::string path = path_of(options_.out, campaign_, chosen);
+    const std::vector<Row> finalists = history.finalists();
+    if (!is_sensitivity(campaign_) &&
+        failed_finalists(finalists) == finalists.size())
+        throw CaseError(fmt::format("{}: {}", path, failures_of(finalists)));
     progress_.print_result(
         was_finished ? fmt::format("finished before: {}, {}", path,
                                    final_line(history, campaign_))
@@ -183,7 +187,7 @@ void Sweep::note_failure(const Case& chosen) {
 void Sweep::print_failure(const Case& chosen, const std::exception& error) {
     if (chosen_.size() > 1)
         progress_.print(
-            fmt::format("{}  failed: {}", chosen.name, error.what()),
+            fmt::format("{}  failed: {}", chosen.name, reason_of(error)),
             LogLevel::error);
 }
 
@@ -208,7 +212,7 @@ void Sweep::report_failures() const {
     for (const Failure& failure : failures_) try {
             std::rethrow_exception(failure.cause);
         } catch (const std::exception& error) {
-            message += fmt::format("\n{}: {}", failure.name, error.what());
+            message += fmt::format("\n{}: {}", failure.name, reason_of(error));
         }
     throw Error(fmt::format("{}\nwhen the causes are gone, go on with\n  {}",
                             message, way_on(options_.command, ranks_)));

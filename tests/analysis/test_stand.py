@@ -358,3 +358,31 @@ def test_the_stub_is_that_of_the_module(tmp_path: Path) -> None:
     )
     kept = Path(ideotype.__file__).with_name("_core.pyi").read_text()
     assert kept.endswith(own.read_text())
+
+
+STARVED = """
+import resource, sys
+import ideotype
+
+stand = ideotype.Stand.from_campaign(
+    sys.argv[1],
+    settings={"light.paths": 16, "field.rows": 30, "field.plants": 30},
+)
+resource.setrlimit(resource.RLIMIT_DATA, (20_000_000, 20_000_000))
+try:
+    stand.evaluate(stand.baseline)
+except MemoryError as error:
+    sys.exit(7)
+except RuntimeError as error:
+    sys.exit(7 if "not enough memory" in str(error) else str(error))
+"""
+
+
+def test_a_lack_of_memory_is_no_result_of_the_plant() -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", STARVED, AMES],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 7, done.stderr

@@ -3,9 +3,10 @@
 
 #include <chrono>
 #include <limits>
-#include <stdexcept>
+#include <new>
 #include <thread>
 
+#include "ideotype/core/error.hpp"
 #include "ideotype/core/random.hpp"
 #include "ideotype/parallel/dispatcher.hpp"
 
@@ -26,6 +27,9 @@ class FakeEvaluator : public Evaluator {
     static constexpr std::uint32_t oddly_throwing_slot = 1002;
     static constexpr std::uint32_t not_a_number_slot = 1003;
 
+    //! Where the machine fails, not the plant.
+    static constexpr std::uint32_t starved_slot = 1006;
+
     //! Takes long at the first attempt only, and at any attempt.
     static constexpr std::uint32_t slow_once_slot = 1004;
     static constexpr std::uint32_t slow_slot = 1005;
@@ -41,8 +45,9 @@ class FakeEvaluator : public Evaluator {
                              (task.slot == slow_once_slot && task.attempt == 1);
         std::this_thread::sleep_for(is_slow ? long_duration_ : duration_);
         if (task.slot == throwing_slot)
-            throw std::runtime_error("leaf 3 is longer than the row");
+            throw Error("leaf 3 is longer than the row");
         if (task.slot == oddly_throwing_slot) throw 42;
+        if (task.slot == starved_slot) throw std::bad_alloc();
 
         RandomStream random(task.case_index,
                             task.is_final ? Purpose::scramble : Purpose::jitter,

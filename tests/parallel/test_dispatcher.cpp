@@ -9,6 +9,7 @@
 #include "command_fixture.hpp"
 #include "fake_director.hpp"
 #include "ideotype/core/error.hpp"
+#include "ideotype/core/host.hpp"
 
 namespace ideotype {
 
@@ -120,7 +121,6 @@ TEST_F(DispatcherOnAllRanks, PassesFailuresOnWithTheirReasons) {
     command([&](Dispatcher& dispatcher) {
         std::vector<Work> work = sample_work(10);
         work[2].task.slot = FakeEvaluator::throwing_slot;
-        work[5].task.slot = FakeEvaluator::oddly_throwing_slot;
         work[8].task.slot = FakeEvaluator::not_a_number_slot;
         evaluate(dispatcher, work, keep());
         ASSERT_EQ(outcomes_.size(), 10u);
@@ -129,12 +129,36 @@ TEST_F(DispatcherOnAllRanks, PassesFailuresOnWithTheirReasons) {
                       slot < 10 ? Status::done : Status::failed);
         EXPECT_EQ(outcomes_.at(FakeEvaluator::throwing_slot).message,
                   "leaf 3 is longer than the row");
-        EXPECT_NE(outcomes_.at(FakeEvaluator::oddly_throwing_slot)
-                      .message.find("unknown type"),
-                  std::string::npos);
         EXPECT_NE(outcomes_.at(FakeEvaluator::not_a_number_slot)
                       .message.find("height"),
                   std::string::npos);
+    });
+}
+
+TEST_F(DispatcherOnAllRanks, EndsWithoutARowWhereTheMachineFails) {
+    evaluations_take(milliseconds(2));
+    command([&](Dispatcher& dispatcher) {
+        std::vector<Work> work = sample_work(100);
+        work[20].task.slot = FakeEvaluator::starved_slot;
+        try {
+            evaluate(dispatcher, work, keep());
+            ADD_FAILURE() << "nothing was said";
+        } catch (const Error& error) {
+            EXPECT_NE(
+                std::string(error.what())
+                    .find(" could not evaluate finalist 1006 on " +
+                          host_name() + ": not enough memory; that is not"),
+                std::string::npos)
+                << error.what();
+        }
+        EXPECT_FALSE(outcomes_.contains(FakeEvaluator::starved_slot));
+        // What was in flight then is recorded, and nothing was begun later.
+        EXPECT_GE(outcomes_.size(), 20u);
+        EXPECT_LE(static_cast<int>(outcomes_.size()),
+                  20 + 2 * dispatcher.width());
+        for (const auto& [slot, outcome] : outcomes_)
+            expect_right_numbers(work[slot], outcome);
+        EXPECT_TRUE(dispatcher.dismiss());
     });
 }
 

@@ -5,6 +5,7 @@
 
 #include "fake_evaluator.hpp"
 #include "guard.hpp"
+#include "ideotype/core/host.hpp"
 
 namespace ideotype {
 
@@ -47,17 +48,24 @@ TEST(EvaluateGuarded, MeasuresTheWallTime) {
     EXPECT_LT(outcome.seconds, 10);
 }
 
-TEST(EvaluateGuarded, TurnsAnExceptionIntoAFailureWithItsMessage) {
+TEST(EvaluateGuarded, TurnsAnErrorIntoAFailureWithItsMessage) {
     const Outcome outcome = guarded(FakeEvaluator::throwing_slot);
     expect_failed_everywhere(outcome);
     EXPECT_EQ(outcome.message, "leaf 3 is longer than the row");
     EXPECT_EQ(outcome.worker, 7u);
 }
 
-TEST(EvaluateGuarded, SurvivesExceptionsOfAnyType) {
-    const Outcome outcome = guarded(FakeEvaluator::oddly_throwing_slot);
-    expect_failed_everywhere(outcome);
-    EXPECT_NE(outcome.message.find("unknown type"), std::string::npos);
+TEST(EvaluateGuarded, LeavesARowProposedWhereTheMachineFails) {
+    for (const auto& [slot, reason] :
+         {std::pair{FakeEvaluator::starved_slot, "not enough memory"},
+          std::pair{FakeEvaluator::oddly_throwing_slot,
+                    "an exception of unknown type"}}) {
+        const Outcome outcome = guarded(slot);
+        EXPECT_EQ(outcome.status, Status::proposed);
+        EXPECT_EQ(outcome.message, "on " + host_name() + ": " + reason);
+        EXPECT_TRUE(outcome.quantities.empty());
+        EXPECT_EQ(outcome.worker, 7u);
+    }
 }
 
 TEST(EvaluateGuarded, NamesTheColumnThatIsNotANumber) {

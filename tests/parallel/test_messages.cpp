@@ -70,6 +70,18 @@ TEST(Messages, AFailureComesBackWithItsReason) {
     expect_same_bits(copy.outcome.quantities, reply.outcome.quantities);
 }
 
+TEST(Messages, AMachineThatFailsSendsNoNumbers) {
+    Outcome outcome;
+    outcome.status = Status::proposed;
+    outcome.message = "on node7: not enough memory";
+    const Reply reply{{1, 2, 3}, outcome};
+    const Bytes bytes = encode_reply(reply);
+    EXPECT_LT(bytes.size(), encode_reply(sample_reply()).size());
+    const Reply copy = decode_reply(bytes, fake_schema());
+    EXPECT_EQ(copy.outcome.status, Status::proposed);
+    EXPECT_EQ(copy.outcome.message, "on node7: not enough memory");
+}
+
 TEST(Messages, AReplyHasTheSameSizeWhateverTheReason) {
     EXPECT_EQ(encode_reply(sample_reply()).size(),
               encode_reply(sample_reply(std::string(1000, 'x'))).size());

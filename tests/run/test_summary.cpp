@@ -18,7 +18,7 @@ class Summary : public testing::Test {
     ~Summary() override { fs::remove(path_); }
 
     //! The light that baseline and best absorb [MJ m-2 day-1], and their leaf
-    //! area indices.
+    //! area indices. NaN: that one failed.
     std::string of(Estimate baseline, double baseline_lai, Estimate best,
                    double best_lai) {
         fs::remove(path_);
@@ -42,7 +42,9 @@ class Summary : public testing::Test {
         outcome.violation = 0;
         outcome.quantities.assign(schema.measured.size(), {0, 0});
         outcome.quantities[schema.measured.offset("lai")].mean = lai;
-        history.record_final(slot, outcome);
+        history.record_final(slot, std::isnan(absorbed.mean)
+                                       ? failed_outcome(schema, "no leaves")
+                                       : outcome);
     }
 
   protected:
@@ -80,6 +82,12 @@ TEST_F(Summary, WarnsOfMoreLeavesThanFieldsHave) {
                         "8.50, and fields hardly ever have more than 8; "),
               std::string::npos)
         << text;
+}
+
+TEST_F(Summary, CountsFinalistsThatFailed) {
+    EXPECT_EQ(of({10, 0.03}, 2.5, {std::nan(""), 0}, 5),
+              "1 of 2 finalists failed; the first reason: no leaves\n"
+              "without the baseline and another finalist there is no gain\n");
 }
 
 TEST_F(Summary, NeverDividesByNothing) {

@@ -101,8 +101,9 @@ class Dispatcher {
     //! Runs routines until all have ended. A late evaluation is given to
     //! another worker, and the first answer counts. A late worker gets no
     //! work until it answers.
-    //! @throws Error if no worker answers any more. Routines that still pause
-    //! must be destroyed before the dispatcher.
+    //! @throws Error if no worker answers any more, or, after the routines have
+    //! gone on as after a stop, if a machine could not evaluate. Routines that
+    //! still pause must be destroyed before the dispatcher.
     void run(Director& director);
 
     //! How many evaluations can run at the same time.
@@ -131,6 +132,8 @@ class Dispatcher {
     std::optional<int> next_late();
     bool hand_out();
     void resume_complete();
+    bool is_ending() const;
+    void note_obstacle(int rank, const Task& task, const std::string& reason);
     void release_all();
     void receive(Director& director);
     void settle(const Assignment& given, const Outcome& outcome);
@@ -154,6 +157,7 @@ class Dispatcher {
     //! What an evaluation of usual effort took at most [s]; late ones do not
     //! count.
     double longest_ = 0;
+    std::string obstacle_;  //!< why a machine could not evaluate
     bool has_told_of_stop_ = false;
     bool is_dismissed_ = false;
 };
@@ -199,7 +203,7 @@ std::unique_ptr<Dispatcher> make_dispatcher(const Session& session,
                                             const AnswerRules& rules = {});
 
 //! The life of a worker rank: receives work, evaluates, replies, until rank 0
-//! says that there is no more. An exception in an evaluation becomes a failed
+//! says that there is no more. An Error in an evaluation becomes a failed
 //! outcome with its message, cut to 160 bytes.
 //! @throws Error if a message arrives that is neither.
 void serve(const Session& session, Evaluator& evaluator);

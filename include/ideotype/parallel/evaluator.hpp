@@ -16,7 +16,9 @@ class Evaluator {
     virtual const OutcomeSchema& schema(const Task& task) const = 0;
 
     //! A pure function of task and genome, but for seconds.
-    //! @throws any exception; the worker turns it into a failed outcome.
+    //! @throws Error if the plant can't be evaluated, which the worker turns
+    //! into a failed outcome. Any other exception is the machine's fault, such
+    //! as a lack of memory: nothing is said of the plant and the job ends.
     virtual Outcome evaluate(const Task& task, const Genome& genome) = 0;
 };
 

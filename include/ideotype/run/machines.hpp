@@ -10,9 +10,6 @@
 
 namespace ideotype {
 
-//! Name of this machine, cut to 255 bytes.
-std::string host_name();
-
 //! What results depend on bit for bit, besides the campaign and the
 //! instruction set, by the names of a history's attributes.
 using ProgramFacts = std::map<std::string, std::string>;

@@ -22,6 +22,12 @@ std::string format_daily(Estimate mj_per_m2);
 //! 0 if nothing but the baseline has been evaluated.
 std::size_t best_finalist(const std::vector<Row>& finalists, Sense sense);
 
+//! How many could not be evaluated.
+std::size_t failed_finalists(const std::vector<Row>& finalists);
+
+//! How many could not be evaluated and why, or "".
+std::string failures_of(const std::vector<Row>& finalists);
+
 //! Best plant against the baseline after a finished evolution, both evaluated
 //! again under the same fresh random numbers.
 std::string final_summary(const History& history, const Campaign& campaign);

@@ -1,0 +1,90 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Ranks that get no memory: nothing is recorded of a plant that they could not
+# evaluate, the user is told, and a resume ends as if nothing had happened.
+. "$(dirname "$0")/common.sh"
+time_limit=(timeout 60)
+
+# Large scenes and few paths. 200 MB are enough for MPI and not for these.
+write_campaign starved 4 2
+sed -i 's/^rows = 3/rows = 20/; s/^plants = 3/plants = 20/; s/^paths = 256/paths = 16/' \
+    campaigns/starved.toml
+limit=200000
+cat >starve.sh <<'EOF'
+#!/bin/sh
+# $1 the rank that starves, or all
+rank=${OMPI_COMM_WORLD_RANK:-${PMI_RANK:-$PMIX_RANK}}
+[ "$1" != all ] && [ "$1" != "$rank" ] || ulimit -d "$LIMIT"
+shift
+exec "$@"
+EOF
+chmod +x starve.sh
+export LIMIT=$limit
+if ! ./starve.sh all "$ideotype" evaluate "$project/campaigns/ames_quick.toml" \
+    --set field.rows=2 --set field.plants=2 >/dev/null 2>&1; then
+    echo "THIS BUILD NEEDS MORE THAN $limit KB: NOT TESTED" >&2
+    exit 0
+fi
+run=("$ideotype" run campaigns/starved.toml)
+"${run[@]}" --out whole >whole.log
+whole=$(history_of whole starved)
+
+# A run whose history is in folder $1 and which ended with "expect".
+goes_on() {
+    says "could not evaluate .* on $(hostname): .*not enough memory"
+    says "that is not the plant's fault"
+    says "Z  go on with"
+    ! grep "evaluations of generation .* failed\|finalists failed" out.log ||
+        fail "the machine's failure became the plants'"
+    "$ideotype" status "$1" | grep -v "finished\|go on with\|--resume\|, 0 of 2\|, 0 failed" &&
+        fail "rows have failed"
+    expect 0 "${run[@]}" --out "$1" --resume
+    same_results "$whole" "$(history_of "$1" starved)"
+}
+expect 1 ./starve.sh all "${run[@]}" --out alone
+goes_on alone
+expect 1 mpirun -n 3 ./starve.sh 1 "${run[@]}" --out worker
+says "rank 1 could not"
+goes_on worker
+
+# Finalists, of a run that was killed before it had evaluated them.
+for _ in 1 2 3 4 5; do
+    rm -rf finals
+    "${run[@]}" --out finals >finals.log 2>&1 &
+    job=$!
+    until grep -qs "ended by" finals.log; do sleep 0.01; done
+    kill -KILL $job
+    wait $job || true
+    "$ideotype" status finals | grep -q finished || break
+done
+expect 1 mpirun -n 2 ./starve.sh 1 "${run[@]}" --out finals --resume
+says "could not evaluate finalist 0"
+goes_on finals
+
+# Commands that evaluate one plant, and a service.
+export LIMIT=30000
+expect 1 ./starve.sh all "$ideotype" evaluate campaigns/starved.toml
+says "^ideotype: .*not enough memory"
+expect 1 ./starve.sh all "$ideotype" compare campaigns/plants/b73_v01.toml \
+    --under campaigns/starved.toml
+says "^ideotype: .*not enough memory"
+genome=$(echo | "$ideotype" serve campaigns/starved.toml 2>/dev/null |
+    grep -o '"baseline":[^,]*' | cut -d : -f 2 | paste -s -d ,)
+echo "{\"genome\": [$genome]}" >request
+expect 1 ./starve.sh all "$ideotype" serve campaigns/starved.toml <request
+says "rank 0 could not evaluate .*not enough memory"
+! grep '"status"' out.log || fail "an answer of a plant"
+
+# No thread for a library that needs one and gives up: a reason, not a signal.
+# To root no number of processes is too large.
+as_user=()
+[ "$(id -u)" -ne 0 ] || as_user=(setpriv --reuid 65534 --clear-groups)
+printf '#!/bin/bash\nulimit -u 1\nexec "$@"\n' >single.sh
+chmod +x single.sh
+as_user+=(./single.sh "$ideotype")
+if "${as_user[@]}" --version >/dev/null 2>&1; then
+    expect 1 "${as_user[@]}" evaluate campaigns/starved.toml
+    says "^ideotype: a library ended the program (.*), as a rule for lack of"
+else
+    echo "ANOTHER USER CANNOT READ THIS BUILD: THREADS ARE NOT TESTED" >&2
+fi

@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "file_lock.hpp"
 
-#include <array>
 #include <cerrno>
 #include <chrono>
-#include <cstdio>
+#include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
-#include <string>
 #include <system_error>
 #include <thread>
 #include <unistd.h>
 #include <utility>
 
 #include <fmt/format.h>
-#include <sys/file.h>
+#include <sys/stat.h>
 
 #include "ideotype/core/error.hpp"
+#include "ideotype/core/host.hpp"
 #include "ideotype/history/history.hpp"
 #include "place.hpp"
 
@@ -24,114 +23,164 @@ namespace ideotype {
 
 namespace {
 
-std::string host_name() {
-    std::array<char, 64> name{};
-    gethostname(name.data(), name.size() - 1);
-    return name.data();
+namespace fs = std::filesystem;
+
+//! The whole of a file, for its open file rather than for the process: HDF5,
+//! too, opens and closes the file.
+struct flock whole_file() {
+    struct flock lock {};
+    lock.l_type = F_WRLCK;
+    lock.l_whence = SEEK_SET;
+    return lock;
 }
 
-std::string holder(int descriptor) {
-    std::array<char, 128> text{};
-    const ssize_t size = pread(descriptor, text.data(), text.size() - 1, 0);
-    return size > 0 ? text.data() : "another process";
+std::string path_of(int descriptor) {
+    return fmt::format("/proc/self/fd/{}", descriptor);
 }
 
-// Tells the user who is in the way, and other starts where there are no locks.
-void sign(int descriptor) {
-    const std::string text =
-        fmt::format("process {} on {}", getpid(), host_name());
-    if (ftruncate(descriptor, 0) == 0)
-        static_cast<void>(!pwrite(descriptor, text.data(), text.size(), 0));
-}
-
-// Where the file system has no locks: whether the process that signed lives
-// on this host and is this program. A process of another host can't be seen.
-bool is_held_here(int descriptor) {
-    const std::string who = holder(descriptor);
-    long process = 0;
-    std::array<char, 65> host{};
-    if (std::sscanf(who.c_str(), "process %ld on %64s", &process,
-                    host.data()) != 2)
-        return false;
+//! The process of this host, but for this one, that has the file open to write;
+//! 0 if none can be seen.
+long writer_here(int descriptor) {
+    constexpr fs::perms write = fs::perms::owner_write;
     std::error_code unknown;
-    const auto program = [&](const std::string& id) {
-        return std::filesystem::read_symlink("/proc/" + id + "/exe", unknown);
-    };
-    const auto other = program(std::to_string(process));
-    return host_name() == host.data() && process != getpid() &&
-           !other.empty() && other == program("self");
+    const fs::path file = fs::read_symlink(path_of(descriptor), unknown);
+    for (fs::directory_iterator process("/proc", unknown), end; process != end;
+         process.increment(unknown)) {
+        const long id = std::atol(process->path().filename().c_str());
+        if (id == 0 || id == getpid()) continue;
+        for (fs::directory_iterator open(process->path() / "fd", unknown);
+             open != end; open.increment(unknown))
+            if (fs::read_symlink(open->path(), unknown) == file &&
+                (open->symlink_status(unknown).permissions() & write) == write)
+                return id;
+    }
+    return 0;
+}
+
+//! Who writes a history, as far as it can be known.
+std::string holder(const std::string& file, int descriptor) {
+    if (const long id = writer_here(descriptor))
+        return fmt::format("process {} on {}", id, host_name());
+    try {
+        if (const auto last = History::read(file).last_session())
+            return fmt::format("the run that {} began at {}", last->host,
+                               last->started);
+    } catch (const Error&) {
+        // It is not there yet.
+    }
+    return "another process";
 }
 
 enum class Attempt { locked, taken, unsupported };
 
-Attempt try_lock(int descriptor, int operation) {
-    if (flock(descriptor, operation | LOCK_NB) == 0) return Attempt::locked;
-    return errno == EWOULDBLOCK ? Attempt::taken : Attempt::unsupported;
+Attempt try_lock(int descriptor) {
+    struct flock lock = whole_file();
+    if (fcntl(descriptor, F_OFD_SETLK, &lock) == 0) return Attempt::locked;
+    return errno == EAGAIN || errno == EACCES ? Attempt::taken
+                                              : Attempt::unsupported;
 }
 
-[[noreturn]] void fail_to_create(const std::string& path) {
-    throw Error(fmt::format(
-        "{}: cannot create files in this folder: {}; make it writable or "
-        "choose another with --out",
-        std::filesystem::absolute(path).parent_path().string(),
-        std::generic_category().message(errno)));
+[[noreturn]] void fail_to_open(const std::string& path, bool is_new) {
+    const int reason = errno;
+    if (is_new && reason != ELOOP)
+        throw Error(fmt::format(
+            "{}: cannot create files in this folder: {}; make it writable or "
+            "choose another with --out",
+            fs::absolute(path).parent_path().string(),
+            std::generic_category().message(reason)));
+    throw Error(fmt::format("{}: cannot be opened to write: {}; make it a "
+                            "writable file or choose another folder with --out",
+                            path, std::generic_category().message(reason)),
+                is_new ? ExitCode::refused : ExitCode::runtime);
+}
+
+//! Whether nothing else is overwritten with this file.
+bool is_plain(int descriptor) {
+    struct stat status {};
+    return fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) &&
+           status.st_nlink <= 1;
 }
 
 }  // namespace
 
 Writer writer_of(const std::string& path) {
     const int descriptor =
-        open((path + ".lock").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+        open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (descriptor < 0) return Writer::closed;
-    // A shared lock, held for an instant: others may look at the same time,
-    // and a writer that wants to start tries again.
-    const Attempt attempt = try_lock(descriptor, LOCK_SH);
-    const bool is_alive =
-        attempt == Attempt::taken ||
-        (attempt == Attempt::unsupported && is_held_here(descriptor));
+    struct flock lock = whole_file();
+    const bool is_alive = fcntl(descriptor, F_OFD_GETLK, &lock) == 0
+                              ? lock.l_type != F_UNLCK
+                              : writer_here(descriptor) != 0;
+    // HDF5 notes in its superblock (version 3) that a writer has the file open.
+    constexpr off_t flags_at = 11;
+    unsigned char flags = 0;
+    const bool is_open =
+        pread(descriptor, &flags, 1, flags_at) == 1 && (flags & 1U) != 0;
     close(descriptor);
-    return is_alive ? Writer::alive : Writer::killed;
+    if (is_alive) return Writer::alive;
+    return is_open ? Writer::killed : Writer::closed;
 }
 
-FileLock::FileLock(const std::string& file) : path_(file + ".lock") {
+FileLock::FileLock(const std::string& file) : FileLock(file, file, 0) {}
+
+FileLock FileLock::of_new(const std::string& file) {
+    return {file, file + ".new", O_CREAT | O_NOFOLLOW};
+}
+
+FileLock::FileLock(const std::string& file, std::string path, int flags)
+    : path_(std::move(path)), is_new_((flags & O_CREAT) != 0) {
     constexpr int tries = 20;
     for (int failed = 0;;) {
-        descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-        if (descriptor_ < 0) fail_to_create(path_);
-        const Attempt attempt = try_lock(descriptor_, LOCK_EX);
+        descriptor_ =
+            open(path_.c_str(), flags | O_RDWR | O_NONBLOCK | O_CLOEXEC, 0666);
+        if (descriptor_ < 0) fail_to_open(path_, is_new_);
+        if (is_new_ && !is_plain(descriptor_)) {
+            close(descriptor_);
+            throw Error(path_ +
+                            ": is no plain file with one name; remove it or "
+                            "choose another folder with --out",
+                        ExitCode::refused);
+        }
+        const Attempt attempt = try_lock(descriptor_);
         is_exclusive_ = attempt == Attempt::locked;
         if (attempt == Attempt::taken ||
-            (attempt == Attempt::unsupported && is_held_here(descriptor_))) {
+            (attempt == Attempt::unsupported && writer_here(descriptor_) > 0)) {
+            // One that was killed may need a moment to go.
             if (++failed < tries) {
                 close(descriptor_);
                 std::this_thread::sleep_for(std::chrono::milliseconds(10));
                 continue;
             }
-            const std::string who = holder(descriptor_);
+            const std::string who = holder(file, descriptor_);
             close(descriptor_);
             throw InUseError(
                 fmt::format("{}: in use by {}; only one program can write a "
                             "history at a time",
                             file, who));
         }
-        // A former holder may have removed it between our open and our lock.
-        if (is_at(path_, descriptor_)) break;
+        // It may have been renamed or replaced between our open and our lock.
+        if (is_of(path_)) break;
         close(descriptor_);
     }
-    sign(descriptor_);
+}
+
+bool FileLock::is_of(const std::string& path) const {
+    return is_at(path, descriptor_);
+}
+
+std::string FileLock::open_path() const {
+    return path_of(descriptor_);
 }
 
 FileLock::FileLock(FileLock&& other) noexcept
     : path_(std::move(other.path_)),
       descriptor_(std::exchange(other.descriptor_, -1)),
+      is_new_(other.is_new_),
       is_exclusive_(other.is_exclusive_) {}
 
 FileLock::~FileLock() {
     if (descriptor_ < 0) return;
-    // Removed before it is unlocked, so that nobody locks a file that is
-    // about to vanish. If the folder was removed and the file written again,
-    // the lock at this path is another's.
-    if (is_at(path_, descriptor_)) unlink(path_.c_str());
+    if (is_new_ && is_of(path_)) unlink(path_.c_str());
     close(descriptor_);
 }
 

@@ -6,25 +6,42 @@
 namespace ideotype {
 
 //! The right to write a file, held by one process at a time on all hosts that
-//! share the file system. It is the system's lock on `<file>.lock`, because
-//! HDF5's lock on the file itself would keep readers out. A killed process
-//! loses it; what remains of the file is harmless.
+//! share the file system. It is the system's lock on the file itself, of the
+//! kind that does not meet HDF5's own, so that it keeps no reader out. A killed
+//! process loses it.
 class FileLock {
   public:
+    //! Locks a file that exists.
     //! @throws InUseError naming the process that has the lock. Where the
     //! file system has no locks, only processes of this host are kept out.
     explicit FileLock(const std::string& file);
 
+    //! Creates and locks `<file>.new`, which is to be filled and renamed, and
+    //! is removed with the lock if it was not. What a killed process left of it
+    //! is used again.
+    //! @throws InUseError as above, Error (refused) if there is something that
+    //! is no plain file or has another name too.
+    static FileLock of_new(const std::string& file);
+
     //! False where the file system has no locks.
     bool is_exclusive() const { return is_exclusive_; }
+
+    //! Whether what is locked is at this path.
+    bool is_of(const std::string& path) const;
+
+    //! A path that leads to what is locked whatever became of its name.
+    std::string open_path() const;
 
     FileLock(FileLock&& other) noexcept;
     FileLock& operator=(FileLock&&) = delete;
     ~FileLock();
 
   private:
+    FileLock(const std::string& file, std::string path, int flags);
+
     std::string path_;
     int descriptor_ = -1;
+    bool is_new_ = false;
     bool is_exclusive_ = true;
 };
 

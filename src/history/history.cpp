@@ -22,12 +22,14 @@ History::~History() = default;
 
 History History::create(const std::string& path, const HistoryHeader& header) {
     initialize_hdf5();
-    FileLock lock(path);
-    if (history_exists(path))
+    FileLock lock = FileLock::of_new(path);
+    if (history_exists(path)) {
+        const FileLock held(path);  // or another program begins it right now
         throw Error(path + ": exists already; add --resume to go on with it",
                     ExitCode::refused);
+    }
     return with_name_of(path, [&] {
-        create_file(path, header);
+        create_file(path, header, lock);
         return History(
             std::make_unique<File>(path, std::move(lock), open_to_write(path)));
     });

@@ -42,8 +42,7 @@ Handle access_properties() {
     Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, action);
     checked(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110),
             action);
-    // Writers exclude each other with FileLock, readers need no lock, and
-    // some cluster file systems have none.
+    // Writers exclude each other with FileLock and readers need no lock.
     checked(H5Pset_file_locking(access, false, true), action);
     // No buffer keeps a write from the system or a reader from the file.
     checked(H5Pset_sieve_buf_size(access, 0), action);
@@ -159,20 +158,6 @@ void place_objects(hid_t access) {
             "place the descriptions");
 }
 
-void write_file(const std::string& unfinished, const HistoryHeader& header,
-                const std::string& path) {
-    const Handle access = access_properties();
-    place_objects(access);
-    Handle file(
-        H5Fcreate(unfinished.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access),
-        H5Fclose, "create the file");
-    write_everything(file, header);
-    reserve_space(file, path, smaller_history);
-    flush(file);
-    file.close("write the file");
-    synchronize_path(unfinished);
-}
-
 // Of a file with so many generations, which is only made in memory.
 std::uint64_t bytes_with(HistoryHeader header, int generations) {
     header.generations = generations;
@@ -211,20 +196,22 @@ std::uint64_t history_bytes(const HistoryHeader& header) {
     return small + (large - small) * more / step;
 }
 
-void create_file(const std::string& path, const HistoryHeader& header) {
-    // Numbers of rows alone can fill a disk before the whole is reserved.
-    constexpr int many = 1'000'000;
-    if (header.rows() > many)
-        require_room(path, history_bytes(header), smaller_history);
-    const std::string unfinished = path + ".new";
-    std::error_code failure;
-    try {
-        write_file(unfinished, header, path);
-    } catch (...) {
-        std::filesystem::remove(unfinished, failure);
-        throw;
-    }
-    put_in_place(unfinished, path);
+void create_file(const std::string& path, const HistoryHeader& header,
+                 const FileLock& lock) {
+    const Handle access = access_properties();
+    place_objects(access);
+    const std::string unfinished = lock.open_path();
+    Handle file(
+        H5Fcreate(unfinished.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access),
+        H5Fclose, "create the file");
+    write_everything(file, header);
+    reserve_space(file, path, smaller_history);
+    flush(file);
+    file.close("write the file");
+    synchronize_path(unfinished);
+    put_in_place(path + ".new", path);
+    if (!lock.is_of(path))
+        refuse(path, "was replaced while it was created; begin again");
 }
 
 Handle create_empty(const std::string& path) {

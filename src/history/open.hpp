@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "file_lock.hpp"
 #include "handle.hpp"
 #include "ideotype/history/history.hpp"
 
@@ -12,7 +13,9 @@ namespace ideotype {
 
 //! Creates a history with everything that it will ever contain. Under its own
 //! name it is complete or does not exist. @throws Error, Hdf5Error
-void create_file(const std::string& path, const HistoryHeader& header);
+//! @param lock FileLock::of_new() of this path
+void create_file(const std::string& path, const HistoryHeader& header,
+                 const FileLock& lock);
 
 //! A history without rows, in memory.
 Handle create_in_memory(const HistoryHeader& header);

@@ -9,6 +9,8 @@ with `ok`. That is the writer in another process."""
 from __future__ import annotations
 
 import fcntl
+import os
+import struct
 import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -109,13 +111,13 @@ class MadeHistory:
         self._measured = QUANTITIES | {
             n: kind for n, (kind, _) in extra.items()
         }
-        self._lock_path = Path(f"{path}.lock")
-        self._lock = self._lock_path.open("w")
-        fcntl.flock(self._lock, fcntl.LOCK_EX)
         # As the program, what describes the data stands at the beginning.
         self.file = h5py.File(
             path, "w", libver=("v110", "v110"), meta_block_size=_HEADER
         )
+        self._lock = os.open(path, os.O_RDWR)
+        whole = struct.pack("hhqqi4x", fcntl.F_WRLCK, os.SEEK_SET, 0, 0, 0)
+        fcntl.fcntl(self._lock, fcntl.F_OFD_SETLK, whole)
         names, units, lower, upper, circular = zip(*TRAITS)
         genes = {
             "gene": names,
@@ -293,8 +295,7 @@ class MadeHistory:
     def close(self) -> None:
         """As the program at its end: no lock stays behind."""
         self.file.close()
-        self._lock_path.unlink()
-        self._lock.close()
+        os.close(self._lock)
 
 
 def main() -> None:

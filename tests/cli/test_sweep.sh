@@ -61,36 +61,44 @@ for r in 1 2 3; do
         "drained/cut/ames_0807_762x152_all_r$r.h5"
 done
 
+# Case $2 in folder $1 is in the hands of a program that pauses, `holder`.
+hold() {
+    "$ideotype" run campaigns/cut.toml --out "$1" --case "$2" >"hold$2.log" 2>&1 &
+    holder=$!
+    until grep -qs "generation 1," "hold$2.log"; do sleep 0.02; done
+    kill -STOP $holder
+}
+
 # One case is in use by somebody else.
-mkdir -p busy/sweep
-in_use=busy/sweep/ames_0807_762x152_all_r2.h5
-cp alone/sweep/ames_0807_762x152_all_r2.h5 $in_use
-exec 9>>$in_use.lock
-flock 9
+hold busy 1
+in_use=busy/cut/ames_0807_762x152_all_r2.h5
 code=0
-mpirun -n 5 "$ideotype" run campaigns/sweep.toml --out busy --resume \
+mpirun -n 5 "$ideotype" run campaigns/cut.toml --out busy --resume \
     >busy.log 2>&1 || code=$?
-flock -u 9
+kill -CONT $holder
 [ $code -eq 0 ] || fail "a case of another job is no failure: $code $(cat busy.log)"
-grep -q "ames_0807_762x152_all_r2  passed over: .*$in_use" busy.log ||
-    fail "$(cat busy.log)"
+grep -q "ames_0807_762x152_all_r2  passed over: $in_use: in use by process $holder " \
+    busy.log || fail "$(cat busy.log)"
 grep -q "other programs work on 1 of 3 cases: ames_0807_762x152_all_r2" busy.log ||
     fail "$(cat busy.log)"
 ! grep -q "go on with" busy.log || fail "nothing is left to do: $(cat busy.log)"
-same_as_alone busy
+wait $holder || fail "the holder ended with $?: $(cat hold1.log)"
+for r in 1 2 3; do
+    same_results "whole/cut/ames_0807_762x152_all_r$r.h5" \
+        "busy/cut/ames_0807_762x152_all_r$r.h5"
+done
 
 # Somebody else works on all of them: nothing was done.
-for r in 1 3; do
-    exec {lock}>>"busy/sweep/ames_0807_762x152_all_r$r.h5.lock"
-    flock "$lock"
+holders=()
+for index in 0 1 2; do
+    hold all $index
+    holders+=("$holder")
 done
-exec 9>>$in_use.lock
-flock 9
 code=0
-"$ideotype" run campaigns/sweep.toml --out busy --resume >all.log 2>&1 || code=$?
+"$ideotype" run campaigns/cut.toml --out all --resume >all.log 2>&1 || code=$?
+kill -KILL "${holders[@]}"
 [ $code -eq 4 ] || fail "nothing to do must end with 4, not $code"
 grep -q "other programs work on 3 of 3 cases" all.log || fail "$(cat all.log)"
-flock -u 9
 
 # One history is deleted while it is written: its case fails, others go on.
 mpirun -n 3 "$ideotype" run campaigns/cut.toml --out deleted >deleted.log 2>&1 &

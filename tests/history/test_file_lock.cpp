@@ -1,33 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cerrno>
 #include <csignal>
+#include <cstdarg>
+#include <fcntl.h>
+#include <fstream>
 #include <functional>
 #include <optional>
 #include <unistd.h>
 
 #include <gtest/gtest.h>
 #include <hdf5.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 
+#include "file_lock.hpp"
 #include "ideotype/core/error.hpp"
 #include "sample_history.hpp"
 
 namespace {
 
-// How flock() fails on a file system without locks; 0: it does not.
-int flock_failure = 0;
+// How locks fail on a file system without them; 0: they do not.
+int lock_failure = 0;
 
 }  // namespace
 
 // In place of the C library's.
-extern "C" int flock(int descriptor, int operation) noexcept {
-    if (flock_failure != 0) {
-        errno = flock_failure;
+extern "C" int fcntl(int descriptor, int command, ...) {
+    va_list arguments;
+    va_start(arguments, command);
+    void* argument = va_arg(arguments, void*);
+    va_end(arguments);
+    if (lock_failure != 0 &&
+        (command == F_OFD_SETLK || command == F_OFD_GETLK)) {
+        errno = lock_failure;
         return -1;
     }
-    return static_cast<int>(syscall(SYS_flock, descriptor, operation));
+    return static_cast<int>(syscall(SYS_fcntl, descriptor, command, argument));
 }
 
 namespace ideotype {
@@ -46,8 +54,8 @@ constexpr int refused = static_cast<int>(ExitCode::refused);
 
 class WithoutLocks : public testing::TestWithParam<int> {
   protected:
-    WithoutLocks() { flock_failure = GetParam(); }
-    ~WithoutLocks() override { flock_failure = 0; }
+    WithoutLocks() { lock_failure = GetParam(); }
+    ~WithoutLocks() override { lock_failure = 0; }
 
     Folder folder;
     std::string path = folder / "case.h5";
@@ -77,7 +85,6 @@ TEST_P(WithoutLocks, AKilledRunIsResumedAndTheUserIsWarned) {
         EXPECT_EQ(history.next_generation(), 2U);
     }
     EXPECT_EQ(writer_of(path), Writer::closed);
-    flock_failure = 0;  // plain HDF5 needs locks
     const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
     const hid_t messages = H5Dopen2(file, "messages/text", H5P_DEFAULT);
     const hid_t type = H5Dget_type(messages);
@@ -95,6 +102,74 @@ TEST_P(WithoutLocks, AKilledRunIsResumedAndTheUserIsWarned) {
 
 INSTANTIATE_TEST_SUITE_P(FileLock, WithoutLocks,
                          testing::Values(ENOLCK, EOPNOTSUPP, ENOSYS));
+
+std::string text_of(const std::string& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(FileLock, IsOfTheHistoryAloneAndOfAnyNameOfIt) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    const std::string link = folder / "link.h5";
+    const History history = History::create(path, sample_header());
+    std::filesystem::create_symlink(path, link);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / ""),
+                            std::filesystem::directory_iterator()),
+              2);
+    for (const std::string& name : {path, link}) {
+        EXPECT_EQ(writer_of(name), Writer::alive);
+        EXPECT_EQ(in_other_process(
+                      [&] { return code_of([&] { History::resume(name); }); }),
+                  refused);
+    }
+}
+
+TEST(FileLock, OneOfTwoThatCreateAHistoryIsRefused) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    const FileLock first = FileLock::of_new(path);
+    EXPECT_EQ(
+        in_other_process([&] {
+            return code_of([&] { History::create(path, sample_header()); });
+        }),
+        refused);
+    EXPECT_FALSE(history_exists(path));
+}
+
+TEST(FileLock, WhatAKilledProcessLeftIsUsedAgain) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    std::ofstream(path + ".new") << "unfinished";
+    History::create(path, sample_header());
+    EXPECT_EQ(History::read(path).next_generation(), 0u);
+    EXPECT_FALSE(std::filesystem::exists(path + ".new"));
+}
+
+TEST(FileLock, OverwritesNothingThatAnotherNameLeadsTo) {
+    const Folder folder;
+    const std::string path = folder / "case.h5";
+    const std::string precious = folder / "precious";
+    const std::string unfinished = path + ".new";
+    std::ofstream(precious) << "hi";
+    const auto expect_refused = [&] {
+        EXPECT_EQ(code_of([&] { History::create(path, sample_header()); }),
+                  refused);
+        EXPECT_EQ(text_of(precious), "hi");
+        EXPECT_FALSE(history_exists(path));
+        std::filesystem::remove(unfinished);
+    };
+    std::filesystem::create_symlink(precious, unfinished);
+    expect_refused();
+    std::filesystem::create_hard_link(precious, unfinished);
+    expect_refused();
+    ASSERT_EQ(mkfifo(unfinished.c_str(), 0600), 0);
+    expect_refused();
+    // Version 0.2.0 followed this one.
+    std::filesystem::create_symlink(precious, path + ".lock");
+    History::create(path, sample_header());
+    EXPECT_EQ(text_of(precious), "hi");
+}
 
 TEST(FileLock, OfTheNextWriterIsLeftWhenTheFolderWasRemoved) {
     const Folder folder;

@@ -77,8 +77,8 @@ enum class Writer {
     killed,  //!< it was killed, or its machine stopped
 };
 
-//! Looks at the lock next to a history; never changes anything. Where the
-//! file system has no locks, a living writer on another host looks killed.
+//! Looks at the lock of a history; never changes anything. Where the file
+//! system has no locks, a living writer on another host looks killed.
 Writer writer_of(const std::string& path);
 
 //! Is there a file at this path? Never waits, as opening a pipe would.

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import fcntl
+import os
 import struct
 from enum import Enum
 from pathlib import Path
@@ -81,8 +83,7 @@ def writer_of(path: str | Path) -> Writer:
     version, flags, _ = _superblock(Path(path))
     if version < 3 or not flags & _OPEN_FOR_WRITING:
         return Writer.CLOSED
-    lock = Path(f"{path}.lock")
-    return Writer.WRITING if _is_locked(lock) else Writer.GONE
+    return Writer.WRITING if _is_locked(Path(path)) else Writer.GONE
 
 
 def _superblock(path: Path) -> tuple[int, int, int]:
@@ -142,17 +143,14 @@ def _check_format(file: h5py.File, path: Path) -> None:
 
 
 def _is_locked(path: Path) -> bool:
-    """Whether a process of this machine holds a lock on the file. Looks only:
-    a lock of our own, however short, could stop a writer that starts."""
+    """Whether a writer holds its lock on the file, on any machine if the file
+    system has locks. Looks only: a lock of our own, however short, could stop
+    a writer that starts."""
+    form = "hhqqi4x"  # struct flock
+    whole = struct.pack(form, fcntl.F_WRLCK, os.SEEK_SET, 0, 0, 0)
     try:
-        inode = str(path.stat().st_ino)
-        locks = Path("/proc/locks").read_text()
+        with path.open("rb") as file:
+            found = fcntl.fcntl(file, fcntl.F_OFD_GETLK, whole)
     except OSError:
         return False
-    fields = [line.split() for line in locks.splitlines()]
-    return any(
-        place.rsplit(":", 1)[-1] == inode and "->" not in line
-        for line in fields
-        for place in line
-        if place.count(":") == 2
-    )
+    return bool(struct.unpack(form, found)[0] != fcntl.F_UNLCK)

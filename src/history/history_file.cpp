@@ -118,12 +118,17 @@ void History::File::record(Columns& columns, const std::string& label,
     });
 }
 
-void History::File::require_in_place() const {
+//! What is lost of a mapped file may not even be looked at.
+void History::File::require_whole() const {
     if (mapping && !mapping->is_whole())
         fail(
             "this file was cut short while it was written (nothing more can "
             "be saved in it); begin again in another folder with --out",
             ExitCode::refused);
+}
+
+void History::File::require_in_place() const {
+    require_whole();
     if (!is_at(path, descriptor_of(id)))
         fail(
             "this file was deleted, moved or replaced while it was written "

@@ -54,6 +54,7 @@ struct History::File {
 
     template <class Action>
     auto read(Action action) const {
+        require_whole();
         return with_name_of(path, std::move(action));
     }
 
@@ -108,6 +109,7 @@ struct History::File {
     void require_in_place() const;
 
   private:
+    void require_whole() const;
     [[noreturn]] void fail_to_write(const Hdf5Error& error) const;
     void check(const std::string& label, const OutcomeSchema& schema,
                const Outcome& outcome) const;

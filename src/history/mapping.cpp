@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mapping.hpp"
 
+#include <csignal>
+#include <string_view>
+#include <unistd.h>
+
 #include <sys/mman.h>
 #include <sys/stat.h>
 
+#include "ideotype/core/error.hpp"
 #include "open.hpp"
 #include "space.hpp"
 
@@ -18,6 +23,17 @@ std::size_t size_of(int descriptor) {
                : 0;
 }
 
+//! The file was cut short at the very moment of an access, or its disk fails:
+//! says so, and ends the program as where it notices by itself.
+extern "C" void end_without_file(int) {
+    constexpr std::string_view text =
+        "ideotype: a history was cut short while it was written, or its disk "
+        "fails (nothing more can be saved in it); look at it with ideotype "
+        "status, and begin again in another folder with --out\n";
+    static_cast<void>(!write(STDERR_FILENO, text.data(), text.size()));
+    _exit(static_cast<int>(ExitCode::refused));
+}
+
 }  // namespace
 
 std::unique_ptr<Mapping> Mapping::of(hid_t file) {
@@ -29,6 +45,7 @@ std::unique_ptr<Mapping> Mapping::of(hid_t file) {
     void* begin =
         mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
     if (begin == MAP_FAILED) return nullptr;
+    std::signal(SIGBUS, end_without_file);  // MPI has its own until here
     return std::unique_ptr<Mapping>(
         new Mapping(descriptor, static_cast<char*>(begin), size));
 }

@@ -14,7 +14,8 @@ namespace ideotype {
 class Mapping {
   public:
     //! None where the system has not reserved the room for the whole file: a
-    //! full disk would end the process instead of failing a write.
+    //! full disk would end the process instead of failing a write. From then on
+    //! SIGBUS, which tells of a file cut short, ends it with a message.
     static std::unique_ptr<Mapping> of(hid_t file);
 
     ~Mapping();

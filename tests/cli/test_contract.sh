@@ -110,6 +110,25 @@ says "in use by process $second "
 kill -TERM $second
 wait $second || true
 
+# A history that is cut short under a run, wherever that is, and what the system
+# says where that is noticed too late.
+for size in 0 20000 200000 600000 1200000 BUS; do
+    rm -rf cut cut.log
+    "$ideotype" run campaigns/long.toml --out cut >cut.log 2>&1 &
+    job=$!
+    until grep -qs "generation 2," cut.log; do sleep 0.05; done
+    if [ $size = BUS ]; then
+        kill -BUS $job
+    else
+        truncate -s $size "$(history_of cut long)"
+    fi
+    code=0
+    wait $job || code=$?
+    [ $code -eq 4 ] || fail "cut to $size it ended with $code: $(cat cut.log)"
+    grep "cut short while it was written.*begin again in another folder" cut.log ||
+        fail "cut to $size: $(cat cut.log)"
+done
+
 # Names that are too long are told before any work.
 long=$(printf 'x%.0s' $(seq 64))
 sed "s/^name = \"Ames\"/name = \"$long\"/; s/^\[\(day\|spacing\)\]/&\nname = \"$long\"/

@@ -42,10 +42,11 @@ done
 [ -n "$python" ] ||
     echo "NO PYTHON WITH h5py: FILES ARE READ BY ideotype status ALONE" >&2
 
-# Starts a run; sets job and log.
+# Starts a run on any number of ranks; sets job, log and width.
 start() {
     log=run.$1.log
-    mpirun -n 3 "$ideotype" run campaigns/stress.toml "${settings[@]}" --resume \
+    width=$((1 + RANDOM % 4))
+    mpirun -n $width "$ideotype" run campaigns/stress.toml "${settings[@]}" --resume \
         --out "round$round" >"$log" 2>&1 &
     job=$!
     disown $job  # no word of the shell about its end
@@ -140,26 +141,37 @@ fi
 whole=$(history_of whole stress $name)
 round=0
 history=$(history_of round0 stress $name)
-targets=(rank0 worker mpirun all)
-declare -A hits=([rank0]=0 [worker]=0 [mpirun]=0 [all]=0)
+targets=(rank0 worker mpirun all term stop)
+declare -A hits=([rank0]=0 [worker]=0 [mpirun]=0 [all]=0 [term]=0 [stop]=0)
 declare -A places=([start]=0 [resume]=0 [generations]=0 [finals]=0)
 done_kills=0 looks=0 lost=0 unreadable=0 different=0 rounds=0 missed=0
-stuck=0
+stuck=0 failed=0 changes=0 last_width=3
 
 while [ $done_kills -lt "$kills" ]; do
     before=$(committed "$history")
-    target=${targets[RANDOM % 4]}
+    target=${targets[RANDOM % ${#targets[@]}]}
     # [ms]; one in three while the ranks start and open the file.
     delay=$((RANDOM % 3 == 0 ? 150 + RANDOM % 350 : lag + RANDOM % 1000))
     start $done_kills
+    [ $width -eq $last_width ] || changes=$((changes + 1))
+    last_width=$width
+    [ $width -gt 1 ] || [ $target != worker ] || target=rank0
     sleep "$(printf '%d.%03d' $((delay / 1000)) $((delay % 1000)))"
     mapfile -t ranks < <(descendants_of $job)
     case $target in
     rank0) victims=$(rank_of $job 0) ;;
-    worker) victims=$(rank_of $job $((1 + RANDOM % 2))) ;;
+    worker) victims=$(rank_of $job $((1 + RANDOM % (width - 1)))) ;;
     mpirun) victims=$job ;;
-    all) victims="$job ${ranks[*]}" ;;
+    *) victims="$job ${ranks[*]}" ;;
     esac
+    # A drain under way, and ranks that have stood still.
+    # shellcheck disable=SC2086  # a list
+    case $target in
+    term) kill -TERM $victims 2>/dev/null || true ;;
+    stop) kill -STOP $victims 2>/dev/null || true ;;
+    esac
+    [[ $target != term && $target != stop ]] ||
+        sleep "0.$(printf '%03d' $((RANDOM % 300)))"
     # shellcheck disable=SC2086  # a list
     if [ -z "$victims" ] || ! kill -KILL $victims 2>/dev/null; then
         missed=$((missed + 1))
@@ -180,6 +192,7 @@ while [ $done_kills -lt "$kills" ]; do
         places[$place]=$((places[$place] + 1))
         hits[$target]=$((hits[$target] + 1))
         done_kills=$((done_kills + 1))
+        if grep "  ideotype: " "$log" >&2; then failed=$((failed + 1)); fi
         look
     fi
     if finished; then end_round; fi
@@ -193,13 +206,16 @@ fi
 end_round
 
 echo "kills: $done_kills (rank 0 ${hits[rank0]}, a worker ${hits[worker]}," \
-    "mpirun ${hits[mpirun]}, all ${hits[all]}); seed $seed"
+    "mpirun ${hits[mpirun]}, all ${hits[all]}, all while they drain" \
+    "${hits[term]}, all after they stood still ${hits[stop]}); seed $seed"
+echo "changes of the number of ranks: $changes"
 echo "where: before the file ${places[start]}, before the first new" \
     "generation ${places[resume]}, in later generations" \
     "${places[generations]}, in the finals ${places[finals]}"
 echo "files looked at: $looks; complete runs compared: $rounds"
 echo "mpirun stuck after all its ranks were gone: $stuck"
+echo "starts that failed by themselves: $failed"
 echo "generations lost: $lost"
 echo "files unreadable: $unreadable"
 echo "files with different rows: $different"
-[ $((lost + unreadable + different)) -eq 0 ] || fail "the contract is broken"
+[ $((lost + unreadable + different + failed)) -eq 0 ] || fail "the contract is broken"

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -110,8 +113,9 @@ ExitCode report_error(const std::exception& error, const Log& log) {
     return code_of(error);
 }
 
-int run_command_line(int argc, char** argv) {
-    std::set_terminate(end_with_reason);
+namespace {
+
+int run_verb(int argc, char** argv) {
     // A file beyond `ulimit -f` shall fail with a reason, not kill.
     std::signal(SIGXFSZ, SIG_IGN);
     CLI::App app(
@@ -148,6 +152,22 @@ int run_command_line(int argc, char** argv) {
         if (is_silent && own && own->exit_code() == ExitCode::usage) return 0;
         return static_cast<int>(report_error(error));
     }
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+    std::set_terminate(end_with_reason);
+    const int code = run_verb(argc, argv);
+    // What is printed may still be kept back, and of what was lost before only
+    // that is known.
+    errno = 0;
+    if ((std::fflush(stdout) == 0 && std::ferror(stdout) == 0) || code != 0)
+        return code;
+    return static_cast<int>(report_error(Error(
+        fmt::format("cannot write to the standard output: {}",
+                    errno == 0 ? "a part is lost (is the disk full?)"
+                               : std::generic_category().message(errno)))));
 }
 
 }  // namespace ideotype

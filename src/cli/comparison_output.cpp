@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "comparison_output.hpp"
 
-#include <fstream>
 #include <map>
 
 #include <fmt/format.h>
 
 #include "ideotype/run/progress.hpp"
+#include "output_file.hpp"
 
 namespace ideotype {
 
@@ -192,9 +192,10 @@ Json to_json(const Comparison& all) {
 }
 
 void write_csv(const std::string& path, const Comparison& all) {
-    std::ofstream out(path, std::ios::binary);
-    out << "plant,case,quantity,unit,leaf,layer_m,mean,standard_error,"
-           "difference,difference_standard_error\n";
+    OutputFile out(path);
+    out.print(
+        "plant,case,quantity,unit,leaf,layer_m,mean,standard_error,"
+        "difference,difference_standard_error\n");
     for (std::size_t p = 0; p < all.plants.size(); ++p)
         for (std::size_t c = 0; c < all.cases.size(); ++c)
             for (std::size_t f = 0; f < all.plants[p].figures.size(); ++f) {
@@ -206,15 +207,13 @@ void write_csv(const std::string& path, const Comparison& all) {
                     place = figure.quantity.axes.front() == "leaf" ? at + place
                                                                    : place + at;
                 }
-                out << fmt::format("{},{},{},{},{},{},{}\n",
-                                   csv_text(all.plants[p].name),
-                                   all.cases[c].name, figure.quantity.name,
-                                   csv_text(figure.quantity.unit), place,
-                                   csv_numbers(all.value(p, c, f)),
-                                   csv_numbers(all.difference(p, c, f)));
+                out.print("{},{},{},{},{},{},{}\n",
+                          csv_text(all.plants[p].name), all.cases[c].name,
+                          figure.quantity.name, csv_text(figure.quantity.unit),
+                          place, csv_numbers(all.value(p, c, f)),
+                          csv_numbers(all.difference(p, c, f)));
             }
-    out.close();
-    if (!out) throw Error(path + ": cannot be written");
+    out.finish();
 }
 
 void print(const Comparison& all) {

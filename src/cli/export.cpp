@@ -4,7 +4,6 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <fmt/os.h>
 
 #include "ideotype/canopy/canopy.hpp"
 #include "ideotype/cli/choose_row.hpp"
@@ -12,6 +11,7 @@
 #include "ideotype/crop/measures.hpp"
 #include "ideotype/stand/stand.hpp"
 #include "mesh_files.hpp"
+#include "output_file.hpp"
 
 namespace ideotype {
 
@@ -19,7 +19,7 @@ namespace {
 
 //! What each leaf measures.
 void write_csv(const std::string& path, const Plant& plant) {
-    auto out = fmt::output_file(path);
+    OutputFile out(path);
     out.print("leaf");
     for (const Measure<Leaf>& each : leaf_measures)
         out.print(",{}_{}", each.name, each.unit);
@@ -30,6 +30,7 @@ void write_csv(const std::string& path, const Plant& plant) {
             out.print(",{}", leaf.*each.value);
     }
     out.print("\n");
+    out.finish();
 }
 
 //! The plant's name is that of the file, as far as names allow.
@@ -38,8 +39,9 @@ void write_crop_file(const std::string& path, const std::string& title,
     plant.name = std::filesystem::path(path).stem().string().substr(0, 64);
     for (char& c : plant.name)
         if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-') c = '_';
-    auto out = fmt::output_file(path);
+    OutputFile out(path);
     out.print("# {}\n{}", title, crop_text(campaign, plant));
+    out.finish();
 }
 
 //! Where the surfaces of a file are, for other ray tracers.

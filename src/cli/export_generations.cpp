@@ -3,10 +3,10 @@
 #include <sstream>
 
 #include <fmt/format.h>
-#include <fmt/os.h>
 
 #include "ideotype/cli/verbs.hpp"
 #include "ideotype/history/history.hpp"
+#include "output_file.hpp"
 
 namespace ideotype {
 
@@ -55,7 +55,7 @@ std::vector<Column> columns_of(const QuantitySet& measured) {
     return columns;
 }
 
-void write_head(fmt::ostream& out, const HistoryHeader& header) {
+void write_head(OutputFile& out, const HistoryHeader& header) {
     out.print("row,generation,slot,status,origin,parent_1,parent_2,violation");
     for (const auto& [name, unit, certainty, place] :
          columns_of(header.schema.measured)) {
@@ -68,8 +68,8 @@ void write_head(fmt::ostream& out, const HistoryHeader& header) {
     out.print("\n");
 }
 
-void write_rows(fmt::ostream& out, std::uint64_t first,
-                std::uint32_t generation, const std::vector<Column>& columns,
+void write_rows(OutputFile& out, std::uint64_t first, std::uint32_t generation,
+                const std::vector<Column>& columns,
                 const std::vector<Row>& rows) {
     for (std::size_t slot = 0; slot < rows.size(); ++slot) {
         const auto& [candidate, outcome, attempt] = rows[slot];
@@ -102,13 +102,13 @@ ExitCode export_generations(const ExportOptions& options) {
     const std::uint32_t count = history.next_generation();
     if (count == 0)
         throw Error(options.path + ": no complete generation can be read");
-    auto out = fmt::output_file(options.to);
+    OutputFile out(options.to);
     write_head(out, history.header());
     const auto columns = columns_of(history.header().schema.measured);
     std::uint64_t first = 0;
     for (std::uint32_t g = 0; g < count; first += history.size(g), ++g)
         write_rows(out, first, g, columns, history.rows(g));
-    out.close();
+    out.finish();
     if (history.missing_bytes() > 0)
         fmt::print(stderr,
                    "{}: {} bytes are missing at its end; {} of {} complete "

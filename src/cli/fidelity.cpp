@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include <fmt/format.h>
 
 #include "fidelity_output.hpp"
 #include "ideotype/cli/verbs.hpp"
 #include "ideotype/run/progress.hpp"
+#include "output_file.hpp"
 
 namespace ideotype {
 
@@ -49,10 +49,9 @@ std::vector<Choice> choose(const Trade& trade, const FidelityOptions& options,
 }
 
 void write(const Json& json, const std::string& path) {
-    std::ofstream file(path);
-    file << to_text(json) << '\n';
-    file.close();
-    if (!file) throw Error("cannot write " + path);
+    OutputFile file(path);
+    file.print("{}\n", to_text(json));
+    file.finish();
 }
 
 }  // namespace

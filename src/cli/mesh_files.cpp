@@ -5,7 +5,9 @@
 #include <charconv>
 
 #include <fmt/format.h>
-#include <fmt/os.h>
+#include <fmt/ranges.h>
+
+#include "output_file.hpp"
 
 namespace ideotype {
 
@@ -20,7 +22,7 @@ std::size_t corners_of(const std::array<std::uint32_t, 4>& face) {
 
 //! One array of a VTK file; `print` writes its values.
 template <class Print>
-void write_array(fmt::ostream& out, const std::string& type,
+void write_array(OutputFile& out, const std::string& type,
                  const std::string& name, const std::string& more,
                  const Print& print) {
     out.print("<DataArray type=\"{}\" Name=\"{}\"{} format=\"ascii\">\n", type,
@@ -40,7 +42,7 @@ int organ_of(const std::string& name) {
 }
 
 //! Characters as VTK writes them in XML: numbers with a 0 at the end.
-void write_text(fmt::ostream& out, const std::string& name,
+void write_text(OutputFile& out, const std::string& name,
                 const std::string& text) {
     out.print(
         "<Array type=\"String\" Name=\"{}\" NumberOfTuples=\"1\" "
@@ -51,7 +53,7 @@ void write_text(fmt::ostream& out, const std::string& name,
     out.print("0\n</Array>\n");
 }
 
-void write_cell_data(fmt::ostream& out, const Shape& shape,
+void write_cell_data(OutputFile& out, const Shape& shape,
                      const std::vector<Estimate>& light) {
     const std::string absorbed =
         fmt::format("absorbed_par [{}]", per_face_area);
@@ -79,7 +81,7 @@ void write_cell_data(fmt::ostream& out, const Shape& shape,
     out.print("</CellData>\n");
 }
 
-void write_surfaces(fmt::ostream& out, const Mesh& mesh) {
+void write_surfaces(OutputFile& out, const Mesh& mesh) {
     out.print("<Points>\n");
     write_array(out, "Float64", "points", " NumberOfComponents=\"3\"", [&] {
         for (const glm::dvec3& v : mesh.vertices)
@@ -103,7 +105,7 @@ void write_surfaces(fmt::ostream& out, const Mesh& mesh) {
 
 void write_obj(const std::string& path, const Shape& shape) {
     const Mesh& mesh = shape.mesh;
-    auto out = fmt::output_file(path);
+    OutputFile out(path);
     for (const std::string& line : shape.about) out.print("# {}\n", line);
     for (const glm::dvec3& v : mesh.vertices)
         out.print("v {:.7f} {:.7f} {:.7f}\n", v.x, v.y, v.z);
@@ -119,11 +121,12 @@ void write_obj(const std::string& path, const Shape& shape) {
             out.print(" {}", mesh.faces[f][i] + 1);
         out.print("\n");
     }
+    out.finish();
 }
 
 void write_vtp(const std::string& path, const Shape& shape,
                const std::vector<Estimate>& light) {
-    auto out = fmt::output_file(path);
+    OutputFile out(path);
     out.print(
         "<?xml version=\"1.0\"?>\n"
         "<VTKFile type=\"PolyData\" version=\"1.0\" "
@@ -139,6 +142,7 @@ void write_vtp(const std::string& path, const Shape& shape,
     write_cell_data(out, shape, light);
     write_surfaces(out, shape.mesh);
     out.print("</Piece>\n</PolyData>\n</VTKFile>\n");
+    out.finish();
 }
 
 }  // namespace ideotype

@@ -2,7 +2,6 @@
 #include "sensitivity_command.hpp"
 
 #include <algorithm>
-#include <fstream>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -11,6 +10,7 @@
 #include "ideotype/core/error.hpp"
 #include "ideotype/run/sensitivity.hpp"
 #include "json.hpp"
+#include "output_file.hpp"
 
 namespace ideotype {
 
@@ -82,9 +82,9 @@ void tell(const SensitivityCommand& command, const RunOptions& options) {
         json.push_back(to_json(history));
     }
     if (command.json_path.empty()) return;
-    std::ofstream file(command.json_path);
-    file << to_text(json) << '\n';
-    if (!file.flush()) throw Error("cannot write " + command.json_path);
+    OutputFile file(command.json_path);
+    file.print("{}\n", to_text(json));
+    file.finish();
 }
 
 }  // namespace

@@ -198,6 +198,10 @@ std::uint64_t history_bytes(const HistoryHeader& header) {
 
 void create_file(const std::string& path, const HistoryHeader& header,
                  const FileLock& lock) {
+    // Numbers of rows alone can fill a disk before the whole is reserved.
+    constexpr int many = 1'000'000;
+    if (header.rows() > many)
+        require_room(path, history_bytes(header), smaller_history);
     const Handle access = access_properties();
     place_objects(access);
     const std::string unfinished = lock.open_path();

@@ -8,6 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
 from conftest import WriterProcess
 
 BIN = Path(sys.executable).parent
@@ -117,6 +118,24 @@ def test_a_report_without_results_is_refused(
     assert done.stderr.startswith(f"ideotype-report: {writer.path}: ")
     assert "not evaluated yet; try again when" in done.stderr
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    "words", [("--help",), ("FILE",), ("FILE", "--gains")]
+)
+def test_a_full_disk_is_told(finished: Path, words: tuple[str, ...]) -> None:
+    arguments = [str(finished) if w == "FILE" else w for w in words]
+    with open("/dev/full", "w") as full:
+        done = subprocess.run(
+            [str(BIN / "ideotype-summary"), *arguments],
+            stdout=full,
+            stderr=subprocess.PIPE,
+            text=True,
+            check=False,
+        )
+    assert done.returncode == 1
+    assert "ideotype-summary: [Errno 28] No space left" in done.stderr
+    assert len(done.stderr.splitlines()) == 1
 
 
 def test_a_closed_pipe_is_quiet(finished: Path) -> None:

@@ -42,6 +42,36 @@ same_results "$whole" "$(history_of cut disk)"
 expect 1 "${run[@]}" --out /proc/none
 says "/proc/none.*choose another with --out"
 
+# What cannot be printed is told, and nothing incomplete is left in a folder.
+write_campaign full 6 2
+full() {
+    "$@" >/dev/full
+}
+for words in --version --help "run campaigns/full.toml --out full" \
+    "check campaigns/full.toml" "check campaigns/full.toml --json" \
+    "plan campaigns/full.toml" "plan campaigns/full.toml --count" \
+    "status full" "status full --json" "verify $(history_of full full)" \
+    "evaluate campaigns/full.toml"; do
+    # shellcheck disable=SC2086
+    expect 1 full "$ideotype" $words
+    says "cannot write to"
+done
+expect 0 "$ideotype" status full
+says "finished by generations"
+expect 0 "$ideotype" run campaigns/disk.toml --out exported \
+    --set stop.generations=60
+mkdir exports
+small() {
+    (ulimit -f 1 && exec "$@")
+}
+for words in "--generations --to exports/rows.csv" "--best --to exports/plant.vtp" \
+    "--best --to exports/plant.obj"; do
+    # shellcheck disable=SC2086
+    expect 1 small "$ideotype" export "$(history_of exported disk)" $words
+    says "exports/.*: cannot be written: File too large"
+    [ -z "$(ls exports)" ] || fail "something is left: $(ls exports)"
+done
+
 # HDF5's own locks are no hindrance if the environment asks for them.
 write_campaign locks 6 2
 export HDF5_USE_FILE_LOCKING=TRUE

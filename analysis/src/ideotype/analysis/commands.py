@@ -100,20 +100,33 @@ def _guard(
     arguments: Sequence[str] | None,
     run: Callable[[argparse.Namespace, Study], None],
 ) -> int:
-    options = parser.parse_args(arguments)
+    def warn(words: object) -> None:
+        print(f"{parser.prog}: {words}", file=sys.stderr)
+
     try:
-        with open_study(*options.results, skip_damaged=True) as study:
-            for error in study.damaged:
-                print(f"{parser.prog}: left out: {error}", file=sys.stderr)
-            run(options, study)
-            return 3 if study.damaged else 0
+        try:
+            options = parser.parse_args(arguments)
+            with open_study(*options.results, skip_damaged=True) as study:
+                for error in study.damaged:
+                    warn(f"left out: {error}")
+                run(options, study)
+                return 3 if study.damaged else 0
+        finally:
+            # A full disk is to be told of here, and not when Python ends.
+            sys.stdout.flush()
     except BrokenPipeError:
-        # Whoever read our output has seen enough; nothing is left to flush.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        # Whoever read our output has seen enough.
+        _drop_output()
         return 1
     except (HistoryError, OSError) as error:
-        print(f"{parser.prog}: {error}", file=sys.stderr)
+        warn(error)
+        _drop_output()
         return 1
+
+
+def _drop_output() -> None:
+    """What cannot be written Python would try to write again at its end."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _summarize(options: argparse.Namespace, study: Study) -> None:
@@ -121,9 +134,9 @@ def _summarize(options: argparse.Namespace, study: Study) -> None:
         # Here, so that summaries need not wait for the plotting library.
         from .tables import gains, markdown
 
-        print(markdown(gains(study.cases(), cross=None)), flush=True)
+        print(markdown(gains(study.cases(), cross=None)))
     else:
-        print("\n\n".join(map(summarize, study)), flush=True)
+        print("\n\n".join(map(summarize, study)))
 
 
 def _report(options: argparse.Namespace, study: Study) -> None:
@@ -151,6 +164,5 @@ def _report(options: argparse.Namespace, study: Study) -> None:
     print(f"{written.page} ({size:.1f} MB)")
     print(
         f"{len(written.figures)} figure files in "
-        f"{written.page.parent / 'figures'}",
-        flush=True,
+        f"{written.page.parent / 'figures'}"
     )

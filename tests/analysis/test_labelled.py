@@ -41,6 +41,12 @@ def test_a_finished_file_is_labelled(finished: Path) -> None:
     assert finalists.objectives.dims == ("finalist", "objective")
 
 
+def test_a_group_that_is_not_there_is_named(finished: Path) -> None:
+    for path in (finished, SAMPLE):
+        with pytest.raises(KeyError, match="has no evaluation"):
+            ideotype.open(path, "evaluation")
+
+
 def test_xarray_opens_a_file_by_itself(finished: Path) -> None:
     with xarray.open_dataset(finished, group="evaluations") as rows:
         assert rows.absorbed_by_leaf.dims == ("row", "leaf")

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import h5py
@@ -32,16 +34,18 @@ class Datasets:
     def attributes(self) -> dict[str, str | int | float]:
         """Root attributes: texts and single numbers."""
         found: dict[str, str | int | float] = {}
-        for name, value in self._file.attrs.items():
-            if isinstance(value, (bytes, str)):
-                found[name] = text(value)
-            elif isinstance(value, np.generic):
-                found[name] = value.item()
+        with self._reading("attributes"):
+            for name, value in self._file.attrs.items():
+                if isinstance(value, (bytes, str)):
+                    found[name] = text(value)
+                elif isinstance(value, np.generic):
+                    found[name] = value.item()
         return found
 
     def names(self, group: str) -> list[str]:
         """The datasets of a group, its scales included."""
-        return list(self._file[group])
+        with self._reading(group):
+            return list(self._file[group])
 
     def axes(self, name: str) -> tuple[str, ...]:
         """Names of a dataset's dimensions, which are those of the scales
@@ -57,7 +61,17 @@ class Datasets:
 
     def units(self, name: str) -> str:
         """The unit of a dataset."""
-        return text(self._dataset(name).attrs.get("units", ""))
+        return self.about(name).get("units", "")
+
+    def about(self, name: str) -> dict[str, str]:
+        """A dataset's unit, as "units", and description, as "long_name"."""
+        with self._reading(name):
+            known = self._dataset(name).attrs
+            return {
+                key: text(known[key])
+                for key in ("units", "long_name")
+                if key in known
+            }
 
     def meaning(self, name: str) -> str:
         """What a dataset is, in words; "" if the file does not say."""
@@ -73,17 +87,14 @@ class Datasets:
         """A dataset, or some of its rows and columns.
 
         Raises HistoryError."""
-        dataset = self._dataset(name)
-        try:
+        with self._reading(name):
+            dataset = self._dataset(name)
             # A live file changes, what was seen of it does not.
             dataset.refresh()
-            if not dataset.shape:
-                return dataset[...]
-            return dataset[first:last, *[columns] * (dataset.ndim > 1)]
-        except (OSError, RuntimeError) as error:
-            raise HistoryError(
-                f"{self.path}: {name} can't be read ({error})"
-            ) from error
+            part = (slice(first, last), *[columns] * (dataset.ndim > 1))
+            values = dataset[part if dataset.shape else ...]
+            # As the program takes them; numpy knows no truth but 1.
+            return values.view("i1") != 0 if values.dtype == bool else values
 
     def texts(self, name: str) -> tuple[str, ...]:
         """A dataset of strings."""
@@ -91,34 +102,57 @@ class Datasets:
 
     def attribute_bytes(self, name: str) -> bytes:
         """The value of a root attribute as it stands in the file."""
-        attribute = h5py.h5a.open(self._file.id, name.encode())
-        value = np.empty(attribute.shape, attribute.dtype)
-        attribute.read(value)
-        return value.tobytes()
+        with self._reading(f"attribute {name}"):
+            attribute = h5py.h5a.open(self._file.id, name.encode())
+            value = np.empty(attribute.shape, attribute.dtype)
+            attribute.read(value)
+            return value.tobytes()
 
     def _axes_of(self, group: str) -> dict[str, tuple[str, ...]]:
         def address(dataset: h5py.Dataset) -> int:
             return h5py.h5o.get_info(dataset.id).addr
 
-        try:
+        with self._reading(f"dimensions of /{group}"):
             datasets = dict(self._file[group])
             scales = {address(d): n for n, d in datasets.items() if d.is_scale}
-            return {
-                name: (name,)
-                if dataset.is_scale
-                else tuple(scales[address(axis[0])] for axis in dataset.dims)
-                for name, dataset in datasets.items()
-            }
-        except (IndexError, KeyError, OSError, RuntimeError) as error:
-            raise HistoryError(
-                f"{self.path}: dimensions of /{group} have no scales ({error})"
-            ) from error
+            found: dict[str, tuple[str, ...]] = {}
+            for name, dataset in datasets.items():
+                found[name] = (
+                    (name,)
+                    if dataset.is_scale
+                    else tuple(
+                        scales.get(address(axis[0]), "") if len(axis) else ""
+                        for axis in dataset.dims
+                    )
+                )
+                # Of references to scales HDF5 has no checksum.
+                sizes = [len(datasets[a]) if a else -1 for a in found[name]]
+                if sizes != [*dataset.shape] or len({*found[name]}) < len(
+                    sizes
+                ):
+                    raise HistoryError(
+                        f"{self.path}: dimensions of /{group}/{name} have no "
+                        "scales, or not theirs"
+                    )
+        return found
 
     def _dataset(self, name: str) -> h5py.Dataset:
-        try:
-            found = self._file[name]
-        except KeyError as error:
-            raise HistoryError(f"{self.path}: has no {name}") from error
+        found = self._file[name]
         if not isinstance(found, h5py.Dataset):
             raise HistoryError(f"{self.path}: has no {name}")
         return found
+
+    @contextmanager
+    def _reading(self, name: str) -> Iterator[None]:
+        """Whatever h5py raises in here, which in a damaged file is any
+        exception, becomes a HistoryError."""
+        try:
+            yield
+        except HistoryError:
+            raise
+        except Exception as error:
+            if isinstance(error, KeyError) and "doesn't exist" in str(error):
+                raise HistoryError(f"{self.path}: has no {name}") from error
+            raise HistoryError(
+                f"{self.path}: {name} can't be read ({error})"
+            ) from error

@@ -3,11 +3,14 @@
 
 from __future__ import annotations
 
-import fcntl
+import io
 import os
 import struct
+import time
+from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
+from typing import Any
 
 import h5py
 
@@ -18,6 +21,9 @@ MAJOR_VERSIONS = (1, 2)
 
 _SIGNATURE = b"\x89HDF\r\n\x1a\n"
 _SUPERBLOCK_SIZE = 48
+_CHECKED = 44
+"""Its bytes before its checksum."""
+_LOOKS = 10
 _OPEN_FOR_WRITING = 0x01
 
 
@@ -42,13 +48,40 @@ class Writer(Enum):
     """Killed, or alive where its lock can't be seen from here."""
 
 
-def open_file(path: str | Path) -> h5py.File:
-    """Opens a history to read, without ever changing it.
+class _Unmarked(io.FileIO):
+    """A file as it stands, but for the marks of a writer that has it open, or
+    was killed: HDF5 reads it as one that is closed.
 
-    SWMR reading is right for a file that is being written, one whose writer
-    was killed (both marked as open, which plain reading refuses) and a closed
-    one, where it leaves `ideotype run --resume` free to open the file
-    meanwhile.
+    With the marks it reads in SWMR mode alone, where it takes a wrong
+    checksum for a write that is under way, and reads again a hundred times
+    with sleeps that double: for days, and deaf to interrupts. What describes
+    the data of a history never changes (FORMAT.md), so that it is damaged
+    where its checksum is wrong."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__(path)
+        self._start = _superblock(path).unmarked()
+
+    def __del__(self) -> None:
+        self.close()
+
+    def readinto(self, buffer: Any) -> int:
+        """Fills the buffer."""
+        at, view = self.tell(), memoryview(buffer).cast("B")
+        done = 0
+        while done < len(view):
+            count = super().readinto(view[done:])
+            if not count:
+                raise OSError("the file ends too early")
+            done += count
+        patched = self._start[at : at + done]
+        view[: len(patched)] = patched
+        return done
+
+
+def open_file(path: str | Path) -> h5py.File:
+    """Opens a history to read, without ever changing it: one that is closed,
+    one that is being written, and one whose writer was killed.
 
     Raises FileNotFoundError or PermissionError, HistoryError."""
     path = Path(path)
@@ -58,10 +91,8 @@ def open_file(path: str | Path) -> h5py.File:
         raise NotAHistory(f"{path}: not a file")
     _check_length(path)
     try:
-        file = h5py.File(path, "r", libver="latest", swmr=True, locking=False)
-    except PermissionError:
-        raise
-    except (OSError, RuntimeError) as error:
+        file = h5py.File(_Unmarked(path), "r")
+    except (OSError, RuntimeError, ValueError) as error:
         raise HistoryError(f"{path}: HDF5 can't open it ({error})") from error
     try:
         _check_format(file, path)
@@ -80,41 +111,107 @@ def text(value: object) -> str:
 
 def writer_of(path: str | Path) -> Writer:
     """Whether a process writes the file, as far as this machine can tell."""
-    version, flags, _ = _superblock(Path(path))
-    if version < 3 or not flags & _OPEN_FOR_WRITING:
+    if not _superblock(Path(path)).is_marked:
         return Writer.CLOSED
     return Writer.WRITING if _is_locked(Path(path)) else Writer.GONE
 
 
-def _superblock(path: Path) -> tuple[int, int, int]:
-    """Version, consistency flags and the length of the file according to
-    itself [bytes]; flags and length are 0 for versions without them (HDF5
-    file format specification, II.A)."""
+@dataclass(frozen=True)
+class _Superblock:
+    """The start of a file (HDF5 file format specification, II.A)."""
+
+    data: bytes
+
+    @property
+    def has_marks(self) -> bool:
+        """Only those of version 3 have, and addresses of 8 bytes are the only
+        ones that the writer's HDF5 makes."""
+        return self.data[8] == 3 and self.data[9] == 8
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether it has its checksum."""
+        return self._checksum(self.data) == self.data[_CHECKED:]
+
+    @property
+    def is_marked(self) -> bool:
+        """A process has the file open to write, or was killed then."""
+        return self.has_marks and bool(self.data[11] & _OPEN_FOR_WRITING)
+
+    @property
+    def length(self) -> int:
+        """Of the file [bytes]; 0 if it does not say."""
+        if not self.has_marks:
+            return 0
+        return struct.unpack_from("<Q", self.data, 28)[0]
+
+    def unmarked(self) -> bytes:
+        """It without marks."""
+        if not self.is_marked:
+            return self.data
+        start = self.data[:11] + b"\0" + self.data[12:]
+        return start[:_CHECKED] + self._checksum(start)
+
+    @staticmethod
+    def _checksum(data: bytes) -> bytes:
+        return struct.pack("<I", lookup3(data[:_CHECKED]))
+
+
+def lookup3(data: bytes) -> int:
+    """The checksum of HDF5's metadata (Bob Jenkins 2006, lookup3.c, the
+    function hashlittle)."""
+
+    def turned(x: int, bits: int) -> int:
+        return (x << bits | x >> 32 - bits) & 0xFFFFFFFF
+
+    a = b = c = 0xDEADBEEF + len(data)
+    words = struct.unpack(
+        f"<{-(-len(data) // 12) * 3}I",
+        data.ljust(-(-len(data) // 12) * 12, b"\0"),
+    )
+    for i in range(0, len(words), 3):
+        a, b, c = (
+            x + word & 0xFFFFFFFF for x, word in zip((a, b, c), words[i:])
+        )
+        if i + 3 == len(words):
+            break
+        for bits in (4, 6, 8, 16, 19, 4):
+            a = (a - c & 0xFFFFFFFF) ^ turned(c, bits)
+            a, b, c = b, c + b & 0xFFFFFFFF, a
+    for bits in (14, 11, 25, 16, 4, 14, 24):
+        c = (c ^ b) - turned(b, bits) & 0xFFFFFFFF
+        a, b, c = b, c, a
+    return b
+
+
+def _superblock(path: Path) -> _Superblock:
+    """Raises NotAHistory if it is not one, or not whole."""
     with path.open("rb") as file:
-        block = file.read(_SUPERBLOCK_SIZE)
-    if block[:8] != _SIGNATURE:
-        raise NotAHistory(f"{path}: not an HDF5 file")
-    version = block[8] if len(block) > 8 else 0
-    if version < 2:
-        return version, 0, 0
-    if len(block) < _SUPERBLOCK_SIZE:
-        raise NotAHistory(f"{path}: cut short, only {len(block)} bytes left")
-    # offsets of 8 bytes: the only ones that the writer's HDF5 makes
-    length = struct.unpack_from("<Q", block, 28)[0] if block[9] == 8 else 0
-    return version, block[11], length
-
-
-def missing_bytes(path: str | Path) -> int:
-    """By how much the file is shorter than it says [bytes]. SWMR reading
-    does not notice, and reads zeros there."""
-    _, _, length = _superblock(Path(path))
-    return max(0, length - Path(path).stat().st_size)
+        block = _Superblock(file.read(_SUPERBLOCK_SIZE))
+        if block.data[:8] != _SIGNATURE:
+            raise NotAHistory(f"{path}: not an HDF5 file")
+        if len(block.data) < _SUPERBLOCK_SIZE:
+            raise NotAHistory(
+                f"{path}: cut short, only {len(block.data)} bytes left"
+            )
+        # A writer that sets or takes away its mark may be in between.
+        for _ in range(_LOOKS):
+            if not block.has_marks or block.is_whole:
+                return block
+            time.sleep(0.01)
+            file.seek(0)
+            block = _Superblock(file.read(_SUPERBLOCK_SIZE))
+    raise NotAHistory(
+        f"{path}: damaged: the superblock does not have its checksum; copy it "
+        "again"
+    )
 
 
 def _check_length(path: Path) -> None:
-    """Refuses a closed file that was cut short. One that is open may grow
-    between both looks at it, so that is left to whoever shows it."""
-    if writer_of(path) is Writer.CLOSED and (missing := missing_bytes(path)):
+    """Refuses a file that was cut short: the program makes it of its full
+    length."""
+    missing = _superblock(path).length - path.stat().st_size
+    if missing > 0:
         raise NotAHistory(
             f"{path}: cut short, {missing} bytes are missing; copy it again "
             "(`ideotype status` tells what is left)"
@@ -146,11 +243,17 @@ def _is_locked(path: Path) -> bool:
     """Whether a writer holds its lock on the file, on any machine if the file
     system has locks. Looks only: a lock of our own, however short, could stop
     a writer that starts."""
+    try:
+        import fcntl
+
+        look, write, none = fcntl.F_OFD_GETLK, fcntl.F_WRLCK, fcntl.F_UNLCK
+    except (ImportError, AttributeError):  # on other systems than Linux
+        return False
     form = "hhqqi4x"  # struct flock
-    whole = struct.pack(form, fcntl.F_WRLCK, os.SEEK_SET, 0, 0, 0)
+    whole = struct.pack(form, write, os.SEEK_SET, 0, 0, 0)
     try:
         with path.open("rb") as file:
-            found = fcntl.fcntl(file, fcntl.F_OFD_GETLK, whole)
+            found = fcntl.fcntl(file, look, whole)
     except OSError:
         return False
-    return bool(struct.unpack(form, found)[0] != fcntl.F_UNLCK)
+    return bool(struct.unpack(form, found)[0] != none)

@@ -89,8 +89,10 @@ class Format1(Datasets):
     def axes(self, name: str) -> tuple[str, ...]:
         return self._views[name].axes if name in self._views else ()
 
-    def units(self, name: str) -> str:
-        return self._views[name].units if name in self._views else ""
+    def about(self, name: str) -> dict[str, str]:
+        return {
+            "units": self._views[name].units if name in self._views else ""
+        }
 
     def meaning(self, name: str) -> str:
         return ""

@@ -12,7 +12,7 @@ from typing import Any, Self, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from .file import HistoryError, missing_bytes, text, writer_of
+from .file import HistoryError, text, writer_of
 from .format_1 import Format1, open_datasets
 from .front import Front, front_of
 from .genes import Genes
@@ -32,16 +32,8 @@ def open_history(path: str | Path) -> History:
     """Opens a history to read: finished, stopped, killed, or being written.
 
     Raises FileNotFoundError, or HistoryError if the file is no history, is
-    damaged, or is of another major format version. HDF5 may take minutes over
-    a damaged file: where one is to be expected, Trial.open() reads it for a
-    limited time first."""
-    history = History(path)
-    try:
-        history.verify()
-    except BaseException:
-        history.close()
-        raise
-    return history
+    damaged, or is of another major format version."""
+    return History(path)
 
 
 class History:
@@ -71,11 +63,13 @@ class History:
             columns = [data.texts(f"objectives/{name}") for name in names]
             self.objectives = tuple(map(Objective, *columns))
             self._rows = RowReader(data, self.genes, self.objectives)
-        except KeyError as error:
+            self.verify()
+        except BaseException as error:
             data.close()
-            raise HistoryError(f"{path}: has no {error}") from error
-        except HistoryError:
-            data.close()
+            if isinstance(error, Exception) and not isinstance(
+                error, HistoryError
+            ):
+                raise HistoryError(f"{path}: damaged ({error!r})") from error
             raise
 
     def verify(self) -> None:
@@ -218,7 +212,6 @@ class History:
             finished,
             self.datasets.texts("state/reason")[0] if finished else "",
             float(self.datasets.read("state/wall_time")),
-            missing_bytes(self.path),
         )
 
     def sessions(self) -> list[Session]:

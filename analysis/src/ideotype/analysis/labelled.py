@@ -5,17 +5,15 @@ from __future__ import annotations
 
 from os import PathLike
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import xarray
 
 from .clock import clock_of
-from .format_1 import Format1
+from .datasets import Datasets
+from .file import HistoryError
 from .history import open_history
 from .rows import Status
-
-_OPEN = {"swmr": True, "libver": "latest", "locking": False}
 
 
 def open_arrays(
@@ -33,15 +31,18 @@ def open_arrays(
     Raises as open_history(), KeyError if there is no such group."""
     with open_history(Path(path)) as history:
         data = history.datasets
-        if isinstance(data, Format1):
-            found = _presented(data, group)
-        else:
-            found = _stored(history.path, group)
-            if "hour" in found.coords:
-                clock = clock_of(data, group)
-                about = {**found.hour.attrs, "long_name": clock.meaning}
-                hours = found.hour.values + clock.shift
-                found = found.assign_coords(hour=("hour", hours, about))
+        try:
+            names = data.names(group)
+        except HistoryError as error:
+            if isinstance(error.__cause__, KeyError):
+                raise KeyError(str(error)) from error
+            raise
+        found = _labelled(data, group, names)
+        if "hour" in found.coords:
+            clock = clock_of(data, group)
+            about = {**found.hour.attrs, "long_name": clock.meaning}
+            hours = found.hour.values + clock.shift
+            found = found.assign_coords(hour=("hour", hours, about))
     if "status" in found and not all_rows:
         dimension = found["status"].dims[0]
         recorded = np.flatnonzero(found["status"] >= Status.DONE)
@@ -49,31 +50,13 @@ def open_arrays(
     return found
 
 
-def _stored(path: Any, group: str) -> xarray.Dataset:
-    with xarray.open_dataset(
-        path, group=group, engine="h5netcdf", driver_kwds=_OPEN
-    ) as lazy:
-        if "status" in lazy:
-            # FORMAT.md: it decides, so it is read before all else.
-            lazy["status"].load()
-        return _decoded(lazy.load())
-
-
-def _presented(data: Format1, group: str) -> xarray.Dataset:
-    """What h5netcdf would make of the file if it were of format 2.0."""
-    names = data.names(group)
+def _labelled(data: Datasets, group: str, names: list[str]) -> xarray.Dataset:
     arrays = {}
+    # FORMAT.md: the status decides, so it is read before all else.
     for name in sorted(names, key=lambda name: name != "status"):
         path = f"{group}/{name}"
-        attributes = {"units": data.units(path)}
-        arrays[name] = (data.axes(path), data.read(path), attributes)
-    return _decoded(xarray.Dataset(arrays))
-
-
-def _decoded(found: xarray.Dataset) -> xarray.Dataset:
-    """Texts as str."""
-    for name, array in found.variables.items():
-        if array.dtype.kind == "S":
-            texts = np.char.decode(array.values, "utf-8", "replace")
-            found[name] = (array.dims, texts, array.attrs)
-    return found
+        values = data.read(path)
+        if values.dtype.kind == "S":
+            values = np.char.decode(values, "utf-8", "replace")
+        arrays[name] = (data.axes(path), values, data.about(path))
+    return xarray.Dataset(arrays)

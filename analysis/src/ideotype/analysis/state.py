@@ -22,8 +22,6 @@ class State:
     """Why it finished, such as "generations"."""
     wall_time: float
     """Of all sessions, as far as they reported [s]."""
-    missing_bytes: int
-    """By how much the file is shorter than it says."""
 
     def __str__(self) -> str:
         if self.finished:

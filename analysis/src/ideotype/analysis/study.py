@@ -15,8 +15,7 @@ from typing import TYPE_CHECKING, Self
 
 from .case import Case
 from .file import HistoryError
-from .history import History
-from .trial import Trial
+from .history import History, open_history
 
 if TYPE_CHECKING:
     import pandas
@@ -26,8 +25,8 @@ Place = str | os.PathLike[str]
 
 def open_study(*places: Place, skip_damaged: bool = False) -> Study:
     """Opens histories: files, folders (looked through to any depth) and glob
-    patterns, in the order of their names and each only once. Each is read in
-    another process first, since damaged ones can stop a process for minutes.
+    patterns, in the order of their names and each only once. All that is in
+    them is read and compared with its checksums.
 
     Raises FileNotFoundError or HistoryError, naming what can't be used and
     what to do about it; with `skip_damaged` only if no history can be used,
@@ -73,10 +72,11 @@ class Study:
         self._histories: list[History] = []
         self.damaged: list[Exception] = []
         """Why histories were left out."""
-        with ExitStack() as stack, Trial() as trial:
+        with ExitStack() as stack:
             for path in paths:
                 try:
-                    history = stack.enter_context(trial.open(path))
+                    history = stack.enter_context(open_history(path))
+                    history.read_all()
                 except (HistoryError, OSError) as error:
                     if not skip_damaged:
                         raise

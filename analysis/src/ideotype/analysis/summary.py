@@ -7,7 +7,7 @@ import math
 from datetime import timedelta
 
 from .estimate import Estimate
-from .file import HistoryError, Writer
+from .file import HistoryError
 from .history import History
 from .interval import ONE_SEED
 from .pair import Pair
@@ -33,14 +33,6 @@ def summarize(history: History) -> str:
     text = [_field(name, value) for name, value in lines]
     if len(rows.failed):
         text.append(_field("last failure", str(rows.failed.message[-1])))
-    if state.missing_bytes and state.writer is Writer.GONE:
-        text.append(
-            _field(
-                "warning",
-                f"the file is cut short, {state.missing_bytes} bytes are "
-                "missing; rows may be lost",
-            )
-        )
     front = history.front()
     if front is not None and front.is_final:
         kept = int(front.is_kept.sum())

@@ -112,9 +112,11 @@ ExitCode export_generations(const ExportOptions& options) {
     if (history.missing_bytes() > 0)
         fmt::print(stderr,
                    "{}: {} bytes are missing at its end; {} of {} complete "
-                   "generations are left\n",
+                   "generations are left, and {} of these have lost numbers "
+                   "and cannot be compared with their checksums\n",
                    options.path, history.missing_bytes(), count,
-                   history.summaries().size());
+                   history.summaries().size(),
+                   count - history.whole_generations());
     fmt::print("{}: {} generations\n", options.to, count);
     return ExitCode::ok;
 }

@@ -145,25 +145,41 @@ std::string sensitivity_checksum(hid_t file, hsize_t row) {
     return sum.finish();
 }
 
-void require_intact(hid_t file, const std::string& path) {
+void require_header_intact(hid_t file, const std::string& path) {
     if (text_attribute(file, "checksum") != header_checksum(file))
         refuse(path, "the header");
+}
+
+void require_intact(GenerationChecksums& found, const Generations& generations,
+                    std::uint32_t generation, const std::string& path) {
+    if (generations.checksum(generation) !=
+        found.of(generation, generations.span(generation)))
+        refuse(path, fmt::format("generation {}", generation));
+}
+
+void require_intact(hid_t file, const std::string& path) {
+    require_header_intact(file, path);
     const Generations generations(file);
     GenerationChecksums found(file, nullptr);
     const std::uint32_t committed = generations.committed();
     for (std::uint32_t g = 0; g < committed; ++g)
-        if (generations.checksum(g) != found.of(g, generations.span(g)))
-            refuse(path, fmt::format("generation {}", g));
+        require_intact(found, generations, g, path);
     const Dataset status(file, "final/status"),
         checksum(file, "final/checksum");
     const auto statuses = status.read<Status>(0, status.rows());
     const auto expected = checksum.read_text(0, status.rows());
+    const bool is_finished = Journal(file).finished().has_value();
+    // A case that is over has no checksum of what is not recorded.
+    if (is_finished && committed < generations.most() &&
+        !generations.checksum(committed).empty())
+        refuse(path, fmt::format("the mark of generation {}", committed));
     for (std::size_t row = 0; row < statuses.size(); ++row)
-        if (is_recorded(statuses[row]) &&
-            expected[row] != finalist_checksum(file, row, statuses[row]))
+        if (is_recorded(statuses[row])
+                ? expected[row] != finalist_checksum(file, row, statuses[row])
+                : is_finished && !expected[row].empty())
             refuse(path, fmt::format("finalist {}", row));
     const auto form = SensitivityTable::read_form(file);
-    if (!form || !Journal(file).finished()) return;
+    if (!form || !is_finished) return;
     const Dataset sums(file,
                        std::string(SensitivityTable::group) + "/checksum");
     for (std::size_t row = 0; row < sums.rows(); ++row)

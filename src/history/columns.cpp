@@ -104,6 +104,7 @@ Columns::Columns(hid_t file, const std::string& group,
       origin_(file, group + "/origin"),
       parents_(file, group + "/parents"),
       intact_rows_(status_.rows()),
+      whole_rows_(status_.rows()),
       attempt_(file, group + "/attempt"),
       seconds_(file, group + "/seconds"),
       worker_(file, group + "/worker"),
@@ -130,6 +131,9 @@ void Columns::cut(haddr_t end) {
         intact_rows_ = std::min(intact_rows_, column->rows_before(end));
     for (std::size_t i = 0; i < essential_numbers; ++i)
         intact_rows_ = std::min(intact_rows_, intact_[i]);
+    whole_rows_ = std::min(intact_rows_, std::ranges::min(intact_));
+    for (const Dataset* column : {&attempt_, &seconds_, &worker_, &message_})
+        whole_rows_ = std::min(whole_rows_, column->rows_before(end));
 }
 
 std::vector<Status> Columns::statuses(hsize_t first, hsize_t count) const {

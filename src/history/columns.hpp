@@ -54,6 +54,9 @@ class Columns {
     //! Leading rows of which candidate, objectives and violation are there.
     hsize_t intact_rows() const { return intact_rows_; }
 
+    //! Leading rows of which all is there.
+    hsize_t whole_rows() const { return whole_rows_; }
+
     std::vector<Status> statuses(hsize_t first, hsize_t count) const;
 
     //! Of rows that are not empty.
@@ -89,6 +92,7 @@ class Columns {
     std::vector<Dataset> numbers_;  //!< of outcomes, see number_forms()
     std::vector<hsize_t> intact_;   //!< leading rows that are there, of each
     hsize_t intact_rows_;
+    hsize_t whole_rows_;
     Dataset attempt_;
     Dataset seconds_;
     Dataset worker_;

@@ -55,6 +55,12 @@ History History::read(const std::string& path) {
     });
 }
 
+HistoryHeader History::header_of(const std::string& path) {
+    initialize_hdf5();
+    return with_name_of(path,
+                        [&] { return read_header(open_to_read_header(path)); });
+}
+
 History History::salvage(const std::string& path) {
     initialize_hdf5();
     return with_name_of(path, [&] {
@@ -62,8 +68,16 @@ History History::salvage(const std::string& path) {
         auto file =
             std::make_unique<File>(path, std::nullopt, std::move(remains.file));
         file->missing_bytes = remains.missing;
-        if (remains.missing > 0) file->evaluations.cut(remains.bytes);
-        return History(std::move(file));
+        if (remains.missing == 0) return History(std::move(file));
+        file->evaluations.cut(remains.bytes);
+        History history(std::move(file));
+        // Of a file with no generation left, the header need not be whole.
+        if (history.next_generation() > 0)
+            require_header_intact(history.file_->id, path);
+        for (std::uint32_t g = 0; g < history.whole_generations(); ++g)
+            require_intact(history.file_->checksums, history.file_->generations,
+                           g, path);
+        return history;
     });
 }
 
@@ -80,6 +94,14 @@ OutcomeSchema HistoryHeader::final_schema() const {
 
 const HistoryHeader& History::header() const {
     return file_->header;
+}
+
+std::uint32_t History::whole_generations() const {
+    std::uint32_t whole = 0;
+    while (whole < next_generation() &&
+           file_->span(whole).end() <= file_->evaluations.whole_rows())
+        ++whole;
+    return whole;
 }
 
 std::uint64_t History::missing_bytes() const {

@@ -114,12 +114,8 @@ std::string version_of(const std::string& path, hid_t file) {
 }
 
 //! A file of format 1 becomes one of this format, in memory.
-Handle in_this_format(const std::string& path, Handle file) {
-    const std::string version = version_of(path, file);
-    if (version.starts_with("1.")) return upgraded(file);
-    if (!version.starts_with("2."))
-        refuse_version(path, version, "reads only 1.x and 2.x");
-    return file;
+Handle in_this_format(Handle file) {
+    return has_checksums(file) ? std::move(file) : upgraded(file);
 }
 
 constexpr auto smaller_history =
@@ -259,12 +255,22 @@ Handle open_to_write(const std::string& path) {
 Handle open_as_it_is(const std::string& path) {
     refuse_truncated(path);
     Handle file = open_without_lock(path, access_properties());
-    version_of(path, file);
+    if (const std::string version = version_of(path, file);
+        !version.starts_with("1.") && !version.starts_with("2."))
+        refuse_version(path, version, "reads only 1.x and 2.x");
     return file;
 }
 
 Handle open_to_read(const std::string& path) {
-    return in_this_format(path, open_as_it_is(path));
+    Handle file = open_as_it_is(path);
+    if (has_checksums(file)) require_intact(file, path);
+    return in_this_format(std::move(file));
+}
+
+Handle open_to_read_header(const std::string& path) {
+    Handle file = open_as_it_is(path);
+    if (has_checksums(file)) require_header_intact(file, path);
+    return in_this_format(std::move(file));
 }
 
 Remains open_remains(const std::string& path) {

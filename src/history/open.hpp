@@ -38,8 +38,12 @@ Handle open_to_write(const std::string& path);
 //! (refused) if it is not a history.
 Handle open_as_it_is(const std::string& path);
 
-//! As above; a file of format 1 becomes one of this format, in memory.
+//! As above, if all that is recorded has its checksum; a file of format 1,
+//! which has none, becomes one of this format, in memory.
 Handle open_to_read(const std::string& path);
+
+//! As above; only the checksum of the header is compared.
+Handle open_to_read_header(const std::string& path);
 
 //! A file that may be shorter than it was.
 struct Remains {

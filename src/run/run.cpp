@@ -50,7 +50,7 @@ std::optional<std::string> isa_of_histories(const RunOptions& options,
                                     "it, or choose another folder with --out",
                                     path),
                         ExitCode::refused);
-        const HistoryHeader header = History::read(path).header();
+        const HistoryHeader header = History::header_of(path);
         require_resumable(header, campaign, each, path);
         const std::string& isa = header.text.at("isa");
         if (options.isa && isa != *options.isa)

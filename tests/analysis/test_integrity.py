@@ -52,6 +52,25 @@ def test_a_changed_value_is_named(
     assert what in str(error)
 
 
+@pytest.mark.parametrize(
+    ("place", "index", "what"),
+    [
+        ("generations/committed", 5, "the mark of generation 5"),
+        ("generations/committed", 2, "the mark of generation 2"),
+        ("final/status", 2, "finalist 2"),
+    ],
+)
+def test_what_lost_its_mark_is_noticed(
+    finished: Path, tmp_path: Path, place: str, index: int, what: str
+) -> None:
+    path = tmp_path / "damaged.h5"
+    shutil.copy(finished, path)
+    with h5py.File(path, "r+") as file:
+        file[place][index] = 0
+    with pytest.raises(HistoryError, match=f"damaged: {what} does not have"):
+        open_history(path)
+
+
 def test_a_changed_attribute_is_noticed(
     finished: Path, tmp_path: Path
 ) -> None:

@@ -62,6 +62,7 @@ def test_only_recorded_rows_of_a_live_and_a_killed_file(
         rows = ideotype.open(writer.path)
         expected = [*range(POPULATION), POPULATION + 3]
         assert list(rows.row.values) == expected
+        assert rows.unchecked_rows == 1
         assert rows.absorbed_par.values[-1] == absorbed(1, 3)
         everything = ideotype.open(writer.path, all_rows=True)
         assert everything.sizes["row"] > 2 * POPULATION

@@ -87,6 +87,7 @@ says "truncated"
 expect 4 "$ideotype" status short.h5
 says "1000 bytes are missing at its end, 200 of 200 complete generations"
 expect 0 "$ideotype" export short.h5 --generations --to short.csv
+says "and 1 of these have lost numbers and cannot be compared"
 says "200 generations"
 expect 0 "$ideotype" export "$whole" --generations --to whole.csv
 cmp short.csv whole.csv || fail "saved generations differ"

@@ -39,18 +39,30 @@ history=$(history_of results flipped)
 expect 0 "$ideotype" verify "$history"
 says "header, 3 generations and 4 finalists have their checksums"
 cp "$history" whole.h5
-# $1 a dataset, $2 the place of a byte in it, $3 who is damaged
+# $1 a dataset, $2 the place of a byte in it, $3 who is damaged, $4 the byte
 flip() {
     local at
     at=$(h5dump -p -H -d "$1" whole.h5 | awk '/OFFSET/ { print $2 }')
     cp whole.h5 "$history"
-    printf '\x55' | dd of="$history" bs=1 seek=$((at + $2)) conv=notrunc status=none
+    printf '%b' "${4:-\\0125}" | dd of="$history" bs=1 seek=$((at + $2)) conv=notrunc status=none
     cmp -s whole.h5 "$history" && fail "nothing changed in $1"
     expect 4 "$ideotype" verify "$history"
     says "damaged: $3 does not have its checksum"
     expect 4 "$ideotype" run campaigns/flipped.toml --resume
     says "damaged: $3 does not have its checksum"
     expect 4 "$ideotype" pack "$history"
+    says "damaged: $3 does not have its checksum"
+    # Whatever reads rows.
+    local reader
+    for reader in status "status --json" "evaluate --best" \
+        "export --generations --to flipped.csv" "export --best --to flipped.toml" \
+        "compare --under campaigns/flipped.toml"; do
+        # shellcheck disable=SC2086
+        expect 4 "$ideotype" $reader "$history"
+        says "damaged: $3 does not have its checksum"
+    done
+    [ ! -e flipped.csv ] && [ ! -e flipped.toml ] || fail "something was exported"
+    expect 4 "$ideotype" plan campaigns/flipped.toml --left
     says "damaged: $3 does not have its checksum"
 }
 flip /evaluations/genome 4007 "generation 2"
@@ -59,6 +71,10 @@ flip /generations/mean 9 "generation 1"
 flip /final/objectives 17 "finalist 2"
 flip /genes/lower 5 "the header"
 flip /evaluations/hour 6 "the header"
+flip /campaign/resolved 100 "the header"
+flip /generations/committed 2 "the mark of generation 2" '\0'
+flip /final/status 1 "finalist 1" '\0'
+
 cp whole.h5 "$history"
 expect 0 "$ideotype" pack "$history"
 expect 0 "$ideotype" verify "$history"

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <hdf5.h>
 
+#include "checksum.hpp"
+#include "handle.hpp"
 #include "ideotype/core/error.hpp"
 #include "sample_history.hpp"
 
@@ -187,6 +189,11 @@ TEST(Open, ReadsButDoesNotResumeAnotherMinorVersion) {
     const std::string path = folder / "case.h5";
     History::create(path, sample_header());
     set_attribute(path, "format_version", "2.1");
+    Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
+                "open");
+    const std::string checksum = header_checksum(file);
+    file.close("close");
+    set_attribute(path, "checksum", checksum);
     EXPECT_EQ(History::read(path).header().text.at("format_version"), "2.1");
     const Failure failure = failure_of([&] { History::resume(path); });
     EXPECT_EQ(failure.exit_code, ExitCode::refused);

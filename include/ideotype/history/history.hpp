@@ -112,12 +112,19 @@ class History {
 
     //! Opens to read only, also while another process writes. A file of format
     //! 1.0 reads as if it were of this one.
+    //! @throws Error (refused) if something in it does not have its checksum.
+    //! Rows of a generation that is not complete have none.
     static History read(const std::string& path);
+
+    //! Of a history of which nothing else is asked; its checksum is compared.
+    static HistoryHeader header_of(const std::string& path);
 
     //! As read(), but opens also what is left of a file that was cut short.
     //! Then only header(), next_generation(), rows(), generation() and
     //! summaries() mean something: a generation counts if candidates,
     //! objectives and violations of its rows are left.
+    //! @throws Error (refused) if the header, or a generation of which all is
+    //! left, does not have its checksum.
     static History salvage(const std::string& path);
 
     History(History&&) noexcept;
@@ -131,6 +138,10 @@ class History {
 
     //! Bytes that the end of the file lacks; 0 unless salvaged.
     std::uint64_t missing_bytes() const;
+
+    //! Complete generations of which nothing is lost, and which so could be
+    //! compared with their checksums.
+    std::uint32_t whole_generations() const;
 
     //! Adds an entry to /sessions. Once per start.
     void begin_session(const SessionRecord& session);

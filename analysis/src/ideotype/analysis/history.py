@@ -107,6 +107,16 @@ class History:
         count = int(self.datasets.read("generations/count")[generation])
         return self._rows.read("evaluations", first, first + count)
 
+    def unchecked(self) -> int:
+        """Complete evaluations of generations that are not, and so have no
+        checksum."""
+        committed = self.datasets.read("generations/committed").astype(bool)
+        count = self.datasets.read("generations/count")
+        status = self.datasets.read("evaluations/status")
+        complete = committed.cumprod().astype(bool)
+        first = int(count[complete].sum())
+        return int(np.count_nonzero(status[first:] >= Status.DONE))
+
     def finalists(self) -> Rows:
         """Complete final evaluations; slot 0 is the baseline."""
         return self._rows.read("final", 0, None)

@@ -42,10 +42,17 @@ def verify(data: Datasets) -> None:
             *((name, values[g : g + 1]) for name, values in table.items()),
         )
         _check(data, f"generation {g}", found, sums[g])
-    _check_rows(
-        data, "final", "finalist", np.flatnonzero(status >= Status.DONE)
-    )
-    if "sensitivity" in _tables(data) and data.read("state/finished"):
+    recorded = (status == Status.DONE) | (status == Status.FAILED)
+    _check_rows(data, "final", "finalist", np.flatnonzero(recorded))
+    if not data.read("state/finished"):
+        return
+    # A case that is over has no checksum of what is not recorded.
+    if count < len(sums):
+        _check(data, f"the mark of generation {count}", "", sums[count])
+    final_sums = data.texts("final/checksum")
+    for i in np.flatnonzero(~recorded):
+        _check(data, f"finalist {i}", "", final_sums[i])
+    if "sensitivity" in _tables(data):
         quantities = range(len(data.read("sensitivity/quantity")))
         _check_rows(data, "sensitivity", "sensitivity", quantities)
 

@@ -26,7 +26,8 @@ def open_arrays(
     so on, in memory: arrays by name, whose dimensions have names and labels.
     Works on finished, live and killed files and on those of format 1.0. Of
     /evaluations and /final only the rows whose outcome is recorded; all of
-    them with `all_rows`.
+    them with `all_rows`. The attribute `unchecked_rows` of /evaluations counts
+    those of a generation that is not complete and so has no checksum.
 
     Raises as open_history(), KeyError if there is no such group."""
     with open_history(Path(path)) as history:
@@ -43,6 +44,8 @@ def open_arrays(
             about = {**found.hour.attrs, "long_name": clock.meaning}
             hours = found.hour.values + clock.shift
             found = found.assign_coords(hour=("hour", hours, about))
+        if group == "evaluations":
+            found.attrs["unchecked_rows"] = history.unchecked()
     if "status" in found and not all_rows:
         dimension = found["status"].dims[0]
         recorded = np.flatnonzero(found["status"] >= Status.DONE)

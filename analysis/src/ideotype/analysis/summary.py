@@ -38,6 +38,14 @@ def summarize(history: History) -> str:
         kept = int(front.is_kept.sum())
         counts = f"{kept} of {len(front.members)} plants are still in it"
         text.append(_field("front", f"{counts}, evaluated again"))
+    if unchecked := history.unchecked():
+        text.append(
+            _field(
+                "unchecked",
+                f"{unchecked} of the evaluations: a generation has a checksum "
+                "once it is complete",
+            )
+        )
     pair = history.comparison()
     text.append("")
     text += (

@@ -15,6 +15,7 @@
 #include "describe.hpp"
 #include "ideotype/cli/ranks.hpp"
 #include "ideotype/cli/verbs.hpp"
+#include "ideotype/core/text.hpp"
 #include "ideotype/run/provenance.hpp"
 #include "report_error.hpp"
 
@@ -104,7 +105,7 @@ ExitCode code_of(const std::exception& error) {
 }  // namespace
 
 ExitCode report_error(const std::exception& error) {
-    fmt::print(stderr, "ideotype: {}\n", reason_of(error));
+    fmt::print(stderr, "ideotype: {}\n", printable_lines(reason_of(error)));
     return code_of(error);
 }
 

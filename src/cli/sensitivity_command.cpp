@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "ideotype/core/error.hpp"
+#include "ideotype/core/text.hpp"
 #include "ideotype/run/sensitivity.hpp"
 #include "json.hpp"
 #include "output_file.hpp"
@@ -38,8 +39,8 @@ void print(const SensitivityCommand& command, const History& history,
     for (const std::string& each : command.quantities)
         chosen.push_back(find(form, each));
     for (const std::size_t i : chosen)
-        fmt::print("\n{}  {}", header.text.at("case"),
-                   sensitivity_text(form, found, i));
+        fmt::print("\n{}", printable_lines(header.text.at("case") + "  " +
+                                           sensitivity_text(form, found, i)));
     const std::string lacking = lacking_samples(found, samples);
     if (!lacking.empty()) fmt::print("{}\n", lacking);
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "ideotype/cli/verbs.hpp"
+#include "ideotype/core/text.hpp"
 #include "ideotype/history/history.hpp"
 #include "ideotype/run/progress.hpp"
 #include "ideotype/run/summary.hpp"
@@ -74,10 +75,12 @@ std::string name_of(State state) {
 }
 
 //! How the last start of a case would be repeated; empty if it is not known
-//! in full.
+//! in full, or is no start of this program.
 std::string way_on_with(const History& history) {
     const auto last = history.last_session();
-    if (!last || last->command.size() >= longest_command) return "";
+    if (!last || last->command.size() >= longest_command ||
+        !is_start(last->command))
+        return "";
     return way_on(last->command, last->ranks);
 }
 
@@ -297,7 +300,7 @@ ExitCode show(const std::string& path, const StatusOptions& options,
     if (options.is_json)
         histories.push_back(to_json(report));
     else
-        fmt::print("{}\n", to_text(report));
+        fmt::print("{}\n", printable(to_text(report)));
     return report.code;
 }
 
@@ -312,7 +315,7 @@ ExitCode status(const StatusOptions& options) {
                              show(path, options, overview, json["histories"]));
         } catch (const Error& error) {
             // One unreadable file must not hide the others.
-            fmt::print(stderr, "{}\n", error.what());
+            fmt::print(stderr, "{}\n", printable_lines(error.what()));
             worst = std::max(worst, error.exit_code());
             json["unreadable"].push_back(
                 {{"path", path}, {"message", error.what()}});

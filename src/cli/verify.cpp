@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "ideotype/cli/verbs.hpp"
+#include "ideotype/core/text.hpp"
 
 namespace ideotype {
 
@@ -25,7 +26,7 @@ ExitCode verify(const std::vector<std::string>& paths) {
                     path, found.generations, found.finalists);
         } catch (const Error& error) {
             // One that is damaged must not hide the others.
-            fmt::print(stderr, "{}\n", error.what());
+            fmt::print(stderr, "{}\n", printable_lines(error.what()));
             worst = std::max(worst, error.exit_code());
         }
     return worst;

@@ -1,16 +1,64 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ideotype/core/text.hpp"
 
+#include <string_view>
+
+#include <fmt/format.h>
+
 namespace ideotype {
+
+namespace {
+
+bool continues(unsigned char byte) {
+    return (byte & 0xC0U) == 0x80U;
+}
+
+//! Bytes of the character that a text begins with; 0 of a control character
+//! and of what is no UTF-8.
+std::size_t size_of_character(std::string_view text) {
+    const auto byte = [&](std::size_t i) {
+        return static_cast<unsigned char>(text[i]);
+    };
+    if (byte(0) < 0x80) return byte(0) < 0x20 || byte(0) == 0x7F ? 0 : 1;
+    if (byte(0) < 0xC2 || byte(0) > 0xF4) return 0;
+    const std::size_t size = byte(0) < 0xE0 ? 2 : byte(0) < 0xF0 ? 3 : 4;
+    if (text.size() < size) return 0;
+    for (std::size_t i = 1; i < size; ++i)
+        if (!continues(byte(i))) return 0;
+    // U+0080 to U+009F control terminals too.
+    return byte(0) == 0xC2 && byte(1) < 0xA0 ? 0 : size;
+}
+
+std::string without_controls(std::string_view text, std::string_view kept) {
+    std::string shown;
+    while (!text.empty()) {
+        const bool is_kept = kept.find(text[0]) != kept.npos;
+        const std::size_t size = is_kept ? 1 : size_of_character(text);
+        if (size == 0)
+            shown +=
+                fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
+        else
+            shown += text.substr(0, size);
+        text.remove_prefix(size == 0 ? 1 : size);
+    }
+    return shown;
+}
+
+}  // namespace
 
 std::string first_bytes(const std::string& text, std::size_t size) {
     if (text.size() <= size) return text;
-    const auto continues = [&](std::size_t at) {
-        return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
-    };
     std::size_t end = size;
-    while (end > 0 && continues(end)) --end;
+    while (end > 0 && continues(static_cast<unsigned char>(text[end]))) --end;
     return text.substr(0, end);
+}
+
+std::string printable(const std::string& text) {
+    return without_controls(text, "");
+}
+
+std::string printable_lines(const std::string& text) {
+    return without_controls(text, "\n\t");
 }
 
 }  // namespace ideotype

@@ -11,6 +11,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include "ideotype/core/text.hpp"
 #include "ideotype/run/progress.hpp"
 
 namespace ideotype {
@@ -45,7 +46,7 @@ void Log::write(LogLevel level, const std::string& text) const {
     if (!tells(level)) return;
     const std::string all =
         (level == LogLevel::warning ? "ideotype: warning: " : "ideotype: ") +
-        text;
+        printable_lines(text);
     fmt::print(stderr, "{}\n", is_on_terminal_ ? all : with_time(all));
 }
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ideotype/run/way_on.hpp"
 
+#include <filesystem>
+
 #include <fmt/format.h>
+
+#include "ideotype/core/text.hpp"
 
 namespace ideotype {
 
@@ -23,6 +27,22 @@ std::string quoted(const std::string& word) {
     return text + "'";
 }
 
+//! The words of a line that quoted() made; of others, some.
+std::vector<std::string> words_of(const std::string& line) {
+    std::vector<std::string> words(1);
+    bool is_quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i)
+        if (line[i] == '\'')
+            is_quoted = !is_quoted;
+        else if (line[i] == ' ' && !is_quoted)
+            words.emplace_back();
+        else if (line[i] != '\\' || is_quoted)
+            words.back() += line[i];
+        else if (++i < line.size())
+            words.back() += line[i];
+    return words;
+}
+
 bool contains(const std::string& command, const std::string& option) {
     return (command + " ").find(" " + option + " ") != std::string::npos ||
            command.find(" " + option + "=") != std::string::npos;
@@ -35,6 +55,14 @@ std::string quoted(const std::vector<std::string>& words) {
     for (const std::string& word : words)
         line += (line.empty() ? "" : " ") + quoted(word);
     return line;
+}
+
+bool is_start(const std::string& line) {
+    const std::vector<std::string> words = words_of(line);
+    return words.size() > 2 && quoted(words) == line &&
+           printable(line) == line &&
+           std::filesystem::path(words[0]).filename() == "ideotype" &&
+           (words[1] == "run" || words[1] == "sensitivity");
 }
 
 std::string way_on(const std::string& command, int ranks) {

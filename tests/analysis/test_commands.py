@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from conftest import WriterProcess
+from made_history import MadeHistory
 
 BIN = Path(sys.executable).parent
 
@@ -136,6 +137,20 @@ def test_a_full_disk_is_told(finished: Path, words: tuple[str, ...]) -> None:
     assert done.returncode == 1
     assert "ideotype-summary: [Errno 28] No space left" in done.stderr
     assert len(done.stderr.splitlines()) == 1
+
+
+def test_texts_of_a_history_control_no_terminal(tmp_path: Path) -> None:
+    path = tmp_path / "foreign\x1b[1A.h5"
+    attributes = {"case": "a\x1b[2Jb\nstate  finished", "site": "\x9b1A"}
+    made = MadeHistory(path, attributes=attributes)
+    made.evolve(1)
+    made.close()
+    done = summary(path)
+    assert "case         a\\x1b[2Jb\\x0astate  finished of" in done.stdout
+    assert "site         \\x9b1A" in done.stdout
+    path.write_bytes(b"")
+    done = summary(path)
+    assert "foreign\\x1b[1A.h5: not an HDF5 file" in done.stderr
 
 
 def test_a_closed_pipe_is_quiet(finished: Path) -> None:

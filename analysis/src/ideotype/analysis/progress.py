@@ -6,6 +6,8 @@ from __future__ import annotations
 import sys
 from typing import TextIO
 
+from .._errors import printable
+
 
 class Progress:
     """On a terminal one live line; in a log a line per part."""
@@ -24,7 +26,7 @@ class Progress:
     def part(self, name: str) -> None:
         """The next part begins."""
         self._part += 1
-        line = f"[{self._part}/{self._total}] {name}"
+        line = f"[{self._part}/{self._total}] {printable(name)}"
         self._stream.write(
             f"\r\x1b[K{line[:78]}" if self._is_live else f"{line}\n"
         )

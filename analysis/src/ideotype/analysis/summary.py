@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 from datetime import timedelta
 
+from .._errors import printable
 from .estimate import Estimate
 from .file import HistoryError
 from .history import History
@@ -53,7 +54,7 @@ def summarize(history: History) -> str:
         if pair is None
         else _pair(pair)
     )
-    return "\n".join(text)
+    return "\n".join(map(printable, text))
 
 
 def _field(name: str, value: str) -> str:

@@ -4,12 +4,15 @@
 from __future__ import annotations
 
 import shutil
+import subprocess
+import sys
 import time
 from pathlib import Path
 
 import pytest
 from flipped_bits import OPEN, flip, marked, metadata
 from made_history import MadeHistory
+from real_program import executable
 from test_commands import report, summary
 
 import ideotype
@@ -66,7 +69,7 @@ def small(tmp_path: Path) -> Path:
 @pytest.mark.parametrize("marks", [0, OPEN])
 def test_no_bit_of_the_metadata_is_endless(small: Path, marks: int) -> None:
     """Of 150 of them, in a file that is closed and in one that is marked as
-    open."""
+    open; tests/stress/flip.py takes any number."""
     content = marked(small.read_bytes(), marks)
     small.write_bytes(content)
     whole = ideotype.open(small)
@@ -82,6 +85,19 @@ def test_no_bit_of_the_metadata_is_endless(small: Path, marks: int) -> None:
         else:
             assert found.identical(whole), bit
     assert noticed > 75
+
+
+def test_no_reader_is_silent_about_flipped_bits() -> None:
+    script = Path(__file__).parents[1] / "stress" / "flip.py"
+    done = subprocess.run(
+        [sys.executable, str(script), executable(), "6"],
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=300,
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert done.stdout.startswith("2 flips in each state")
 
 
 def test_marks_of_a_writer_do_not_change_what_is_read(finished: Path) -> None:

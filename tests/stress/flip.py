@@ -1,86 +1,402 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Flips single bits of a finished history and looks at what readers make of it.
+"""Flips single bits of histories and looks at what every reader makes of it.
 
-    flip.py IDEOTYPE FILE.h5 [FLIPS] [SEED]
+    flip.py IDEOTYPE [FLIPS=300] [SEED=1]
+    flip.py IDEOTYPE metadata [EVERY=1]
 
-Each copy is read by `ideotype verify`, `ideotype status`, `ideotype export
---generations` and `ideotype-summary` (run with this Python), each within a minute. A flip is
-noticed if one of them fails or warns, harmless if all say what they say of the
-original, and silent if one says something else without a word. None may hang.
-"""
+The second flips every bit, or one of EVERY, of what describes the data of a small
+history, closed and marked as open, and opens each as arrays.
+
+The first runs a small campaign to its end, and another until it is killed. A third of the
+flips is in the finished history, a third in the killed one, a third in the
+killed one while its lock is held, so that it looks live. Every second flip is in
+a byte that is not zero. Each copy is read by the program (status, verify,
+export, evaluate, compare, run --resume) and by this Python (arrays, frame,
+summary, what a report reads), each within a minute. A flip is
+
+    noticed       the reader fails, and says why
+    harmless      it says what it says of the whole file
+    no checksum   it says something else, where FORMAT.md promises no checksum:
+                  times, sessions, messages, generations that are not complete
+    silent        it says something else
+    hanging       it does not end
+    crashing      it is killed, or fails in another way
+
+Both fail unless the last three are 0."""
 
 from __future__ import annotations
 
 import collections
+import fcntl
+import json
+import multiprocessing
+import os
 import random
+import re
+import signal
 import subprocess
 import sys
 import tempfile
+import time
+from collections.abc import Callable
 from pathlib import Path
 
+import h5py
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "analysis"))
+from flipped_bits import OPEN, flip, marked, metadata
+
+import ideotype
+from ideotype.analysis import HistoryError, open_history, open_study
+from ideotype.analysis.provenance import provenance
+from ideotype.analysis.summary import summarize
+from ideotype.analysis.tables import gains
+
 LIMIT = 60  # [s]
-_SUMMARY = "import sys, ideotype.analysis.commands as c; sys.exit(c.summary())"
+CAMPAIGN = Path(__file__).parents[2] / "campaigns" / "ames_quick.toml"
+SMALL = {
+    "search.population": 6,
+    "field.rows": 2,
+    "field.plants": 2,
+    "light.tolerance": 0,
+    "light.paths": 256,
+    "final.paths": 256,
+    "final.candidates": 2,
+}
+KINDS = ("noticed", "harmless", "no checksum", "silent", "hanging", "crashing")
+GROUPS = ("evaluations", "final", "generations", "genes", "objectives")
+
+Said = tuple[str, str]
+"""Kind of the end (noticed, hanging, crashing, or read), and all that was
+said."""
 
 
-def said_of(ideotype: str, path: Path, folder: Path) -> tuple[str, str] | str:
-    """What all readers say of a history, and their warnings; or why not."""
-    table = folder / "all.csv"
-    table.unlink(missing_ok=True)
-    readers = (
-        [ideotype, "verify", str(path)],
-        [ideotype, "status", str(path)],
-        [ideotype, "export", str(path), "--generations", "--to", str(table)],
-        [sys.executable, "-c", _SUMMARY, str(path)],
+class Place:
+    """A folder with the history under test."""
+
+    def __init__(self, program: str, folder: Path, generations: int) -> None:
+        self.program = program
+        self.folder = folder
+        self.is_killed = False
+        settings = SMALL | {"stop.generations": generations}
+        words = [f"{key}={value}" for key, value in settings.items()]
+        self.campaign = [str(CAMPAIGN)]
+        for word in words:
+            self.campaign += ["--set", word]
+
+    @property
+    def path(self) -> Path:
+        """The history."""
+        (path,) = self.folder.glob("*/*.h5")
+        return path
+
+    def run(self, *words: str) -> list[str]:
+        """The command that evolves the campaign here."""
+        return [
+            self.program,
+            "run",
+            *self.campaign,
+            "--out",
+            str(self.folder),
+            *words,
+        ]
+
+
+def finished(program: str, folder: Path) -> Place:
+    place = Place(program, folder, 4)
+    subprocess.run(place.run(), check=True, capture_output=True)
+    return place
+
+
+def killed(program: str, folder: Path) -> Place:
+    place = Place(program, folder, 12)
+    process = subprocess.Popen(
+        place.run(), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
     )
-    text, warnings = "", ""
-    for reader in readers:
+    complete = 0
+    while complete < 3:
+        if process.poll() is not None:
+            sys.exit("the run ended before it could be killed")
+        time.sleep(0.01)
+        if found := [*folder.glob("*/*.h5")]:
+            with open_history(found[0]) as history:
+                complete = len(history.generations())
+    process.send_signal(signal.SIGKILL)
+    process.wait()
+    place.is_killed = True
+    return place
+
+
+def said(command: list[str], without: str = "") -> Said:
+    """What the program says, but for lines that match."""
+    try:
+        done = subprocess.run(
+            command,
+            capture_output=True,
+            text=True,
+            errors="replace",
+            check=False,
+            timeout=LIMIT,
+        )
+    except subprocess.TimeoutExpired:
+        return "hanging", ""
+    if done.returncode < 0 or done.returncode > 5:
+        return "crashing", done.stderr
+    if done.returncode != 0:
+        return "noticed", done.stderr
+    lines = done.stdout.splitlines()
+    kept = [x for x in lines if not (without and re.search(without, x))]
+    return "read", "\n".join(kept)
+
+
+def exported(place: Place, *words: str) -> Said:
+    table = place.folder / words[-1]
+    table.unlink(missing_ok=True)
+    command = [place.program, "export", str(place.path), *words[:-1]]
+    kind, text = said([*command, "--to", str(table)])
+    return (kind, table.read_text()) if kind == "read" else (kind, text)
+
+
+def resumed(place: Place) -> Said:
+    kind, text = said(place.run("--resume"))
+    if kind != "read":
+        return kind, text
+    kind, text = exported(place, "--generations", "resumed.csv")
+    again = exported(place, "--best", "resumed.toml")
+    return max(kind, again[0]), text + again[1]
+
+
+PROGRAMS: dict[str, Callable[[Place], Said]] = {
+    "status": lambda p: said([p.program, "status", str(p.path)]),
+    "verify": lambda p: said([p.program, "verify", str(p.path)]),
+    "export --generations": lambda p: exported(p, "--generations", "a.csv"),
+    "export --best": lambda p: exported(p, "--best", "a.toml"),
+    "evaluate --best": lambda p: said(
+        [p.program, "evaluate", str(p.path), "--best", "--json"], "seconds"
+    ),
+    "compare": lambda p: said(
+        [p.program, "compare", str(p.path), "--under", *p.campaign, "--json"]
+    ),
+    "run --resume": resumed,
+}
+
+
+def arrays(path: Path) -> str:
+    found = [ideotype.open(path, group) for group in GROUPS]
+    return "".join(
+        f"{name} {array.dims} {array.attrs} {array.values.tolist()}"
+        for group in found
+        for name, array in group.variables.items()
+    )
+
+
+def frame(path: Path) -> str:
+    with open_study(path) as study:
+        return study.frame().to_csv()
+
+
+def summary(path: Path) -> str:
+    with open_history(path) as history:
+        return summarize(history)
+
+
+def report(path: Path) -> str:
+    with open_study(path) as study:
+        cases = study.cases()
+        return f"{gains(cases, None)} {provenance(cases)}"
+
+
+PYTHON = {
+    "open": arrays,
+    "frame": frame,
+    "ideotype-summary": summary,
+    "ideotype-report": report,
+}
+
+
+def serve(parent: multiprocessing.connection.Connection) -> None:
+    while True:
+        name, path = parent.recv()
         try:
-            done = subprocess.run(
-                reader,
-                capture_output=True,
-                text=True,
-                errors="replace",
-                check=False,
-                timeout=LIMIT,
+            parent.send(("read", PYTHON[name](path)))
+        except (HistoryError, OSError) as error:
+            parent.send(("noticed", str(error)))
+        except Exception as error:
+            parent.send(("crashing", repr(error)))
+
+
+class Readers:
+    """All readers; those in Python in a process of their own."""
+
+    def __init__(self) -> None:
+        self._start()
+
+    def _start(self) -> None:
+        self._answers, theirs = multiprocessing.Pipe()
+        self._process = multiprocessing.Process(
+            target=serve, args=(theirs,), daemon=True
+        )
+        self._process.start()
+        theirs.close()
+
+    def python(self, name: str, path: Path) -> Said:
+        self._answers.send((name, path))
+        kind = "hanging"
+        try:
+            if self._answers.poll(LIMIT):
+                return self._answers.recv()
+        except EOFError:
+            kind = "crashing"
+        self._process.kill()
+        self._process.join()
+        self._start()
+        return kind, ""
+
+    def read(self, place: Place, content: bytes) -> dict[str, Said]:
+        """What each says of the history with that content."""
+        path = place.path
+        found = {}
+        for name in (*PYTHON, *PROGRAMS):
+            with path.open("r+b") as file:
+                file.write(content)
+                file.truncate()
+            if place.is_killed:
+                # A resume that comes to its end takes it away.
+                Path(f"{path}.lock").touch()
+            found[name] = (
+                self.python(name, path)
+                if name in PYTHON
+                else PROGRAMS[name](place)
             )
-        except subprocess.TimeoutExpired:
-            return "hangs"
-        if done.returncode != 0:
-            return "noticed" if done.returncode > 0 else "crashes"
-        text += done.stdout
-        warnings += done.stderr
-    return text + table.read_text(errors="replace"), warnings
+        return found
 
 
-def main() -> None:
-    ideotype, original = sys.argv[1], Path(sys.argv[2])
-    flips = int(sys.argv[3]) if len(sys.argv) > 3 else 100
-    seed = int(sys.argv[4]) if len(sys.argv) > 4 else 1
-    content = original.read_bytes()
+def without_checksum(path: Path) -> list[range]:
+    """Where a history has what no checksum is of."""
+    found = []
+    with open_history(path) as history:
+        generations = history.generations()
+        first = int(generations.count.sum())
+        complete = len(generations)
+
+    def look(name: str, dataset: object) -> None:
+        if not isinstance(dataset, h5py.Dataset):
+            return
+        start, size = dataset.id.get_offset(), dataset.id.get_storage_size()
+        group = name.split("/")[0]
+        if group in ("state", "sessions", "messages"):
+            found.append(range(start, start + size))
+        for table, row in (("evaluations", first), ("generations", complete)):
+            if group == table and dataset.shape[0] > row:
+                at = start + size // dataset.shape[0] * row
+                found.append(range(at, start + size))
+
+    with h5py.File(
+        path, "r", swmr=True, libver="latest", locking=False
+    ) as file:
+        file.visititems(look)
+    return found
+
+
+def look(
+    state: str, place: Place, flips: int, chosen: random.Random
+) -> collections.Counter[tuple[str, str, str]]:
+    """Counts of state, reader and kind."""
+    readers = Readers()
+    content = place.path.read_bytes()
+    unprotected = without_checksum(place.path)
+    used = [i for i, byte in enumerate(content) if byte]
+    whole = readers.read(place, content)
+    # Who refuses a live file says nothing of its content.
+    names = [name for name in whole if whole[name][0] == "read"]
+    counts: collections.Counter[tuple[str, str, str]] = collections.Counter()
+    for number in range(flips):
+        byte = (
+            chosen.choice(used)
+            if number % 2
+            else chosen.randrange(len(content))
+        )
+        bit = 8 * byte + chosen.randrange(8)
+        found = readers.read(place, flip(content, bit))
+        for name in names:
+            kind, text = found[name]
+            if kind == "read":
+                kind = "harmless"
+                if text != whole[name][1]:
+                    has_none = any(byte in each for each in unprotected)
+                    kind = "no checksum" if has_none else "silent"
+            counts[state, name, kind] += 1
+            if kind in KINDS[3:]:
+                print(
+                    f"{state}, bit {bit}: {name} is {kind}",
+                    text[:200] if kind == "crashing" else "",
+                    flush=True,
+                )
+    return counts
+
+
+def look_at_metadata(program: str, every: int) -> int:
+    readers = Readers()
+    wrong = 0
+    with tempfile.TemporaryDirectory() as name:
+        path = finished(program, Path(name)).path
+        original = path.read_bytes()
+        bits = metadata(path)[::every]
+        for state, marks in (("closed", 0), ("open", OPEN)):
+            content = marked(original, marks)
+            path.write_bytes(content)
+            whole = readers.python("open", path)
+            counts: collections.Counter[str] = collections.Counter()
+            for bit in bits:
+                path.write_bytes(flip(content, int(bit)))
+                kind, text = readers.python("open", path)
+                if kind == "read":
+                    kind = "harmless" if (kind, text) == whole else "silent"
+                counts[kind] += 1
+                if kind in KINDS[3:]:
+                    print(
+                        f"{state}, bit {bit}: {kind} {text[:200]}", flush=True
+                    )
+            print(f"{state}: {len(bits)} bits, {dict(counts)}", flush=True)
+            wrong += sum(counts[kind] for kind in KINDS[3:])
+    return min(wrong, 1)
+
+
+def main() -> int:
+    program = os.path.abspath(sys.argv[1])
+    if sys.argv[2:3] == ["metadata"]:
+        every = int(sys.argv[3]) if len(sys.argv) > 3 else 1
+        return look_at_metadata(program, every)
+    flips = int(sys.argv[2]) if len(sys.argv) > 2 else 300
+    seed = int(sys.argv[3]) if len(sys.argv) > 3 else 1
     chosen = random.Random(seed)
-    counts: collections.Counter[str] = collections.Counter()
+    counts: collections.Counter[tuple[str, str, str]] = collections.Counter()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        path = folder / original.name
-        path.write_bytes(content)
-        whole = said_of(ideotype, path, folder)
-        if isinstance(whole, str):
-            sys.exit(f"{original}: {whole}")
-        for _ in range(flips):
-            place, bit = chosen.randrange(len(content)), chosen.randrange(8)
-            damaged = bytearray(content)
-            damaged[place] ^= 1 << bit
-            path.write_bytes(damaged)
-            said = said_of(ideotype, path, folder)
-            if not isinstance(said, str):
-                silent = "silent" if said[0] != whole[0] else "harmless"
-                said = "noticed" if said[1] != whole[1] else silent
-            counts[said] += 1
-            if said in ("hangs", "crashes"):
-                print(f"byte {place}, bit {bit}: {said}", flush=True)
-    print(f"{flips} flips (seed {seed}): {dict(sorted(counts.items()))}")
+        for state, make in (
+            ("finished", finished),
+            ("killed", killed),
+            ("live", killed),
+        ):
+            place = make(program, folder / state)
+            locks = []
+            if state == "live":
+                for path in (place.path, Path(f"{place.path}.lock")):
+                    locks.append(path.open("r+b"))
+                    fcntl.flock(locks[-1], fcntl.LOCK_EX)
+            counts += look(state, place, flips // 3, chosen)
+    print(f"{flips // 3} flips in each state (seed {seed})")
+    print(f"{'state':<10}{'reader':<22}", *(f"{kind:>12}" for kind in KINDS))
+    for state, name in dict.fromkeys(key[:2] for key in counts):
+        numbers = (f"{counts[state, name, kind]:>12}" for kind in KINDS)
+        print(f"{state:<10}{name:<22}", *numbers)
+    total = {
+        k: sum(n for key, n in counts.items() if key[2] == k) for k in KINDS
+    }
+    print(json.dumps(total))
+    return 1 if any(total[kind] for kind in KINDS[3:]) else 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -49,7 +49,7 @@ goes_on worker
 
 # Finalists, of a run that was killed before it had evaluated them.
 for _ in 1 2 3 4 5; do
-    rm -rf finals
+    rm -rf finals finals.log
     "${run[@]}" --out finals >finals.log 2>&1 &
     job=$!
     until grep -qs "ended by" finals.log; do sleep 0.01; done

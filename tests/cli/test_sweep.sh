@@ -63,11 +63,15 @@ done
 
 # Case $2 in folder $1 is in the hands of a program that pauses, `holder`.
 hold() {
+    rm -f "hold$2.log"
     "$ideotype" run campaigns/cut.toml --out "$1" --case "$2" >"hold$2.log" 2>&1 &
     holder=$!
     until grep -qs "generation 1," "hold$2.log"; do sleep 0.02; done
     kill -STOP $holder
+    holders+=("$holder")
 }
+holders=()
+trap 'kill -KILL "${holders[@]}" 2>/dev/null || true' EXIT
 
 # One case is in use by somebody else.
 hold busy 1
@@ -89,14 +93,9 @@ for r in 1 2 3; do
 done
 
 # Somebody else works on all of them: nothing was done.
-holders=()
-for index in 0 1 2; do
-    hold all $index
-    holders+=("$holder")
-done
+for index in 0 1 2; do hold all $index; done
 code=0
 "$ideotype" run campaigns/cut.toml --out all --resume >all.log 2>&1 || code=$?
-kill -KILL "${holders[@]}"
 [ $code -eq 4 ] || fail "nothing to do must end with 4, not $code"
 grep -q "other programs work on 3 of 3 cases" all.log || fail "$(cat all.log)"
 

@@ -35,6 +35,7 @@ import os
 import random
 import re
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -78,7 +79,6 @@ class Place:
     def __init__(self, program: str, folder: Path, generations: int) -> None:
         self.program = program
         self.folder = folder
-        self.is_killed = False
         settings = SMALL | {"stop.generations": generations}
         words = [f"{key}={value}" for key, value in settings.items()]
         self.campaign = [str(CAMPAIGN)]
@@ -124,7 +124,6 @@ def killed(program: str, folder: Path) -> Place:
                 complete = len(history.generations())
     process.send_signal(signal.SIGKILL)
     process.wait()
-    place.is_killed = True
     return place
 
 
@@ -261,9 +260,6 @@ class Readers:
             with path.open("r+b") as file:
                 file.write(content)
                 file.truncate()
-            if place.is_killed:
-                # A resume that comes to its end takes it away.
-                Path(f"{path}.lock").touch()
             found[name] = (
                 self.python(name, path)
                 if name in PYTHON
@@ -382,9 +378,10 @@ def main() -> int:
             place = make(program, folder / state)
             locks = []
             if state == "live":
-                for path in (place.path, Path(f"{place.path}.lock")):
-                    locks.append(path.open("r+b"))
-                    fcntl.flock(locks[-1], fcntl.LOCK_EX)
+                locks.append(place.path.open("r+b"))
+                whole = (fcntl.F_WRLCK, os.SEEK_SET, 0, 0, 0)
+                lock = struct.pack("hhqqi4x", *whole)  # struct flock
+                fcntl.fcntl(locks[-1], fcntl.F_OFD_SETLK, lock)
             counts += look(state, place, flips // 3, chosen)
     print(f"{flips // 3} flips in each state (seed {seed})")
     print(f"{'state':<10}{'reader':<22}", *(f"{kind:>12}" for kind in KINDS))

@@ -10,7 +10,8 @@ namespace ideotype {
 std::string first_bytes(const std::string& text, std::size_t size);
 
 //! A text of unknown origin as one line for a terminal, where it can do
-//! nothing: control characters, and bytes that are not UTF-8, as \x1b.
+//! nothing: control characters, and bytes that are not UTF-8, stand as a
+//! backslash, an x and two hexadecimal digits.
 std::string printable(const std::string& text);
 
 //! As above, of several lines, with tabs.

@@ -21,8 +21,8 @@ constexpr int trial_randomisations = 16;
 //! Trials have randomisations that no result has.
 constexpr std::uint32_t first_of_trials = 1u << 16;
 
-//! First hits of leaves without which a trial tells too little of the leaves'
-//! light and of its scatter: with so many their sum is known to an eighth.
+//! First hits of leaves without which a trial tells too little of their light
+//! and of its scatter: with so many their sum is known to an eighth.
 constexpr double fewest_hits = 64;
 
 //! A trial with less than the result by more than this is followed by another.
@@ -96,7 +96,7 @@ class Search {
         for (;;) {
             try_out(work, is_drawn);
             if (!found_.is_open && !(found_.mean > 0)) return work;
-            if (found_.is_open && found_.hits < fewest_hits) {
+            if (found_.is_open && found_.first_hits < fewest_hits) {
                 amounts = scaled(amounts, longest_step);
                 if (is_beyond(amounts)) {
                     is_capped_ = true;

@@ -68,7 +68,7 @@ Findings try_out(const Subject& subject, const Workload& work,
     amounts[LightOrigin::beams] *= suns.by_energy;
     const Resolution& resolution = *tallies.front().resolution;
     Findings found;
-    ByOrigin<double> variance{}, largest{};
+    ByOrigin<double> variance{}, largest{}, hits{};
     std::vector<double> next(tallies.size());
     double kept = 0;
     for (std::size_t s = 0; s < work.first_hits.size(); ++s) {
@@ -87,7 +87,7 @@ Findings try_out(const Subject& subject, const Workload& work,
         const double of_hit =
             resolution.unscattered * incident / work.first_hits[s];
         largest[origin] = std::max(largest[origin], of_hit);
-        if (of_hit > 0) found.hits += unscattered / of_hit;
+        if (of_hit > 0) hits[origin] += unscattered / of_hit;
         largest[LightOrigin::scattered] = std::max(
             largest[LightOrigin::scattered],
             resolution.scattered * std::min(sent_on, work.path_energy[s]));
@@ -100,18 +100,23 @@ Findings try_out(const Subject& subject, const Workload& work,
     if (suns.by_energy > 1) variance[LightOrigin::beams] *= for_others;
     variance[LightOrigin::scattered] =
         variance_of(next) * (light.energy() / kept);
+    if (largest[LightOrigin::scattered] > 0)
+        hits[LightOrigin::scattered] =
+            (all.leaves - all.unscattered) / largest[LightOrigin::scattered];
     for (std::size_t o = 0; o < origins; ++o) {
-        // A trial may have missed what one more hit of a leaf in all of its
-        // randomisations would have shown.
-        const double of_one_hit = squared(largest[o]) / randomisations;
-        found.laws[o] = {std::max(1., amounts[o]),
-                         std::max(variance[o], of_one_hit), 1};
+        found.laws[o] = {std::max(1., amounts[o]), variance[o], 1};
+        // Where each randomisation met leaves about once, they may be alike by
+        // chance: the variance is at least that of one more hit in one of them.
+        if (hits[o] < 1.25 * randomisations)
+            found.laws[o].variance =
+                std::max(variance[o], squared(largest[o]) / randomisations);
     }
     found.laws[LightOrigin::beams].power =
         is_drawn ? power_of_lattices : power_of_nets;
     found.rays_per_unit = rays * light.energy() /
                           (all.incident * amounts[LightOrigin::scattered]);
     found.mean = all.leaves / randomisations;
+    found.first_hits = hits[LightOrigin::beams] + hits[LightOrigin::skies];
     found.is_open = resolution.leaves > 0;
     found.is_whole = suns.by_energy == 1;
     return found;

@@ -27,7 +27,7 @@ struct Findings {
     ByOrigin<Law> laws{};      //!< how variances fall
     double rays_per_unit = 0;  //!< of the amount of scattered light
     double mean = 0;           //!< light of leaves; of all suns
-    double hits = 0;           //!< of leaves by light that comes from the sky
+    double first_hits = 0;     //!< of leaves
     bool is_open = false;      //!< whether that depends on paths
     bool is_whole = true;      //!< whether it had all suns
 };

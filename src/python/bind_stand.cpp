@@ -132,8 +132,9 @@ nb::tuple mesh(const CaseStand& stand, const Input<double, 1>& genome) {
 
 std::vector<std::string> warnings(const CaseStand& stand) {
     std::vector<std::string> texts;
-    for (const Problem& each : stand.campaign().warnings)
-        texts.push_back(to_string(each));
+    const Campaign& campaign = stand.campaign();
+    for (const auto* problems : {&campaign.warnings, &campaign.outside_bounds})
+        for (const Problem& each : *problems) texts.push_back(to_string(each));
     return texts;
 }
 

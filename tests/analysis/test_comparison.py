@@ -97,6 +97,22 @@ def test_leaf_area_stands_beside_every_gain(tmp_path: Path) -> None:
     assert re.search(r"\n  gain +-41\.81 \+- 0\.01 %\n", words)
 
 
+@pytest.mark.parametrize("lai", [8.0, 8.5])
+def test_more_leaves_than_fields_have_are_doubted(
+    tmp_path: Path, lai: float
+) -> None:
+    path = tmp_path / "dense.h5"
+    make(path)
+    with h5py.File(path, "r+") as file:
+        file["final/lai"][2] = lai
+        seal(file)
+    with open_study(tmp_path) as study:
+        words = summarize(study[0])
+    assert ("warning: the best plant has a leaf area index" in words) == (
+        lai > 8
+    )
+
+
 @pytest.mark.parametrize("seeds", [(1, 1), (2, 2), (1, 2)])
 def test_one_seed_does_not_tell_the_noise_of_the_search(
     tmp_path: Path, seeds: tuple[int, int]

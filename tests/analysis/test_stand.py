@@ -220,6 +220,18 @@ def test_a_campaign_is_built_from_dictionaries() -> None:
     assert again.evaluate(again.baseline).absorbed_par != found.absorbed_par
 
 
+def test_a_baseline_outside_its_bounds_is_evaluated_with_a_warning() -> None:
+    settings = ["plant.bounds={length=[1.05,1.1]}"]
+    narrow = ideotype.Stand.from_campaign(AMES, settings=settings)
+    assert "outside the" in "".join(narrow.warnings)
+    wide = ideotype.Stand.from_campaign(AMES)
+    found, expected = (
+        stand.evaluate(wide.baseline, ["lai", "absorbed_par"], tolerance=0.05)
+        for stand in (narrow, wide)
+    )
+    assert found.absorbed_par.item() == expected.absorbed_par.item()
+
+
 def test_all_problems_of_a_campaign_come_at_once(tmp_path: Path) -> None:
     text = AMES.read_text().replace("latitude", "lattitude")
     path = tmp_path / "typo.toml"

@@ -14,6 +14,8 @@ from .interval import ONE_SEED
 from .pair import Pair
 
 _INDENT = 13
+_HARDLY_EVER = 8
+"""Leaf area index of a field, as the program warns of it."""
 
 
 def summarize(history: History) -> str:
@@ -144,6 +146,11 @@ def _leaf_area(pair: Pair) -> list[str]:
         return []
     lais = [each.estimate("lai").mean for each in (pair.baseline, pair.best)]
     lines = [f"{'LAI':<20}{lais[0]:>22.3f}{lais[1]:>22.3f}"]
+    if lais[1] > _HARDLY_EVER:
+        lines.append(
+            f"warning: the best plant has a leaf area index of {lais[1]:.2f}, "
+            f"and fields hardly ever have more than {_HARDLY_EVER}"
+        )
     try:
         was, now = pair.baseline.per_leaf_area, pair.best.per_leaf_area
     except HistoryError:

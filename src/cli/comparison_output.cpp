@@ -136,14 +136,16 @@ void print_profile(const Comparison& all, std::size_t p, std::size_t c,
         return !x || (x->mean == 0 && x->standard_error == 0);
     };
     // The highest first, as it stands in the field.
-    for (auto f = figures.rbegin(); f != figures.rend(); ++f)
-        if (!is_dark(0, *f) || !is_dark(p, *f))
-            fmt::print(
-                profile_line, fmt::format("{:.6g}", coordinate(all, known[*f])),
-                value_text(all, 0, c, *f),
-                p == 0 ? ""
-                       : fmt::format(profile_end, value_text(all, p, c, *f),
-                                     difference_text(all, p, c, *f)));
+    for (std::size_t i = figures.size(); i-- > 0;) {
+        const std::size_t f = figures[i];
+        if (is_dark(0, f) && is_dark(p, f)) continue;
+        fmt::print(profile_line,
+                   fmt::format("{:.6g}", coordinate(all, known[f])),
+                   value_text(all, 0, c, f),
+                   p == 0 ? ""
+                          : fmt::format(profile_end, value_text(all, p, c, f),
+                                        difference_text(all, p, c, f)));
+    }
 }
 
 }  // namespace
@@ -204,8 +206,8 @@ void write_csv(const std::string& path, const Comparison& all) {
                 if (figure.is_of_profile()) {
                     const std::string at =
                         fmt::format("{}", coordinate(all, figure));
-                    place = figure.quantity.axes.front() == "leaf" ? at + place
-                                                                   : place + at;
+                    const bool is_leaf = figure.quantity.axes.front() == "leaf";
+                    place.insert(is_leaf ? 0 : place.size(), at);
                 }
                 out.print("{},{},{},{},{},{},{}\n",
                           csv_text(all.plants[p].name), all.cases[c].name,

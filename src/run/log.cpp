@@ -35,7 +35,7 @@ std::string with_time(const std::string& text) {
     std::istringstream lines(text);
     std::string all;
     for (std::string line; std::getline(lines, line);)
-        all += (all.empty() ? "" : "\n") + time + line;
+        all += fmt::format("{}{}{}", all.empty() ? "" : "\n", time, line);
     return all;
 }
 

@@ -36,9 +36,7 @@ std::vector<std::string> words_of(const std::string& line) {
             is_quoted = !is_quoted;
         else if (line[i] == ' ' && !is_quoted)
             words.emplace_back();
-        else if (line[i] != '\\' || is_quoted)
-            words.back() += line[i];
-        else if (++i < line.size())
+        else if (line[i] != '\\' || is_quoted || ++i < line.size())
             words.back() += line[i];
     return words;
 }

@@ -208,7 +208,7 @@ class BaselineCheck {
     Draft& draft_;
     const Report& report_;
     Crop crop_;
-    //! Of each bred trait: the bounds of its numbers, and the baseline's.
+    //! The bounds of each bred trait, widened to hold the baseline's numbers.
     std::vector<std::optional<Range>> wider_;
     std::vector<Problem> found_;
 };

@@ -52,7 +52,7 @@ Entries entries(const std::string& resolved, const Names& names) {
     std::string list, prefix;
     const auto end_table = [&] {
         if (!list.empty() && is_part(list, keys, names)) {
-            // Of an axis that is not over scenarios one entry is left.
+            // One entry is left of an axis that is not over scenarios.
             const bool is_one =
                 names.contains(list) && names.at(list).size() == 1;
             prefix = is_one ? list + '.'

@@ -187,7 +187,7 @@ Json to_json(const std::vector<Problem>& problems) {
     return all;
 }
 
-//! How the campaign is run.
+//! Prints the command that runs the campaign.
 void tell_next(const std::string& path,
                const std::vector<std::string>& settings) {
     std::vector<std::string> words{"ideotype", "run", path};
@@ -223,7 +223,7 @@ class Extent {
     double upper_ = -std::numeric_limits<double>::infinity();
 };
 
-//! What differs between the stands of the cases and their scenarios.
+//! The ranges over the stands of all cases and their scenarios.
 struct Stands {
     Extent period_x, period_y;   //!< [m]
     Extent lai;                  //!< of the baseline
@@ -249,7 +249,7 @@ Stands stands_of(const Campaign& campaign, double leaf_area) {
     return all;
 }
 
-//! What check looks at; in the first case alone where nothing else is said.
+//! All that check finds, in the first case alone unless said otherwise.
 struct Findings {
     Mesh plant;
     LightSeries light;

@@ -160,8 +160,8 @@ int run_verb(int argc, char** argv) {
 int run_command_line(int argc, char** argv) {
     std::set_terminate(end_with_reason);
     const int code = run_verb(argc, argv);
-    // What is printed may still be kept back, and of what was lost before only
-    // that is known.
+    // Output may still be buffered, and of a part that was lost before only the
+    // loss is known.
     errno = 0;
     if ((std::fflush(stdout) == 0 && std::ferror(stdout) == 0) || code != 0)
         return code;

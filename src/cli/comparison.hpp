@@ -63,7 +63,8 @@ struct Comparison {
     std::optional<Estimate> difference(std::size_t plant, std::size_t chosen,
                                        std::size_t figure) const;
 
-    //! The same relative to the first plant [%]. Nothing if that has zero.
+    //! Returns the difference relative to the first plant [%], or nothing if
+    //! that has zero.
     std::optional<Estimate> relative_gain(std::size_t plant, std::size_t chosen,
                                           std::size_t figure) const;
 };

@@ -36,7 +36,7 @@ void require_known(const std::string& what, const std::string& name,
                        did_you_mean(name, names)));
 }
 
-//! What a newcomer may choose from, the first if unsure.
+//! A goal that a newcomer may choose; the first is for who is unsure.
 struct Goal {
     const char *objective, *meaning;
 };

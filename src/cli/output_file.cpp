@@ -17,7 +17,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path), target_(path) {
     const bool is_special =
         fs::exists(target_, unknown) && !fs::is_regular_file(target_, unknown);
     written_ = is_special ? target_ : target_ + ".part";
-    // What a kill has left, and not where a link of that name leads to.
+    // Removes what a kill has left, but never the target of a link.
     if (!is_special) fs::remove(written_, unknown);
     file_ = std::fopen(written_.c_str(), is_special ? "wb" : "wbx");
     if (!file_) fail();

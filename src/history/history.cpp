@@ -71,7 +71,7 @@ History History::salvage(const std::string& path) {
         if (remains.missing == 0) return History(std::move(file));
         file->evaluations.cut(remains.bytes);
         History history(std::move(file));
-        // Of a file with no generation left, the header need not be whole.
+        // The header of a file with no generation left need not be whole.
         if (history.next_generation() > 0)
             require_header_intact(history.file_->id, path);
         for (std::uint32_t g = 0; g < history.whole_generations(); ++g)

@@ -118,7 +118,7 @@ void History::File::record(Columns& columns, const std::string& label,
     });
 }
 
-//! What is lost of a mapped file may not even be looked at.
+//! Refuses a mapped file that was cut short: lost pages may not be touched.
 void History::File::require_whole() const {
     if (mapping && !mapping->is_whole())
         fail(

@@ -326,8 +326,8 @@ TEST(Campaign, AnySingleNumberOfTheCanopyMayBeAnObjective) {
     EXPECT_NE(problem_of(text("net_assimilaton"))
                   .find("did you mean 'net_assimilation'?"),
               std::string::npos);
-    // What has nothing near is answered with all that there are, but for what
-    // tells of the method alone.
+    // A name with nothing near is answered with all names but those that tell
+    // of the method alone.
     const std::string all = problem_of(text("xyz"));
     EXPECT_NE(all.find("use one of absorbed_par, "), std::string::npos) << all;
     for (const char* own : {"paths", "capped", "balance_error"})

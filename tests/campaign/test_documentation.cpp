@@ -139,7 +139,7 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
         if (index != std::string::npos) name.erase(index, 3);
         written.insert(name);
     }
-    // How many replicates there are is no part of a case.
+    // The number of replicates is no part of a case.
     declared.erase("replicates");
     // A search begins at the baseline, unless it is given a plant.
     declared.erase("search.start");

@@ -43,7 +43,7 @@ sed 's/^utc_offset = .*/utc_offset = -4/' campaigns/verbs.toml \
     >campaigns/clock.toml
 expect 0 "$ideotype" check campaigns/clock.toml
 says "warning: campaigns/clock.toml:7:14: site.utc_offset is -4 h"
-# Of several cases the range is told, and a stand of too many leaves is warned of.
+# Several cases are told as ranges, and stands of too many leaves are warned of.
 sed -e 's/^\[spacing\]/[[spacing]]\nrow = 0.2\nplant = 0.1524\n[[spacing]]/' \
     campaigns/verbs.toml >campaigns/dense.toml
 expect 0 "$ideotype" check campaigns/dense.toml

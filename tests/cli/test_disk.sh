@@ -42,7 +42,7 @@ same_results "$whole" "$(history_of cut disk)"
 expect 1 "${run[@]}" --out /proc/none
 says "/proc/none.*choose another with --out"
 
-# What cannot be printed is told, and nothing incomplete is left in a folder.
+# Lost output is told, and nothing incomplete is left in a folder.
 write_campaign full 6 2
 full() {
     "$@" >/dev/full
@@ -111,7 +111,7 @@ cp packed.h5 "$(history_of cut disk)"
 expect 0 "${run[@]}" --out cut --resume
 says "gain"
 
-# What can never fit is told before a byte is written.
+# A history that can never fit is refused before a byte is written.
 expect 1 "${run[@]}" --out huge --set search.population=100000 --set stop.generations=20000
 says "MiB are needed and .* MiB are free"
 [ -z "$(find huge -type f)" ] || fail "something is left: $(ls -R huge)"

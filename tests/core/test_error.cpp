@@ -77,7 +77,7 @@ TEST(ShortQuotes, AreOfLongTextsOnly) {
     EXPECT_EQ(with_short_quotes("\"" + name.substr(0, 50) + ' ' + name + '"'),
               '"' + std::string(50, 'n') + ' ' + std::string(9, 'n') +
                   "... (151 bytes)\"");
-    // What the program says itself, and paths.
+    // The program's own words and paths stay whole.
     std::string lists;
     for (int i = 0; i < 9; ++i) lists += list;
     EXPECT_EQ(with_short_quotes(lists), lists);

@@ -19,7 +19,7 @@
 
 namespace {
 
-// How locks fail on a file system without them; 0: they do not.
+// The errno of locks on a file system without them; 0: they work.
 int lock_failure = 0;
 
 }  // namespace

@@ -152,7 +152,7 @@ TEST_F(DispatcherOnAllRanks, EndsWithoutARowWhereTheMachineFails) {
                 << error.what();
         }
         EXPECT_FALSE(outcomes_.contains(FakeEvaluator::starved_slot));
-        // What was in flight then is recorded, and nothing was begun later.
+        // Work that was in flight is recorded, and nothing was begun later.
         EXPECT_GE(outcomes_.size(), 20u);
         EXPECT_LE(static_cast<int>(outcomes_.size()),
                   20 + 2 * dispatcher.width());

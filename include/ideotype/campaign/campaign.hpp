@@ -174,8 +174,8 @@ struct Aim {
     Sense sense = Sense::maximise;
 };
 
-//! What is said of a canopy with more leaves than fields have: "has a leaf area
-//! index of 9.3, ..."; "" of others.
+//! Doubts a canopy with more leaves than fields have, "has a leaf area index of
+//! 9.3, ..."; "" for others.
 std::string doubt_of_lai(double lai);
 
 //! What a campaign searches for, at least one.
@@ -292,7 +292,7 @@ bool is_sensitivity(const Campaign& campaign);
 //! @throws InputError if they contradict the rest of the campaign.
 Campaign at_keys(const Campaign& campaign, Genome& genome);
 
-//! What differs between two resolved campaigns in what a case is made of, one
+//! Tells how two resolved campaigns differ in what a case is made of, one
 //! line per key: "light.paths was 4096, is 8192". Empty if nothing does. Sites,
 //! days, climates, spacings and trait sets of other cases, and how many
 //! replicates there are, are no part of it.

@@ -30,7 +30,7 @@ class Error : public std::runtime_error {
     ExitCode exit_code_;
 };
 
-//! What an exception says, in plain words where its type has none.
+//! Returns the message of an exception, in plain words where its type has none.
 std::string reason_of(const std::exception& error);
 
 //! A place in a text file; line and column start at 1, 0 means unknown.

@@ -116,7 +116,7 @@ class History {
     //! Rows of a generation that is not complete have none.
     static History read(const std::string& path);
 
-    //! Of a history of which nothing else is asked; its checksum is compared.
+    //! Reads the header alone and compares its checksum.
     static HistoryHeader header_of(const std::string& path);
 
     //! As read(), but opens also what is left of a file that was cut short.

@@ -15,7 +15,7 @@
 
 namespace ideotype {
 
-//! How far a job is, as the live line tells it.
+//! The progress of a job, as the live line tells it.
 struct JobProgress {
     int cases = 1;                                //!< of this job
     int ended = 0;                                //!< cases

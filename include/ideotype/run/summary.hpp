@@ -9,7 +9,7 @@
 
 namespace ideotype {
 
-//! What is said of a gain that one search alone has found.
+//! The warning beside a gain that one search alone has found.
 inline constexpr const char* one_seed =
     "one seed: the interval holds the noise of the light, not that of the "
     "search";
@@ -22,17 +22,17 @@ std::string format_daily(Estimate mj_per_m2);
 //! 0 if nothing but the baseline has been evaluated.
 std::size_t best_finalist(const std::vector<Row>& finalists, Sense sense);
 
-//! How many could not be evaluated.
+//! Counts the finalists that could not be evaluated.
 std::size_t failed_finalists(const std::vector<Row>& finalists);
 
-//! How many could not be evaluated and why, or "".
+//! Tells how many finalists could not be evaluated and why, or "".
 std::string failures_of(const std::vector<Row>& finalists);
 
 //! Best plant against the baseline after a finished evolution, both evaluated
 //! again under the same fresh random numbers.
 std::string final_summary(const History& history, const Campaign& campaign);
 
-//! The same in one line without its end.
+//! Tells the result of a case in one line without its end.
 std::string final_line(const History& history, const Campaign& campaign);
 
 }  // namespace ideotype

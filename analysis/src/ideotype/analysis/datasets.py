@@ -125,7 +125,7 @@ class Datasets:
                         for axis in dataset.dims
                     )
                 )
-                # Of references to scales HDF5 has no checksum.
+                # HDF5 has no checksum of references to scales.
                 sizes = [len(datasets[a]) if a else -1 for a in found[name]]
                 if sizes != [*dataset.shape] or len({*found[name]}) < len(
                     sizes

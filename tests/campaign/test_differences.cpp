@@ -11,7 +11,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-//! Those of the first case.
+//! Returns the changes that concern the first case.
 Lines changes(const std::string& was, const std::string& is) {
     return differences(was, is, cases(sample()).front());
 }

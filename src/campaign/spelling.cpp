@@ -2,36 +2,48 @@
 #include "spelling.hpp"
 
 #include <algorithm>
-#include <regex>
+#include <string_view>
 
 #include <fmt/format.h>
+
+#include "ideotype/core/scanner.hpp"
 
 namespace ideotype {
 
 namespace {
 
-//! The parts of a short text that matches a pattern; else none. Regular
-//! expressions take too much stack for long ones.
-std::smatch parts(const std::string& text, const std::string& pattern) {
-    constexpr std::size_t longest = 200;
-    std::smatch found;
-    if (text.size() <= longest)
-        std::regex_match(text, found, std::regex(pattern));
-    return found;
+constexpr std::string_view spaces = " \t\r\n\v\f", digits = "0123456789",
+                           letters =
+                               "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                               "abcdefghijklmnopqrstuvwxyz";
+
+bool consists_of(std::string_view text, const std::string& characters) {
+    return text.find_first_not_of(characters) == text.npos;
 }
 
-int to_int(const std::ssub_match& digits) {
-    return digits.matched ? std::stoi(digits.str()) : 0;
+std::string_view trimmed(std::string_view text) {
+    text.remove_prefix(std::min(text.find_first_not_of(spaces), text.size()));
+    return text.substr(0, text.find_last_not_of(spaces) + 1);
+}
+
+//! Writes a date as in TOML, if there is such a day in some month.
+std::optional<std::string> date_of(int year, int month, int day) {
+    if (month < 1 || month > 12 || day < 1 || day > 31) return {};
+    return fmt::format("{:04}-{:02}-{:02}", year, month, day);
 }
 
 }  // namespace
 
 std::optional<std::string> meant_time(const std::string& text) {
-    const std::smatch found =
-        parts(text, R"((\d{1,2}):([0-5]\d)(?::([0-5]\d))?)");
-    if (found.empty() || to_int(found[1]) > 23) return std::nullopt;
-    return fmt::format("{:02}:{:02}:{:02}", to_int(found[1]), to_int(found[2]),
-                       to_int(found[3]));
+    Scanner rest(text);
+    const auto hour = rest.number(1, 2);
+    if (!hour || *hour > 23 || !rest.take(":")) return {};
+    const auto minute = rest.number(2, 2);
+    if (!minute || *minute > 59) return {};
+    std::optional<int> second = 0;
+    if (rest.take(":")) second = rest.number(2, 2);
+    if (!second || *second > 59 || !rest.is_at_end()) return {};
+    return fmt::format("{:02}:{:02}:{:02}", *hour, *minute, *second);
 }
 
 bool is_midnight(const std::string& text) {
@@ -39,34 +51,46 @@ bool is_midnight(const std::string& text) {
 }
 
 std::optional<std::string> meant_date(const std::string& text) {
-    std::smatch found = parts(text, R"((\d{4})[-./](\d{1,2})[-./](\d{1,2}))");
-    const bool is_year_first = !found.empty();
-    if (!is_year_first) found = parts(text, R"((\d{1,2})\.(\d{1,2})\.(\d{4}))");
-    if (found.empty()) return std::nullopt;
-    const int year = to_int(found[is_year_first ? 1 : 3]);
-    const int month = to_int(found[2]);
-    const int day = to_int(found[is_year_first ? 3 : 1]);
-    if (month < 1 || month > 12 || day < 1 || day > 31) return std::nullopt;
-    return fmt::format("{:04}-{:02}-{:02}", year, month, day);
+    Scanner rest(text);
+    const auto year = rest.number(4, 4);
+    const auto first = year ? year : rest.number(1, 2);
+    if (!first || !rest.take(year ? "-./" : ".")) return {};
+    const auto month = rest.number(1, 2);
+    if (!month || !rest.take(year ? "-./" : ".")) return {};
+    const auto last = year ? rest.number(1, 2) : rest.number(4, 4);
+    if (!last || !rest.is_at_end()) return {};
+    return year ? date_of(*year, *month, *last)
+                : date_of(*last, *month, *first);
 }
 
 std::optional<std::string> meant_number(const std::string& text) {
-    const std::smatch found =
-        parts(text, R"(\+?(-?)(\d*)[.,]?(\d*)\s*(?:m|h|deg|min|s)?)");
-    if (found.empty()) return std::nullopt;
-    std::string whole = found[2], decimals = found[3];
-    if (whole.empty() && decimals.empty()) return std::nullopt;
-    whole.erase(0, std::min(whole.find_first_not_of('0'), whole.size()));
-    if (whole.empty()) whole = "0";
-    if (!decimals.empty()) decimals.insert(0, ".");
-    return found[1].str() + whole + decimals;
+    constexpr std::string_view units[] = {"", "m", "h", "deg", "min", "s"};
+    Scanner rest(text);
+    rest.take("+");
+    std::string number = rest.take("-") ? "-" : "";
+    const auto whole = *rest.digits(0, text.size());
+    rest.take(".,");
+    const auto decimals = *rest.digits(0, text.size());
+    if (whole.empty() && decimals.empty()) return {};
+    const auto unit = trimmed(rest.rest());
+    if (std::find(std::begin(units), std::end(units), unit) == std::end(units))
+        return {};
+    const auto significant =
+        whole.substr(std::min(whole.find_first_not_of('0'), whole.size()));
+    number += significant.empty() ? "0" : significant;
+    if (!decimals.empty()) number.append(".").append(decimals);
+    return number;
 }
 
 std::string line_advice(const std::string& line) {
-    const std::smatch found =
-        parts(line, R"(\s*([\w-]+)\s*=\s*([^#]*[^#\s])\s*(?:#.*)?)");
-    if (found.empty()) return "correct this line";
-    const std::string key = found[1], value = found[2];
+    const auto content = std::string_view(line).substr(0, line.find('#'));
+    const std::size_t equals = content.find('=');
+    if (equals == content.npos) return "correct this line";
+    const std::string key(trimmed(content.substr(0, equals)));
+    const std::string value(trimmed(content.substr(equals + 1)));
+    if (key.empty() || value.empty() ||
+        !consists_of(key, fmt::format("{}{}_-", letters, digits)))
+        return "correct this line";
     if (is_midnight(value))
         return fmt::format("write the end of a day as in {} = \"24:00\"", key);
     if (const auto time = meant_time(value); time && *time != value)
@@ -75,7 +99,8 @@ std::string line_advice(const std::string& line) {
         return fmt::format("write dates as in {} = {}", key, *date);
     if (const auto number = meant_number(value); number && *number != value)
         return fmt::format("write numbers as in {} = {}", key, *number);
-    if (!parts(value, R"([A-Za-z][\w./ -]*)").empty())
+    if (letters.find(value.front()) != letters.npos &&
+        consists_of(value, fmt::format("{}{}_./ -", letters, digits)))
         return fmt::format("write texts as in {} = \"{}\"", key, value);
     return "correct this line";
 }

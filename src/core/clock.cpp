@@ -2,33 +2,45 @@
 #include "ideotype/core/clock.hpp"
 
 #include <cmath>
-#include <regex>
+#include <utility>
 
 #include <fmt/format.h>
+
+#include "ideotype/core/scanner.hpp"
 
 namespace ideotype {
 
 namespace {
 
-double number(const std::ssub_match& part) {
-    return part.matched ? std::stod(part) : 0;
+//! Nine digits are more seconds than any job lasts.
+constexpr std::size_t longest = 9;
+
+std::optional<double> hours_minutes_seconds(Scanner text) {
+    const auto hours = text.number(1, longest);
+    if (!hours || !text.take(":")) return {};
+    const auto minutes = text.number(2, 2);
+    if (!minutes || *minutes > 59 || !text.take(":")) return {};
+    const auto seconds = text.number(2, 2);
+    if (!seconds || *seconds > 59 || !text.is_at_end()) return {};
+    return 3600.0 * *hours + 60 * *minutes + *seconds;
 }
 
 }  // namespace
 
 std::optional<double> parse_duration(const std::string& text) {
-    // Nine digits are more than any job lasts. Regular expressions take too
-    // much stack for long texts.
-    constexpr std::size_t longest = 40;
-    static const std::regex clock(R"((\d{1,9}):([0-5]\d):([0-5]\d))");
-    static const std::regex units(
-        R"((?:(\d{1,9})h)?(?:(\d{1,9})m)?(?:(\d{1,9})s?)?)");
-    std::smatch match;
-    if (text.empty() || text.size() > longest ||
-        (!std::regex_match(text, match, clock) &&
-         !std::regex_match(text, match, units)))
-        return std::nullopt;
-    return 3600 * number(match[1]) + 60 * number(match[2]) + number(match[3]);
+    if (const auto clock = hours_minutes_seconds(Scanner(text))) return clock;
+    if (text.empty()) return {};
+    Scanner rest(text);
+    double sum = 0;
+    auto count = rest.number(1, longest);
+    for (const auto& [unit, seconds] : {std::pair{"h", 3600.0}, {"m", 60.0}})
+        if (count && rest.take(unit)) {
+            sum += *count * seconds;
+            count = rest.number(1, longest);
+        }
+    if (count) rest.take("s");
+    if (!rest.is_at_end()) return {};
+    return sum + count.value_or(0);
 }
 
 std::string clock_name(double utc_offset) {

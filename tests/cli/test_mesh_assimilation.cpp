@@ -29,7 +29,7 @@ std::string table(const std::string& name, const std::string& keys) {
 
 MeshOptions mesh(const std::string& name, MeshOptions::Period period) {
     MeshOptions options;
-    options.path = data("reference/" + name + ".obj");
+    options.path = std::string(IDEOTYPE_MESHES) + "/" + name + ".obj";
     options.period = period;
     options.leaf = {.05, .05};
     options.tolerance = 3e-4;

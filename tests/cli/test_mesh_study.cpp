@@ -14,8 +14,7 @@ namespace {
 
 MeshOptions reference(const std::string& name, MeshOptions::Period period) {
     MeshOptions options;
-    options.path =
-        std::string(IDEOTYPE_TEST_DATA) + "/reference/" + name + ".obj";
+    options.path = std::string(IDEOTYPE_MESHES) + "/" + name + ".obj";
     options.period = period;
     return options;
 }

@@ -14,9 +14,7 @@ const Device& widest_device() {
 }
 
 Mesh load_reference_mesh(const std::string& name) {
-    return read_obj(std::string(IDEOTYPE_TEST_DATA) + "/reference/" + name +
-                    ".obj")
-        .mesh;
+    return read_obj(std::string(IDEOTYPE_MESHES) + "/" + name + ".obj").mesh;
 }
 
 Illumination sun_from(double elevation, double azimuth) {
@@ -66,7 +64,7 @@ Fractions fractions_of(const std::vector<Tally>& tallies, std::size_t groups,
     return result;
 }
 
-Fractions trace(const Mesh& mesh, Period period, const Optics& optics,
+Fractions trace(const Mesh& mesh, Cell period, const Optics& optics,
                 const Illumination& light, Accuracy accuracy,
                 std::uint64_t seed) {
     const Scene scene(widest_device(), mesh, period.x, period.y);
@@ -86,7 +84,7 @@ double deviation(Estimate ours, Estimate reference) {
            (std::hypot(ours.standard_error, reference.standard_error) + 1e-12);
 }
 
-void add_sheet(Mesh& mesh, Period period, double height, std::uint32_t group) {
+void add_sheet(Mesh& mesh, Cell period, double height, std::uint32_t group) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), {{0, 0, height},
                                                {period.x, 0, height},

@@ -8,7 +8,7 @@ namespace {
 
 using Values = std::vector<Estimate>;
 
-constexpr auto daily = "mol m-2 day-1";
+constexpr auto rate = "mol m-2 day-1";
 constexpr double grams_of_carbon = 12.011, grams_of_co2 = 44.0095;
 //! Of carbohydrate for each mol of carbon, on a hectare.
 constexpr double tonnes = 30e-6 * 1e4;
@@ -87,16 +87,16 @@ std::optional<Randomised> sunlit_lai(const CanopyReport& report) {
 std::vector<Declaration> assimilation_quantities() {
     using Report = CanopyReport;
     return {
-        {{"gross_assimilation", daily,
+        {{"gross_assimilation", rate,
           "CO2 that leaves take up per ground area"},
          [](const Report& r) { return carbon(r); }},
-        {{"net_assimilation", daily,
+        {{"net_assimilation", rate,
           "the same less what they respire while there is light"},
          [](const Report& r) { return net(r); }},
-        {{"net_assimilation_per_leaf_area", daily,
+        {{"net_assimilation_per_leaf_area", rate,
           "net assimilation per one-sided leaf area"},
          [](const Report& r) { return net(r, 1 / r.lai); }},
-        {{"carbon_balance", daily,
+        {{"carbon_balance", rate,
           "gross assimilation less what leaves respire day and night and the "
           "carbon that they are built of"},
          [](const Report& r) { return balance(r); }},
@@ -107,7 +107,7 @@ std::vector<Declaration> assimilation_quantities() {
         {{"dry_matter", "t ha-1", "carbon balance of all days as carbohydrate"},
          [](const Report& r) { return balance(r, tonnes * r.days); }},
         {{"respiration",
-          daily,
+          rate,
           "of leaves, day and night",
           {},
           Certainty::exact},
@@ -132,17 +132,17 @@ std::vector<Declaration> assimilation_quantities() {
           "carbon of gross assimilation over absorbed PAR"},
          light_use},
         {{"assimilation_by_leaf",
-          daily,
+          rate,
           "gross assimilation of each leaf",
           {"leaf"}},
          [](const Report& r) { return of_leaves(r, gross_of_groups(r)); }},
         {{"net_assimilation_by_leaf",
-          daily,
+          rate,
           "net assimilation of each leaf",
           {"leaf"}},
          net_by_leaf},
         {{"assimilation_by_layer",
-          daily,
+          rate,
           "gross assimilation of leaves in each layer",
           {"layer"}},
          [](const Report& r) {
@@ -155,7 +155,7 @@ std::vector<Declaration> assimilation_quantities() {
           {"hour"}},
          [](const Report& r) { return r.assimilation->hours; }},
         {{"assimilation_by_day",
-          daily,
+          rate,
           "gross assimilation on each day",
           {"day"}},
          [](const Report& r) { return r.assimilation->dates; }},

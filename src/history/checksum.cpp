@@ -35,13 +35,15 @@ void add(Sha256& sum, const std::string& name, const std::vector<char>& bytes) {
     add(sum, name, std::string_view(bytes.data(), bytes.size()));
 }
 
-// All datasets of a table but its scales, by name.
-class Table {
+}  // namespace
+
+//! All datasets of a table but its scales, by name.
+class HashedTable {
   public:
     //! @param mapping of the file, if there is one
-    Table(hid_t file, const std::string& name,
-          const std::vector<std::string>& left_out,
-          const Mapping* mapping = nullptr) {
+    HashedTable(hid_t file, const std::string& name,
+                const std::vector<std::string>& left_out,
+                const Mapping* mapping = nullptr) {
         const Handle group(H5Gopen2(file, name.c_str(), H5P_DEFAULT), H5Gclose,
                            "open " + name);
         for (const Object& each : objects_of(group)) {
@@ -80,6 +82,8 @@ class Table {
     std::vector<Column> columns_;
 };
 
+namespace {
+
 [[noreturn]] void refuse(const std::string& path, const std::string& what) {
     throw Error(path + ": damaged: " + what +
                     " does not have its checksum; copy the file again, or "
@@ -114,7 +118,7 @@ std::string header_checksum(hid_t file) {
 }
 
 struct GenerationChecksums::Tables {
-    Table rows, summaries;
+    HashedTable rows, summaries;
 };
 
 GenerationChecksums::GenerationChecksums(hid_t file, const Mapping* mapping)
@@ -124,9 +128,9 @@ GenerationChecksums::~GenerationChecksums() = default;
 std::string GenerationChecksums::of(std::uint32_t generation,
                                     const Span& rows) {
     if (!tables_)
-        tables_ = std::make_unique<Tables>(
-            Tables{Table(file_, "evaluations", {}, mapping_),
-                   Table(file_, "generations", {"checksum", "committed"})});
+        tables_ = std::make_unique<Tables>(Tables{
+            HashedTable(file_, "evaluations", {}, mapping_),
+            HashedTable(file_, "generations", {"checksum", "committed"})});
     Sha256 sum;
     tables_->rows.add_rows(sum, rows);
     tables_->summaries.add_rows(sum, {generation, 1});
@@ -135,13 +139,14 @@ std::string GenerationChecksums::of(std::uint32_t generation,
 
 std::string finalist_checksum(hid_t file, hsize_t row, Status status) {
     Sha256 sum;
-    Table(file, "final", {"checksum"}).add_rows(sum, {row, 1}, status);
+    HashedTable(file, "final", {"checksum"}).add_rows(sum, {row, 1}, status);
     return sum.finish();
 }
 
 std::string sensitivity_checksum(hid_t file, hsize_t row) {
     Sha256 sum;
-    Table(file, SensitivityTable::group, {"checksum"}).add_rows(sum, {row, 1});
+    HashedTable(file, SensitivityTable::group, {"checksum"})
+        .add_rows(sum, {row, 1});
     return sum.finish();
 }
 

@@ -32,9 +32,9 @@ void (*handler_of(int signal))(int) {
 
 void some_handler(int) {}
 
-class StopSignal : public testing::TestWithParam<int> {};
-
 }  // namespace
+
+class StopSignal : public testing::TestWithParam<int> {};
 
 TEST(StopFlag, IsDownAtFirst) {
     const StopFlag stop;

@@ -54,7 +54,7 @@ SceneResult compare(const ReferenceScene& reference, const Setup& setup,
     const Device device(setup.isa);
     const Accuracy accuracy = spare(reference, setup, thrift);
 
-    Stand stand;
+    Setting stand;
     std::optional<Scene> scene;
     const auto build = [&](std::uint32_t realisation) {
         stand = {reference.mesh(realisation), reference.period, {}};

@@ -15,10 +15,8 @@ namespace ideotype {
 
 namespace {
 
-const Optics black = leaf_optics(0, 0, 0);
-
 //! A sheet over the whole period in n x n faces that share edges.
-Mesh tiles(Period period, double height, int n) {
+Mesh tiles(Cell period, double height, int n) {
     Mesh mesh = leaves_only();
     for (int i = 0; i <= n; ++i)
         for (int j = 0; j <= n; ++j)

@@ -13,18 +13,15 @@ namespace ideotype {
 
 namespace {
 
-const Optics black = leaf_optics(0, 0, 0);
-constexpr Period square{1, 1};
-
 void vertical_leaves(Findings& findings) {
     Mesh mesh = leaves_only();
     add_leaf(mesh, {.3, .2, .1}, {0, .5, 0}, {0, 0, 1});
     add_leaf(mesh, {.1, .7, .1}, {.8, 0, 0}, {0, 0, 1});
     const Fractions zenith =
-        findings.closing(mesh, square, black, sun_from(90, 0));
+        findings.closing(mesh, unit_cell, black, sun_from(90, 0));
     findings.require(zenith.leaves.mean == 0, "nothing from the zenith");
     const Fractions side =
-        findings.closing(mesh, square, black, sun_from(80, 90), {16384, 16});
+        findings.closing(mesh, unit_cell, black, sun_from(80, 90), {16384, 16});
     findings.require_agreement(side.leaves, {.5 * std::tan(10 * degree), 0},
                                3e-4, "side");
 }
@@ -54,7 +51,7 @@ void horizontal_leaves(Findings& findings) {
     for (const double elevation : {90., 45., 5., .5})
         findings.require_agreement(
             findings
-                .closing(mesh, square, black, sun_from(elevation, 33),
+                .closing(mesh, unit_cell, black, sun_from(elevation, 33),
                          {16384, 16})
                 .leaves,
             {.2, 0}, 4e-4, fmt::format("{} deg", elevation));
@@ -117,7 +114,7 @@ void coincident_leaves(Findings& findings) {
         Mesh mesh = leaves_only();
         add_leaf(mesh, {.3, .2, .5}, {length, 0, 0}, {0, .25, 0});
         const Fractions f =
-            findings.closing(mesh, square, leaf_optics(.05, .05, 0),
+            findings.closing(mesh, unit_cell, leaf_optics(.05, .05, 0),
                              sun_from(50, 20), {16384, 16});
         findings.require_agreement(f.leaves, {.25 * .9, 0}, 5e-4, "leaves");
     }
@@ -126,18 +123,18 @@ void coincident_leaves(Findings& findings) {
 void tips_below_the_soil(Findings& findings) {
     Mesh mesh = leaves_only();
     add_leaf(mesh, {.2, .2, -.5}, {.6, 0, 0}, {0, 0, 1});
-    const Fractions f =
-        findings.closing(mesh, square, black, sun_from(60, 180), {16384, 16});
+    const Fractions f = findings.closing(mesh, unit_cell, black,
+                                         sun_from(60, 180), {16384, 16});
     findings.require_agreement(f.leaves, {.6 * .5 / std::tan(60 * degree), 0},
                                4e-4, "half above");
-    findings.closing(mesh, square, leaf_optics(.5, .5, 1), uniform_sky());
+    findings.closing(mesh, unit_cell, leaf_optics(.5, .5, 1), uniform_sky());
 }
 
 void leaf_on_the_soil(Findings& findings) {
     Mesh mesh = leaves_only();
     add_leaf(mesh, {.2, .2, 0}, {.5, 0, 0}, {0, .5, 0});
-    const Fractions f = findings.closing(mesh, square, leaf_optics(.2, .2, .5),
-                                         uniform_sky(), {4096, 8});
+    const Fractions f = findings.closing(
+        mesh, unit_cell, leaf_optics(.2, .2, .5), uniform_sky(), {4096, 8});
     findings.say(
         fmt::format("leaf {:.4f}, soil {:.4f}", f.leaves.mean, f.soil.mean));
 }

@@ -10,9 +10,8 @@
 
 namespace ideotype {
 
-Fractions Findings::closing(const Mesh& mesh, Period period,
-                            const Optics& optics, const Illumination& light,
-                            Accuracy accuracy) {
+Fractions Findings::closing(const Mesh& mesh, Cell period, const Optics& optics,
+                            const Illumination& light, Accuracy accuracy) {
     const Fractions fractions = trace(mesh, period, optics, light, accuracy);
     require_closed(fractions);
     return fractions;

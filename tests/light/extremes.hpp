@@ -8,15 +8,16 @@
 
 namespace ideotype {
 
-inline constexpr Period own_cell{0.76, 0.15};
+inline constexpr Cell own_cell{0.76, 0.15};
 inline const Optics par = leaf_optics(.05, .05, .1);
+inline const Optics black = leaf_optics(0, 0, 0);
 
 //! Collects what one extreme case shows.
 class Findings {
   public:
     //! Traces, and requires that all figures are finite fractions and that
     //! the balance closes to rounding.
-    Fractions closing(const Mesh& mesh, Period period, const Optics& optics,
+    Fractions closing(const Mesh& mesh, Cell period, const Optics& optics,
                       const Illumination& light, Accuracy accuracy = {256, 4});
 
     //! As above, for fractions that come from elsewhere.

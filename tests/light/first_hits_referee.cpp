@@ -108,7 +108,7 @@ class Exact {
 
 class Referee {
   public:
-    Referee(std::string name, const Mesh& mesh, Period period, int points)
+    Referee(std::string name, const Mesh& mesh, Cell period, int points)
         : scene_(widest_device(), mesh, period.x, period.y),
           result_{std::move(name)},
           points_(points) {}
@@ -201,10 +201,9 @@ Mesh overhanging() {
 }  // namespace
 
 std::vector<FirstHitsCompared> compare_first_hits(int points) {
-    const Period square{1, 1};
     std::vector<FirstHitsCompared> all;
     const auto add = [&](const std::string& name, const Mesh& mesh,
-                         Period period) {
+                         Cell period) {
         Referee referee(name, mesh, period, points);
         for (const double elevation : {90., 60., 30., 10., 1., .1, .01})
             for (const double azimuth : {0., 37., 90., 200.})
@@ -214,12 +213,12 @@ std::vector<FirstHitsCompared> compare_first_hits(int points) {
     add("maize1", load_reference_mesh("maize1"), own_cell);
     for (const char* name : {"poisson_horizontal_L3", "poisson_spherical_L3",
                              "sheets1", "sheets5"})
-        add(name, load_reference_mesh(name), square);
-    add("vertical leaves", vertical(), square);
-    add("tiles", tiles(), square);
-    add("at the soil", at_the_soil(), square);
-    add("faces on each other", on_each_other(), square);
-    add("longer than the cell", overhanging(), square);
+        add(name, load_reference_mesh(name), unit_cell);
+    add("vertical leaves", vertical(), unit_cell);
+    add("tiles", tiles(), unit_cell);
+    add("at the soil", at_the_soil(), unit_cell);
+    add("faces on each other", on_each_other(), unit_cell);
+    add("longer than the cell", overhanging(), unit_cell);
     return all;
 }
 

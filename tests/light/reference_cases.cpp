@@ -16,8 +16,6 @@ namespace {
 
 using Kind = ReferenceScene::Kind;
 
-const Period square{1, 1};
-
 //! The standard error of a value printed to so many decimals.
 double rounding(int decimals) {
     return std::pow(10., -decimals) / std::sqrt(12.);
@@ -60,7 +58,7 @@ std::function<Mesh(std::uint32_t)> random_mesh(LeafAngles angles,
 
 //! The cases of a file of values from an independent tracer.
 void add_file(std::vector<ReferenceScene>& scenes, const std::string& file,
-              Period period, int paths) {
+              Cell period, int paths) {
     std::ifstream stream(std::string(IDEOTYPE_TEST_DATA) + "/reference/" +
                          file + ".json");
     const auto cases = nlohmann::json::parse(stream).at("cases");
@@ -120,7 +118,7 @@ void add_beers_law(std::vector<ReferenceScene>& scenes) {
         {"uoc", sky(SkyModel::uniform)}, {"soc", sky(SkyModel::overcast)}};
     for (const Row& row : rows) {
         ReferenceScene scene{"Beer's law",         random_mesh(row.angles, 1),
-                             Kind::random,         square,
+                             Kind::random,         unit_cell,
                              leaf_optics(0, 0, 0), {},
                              {32768, 1024}};
         for (std::size_t i = 0; i < std::size(lights); ++i)
@@ -154,7 +152,7 @@ void add_two_stream(std::vector<ReferenceScene>& scenes) {
         scenes.push_back({"two-stream",
                           random_mesh(LeafAngles::horizontal, 10),
                           Kind::random,
-                          square,
+                          unit_cell,
                           optics,
                           {},
                           {32768, 256}});
@@ -162,7 +160,7 @@ void add_two_stream(std::vector<ReferenceScene>& scenes) {
         scenes.push_back({"two-stream, to .003",
                           mesh_of("poisson_horizontal_L3"),
                           Kind::fixed,
-                          square,
+                          unit_cell,
                           optics,
                           {},
                           {65536, 64}});
@@ -196,7 +194,7 @@ void add_turbid(std::vector<ReferenceScene>& scenes) {
         {"turbid medium",
          random_mesh(LeafAngles::spherical, 10),
          Kind::random,
-         square,
+         unit_cell,
          leaf_optics(.05, .05, 0),
          {{"turbid/sun90", sun(90, 0), known(.7499, .0167, .2334)},
           {"turbid/sun30", sun(30, 20), known(.9184, .0236, .0580)},
@@ -212,7 +210,7 @@ void add_sheets(std::vector<ReferenceScene>& scenes) {
     scenes.push_back({"exact",
                       mesh_of("sheets1"),
                       Kind::fixed,
-                      square,
+                      unit_cell,
                       leaf_optics(.05, .05, .2),
                       {{"sheets1/sun50", sun(50, 30), one},
                        {"sheets1/uoc", sky(SkyModel::uniform), one}},
@@ -221,7 +219,7 @@ void add_sheets(std::vector<ReferenceScene>& scenes) {
         {"exact",
          mesh_of("sheets5"),
          Kind::fixed,
-         square,
+         unit_cell,
          leaf_optics(.45, .45, .3),
          {{"sheets5/uoc",
            sky(SkyModel::uniform),
@@ -234,7 +232,7 @@ void add_sheets(std::vector<ReferenceScene>& scenes) {
 
 //! Where nothing absorbs, irradiance is 1 on both faces of everything.
 void add_furnace(std::vector<ReferenceScene>& scenes) {
-    const Period period{.76, .15};
+    const Cell period{.76, .15};
     const auto mesh = mesh_of("maize1");
     scenes.push_back(
         {"exact",
@@ -276,7 +274,7 @@ void add_furnace(std::vector<ReferenceScene>& scenes) {
 std::vector<ReferenceScene> reference_scenes() {
     std::vector<ReferenceScene> scenes;
     add_file(scenes, "maize1", {.76, .15}, 16384);
-    add_file(scenes, "poisson", square, 49152);
+    add_file(scenes, "poisson", unit_cell, 49152);
     add_beers_law(scenes);
     add_two_stream(scenes);
     add_turbid(scenes);

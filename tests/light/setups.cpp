@@ -61,20 +61,20 @@ void add_polygon(Mesh& mesh, const Polygon& polygon, std::uint32_t group) {
     }
 }
 
-void use_triangles(Stand& stand) {
+void use_triangles(Setting& stand) {
     stand.mesh = as_triangles(stand.mesh);
 }
 
-void cut(Stand& stand) {
+void cut(Setting& stand) {
     stand.mesh = cut_and_wrapped(stand.mesh, stand.period);
 }
 
-void shift(Stand& stand) {
+void shift(Setting& stand) {
     for (glm::dvec3& v : stand.mesh.vertices)
         v = {v.x + 0.3719 * stand.period.x, v.y - 7.2113 * stand.period.y, v.z};
 }
 
-void repeat(Stand& stand) {
+void repeat(Setting& stand) {
     const Mesh& one = stand.mesh;
     Mesh four;
     four.groups = one.groups;
@@ -95,7 +95,7 @@ void repeat(Stand& stand) {
              std::move(stand.light)};
 }
 
-void turn(Stand& stand) {
+void turn(Setting& stand) {
     for (glm::dvec3& v : stand.mesh.vertices) v = {-v.y, v.x, v.z};
     std::swap(stand.period.x, stand.period.y);
     for (Source& source : stand.light.sources)
@@ -145,7 +145,7 @@ Mesh as_triangles(const Mesh& mesh) {
     return result;
 }
 
-Mesh cut_and_wrapped(const Mesh& mesh, Period period) {
+Mesh cut_and_wrapped(const Mesh& mesh, Cell period) {
     Mesh result;
     result.groups = mesh.groups;
     const Mesh triangles = as_triangles(mesh);

@@ -11,9 +11,9 @@
 namespace ideotype {
 
 //! A mesh, how it repeats, and what lights it.
-struct Stand {
+struct Setting {
     Mesh mesh;
-    Period period{};
+    Cell period{};
     Illumination light;
 };
 
@@ -25,7 +25,7 @@ struct Setup {
     //! More randomisations of fewer paths each, by this factor.
     int split = 1;
     //! Describes the same stand in another way.
-    void (*rewrite)(Stand&) = nullptr;
+    void (*rewrite)(Setting&) = nullptr;
 };
 
 //! First the usual one: the widest instruction set and the mesh as it is.
@@ -36,6 +36,6 @@ Mesh as_triangles(const Mesh& mesh);
 
 //! Every face cut along the sides of the cells and its parts moved into the
 //! cell at the origin.
-Mesh cut_and_wrapped(const Mesh& mesh, Period period);
+Mesh cut_and_wrapped(const Mesh& mesh, Cell period);
 
 }  // namespace ideotype

@@ -17,7 +17,7 @@ LightSeries instant(SunPosition sun, double beam, double diffuse) {
     return {{{12, 1, sun, {beam, diffuse}}}};
 }
 
-DayReport report_of(const Mesh& mesh, Period period, const Optics& optics,
+DayReport report_of(const Mesh& mesh, Cell period, const Optics& optics,
                     const LightSeries& day, const Layers& layers = {},
                     const Accuracy& accuracy = {4096, 16}) {
     const Scene scene(widest_device(), mesh, period.x, period.y);
@@ -39,8 +39,6 @@ Mesh sheets(std::initializer_list<double> heights) {
         add_leaf(mesh, {0, 0, z}, {1, 0, 0}, {0, 1, 0});
     return mesh;
 }
-
-const Optics black = leaf_optics(0, 0, 0);
 
 TEST(Parts, LightOfSunAndSkyIsToldFromWhatOtherSurfacesScatter) {
     const double albedo = .5;

@@ -1,17 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
+#include <iostream>
+#include <unistd.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "ideotype/campaign/campaign.hpp"
+#include "ideotype/campaign/keys.hpp"
 #include "ideotype/campaign/known_crops.hpp"
+#include "ideotype/canopy/quantities.hpp"
 #include "ideotype/cli/verbs.hpp"
-#include "new_answers.hpp"
+#include "ideotype/core/csv.hpp"
+#include "ideotype/core/file.hpp"
 #include "new_text.hpp"
+#include "output_file.hpp"
 
 namespace ideotype {
 
@@ -19,71 +27,201 @@ namespace {
 
 namespace fs = std::filesystem;
 
+//! Something that has to be told: a key of campaigns.
+struct Question {
+    const char *option, *section, *key, *text;
+    std::string NewOptions::*answer;  //!< "": not given
+    const char* initial = "";         //!< "": none
+};
+
+constexpr Question questions[] = {
+    {"--latitude", "site", "latitude",
+     "Latitude of the place, north is positive [deg]", &NewOptions::latitude},
+    {"--longitude", "site", "longitude", "Longitude, east is positive [deg]",
+     &NewOptions::longitude},
+    {"--date", "day", "date", "Date of a clear day, as 2025-07-01",
+     &NewOptions::date},
+    {"--row", "spacing", "row", "Distance between rows [m]", &NewOptions::row},
+    {"--plant-spacing", "spacing", "plant",
+     "Distance between plants in a row [m]", &NewOptions::plant_spacing},
+    {"--plant", "plant", "baseline",
+     "Plant: maize, sorghum, a crop file (.toml) or measured leaves (.csv)",
+     &NewOptions::plant, "maize"},
+    {"--objective", "objective", "maximise",
+     R"(What plants are bred for:
+  carbon_balance
+     the carbon that leaves take up less what they respire and are built of:
+     leaf area has its price (take this if unsure)
+  net_assimilation
+     the carbon that leaves take up less what they respire by day: leaf area
+     costs little
+  absorbed_par
+     the light that leaves absorb: leaf area costs nothing, so expect much of it
+  net_assimilation_per_leaf_area
+     the same carbon per leaf area: few leaves, each in good light
+Name)",
+     &NewOptions::objective, "carbon_balance"}};
+
 [[noreturn]] void refuse(const std::string& what) {
     throw Error(what, ExitCode::usage);
 }
 
-//! Writes files that are not there yet; without keep() they are gone again.
-class NewFiles {
-  public:
-    NewFiles() = default;
-    NewFiles(const NewFiles&) = delete;
-    NewFiles& operator=(const NewFiles&) = delete;
-    ~NewFiles() {
-        std::error_code none;
-        for (const std::string& path : written_) fs::remove(path, none);
-    }
+double to_number(const std::string& text, const std::string& section,
+                 const std::string& key) {
+    const std::optional<double> number = number_of(text);
+    for (const KeyInfo& info : campaign_keys())
+        if (info.section == section && info.name == key &&
+            (!number || *number < info.lower || *number > info.upper))
+            refuse(
+                fmt::format("\"{}\" is no {} (expected: a number, {} {}); "
+                            "correct it",
+                            text, key, info.range, info.unit));
+    return number.value();
+}
 
-    void write(const std::string& path, const std::string& text) {
-        std::FILE* const file = std::fopen(path.c_str(), "wbx");
-        if (!file)
-            throw Error(
-                fmt::format("{}: cannot be written (it exists, or its "
-                            "folder does not)",
-                            path));
-        written_.push_back(path);
-        const bool is_written =
-            std::fwrite(text.data(), 1, text.size(), file) == text.size();
-        if (std::fclose(file) != 0 || !is_written)
-            throw Error(path + ": cannot be written");
-    }
+Date to_date(const std::string& text) {
+    using std::chrono::year;
+    Date date;
+    char more = 0;
+    if (std::sscanf(text.c_str(), "%4d-%2d-%2d%c", &date.year, &date.month,
+                    &date.day, &more) != 3 ||
+        !(year(date.year) / date.month / date.day).ok())
+        refuse("\"" + text +
+               "\" is no date (year, month and day); write for example "
+               "2025-07-01");
+    return date;
+}
 
-    void keep() {
-        for (const std::string& path : written_) fmt::print("{}\n", path);
-        written_.clear();
-    }
+//! Tells a file from a crop that the program knows by name.
+bool is_file(const std::string& plant) {
+    return fs::path(plant).has_extension();
+}
 
-  private:
-    std::vector<std::string> written_;
-};
+//! @throws Error if an answer cannot be taken
+void check(const Question& question, const std::string& answer) {
+    const std::string key = question.key;
+    const auto require = [&](const std::string& what,
+                             const std::vector<std::string>& names) {
+        if (std::ranges::count(names, answer) == 0)
+            refuse(fmt::format("there is no {} '{}'; {}", what, answer,
+                               did_you_mean(answer, names)));
+    };
+    if (key == "date")
+        to_date(answer);
+    else if (key == "maximise")
+        require("objective", objective_names());
+    else if (key != "baseline")
+        to_number(answer, question.section, key);
+    else if (is_file(answer))
+        read_crop(answer);
+    else
+        require("crop (and no file)", known_crop_names());
+}
 
-//! The path of the plant's file: a crop of the program is copied beside the
-//! campaign, to be changed there.
-std::string place_plant(const std::string& plant, const fs::path& folder,
-                        NewFiles& files) {
-    if (is_file(plant)) return plant;
-    const std::string path = (folder / (plant + ".toml")).string();
-    const std::string text = known_crop(plant).value();
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) {
-        files.write(path, text);
-        return path;
+std::string ask(const Question& question) {
+    const std::string initial = question.initial;
+    for (std::string answer;;) {
+        fmt::print("{}{}: ", question.text,
+                   initial.empty() ? "" : " (" + initial + ")");
+        std::fflush(stdout);
+        if (!std::getline(std::cin, answer))
+            refuse(fmt::format("new: the input ended before {} was told",
+                               question.option));
+        if (answer.empty()) answer = initial;
+        try {
+            check(question, answer);
+            return answer;
+        } catch (const Error& error) {
+            fmt::print("{}\n", error.what());
+        }
     }
-    const std::string there{std::istreambuf_iterator<char>(stream), {}};
-    if (there != text)
+}
+
+//! Checks what is given, and asks for the rest on a terminal.
+void complete(NewOptions& options) {
+    std::vector<std::string> missing;
+    for (const Question& each : questions) {
+        std::string& answer = options.*each.answer;
+        if (answer.empty() && isatty(STDIN_FILENO) == 1)
+            answer = ask(each);
+        else if (answer.empty() && each.key == std::string("maximise"))
+            answer = each.initial;
+        else if (answer.empty())
+            missing.push_back(each.option);
+        else
+            try {
+                check(each, answer);
+            } catch (const InputError&) {
+                throw;
+            } catch (const Error& error) {
+                refuse(fmt::format("new: {}: {}", each.option, error.what()));
+            }
+    }
+    if (!missing.empty())
+        refuse(fmt::format(
+            "new: there is no {} (on a terminal you would be asked); "
+            "give {}",
+            fmt::join(missing, ", "), missing.size() == 1 ? "it" : "them"));
+}
+
+void write(const std::string& path, const std::string& text) {
+    OutputFile file(path);
+    file.print("{}", text);
+    file.finish();
+}
+
+//! Copies a crop of the program to a file, to be changed there; returns whether
+//! the file is new.
+bool place_crop(const std::string& crop, const std::string& path) {
+    const std::string text = known_crop(crop).value();
+    if (!fs::exists(path)) return write(path, text), true;
+    if (read_file(path, most_input_bytes).text != text)
         throw Error(
             fmt::format("{0}: exists already and is not overwritten (it "
                         "is not the {1} of the program); take it as it "
                         "is by --plant {0}, or give it another name",
-                        path, plant),
+                        path, crop),
             ExitCode::refused);
-    return path;
+    return false;
 }
 
-//! Letters that names may have.
-std::string to_name(std::string text) {
-    for (char& c : text)
-        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-') c = '_';
+//! The text of a campaign that keeps the baseline of a plant within its bounds.
+std::string text_for(const NewOptions& options, const std::string& plant) {
+    const fs::path path = options.path;
+    Site site;
+    site.name = options.name.empty() ? path.stem().string() : options.name;
+    if (options.name.empty())
+        for (char& c : site.name)
+            if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-')
+                c = '_';
+    site.latitude = to_number(options.latitude, "site", "latitude");
+    site.longitude = to_number(options.longitude, "site", "longitude");
+    site.utc_offset = options.utc_offset.empty()
+                          ? std::round(site.longitude / 15)  // degrees per hour
+                          : to_number(options.utc_offset, "site", "utc_offset");
+    const std::string file =
+        fs::proximate(plant, fs::absolute(path).parent_path()).generic_string();
+    const auto text_with = [&](const std::string& bounds) {
+        return new_text(site, to_date(options.date),
+                        to_number(options.row, "spacing", "row"),
+                        to_number(options.plant_spacing, "spacing", "plant"),
+                        file, bounds, options.objective);
+    };
+    std::string text = text_with(
+        std::ranges::count(read_crop(plant).rules, "breedable") > 0
+            ? "\nbounds = \"breedable\" # what a breeder could select: sizes "
+              "and "
+              "angles that change smoothly from leaf to leaf; \"traits\" frees "
+              "each leaf"
+            : "\nbounds # how far traits may move: as the crop file says");
+    const auto outside = read_campaign_text(text, options.path).outside_bounds;
+    if (outside.empty()) return text;
+    // The last problem ends with the bounds to write.
+    const std::string& remedy = outside.back().what;
+    text = text_with("") +
+           "\n# How far traits may move: as the crop file says,"
+           " but wide enough for the baseline.\n" +
+           remedy.substr(remedy.find("\n[") + 1) + '\n';
     return text;
 }
 
@@ -91,41 +229,28 @@ std::string to_name(std::string text) {
 
 ExitCode write_new_campaign(const NewOptions& given) {
     NewOptions options = given;
-    const fs::path path = options.path;
-    if (fs::exists(path))
+    const fs::path beside = fs::path(options.path).parent_path();
+    if (fs::exists(options.path))
         throw Error(fmt::format("{}: exists already and is not overwritten",
                                 options.path),
                     ExitCode::refused);
-    const fs::path beside = path.parent_path();
     if (!beside.empty() && !fs::is_directory(beside))
         refuse(fmt::format("new: there is no folder {}; make it first",
                            beside.string()));
     complete(options);
-    if (options.name.empty()) options.name = to_name(path.stem().string());
-
-    NewCampaign campaign;
-    campaign.name = options.name;
-    Site& site = campaign.site;
-    site.name = campaign.name;
-    site.latitude = to_number(options.latitude, "site", "latitude");
-    site.longitude = to_number(options.longitude, "site", "longitude");
-    site.utc_offset = options.utc_offset.empty()
-                          ? std::round(site.longitude / 15)  // degrees per hour
-                          : to_number(options.utc_offset, "site", "utc_offset");
-    campaign.date = to_date(options.date);
-    campaign.row = to_number(options.row, "spacing", "row");
-    campaign.plant = to_number(options.plant_spacing, "spacing", "plant");
-    campaign.objective = options.objective;
-
-    NewFiles files;
-    const std::string plant = place_plant(options.plant, beside, files);
-    campaign.crop = read_crop(plant);
-    const fs::path folder = fs::absolute(path).parent_path();
-    campaign.plant_file = fs::proximate(plant, folder).generic_string();
-    files.write(options.path, text_of(campaign));
-    read_campaign(options.path);
-    files.keep();
-    fmt::print("next: ideotype check {}\n", options.path);
+    const bool is_known = !is_file(options.plant);
+    const std::string plant =
+        is_known ? (beside / (options.plant + ".toml")).string()
+                 : options.plant;
+    const bool is_new = is_known && place_crop(options.plant, plant);
+    try {
+        write(options.path, text_for(options, plant));
+    } catch (...) {
+        if (is_new) fs::remove(plant);
+        throw;
+    }
+    if (is_new) fmt::print("{}\n", plant);
+    fmt::print("{0}\nnext: ideotype check {0}\n", options.path);
     return ExitCode::ok;
 }
 

@@ -4,26 +4,16 @@
 #include <string>
 
 #include "ideotype/climate/site.hpp"
-#include "ideotype/crop/crop.hpp"
 
 namespace ideotype {
 
-//! What a new campaign is for.
-struct NewCampaign {
-    std::string name;
-    Site site;
-    Date date;
-    double row = 0;          //!< distance of rows [m]
-    double plant = 0;        //!< distance of plants in a row [m]
-    std::string plant_file;  //!< relative to the campaign
-    Crop crop;               //!< in it
-    std::string objective;
-};
-
-//! The text of a campaign file: all that matters, each key with its unit and
-//! meaning. Light from sunrise to sunset; bounds are those of the traits, wider
-//! where the baseline is beyond them.
+//! Writes the text of a campaign file: all that matters, each key with its unit
+//! and meaning. Light is from sunrise to sunset.
+//! @param site with the name of the campaign
+//! @param bounds "\n" and a line of the table [plant]; "": none
 //! @throws Error if the sun does not rise.
-std::string text_of(const NewCampaign& campaign);
+std::string new_text(const Site& site, const Date& date, double row,
+                     double plant, const std::string& baseline,
+                     const std::string& bounds, const std::string& objective);
 
 }  // namespace ideotype

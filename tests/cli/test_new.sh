@@ -67,6 +67,12 @@ expect 0 "$ideotype" new other/short.toml "${place[@]}" "${field[@]}" \
 grep -q '^length = \[0.03, ' other/short.toml ||
     fail "bounds that the baseline is beyond: $(cat other/short.toml)"
 expect 0 "$ideotype" check other/short.toml
+# A small number is not rounded to 0.
+sed -i 's/^3,2/3,0.4/' own/short.csv
+expect 0 "$ideotype" new other/narrow.toml "${place[@]}" "${field[@]}" \
+    --plant own/short.csv
+grep -q '^width = \[0.004, ' other/narrow.toml || fail "$(cat other/narrow.toml)"
+expect 0 "$ideotype" check other/narrow.toml
 expect 0 "$ideotype" check other/field.toml
 says "^plant     field, 2 leaves"
 expect 0 "$ideotype" migrate other/field.toml
@@ -122,16 +128,16 @@ says 'none.toml:.*name is "my own"'
     echo
     echo paths
     echo yield
-    echo 1
+    echo carbon_balance
 } >answers
 expect 0 script -qec "'$ideotype' new asked.toml" /dev/null <answers
 says "Latitude of the place"
 says '"west" is no longitude (expected: a number, -180 .. 180 deg)'
 says '"2021-13-01" is no date'
 says "(maize): "
-says "^  1  carbon_balance"
-says "^  4  net_assimilation_per_leaf_area"
-says "Number or name (carbon_balance): "
+says "^  carbon_balance"
+says "^  net_assimilation_per_leaf_area"
+says "^Name (carbon_balance): "
 says "there is no objective 'paths'"
 says "there is no objective 'yield'"
 ! grep -qE "capped|balance_error" out.log || fail "internals are offered"

@@ -30,12 +30,12 @@ endif()
 set(data ${CMAKE_INSTALL_DATADIR}/ideotype)
 install(TARGETS ideotype RUNTIME)
 install(DIRECTORY campaigns DESTINATION ${data} PATTERN figures EXCLUDE)
-install(FILES ${PROJECT_BINARY_DIR}/src/man RENAME ideotype.1
-    DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-install(FILES ${PROJECT_BINARY_DIR}/src/bash RENAME ideotype
+if(HELP2MAN)
+    install(FILES ${PROJECT_BINARY_DIR}/src/ideotype.1
+        DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+endif()
+install(FILES src/cli/completion.bash RENAME ideotype
     DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-install(FILES ${PROJECT_BINARY_DIR}/src/zsh RENAME _ideotype
-    DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
 install(DIRECTORY slurm DESTINATION ${data} USE_SOURCE_PERMISSIONS)
 # How the SLURM scripts find the program.
 file(RELATIVE_PATH program ${CMAKE_INSTALL_FULL_DATADIR}/ideotype/slurm

@@ -12,7 +12,6 @@
 #include <fmt/ranges.h>
 
 #include "declare_verbs.hpp"
-#include "describe.hpp"
 #include "ideotype/cli/ranks.hpp"
 #include "ideotype/cli/verbs.hpp"
 #include "ideotype/core/text.hpp"
@@ -51,9 +50,10 @@ Error unknown_word(const CLI::App& verb) {
                         words.empty() ? "" : words.front(), how),
             ExitCode::usage);
     std::vector<std::string> names;
-    for (const DescribedOption& each : describe_options(verb))
-        if (!each.is_positional)
-            names.insert(names.end(), each.names.begin(), each.names.end());
+    for (const CLI::Option* each : verb.get_options())
+        if (!each->get_group().empty())
+            for (const std::string& option : each->get_lnames())
+                names.push_back("--" + option);
     const std::string name = found->substr(0, found->find('='));
     const std::string nearest = nearest_name(name, names);
     return Error(
@@ -126,11 +126,11 @@ int run_verb(int argc, char** argv) {
         "resumed.",
         "ideotype");
     app.set_version_flag("--version", version_text());
+    app.set_help_all_flag("--help-all", "print the help of all verbs");
     app.require_subcommand(1);
     const std::vector<std::string> words(argv, argv + argc);
     std::function<int()> action;
     declare_verbs(app, words, action);
-    declare_describe(app);
 
     const Launch launch = launch_of_this_process();
     // What is wrong with a command line rank 0 tells. Others that end with a

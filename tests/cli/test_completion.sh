@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# bash completes each verb and option of --help.
+. "$(dirname "$0")/common.sh"
+. "$project/src/cli/completion.bash"
+
+# Completes the last word of a command line; the answer is in out.log.
+complete_words() {
+    COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)) COMPREPLY=()
+    _ideotype "$ideotype"
+    echo " ${COMPREPLY[*]} " >out.log
+}
+
+# Names of options in a --help on standard input.
+options() {
+    sed -n 's/^  \(-[-a-z,]*\).*/\1/p' | tr ',' '\n'
+}
+
+mapfile -t verbs < <("$ideotype" --help | sed '1,/^Subcommands/d' |
+    sed -n 's/^  \([a-z]*\) .*/\1/p')
+[ ${#verbs[@]} -ge 9 ] || fail "too few verbs: ${verbs[*]}"
+complete_words ideotype ""
+for verb in "${verbs[@]}"; do says " $verb "; done
+count=0
+for verb in "${verbs[@]}"; do
+    expect 0 "$ideotype" "$verb" --help
+    ! grep -E "ENUM|value in|->" out.log || fail "not names of values"
+    says "^  ideotype $verb "
+    complete_words ideotype "$verb" -
+    while read -r option; do
+        says " $option "
+        count=$((count + 1))
+    done < <("$ideotype" "$verb" --help | options)
+done
+[ $count -gt 60 ] || fail "too few options: $count"
+
+complete_words ideotype ev
+says "^ evaluate $"
+complete_words ideotype status --js
+says "^ --json $"
+# Then the shell completes files.
+complete_words ideotype run --out ""
+says "^  $"
+expect 0 bash -ic ". '$project/src/cli/completion.bash'; complete -p ideotype"
+says "complete -o default -F _ideotype ideotype"

@@ -5,7 +5,7 @@
 claims.py FOLDER --table PAPER_TABLE [--evaluations N] [--seeds N] [--rough]
 
 Looks at each claim in four set-ups: that of the paper (a plot alone, lit from its sides,
-with the bare stalk of its plant, absorbed PAR), and a stand without end under absorbed
+with a bare stalk, absorbed PAR), and a stand without end under absorbed
 PAR, net assimilation of a clear day, and the carbon balance of a season. The plants of
 the stand are the better ones that paper_table.py has bred by the genetic algorithm and by
 CMA-ES in the folder PAPER_TABLE; those of the plot are bred in FOLDER by the genetic
@@ -43,8 +43,8 @@ from ideotype import Stand
 
 UPPER = 4
 PLACES = {x.name: x for x in CONDITIONS}
-PLANTS = HERE / "plants"
 PLOT = "the paper's plot"
+ELITE = HERE / "plants" / "elite.toml"
 STANDS = {
     "stand, absorbed PAR": "absorbed_par",
     "stand, net assimilation": "net_assimilation",
@@ -56,7 +56,6 @@ STANDS = {
 class SetUp:
     title: str
     objective: str
-    elite: Path
     folder: Path
     evaluations: int
     seeds: int
@@ -71,7 +70,7 @@ class SetUp:
         found = campaign(where, self.objective, self.folder, self.is_rough)
         if not self.is_plot:
             return found
-        plant = {**found["plant"], "baseline": str(PLANTS / "b73_v01.toml")}
+        plant = {**found["plant"], "organs": ["stalk"]}
         plot = {
             "rows": 6,
             "plants": 6,
@@ -130,7 +129,7 @@ def gain_with(name: str) -> Callable[[SetUp], str]:
 
 def over_elite(set_up: SetUp) -> str:
     tables = set_up.tables(FIRST)
-    plant = {**tables["plant"], "baseline": str(set_up.elite)}
+    plant = {**tables["plant"], "baseline": str(ELITE)}
     other = Stand({**tables, "plant": plant})
     elite = light(other, other.baseline)[0].tolist()
     found = light(stand(set_up, FIRST), np.array(best(set_up, FIRST)))
@@ -264,11 +263,9 @@ def main() -> None:
         "is_rough": options.rough,
     }
     table = options.table.resolve()
-    elite = PLANTS / "elite.toml"
     plot = SetUp(
         title=PLOT,
         objective="absorbed_par",
-        elite=PLANTS / "elite_v01.toml",
         folder=options.folder,
         is_plot=True,
         **searches,
@@ -276,7 +273,7 @@ def main() -> None:
     set_ups = [
         plot
         if title == PLOT
-        else SetUp(title, STANDS[title], elite, table, **searches)
+        else SetUp(title, STANDS[title], table, **searches)
         for title in options.set_up
     ]
     rows = []

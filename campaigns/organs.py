@@ -38,7 +38,6 @@ TASSEL = ["peduncle", "tassel_spike", "tassel_branches"]
 
 #: Name, crop file and organs besides leaves.
 PLANTS = {
-    "version 0.1: pole of 27 mm, 2.0 m": ("plants/b73_v01.toml", ["stalk"]),
     "tapered stalk": ("crops/maize.toml", ["stalk"]),
     "and sheaths": ("crops/maize.toml", ["stalk", "sheath"]),
     "and peduncle": ("crops/maize.toml", ["stalk", "sheath", "peduncle"]),

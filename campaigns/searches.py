@@ -5,10 +5,10 @@
 searches.py FOLDER [--figure FILE.png] [--evaluations N] [--seeds N]
             [--only SEARCH...] [--campaign FILE]
 
-Runs a campaign (ames.toml, unless another is given) with the plant of version
-0.1 and each search, takes the best plant of the generation in which each number
-of evaluations is reached (of all until then, where nothing is learnt), and
-evaluates all of these again with many paths, beside the baseline. Prints the
+Runs a campaign (ames.toml, unless another is given) with each search, takes the
+best plant of the generation in which each number of evaluations is reached (of
+all until then, where nothing is learnt), and evaluates all of these again with
+many paths, beside the baseline. Prints the
 gain over the baseline in %, the mean of the seeds with its standard error, and
 the seconds that all evaluations until then took. Cases that are in FOLDER
 already are not run again. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
@@ -24,12 +24,11 @@ from pathlib import Path
 from statistics import fmean, stdev
 
 import numpy as np
-from shared import HERE, Numbers, breed, gain, guard, light, stand_of
+from shared import HERE, Numbers, breed, gain, guard, light
 
 from ideotype import Stand, open_history
 from ideotype.analysis.style import new_figure, series
 
-PLANT = HERE / "plants" / "b73_v01.toml"
 #: name: keys of [search], and the candidates of a generation
 SEARCHES: dict[str, tuple[tuple[str, ...], int]] = {
     "random": (("search.optimizer=random",), 100),
@@ -93,7 +92,6 @@ def run(name: str, options: argparse.Namespace) -> list[Path]:
     keys, population = SEARCHES[name]
     print(f"searching by {name}", file=sys.stderr, flush=True)
     every = [
-        f"plant.baseline={PLANT.resolve()}",
         f"search.population={population}",
         f"stop.generations={math.ceil(options.evaluations / population)}",
         f"replicates={options.seeds}",
@@ -204,7 +202,7 @@ def main() -> None:
     )
     parser.add_argument("--campaign", type=Path, default=HERE / "ames.toml")
     options = parser.parse_args()
-    stand = stand_of(PLANT, options.campaign)
+    stand = Stand.from_campaign(options.campaign)
     checkpoints = [x for x in CHECKPOINTS if x <= options.evaluations]
     found = {
         name: evaluate_again(run(name, options), stand, checkpoints)

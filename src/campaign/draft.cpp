@@ -33,9 +33,9 @@ Draft::Draft() {
     // of 0.7455 length x width.
     campaign.crop.baseline.blade.width_controls = {0.28,     0.885870, 0.895017,
                                                    1.149943, 0.379696, 0.0};
-    // The traits and bounds of version 0.1, for crop files without any. They
-    // are those of the study arXiv:2512.06064; the range of the insertion
-    // angle and the rule "biological" are our estimates.
+    // A crop file without traits has the traits and bounds of the study
+    // arXiv:2512.06064; the range of the insertion angle and the rule
+    // "biological" are our estimates.
     traits = {leaf_trait("length", "m", {0.40, 1.10}),
               leaf_trait("width", "m", {0.05, 0.14}),
               leaf_trait("insertion_angle", "deg", {10, 80}),

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,7 +13,6 @@
 #include "leaf_table.hpp"
 #include "measured_plant.hpp"
 #include "nodes.hpp"
-#include "old_names.hpp"
 #include "settings.hpp"
 #include "syntax.hpp"
 #include "tables.hpp"
@@ -43,28 +41,11 @@ bool is_plant(const toml::table& top) {
     return top.contains("leaf") && !top.contains("site");
 }
 
-//! The tables of a file under the names of today; reports the others.
+//! The tables of a file, if it is valid TOML.
 std::optional<toml::table> parse(const std::string& text,
                                  const std::string& file, Report& report) {
     report.open(file);
-    std::optional<toml::table> table = parse_toml(text, file, report);
-    if (!table) return table;
-    // All leaves have the same old names.
-    std::map<std::string, std::vector<OldName>> kinds;
-    for (const OldName& name : rename_entries(*table, file))
-        kinds[name.what].push_back(name);
-    for (const auto& [what, names] : kinds)
-        report.add(
-            names[0].where,
-            fmt::format(
-                "{} is called '{}' since version 0.2{}; {}", what, names[0].is,
-                names.size() == 1
-                    ? ""
-                    : fmt::format(" (the first of {})", names.size()),
-                names[0].is_both ? "remove one of the two"
-                                 : "write that, or let ideotype migrate " +
-                                       file + " do it"));
-    return table;
+    return parse_toml(text, file, report);
 }
 
 std::string month_and_day(const Date& date) {
@@ -86,7 +67,7 @@ class DraftReader {
         // Other tables name traits and organs of the crop.
         draft_.is_crop_known = false;
         if (const auto baseline = top["plant"]["baseline"])
-            read_baseline(top, *baseline.node());
+            read_baseline(*baseline.node());
         prepare(top["plant"]["bounds"].value_or<std::string>(""));
         draft_.has_climate = top.contains("climate");
         if (top["plant"]["bounds"].is_table()) draft_.rule.clear();
@@ -182,7 +163,7 @@ class DraftReader {
                   });
     }
 
-    void read_baseline(const toml::table& top, const toml::node& baseline) {
+    void read_baseline(const toml::node& baseline) {
         if (const toml::table* table = baseline.as_table())
             return read_plant(*table, tables_);
         const bool is_path = baseline.is_string();
@@ -195,8 +176,8 @@ class DraftReader {
                             is_path ? "it as [plant.baseline]"
                                     : "for example baseline = "
                                       "\"crops/mine.toml\""));
-        read_plant_file(plant_path(top, file_), "plant.baseline",
-                        tables_.where(baseline));
+        read_plant_file(path_from(file_, *baseline.value<std::string>()),
+                        "plant.baseline", tables_.where(baseline));
     }
 
     void read_plant_file(const std::string& file, const std::string& named_by,
@@ -309,11 +290,6 @@ void read_measured_draft(const std::string& text, const std::string& file,
                          Draft& draft, Report& report) {
     DraftReader(file, PlantSource::file_or_table, draft, report)
         .read_measured(text, file);
-}
-
-std::string plant_path(const toml::table& campaign, const std::string& file) {
-    const auto path = campaign["plant"]["baseline"].value<std::string>();
-    return path ? path_from(file, *path) : "";
 }
 
 std::string path_from(const std::string& file, const std::string& path) {

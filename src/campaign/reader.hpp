@@ -39,9 +39,6 @@ void read_measured_draft(const std::string& text, const std::string& file,
 void read_tables(const std::string& text, const std::string& file,
                  const std::vector<Table>& all, Report& report);
 
-//! The crop file that a campaign names, as seen from here; "" if none.
-std::string plant_path(const toml::table& campaign, const std::string& file);
-
 //! A path that a campaign file names, as seen from here.
 std::string path_from(const std::string& file, const std::string& path);
 

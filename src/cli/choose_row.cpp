@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/campaign/migration.hpp"
+#include "ideotype/campaign/campaign.hpp"
 #include "ideotype/run/summary.hpp"
 
 namespace ideotype {
@@ -73,8 +73,7 @@ ChosenRow choose_row(const std::string& path, const RowChoice& choice) {
     const History history = History::read(path);
     const HistoryHeader& header = history.header();
     ChosenRow result;
-    result.campaign =
-        parse_campaign(migrated(header.campaign_resolved, path).text, path);
+    result.campaign = parse_campaign(header.campaign_resolved, path);
     result.chosen = case_of(history, result.campaign);
     result.task.case_index = static_cast<std::uint32_t>(result.chosen.index);
     result.row = row_of(history, choice, result.task);

@@ -207,11 +207,6 @@ ExitCode export_any(const ExportOptions& options) {
                                   : export_plant(options);
 }
 
-void declare_migrate(CLI::App& verb, std::string& path) {
-    verb.add_option("campaign", path, "campaign or crop file (TOML)")
-        ->required();
-}
-
 void declare_files(CLI::App& verb, std::vector<std::string>& paths) {
     verb.add_option("files", paths, "histories")->required();
 }
@@ -282,17 +277,10 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
         "that each face absorbs, for ParaView), CSV (traits) or TOML (plant "
         "file, for campaigns), or all complete generations as CSV",
         "FILE.h5 --best --to best.toml", declare_export, export_any);
-    add("migrate",
-        "give a campaign of an earlier version, and the crop file that it "
-        "names, the names of this version; the rest of the text stays",
-        "old.toml", declare_migrate, migrate);
     add("verify",
         "compare all of histories with their checksums, also while they are "
         "written",
         "FILE.h5", declare_files, verify);
-    add("pack",
-        "compress finished histories; each is verified before and after",
-        "FILE.h5", declare_files, pack);
 }
 
 }  // namespace ideotype

@@ -14,16 +14,10 @@ ExitCode verify(const std::vector<std::string>& paths) {
     ExitCode worst = ExitCode::ok;
     for (const std::string& path : paths) try {
             const Verified found = verify_file(path);
-            if (found.has_checksums)
-                fmt::print(
-                    "{}: header, {} generations and {} finalists have their "
-                    "checksums\n",
-                    path, found.generations, found.finalists);
-            else
-                fmt::print(
-                    "{}: can be read, {} generations and {} finalists; its "
-                    "format 1.0 has no checksums\n",
-                    path, found.generations, found.finalists);
+            fmt::print(
+                "{}: header, {} generations and {} finalists have their "
+                "checksums\n",
+                path, found.generations, found.finalists);
         } catch (const Error& error) {
             // One that is damaged must not hide the others.
             fmt::print(stderr, "{}\n", printable_lines(error.what()));

@@ -93,10 +93,6 @@ namespace {
 
 }  // namespace
 
-bool has_checksums(hid_t file) {
-    return !text_attribute(file, "format_version").starts_with("1.");
-}
-
 std::string header_checksum(hid_t file) {
     Sha256 sum;
     for (const std::string& name : attributes_of(file))

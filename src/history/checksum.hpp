@@ -16,9 +16,6 @@ namespace ideotype {
 //! Characters of a checksum.
 inline constexpr std::size_t checksum_size = 64;
 
-//! Format 1 has none.
-bool has_checksums(hid_t file);
-
 //! SHA-256 of all that is known before the first evaluation.
 std::string header_checksum(hid_t file);
 

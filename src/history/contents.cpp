@@ -2,9 +2,6 @@
 #include "contents.hpp"
 
 #include <algorithm>
-#include <array>
-
-#include <hdf5_hl.h>
 
 namespace ideotype {
 
@@ -22,17 +19,6 @@ herr_t keep_object(hid_t, const char* name, const H5O_info_t* info,
 
 herr_t keep_name(hid_t, const char* name, const H5A_info_t*, void* target) {
     static_cast<std::vector<std::string>*>(target)->emplace_back(name);
-    return 0;
-}
-
-std::string path_of(hid_t object) {
-    std::array<char, 256> name{};
-    checked(H5Iget_name(object, name.data(), name.size()), "name a scale");
-    return name.data();
-}
-
-herr_t keep_scale(hid_t, unsigned, hid_t scale, void* target) {
-    static_cast<std::vector<std::string>*>(target)->push_back(path_of(scale));
     return 0;
 }
 
@@ -137,28 +123,6 @@ std::vector<char> read_block(hid_t dataset, const Blocks& blocks, hsize_t first,
         H5Dread(dataset, blocks.type, memory, file, H5P_DEFAULT, bytes.data()),
         "read a block");
     return bytes;
-}
-
-void write_block(hid_t dataset, const Blocks& blocks, hsize_t first,
-                 hsize_t count, const std::vector<char>& bytes) {
-    const auto [file, memory] = select(dataset, blocks, first, count);
-    checked(
-        H5Dwrite(dataset, blocks.type, memory, file, H5P_DEFAULT, bytes.data()),
-        "write a block");
-}
-
-std::vector<Dimension> dimensions_of(hid_t dataset) {
-    std::vector<Dimension> dimensions(sizes_of(dataset).size());
-    for (unsigned i = 0; i < dimensions.size(); ++i) {
-        std::array<char, 64> label{};
-        checked(H5DSget_label(dataset, i, label.data(), label.size()),
-                "read a label");
-        dimensions[i].label = label.data();
-        checked(H5DSiterate_scales(dataset, i, nullptr, keep_scale,
-                                   &dimensions[i].scales),
-                "list the scales");
-    }
-    return dimensions;
 }
 
 }  // namespace ideotype

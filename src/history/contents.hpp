@@ -13,8 +13,6 @@ namespace ideotype {
 struct Object {
     std::string path;  //!< "." is the root group
     bool is_dataset = false;
-
-    bool operator==(const Object&) const = default;
 };
 
 //! All objects by name, groups before what is in them.
@@ -48,20 +46,8 @@ struct Blocks {
     void for_each(const std::function<void(hsize_t, hsize_t)>& action) const;
 };
 
-//! Transfer of one block as the bytes of the file.
+//! Reads one block, as the bytes of the file.
 std::vector<char> read_block(hid_t dataset, const Blocks& blocks, hsize_t first,
                              hsize_t count);
-void write_block(hid_t dataset, const Blocks& blocks, hsize_t first,
-                 hsize_t count, const std::vector<char>& bytes);
-
-//! The dimension scales of a dataset and their labels.
-struct Dimension {
-    std::string label;
-    std::vector<std::string> scales;  //!< paths
-
-    bool operator==(const Dimension&) const = default;
-};
-
-std::vector<Dimension> dimensions_of(hid_t dataset);
 
 }  // namespace ideotype

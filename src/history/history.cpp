@@ -225,11 +225,6 @@ Population History::generation(std::uint32_t generation) const {
     return population;
 }
 
-Population History::last_committed() const {
-    const std::uint32_t count = next_generation();
-    return count == 0 ? Population{} : generation(count - 1);
-}
-
 void History::commit(std::uint32_t generation,
                      const GenerationSummary& summary) {
     if (generation != file_->next_generation)

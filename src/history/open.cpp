@@ -17,7 +17,6 @@
 #include "attributes.hpp"
 #include "checksum.hpp"
 #include "columns.hpp"
-#include "format_1.hpp"
 #include "generations.hpp"
 #include "header.hpp"
 #include "ideotype/core/error.hpp"
@@ -56,15 +55,16 @@ Handle access_properties() {
 struct Length {
     std::uint64_t present = 0;
     std::uint64_t expected = 0;
+    unsigned char superblock = 0;  //!< its version
 };
 
 // A file that was cut short opens, and reads as zeros beyond its end: the
-// length that HDF5 noted in its superblock (version 3) tells.
+// length that HDF5 noted in its superblock tells. That of the program has
+// version 3, that of h5repack has version 0 unless it is asked for more.
 Length length_of(const std::string& path) {
-    constexpr std::array<unsigned char, 9> start{0x89, 'H',  'D',  'F', '\r',
-                                                 '\n', 0x1a, '\n', 3};
-    constexpr std::size_t end_of_file_at = 28;
-    std::array<unsigned char, 48> block{};
+    constexpr std::array<unsigned char, 8> start{0x89, 'H',  'D',  'F',
+                                                 '\r', '\n', 0x1a, '\n'};
+    std::array<unsigned char, 52> block{};
     if (!history_exists(path)) throw Error(path + ": there is no such file");
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) throw Error(path + ": " + system_reason());
@@ -75,10 +75,14 @@ Length length_of(const std::string& path) {
     if (size < 0 || !is_known) throw Error(path + ": " + system_reason());
     if (std::memcmp(block.data(), start.data(), start.size()) != 0)
         refuse(path, "not a history of ideotype");
+    const unsigned char version = block[start.size()];
+    const std::size_t end_of_file_at = version == 0   ? 40
+                                       : version == 1 ? 44
+                                                      : 28;
     std::uint64_t length = 0;
     for (std::size_t i = 8; i-- > 0;)
         length = length << 8U | block[end_of_file_at + i];
-    return {static_cast<std::uint64_t>(status.st_size), length};
+    return {static_cast<std::uint64_t>(status.st_size), length, version};
 }
 
 std::string truncation(const Length& length) {
@@ -86,13 +90,14 @@ std::string truncation(const Length& length) {
                        length.expected);
 }
 
-void refuse_truncated(const std::string& path) {
+Length refuse_truncated(const std::string& path) {
     const Length length = length_of(path);
     if (length.present < length.expected)
         refuse(path,
                truncation(length) +
                    "; copy it again, or save the generations that are left "
                    "with: ideotype export FILE --generations --to NEW.csv");
+    return length;
 }
 
 Handle open_without_lock(const std::string& path, hid_t access) {
@@ -106,6 +111,15 @@ std::string version_of(const std::string& path, hid_t file) {
     return text_attribute(file, "format_version");
 }
 
+//! Tells what h5repack has made of a history.
+bool is_compressed(hid_t file) {
+    const std::string action = "read a layout";
+    const Handle genome(H5Dopen2(file, "evaluations/genome", H5P_DEFAULT),
+                        H5Dclose, action);
+    const Handle form(H5Dget_create_plist(genome), H5Pclose, action);
+    return H5Pget_layout(form) == H5D_CHUNKED;
+}
+
 [[noreturn]] void refuse_version(const std::string& path,
                                  const std::string& version,
                                  const std::string& known) {
@@ -113,9 +127,13 @@ std::string version_of(const std::string& path, hid_t file) {
                              version.empty() ? "unknown" : version, known));
 }
 
-//! A file of format 1 becomes one of this format, in memory.
-Handle in_this_format(Handle file) {
-    return has_checksums(file) ? std::move(file) : upgraded(file);
+void require_readable(const std::string& path, hid_t file) {
+    if (const std::string version = version_of(path, file);
+        !version.starts_with("2."))
+        refuse_version(path, version,
+                       version.starts_with("1.")
+                           ? "reads only 2.x; ideotype 0.2.1 reads it"
+                           : "reads only 2.x");
 }
 
 constexpr auto smaller_history =
@@ -154,18 +172,7 @@ void place_objects(hid_t access) {
             "place the descriptions");
 }
 
-// Of a file with so many generations, which is only made in memory.
-std::uint64_t bytes_with(HistoryHeader header, int generations) {
-    header.generations = generations;
-    const std::string action = "measure a file";
-    const Handle file = create_in_memory(header);
-    flush(file);
-    return static_cast<std::uint64_t>(
-        checked(H5Fget_file_image(file, nullptr, 0), action));
-}
-
-}  // namespace
-
+// A history without rows, in memory.
 Handle create_in_memory(const HistoryHeader& header) {
     const std::string action = "create a file in memory";
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, action);
@@ -178,6 +185,18 @@ Handle create_in_memory(const HistoryHeader& header) {
     write_everything(file, header);
     return file;
 }
+
+// Of a file with so many generations, which is only made in memory.
+std::uint64_t bytes_with(HistoryHeader header, int generations) {
+    header.generations = generations;
+    const std::string action = "measure a file";
+    const Handle file = create_in_memory(header);
+    flush(file);
+    return static_cast<std::uint64_t>(
+        checked(H5Fget_file_image(file, nullptr, 0), action));
+}
+
+}  // namespace
 
 std::uint64_t history_bytes(const HistoryHeader& header) {
     initialize_hdf5();
@@ -214,12 +233,6 @@ void create_file(const std::string& path, const HistoryHeader& header,
         refuse(path, "was replaced while it was created; begin again");
 }
 
-Handle create_empty(const std::string& path) {
-    return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT,
-                      access_properties()),
-            H5Fclose, "create the file"};
-}
-
 void synchronize_path(const std::filesystem::path& path) {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) throw Error(path.string() + ": " + system_reason());
@@ -235,7 +248,10 @@ void put_in_place(const std::string& from, const std::string& to) {
 }
 
 Handle open_to_write(const std::string& path) {
-    refuse_truncated(path);
+    if (refuse_truncated(path).superblock < 3)
+        refuse(path,
+               "h5repack has rewritten it so that it cannot be resumed; "
+               "repack it again with the option -L");
     const Handle access = access_properties();
     // What h5clear does: forget that a killed writer had the file open.
     const hbool_t yes = true;
@@ -247,6 +263,10 @@ Handle open_to_write(const std::string& path) {
         version != format_version)
         refuse_version(path, version,
                        std::string("resumes only ") + format_version);
+    if (is_compressed(file) && !Journal(file).finished())
+        refuse(path,
+               "h5repack has rewritten it before it was finished; go on with "
+               "the file that it was made of");
     // A copy may have lost what was reserved for the original.
     reserve_space(file, path, "make room and resume again");
     return file;
@@ -255,22 +275,20 @@ Handle open_to_write(const std::string& path) {
 Handle open_as_it_is(const std::string& path) {
     refuse_truncated(path);
     Handle file = open_without_lock(path, access_properties());
-    if (const std::string version = version_of(path, file);
-        !version.starts_with("1.") && !version.starts_with("2."))
-        refuse_version(path, version, "reads only 1.x and 2.x");
+    require_readable(path, file);
     return file;
 }
 
 Handle open_to_read(const std::string& path) {
     Handle file = open_as_it_is(path);
-    if (has_checksums(file)) require_intact(file, path);
-    return in_this_format(std::move(file));
+    require_intact(file, path);
+    return file;
 }
 
 Handle open_to_read_header(const std::string& path) {
     Handle file = open_as_it_is(path);
-    if (has_checksums(file)) require_header_intact(file, path);
-    return in_this_format(std::move(file));
+    require_header_intact(file, path);
+    return file;
 }
 
 Remains open_remains(const std::string& path) {
@@ -282,9 +300,7 @@ Remains open_remains(const std::string& path) {
         const hbool_t yes = true;
         checked(H5Pset(access, "skip_eof_check", &yes), "skip the check");
         Handle file = open_without_lock(path, access);
-        if (const std::string version = version_of(path, file);
-            !version.starts_with("2."))
-            refuse_version(path, version, "saves only 2.x of a truncated file");
+        require_readable(path, file);
         return {std::move(file), length.present,
                 length.expected - length.present};
     } catch (const Hdf5Error&) {

@@ -17,12 +17,6 @@ namespace ideotype {
 void create_file(const std::string& path, const HistoryHeader& header,
                  const FileLock& lock);
 
-//! A history without rows, in memory.
-Handle create_in_memory(const HistoryHeader& header);
-
-//! A new file without anything in it.
-Handle create_empty(const std::string& path);
-
 //! Waits until the disk has a closed file or folder.
 void synchronize_path(const std::filesystem::path& path);
 
@@ -34,15 +28,14 @@ void put_in_place(const std::string& from, const std::string& to);
 //! holds the FileLock. @throws Error (refused) if it is not a history.
 Handle open_to_write(const std::string& path);
 
-//! Opens a live, closed or killed history of any format version. @throws Error
-//! (refused) if it is not a history.
+//! Opens a live, closed or killed history. @throws Error (refused) if it is not
+//! a history, or of another major format version.
 Handle open_as_it_is(const std::string& path);
 
-//! As above, if all that is recorded has its checksum; a file of format 1,
-//! which has none, becomes one of this format, in memory.
+//! Does the same if all that is recorded has its checksum.
 Handle open_to_read(const std::string& path);
 
-//! As above; only the checksum of the header is compared.
+//! Does the same, but compares only the checksum of the header.
 Handle open_to_read_header(const std::string& path);
 
 //! A file that may be shorter than it was.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ideotype/history/verify.hpp"
 
-#include "attributes.hpp"
-#include "checksum.hpp"
 #include "columns.hpp"
 #include "contents.hpp"
 #include "history_file.hpp"
@@ -31,7 +29,6 @@ Verified verify_file(const std::string& path) {
     return with_name_of(path, [&] {
         const Handle file = open_as_it_is(path);
         Verified verified;
-        verified.has_checksums = has_checksums(file);
         read_everything(file);
         const History history = History::read(path);
         verified.generations = history.next_generation();

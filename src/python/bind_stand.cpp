@@ -8,7 +8,6 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
-#include "ideotype/campaign/migration.hpp"
 #include "stand.hpp"
 
 namespace ideotype::python {
@@ -39,12 +38,12 @@ std::unique_ptr<CaseStand> from_text(const std::string& text,
     return of_case(read_campaign_text(text, path, settings), index, path, isa);
 }
 
-//! Of the resolved campaign of a history, also of an earlier version.
+//! Makes the stand of a history from its resolved campaign.
 std::unique_ptr<CaseStand> from_history(const std::string& text,
                                         const std::string& path,
                                         const std::string& name, Genome genome,
                                         const std::string& isa) {
-    Campaign campaign = parse_campaign(migrated(text, path).text, path);
+    Campaign campaign = parse_campaign(text, path);
     if (!genome.empty()) campaign = at_keys(campaign, genome);
     for (const Case& each : cases(campaign))
         if (each.name == name)

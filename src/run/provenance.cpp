@@ -109,14 +109,6 @@ void require_same_program(const HistoryHeader& header,
 
 void require_resumable(const HistoryHeader& header, const Campaign& campaign,
                        const Case& chosen, const std::string& path) {
-    if (const auto old = header.text.find("upgraded_from");
-        old != header.text.end())
-        throw Error(
-            fmt::format("{}: its format is {}, and this program resumes only "
-                        "{}; go on with the version that began it, or write to "
-                        "another folder with --out",
-                        path, old->second, header.text.at("format_version")),
-            ExitCode::refused);
     require_same_campaign(header, campaign, chosen, path);
     require_same_program(header, path);
 }

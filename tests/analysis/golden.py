@@ -16,8 +16,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+import golden_names
 import h5py
-import history_2_0
 import numpy as np
 from real_program import executable
 
@@ -71,29 +71,7 @@ def _run(*words: str) -> str:
 
 def _history_figures(path: Path) -> dict[str, np.ndarray]:
     with h5py.File(path, "r") as file:
-        if "traits" in file:
-            return _figures_of_1_0(file)
-        return history_2_0.figures(file)
-
-
-def _figures_of_1_0(file: h5py.File) -> dict[str, np.ndarray]:
-    found = {}
-    traits = file["traits/name"].asstr()[:]
-    for part in ("evaluations", "final"):
-        rows = file[part]
-        for i, trait in enumerate(traits):
-            found[f"{part}.{trait}"] = rows["genome"][:, i]
-        for kind in ("objectives", "diagnostics"):
-            for i, name in enumerate(file[kind]["name"].asstr()[:]):
-                found[f"{part}.{name}"] = rows[kind][:, i]
-                errors = rows[f"{kind}_standard_error"]
-                found[f"{part}.{name}.standard_error"] = errors[:, i]
-        for name in ("fitness", "status", "origin", "parents"):
-            found[f"{part}.{name}"] = rows[name][:]
-    for name in ("best", "best_slot", "best_standard_error", "mean", "spread"):
-        found[f"generations.{name}"] = file["generations"][name][:]
-    found["generations.diversity"] = file["generations"]["diversity"][:]
-    return found
+        return golden_names.figures(file)
 
 
 def _mesh_figures(options: list[str]) -> dict[str, np.ndarray]:

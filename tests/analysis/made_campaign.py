@@ -6,6 +6,7 @@ from __future__ import annotations
 import tomllib
 from functools import cache
 
+from golden import DATA
 from real_program import CAMPAIGNS
 
 import ideotype
@@ -19,7 +20,7 @@ def resolved(*over: str, folding_angle: float = 10) -> str:
     """With every key, of two seeds. Sites, or what else is named, may be
     scenarios."""
     settings = {
-        "plant.baseline": str(CAMPAIGNS / "plants" / "b73_v01.toml"),
+        "plant.baseline": str(DATA / "golden" / "pole.toml"),
         "replicates": 2,
         "site": [
             {

@@ -99,7 +99,6 @@ class MadeHistory:
         objectives: Sequence[tuple[str, str]] = (
             ("absorbed_par", "maximise"),
         ),
-        draws: bool = True,
     ) -> None:
         """Creates everything, empty, but the dataset `without`. `attributes`
         are those of the root beside or instead of the usual, `shift` is added
@@ -129,7 +128,7 @@ class MadeHistory:
             "is_circular": circular,
             "is_free": [True] * len(names),
         }
-        self._counts = (RANDOMISATIONS * draws, 2 * RANDOMISATIONS * draws)
+        self._counts = (RANDOMISATIONS, 2 * RANDOMISATIONS)
         Layout(
             self.file,
             GENERATIONS * POPULATION,
@@ -204,15 +203,14 @@ class MadeHistory:
         rows = self.file[group]
         extra = {name: part * total for name, part in self._extra.items()}
         known = quantities(total) | extra
-        values = randomisations(total, error, draws, *noise) if draws else None
+        values = randomisations(total, error, draws, *noise)
         for k, name in enumerate(self._objectives):
             scale = known[name] / total
             own = 0.0 if self._measured[name].is_exact else error * scale
             rows["objectives"][row, k] = known[name]
             rows["objectives_standard_error"][row, k] = own
-            if values is not None:
-                each = scale * (values if own else total + 0 * values)
-                rows["objectives_by_randomisation"][row, k] = each
+            each = scale * (values if own else total + 0 * values)
+            rows["objectives_by_randomisation"][row, k] = each
         rows["violation"][row] = 0.0
         for name, kind in self._measured.items():
             rows[name][row] = known[name]

@@ -139,11 +139,10 @@ class Layout:
         objective = f"{group}/objective"
         for end in ("", "_standard_error"):
             add(f"objectives{end}", np.nan, "f8", ENERGY, objective)
-        if draws:
-            draw = f"{group}/randomisation"
-            self._scale(draw, np.arange(draws, dtype="i4"))
-            name = "objectives_by_randomisation"
-            add(name, np.nan, "f8", ENERGY, objective, draw)
+        draw = f"{group}/randomisation"
+        self._scale(draw, np.arange(draws, dtype="i4"))
+        name = "objectives_by_randomisation"
+        add(name, np.nan, "f8", ENERGY, objective, draw)
         add("violation", np.nan, "f8", "1")
         for name, what in self.quantities.items():
             axes = (at[what.axis],) if what.axis else ()

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 CAMPAIGNS = Path(__file__).parents[2] / "campaigns"
-_PLANT = CAMPAIGNS / "plants" / "b73_v01.toml"
+_PLANT = CAMPAIGNS / "crops" / "maize.toml"
 
 _CAMPAIGN = """
 name = "tiny"
@@ -39,7 +39,7 @@ rows = 2
 plants = 2
 
 [plant]
-baseline = "b73_v01.toml"
+baseline = "maize.toml"
 
 [search]
 population = 6
@@ -86,7 +86,7 @@ def run_crop(folder: Path, crop: str, free: list[str]) -> Path:
     stand of the tiny campaign, and these traits bred."""
     campaign = write_campaign(folder, 2)
     baseline = json.dumps(str(CAMPAIGNS / "crops" / f"{crop}.toml"))
-    text = campaign.read_text().replace('"b73_v01.toml"', baseline)
+    text = campaign.read_text().replace('"maize.toml"', baseline)
     traits = f'\n[[traits]]\nname = "some"\nfree = {json.dumps(free)}\n'
     campaign.write_text(text + traits)
     output_of("run", campaign, "--out", folder)

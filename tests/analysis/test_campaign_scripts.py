@@ -64,7 +64,7 @@ def test_searches_are_compared_by_their_gains(tmp_path: Path) -> None:
     gains = [float(row[2]) for row in rows]
     # CMA-ES goes on from what it has found.
     assert gains[3] > gains[2]
-    assert gains[3] > gains[1] > 5
+    assert min(gains) > 5
     assert figure.stat().st_size > 10000
 
 

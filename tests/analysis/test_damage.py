@@ -19,11 +19,11 @@ import ideotype
 from ideotype.analysis import HistoryError, open_history, open_study
 from ideotype.analysis.file import lookup3
 
-SAMPLE = Path(__file__).parents[1] / "data" / "history" / "format_1_0.h5"
+SAMPLE = Path(__file__).parents[1] / "data" / "history" / "format_2_0.h5"
 METADATA = (11, 45, 100, 400)
 """Bytes of the sample in flags and checksum of the superblock, and in headers
 of objects."""
-UNREADABLE = 10_000
+UNREADABLE = 24_062
 """A byte within the numbers of a deflated dataset."""
 
 
@@ -107,14 +107,20 @@ def test_marks_of_a_writer_do_not_change_what_is_read(finished: Path) -> None:
 
 
 def test_all_of_a_file_is_tried(folder: Path) -> None:
-    with pytest.raises(HistoryError, match="a.h5: evaluations/diagnostics"):
+    with pytest.raises(
+        HistoryError, match="a.h5: evaluations/absorbed_by_leaf"
+    ):
         open_study(folder)
     with open_study(folder, skip_damaged=True) as study:
         assert [history.path.name for history in study] == ["b.h5"]
         first, second = map(str, study.damaged)
-    assert first.startswith(f"{folder}/a.h5: evaluations/diagnostics can't be")
+    assert first.startswith(
+        f"{folder}/a.h5: evaluations/absorbed_by_leaf can't be"
+    )
     assert second == f"{folder}/c.h5: no such file"
-    with pytest.raises(HistoryError, match="a.h5: evaluations/diagnostics"):
+    with pytest.raises(
+        HistoryError, match="a.h5: evaluations/absorbed_by_leaf"
+    ):
         open_study(folder / "a.h5", skip_damaged=True)
 
 
@@ -123,11 +129,16 @@ def test_a_report_goes_on_without_damaged_files(
 ) -> None:
     done = report(folder, "-o", tmp_path / "out")
     assert done.returncode == 3
-    assert f"left out: {folder}/a.h5: evaluations/diagnostics" in done.stderr
+    assert (
+        f"left out: {folder}/a.h5: evaluations/absorbed_by_leaf" in done.stderr
+    )
     page = (tmp_path / "out" / "report.html").read_text()
     assert "1 case, 1 history" in page
     assert page.count("<p>A history is left out. ") == 2
-    assert f"{folder}/a.h5: evaluations/diagnostics can&#39;t be read" in page
+    assert (
+        f"{folder}/a.h5: evaluations/absorbed_by_leaf can&#39;t be read"
+        in page
+    )
 
 
 def test_the_exit_code_tells_what_was_left_out(folder: Path) -> None:

@@ -15,13 +15,13 @@ from real_program import CAMPAIGNS
 def test_a_field_is_drawn_at_eye_height_and_from_above(
     tmp_path: Path,
 ) -> None:
-    to, plants = tmp_path / "field.png", CAMPAIGNS / "plants"
+    to = tmp_path / "field.png"
     script = CAMPAIGNS / "draw_field.py"
     words = [
         script,
         "--to",
         to,
-        plants / "b73_v01.toml",
+        CAMPAIGNS / "crops" / "maize.toml",
         "--spacing",
         0.7,
         0.2,

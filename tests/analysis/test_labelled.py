@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Histories as labelled arrays, in every state and of both formats."""
+"""Histories as labelled arrays, in every state."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def test_only_recorded_rows_of_a_live_and_a_killed_file(
         writer.kill()
 
 
-def test_a_file_of_format_1_0_is_presented_in_the_same_way() -> None:
+def test_the_sample_is_labelled() -> None:
     rows = ideotype.open(SAMPLE)
     assert rows.absorbed_by_layer.dims == ("row", "layer")
     assert list(rows.layer.values[:2]) == [0.125, 0.375]

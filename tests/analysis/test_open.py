@@ -170,6 +170,9 @@ def test_another_major_version_is_refused_by_name(tmp_path: Path) -> None:
         MadeHistory(tmp_path / "new.h5", attributes=attributes).close()
         with pytest.raises(UnsupportedVersion, match=f"format {version},"):
             open_history(tmp_path / "new.h5")
+    MadeHistory(tmp_path / "old.h5", attributes={"format_version": "1.0"})
+    with pytest.raises(UnsupportedVersion, match=r"version 0\.2\.1 of the"):
+        open_history(tmp_path / "old.h5")
     attributes = {"format_version": "2.7"}
     MadeHistory(tmp_path / "minor.h5", attributes=attributes).close()
     with open_history(tmp_path / "minor.h5") as history:

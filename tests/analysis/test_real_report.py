@@ -29,8 +29,9 @@ def fidelity(tmp_path_factory: pytest.TempPathFactory) -> Path:
     text = text.replace("[plant]", "[plant]\norgans = []")
     text = text.replace("start = 07", "start = 11")
     campaign.write_text(text.replace("end = 20", "end = 13"))
-    plant = folder / "b73_v01.toml"
-    head, *leaves = plant.read_text().split("[[leaf]]")
+    plant = folder / "maize.toml"
+    text = plant.read_text().replace("\nleaf = 6", "\nleaf = 2")
+    head, *leaves = text.split("[[leaf]]")
     plant.write_text("[[leaf]]".join([head, leaves[3], leaves[7]]))
     path = folder / "fidelity.json"
     options = ("--seconds", 0, "--tolerance", 1e-5, "--json", path)

@@ -36,7 +36,7 @@ constexpr Setting settings[] = {
 Campaign ames(int plants) {
     Campaign campaign = BenchStand::ames();
     campaign.crop.baseline =
-        read_plant(IDEOTYPE_CAMPAIGNS "/plants/b73_v01.toml");
+        read_plant(IDEOTYPE_CAMPAIGNS "/../tests/data/golden/pole.toml");
     campaign.days[0].value.step_minutes = 60;
     campaign.field.rows = campaign.field.plants = plants;
     return campaign;

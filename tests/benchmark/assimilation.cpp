@@ -45,8 +45,8 @@ class Canopy {
         : stand_(campaign(which)) {
         Plant plant = stand_.campaign.crop.baseline;
         if (which.plant)
-            plant = read_plant(fmt::format("{}/plants/{}.toml",
-                                           IDEOTYPE_CAMPAIGNS, which.plant));
+            plant = read_plant(
+                fmt::format("{}/{}.toml", IDEOTYPE_CAMPAIGNS, which.plant));
         if (which.azimuth)
             for (std::size_t i = 0; i < plant.leaves.size(); ++i)
                 plant.leaves[i].azimuth =
@@ -135,11 +135,12 @@ class Canopy {
 };
 
 constexpr double along = 0, across = 90;
+constexpr auto pole = "../tests/data/golden/pole";
 const Stands stands[] = {
-    {"2 x 2, leaves along", "ames", 2, "b73_v01", along, {}},
-    {"2 x 2, leaves across", "ames", 2, "b73_v01", across, {}},
-    {"6 x 6, leaves along", "ames", 6, "b73_v01", along, {}},
-    {"6 x 6, leaves across", "ames", 6, "b73_v01", across, {}},
+    {"2 x 2, leaves along", "ames", 2, pole, along, {}},
+    {"2 x 2, leaves across", "ames", 2, pole, across, {}},
+    {"6 x 6, leaves along", "ames", 6, pole, along, {}},
+    {"6 x 6, leaves across", "ames", 6, pole, across, {}},
     {"ames.toml"},
     {"ames.toml, 15 x 3 inches",
      "ames",
@@ -147,7 +148,7 @@ const Stands stands[] = {
      nullptr,
      {},
      Spacing{.381, .0762, 90}},
-    {"ames.toml, elite", "ames", 0, "elite", {}, {}},
+    {"ames.toml, elite", "ames", 0, "plants/elite", {}, {}},
     {"bondville.toml", "bondville"}};
 
 //! Of this program [ms].

@@ -57,7 +57,7 @@ plant = 0.1524
 rows = 3
 plants = 3
 [plant]
-baseline = "plants/b73_v01.toml"
+baseline = "crops/maize.toml"
 bounds = "paper"
 [light]
 paths = 256

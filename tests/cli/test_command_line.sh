@@ -77,9 +77,9 @@ sed -e '/^bounds = /d' \
     -e 's/^baseline = .*/&\nbounds = { length = [1.05, 1.1] }/' \
     campaigns/verbs.toml >campaigns/narrow.toml
 expect 0 "$ideotype" evaluate campaigns/narrow.toml
-expect 0 "$ideotype" compare campaigns/plants/b73_v01.toml --under campaigns/narrow.toml
+expect 0 "$ideotype" compare campaigns/crops/maize.toml --under campaigns/narrow.toml
 expect 0 "$ideotype" check campaigns/narrow.toml
-says "warning: campaigns/plants/b73_v01.toml:.*leaf.length of leaf 1 .*outside the table's bounds 1.05 .. 1.1 m"
+says "warning: campaigns/crops/maize.toml:.*leaf.length of leaf 1 .*outside the table's bounds 1.05 .. 1.1 m"
 says "narrow.toml:.*write in .plant.bounds.:"
 says "^length = .*, 1.1]$"
 for verb in run sensitivity; do
@@ -93,56 +93,6 @@ says "typo.toml:18:1"
 says "plants"
 expect 3 mpirun -n 3 "$ideotype" run campaigns/typo.toml
 says "typo.toml:18:1"
-
-# A campaign and a plant of version 0.1, with what makes rewriting hard.
-sed -e 's/^\[search\]/[evolution] # [evolution]/' -e 's/$/\r/' \
-    -e '/^plants = 3/a cut = 0  # cut' campaigns/verbs.toml >campaigns/old.toml
-sed -i 's/b73_v01\.toml/old_plant.toml/' campaigns/old.toml
-sed -e 's/^insertion_angle\b/inclination/' -e 's/^curvature\b/droop/' \
-    -e '/^leaf_base/d' -e 's/^base_diameter/diameter/' \
-    campaigns/plants/b73_v01.toml >campaigns/plants/old_plant.toml
-chmod 640 campaigns/old.toml
-cp campaigns/old.toml old.toml
-expect 3 "$ideotype" check campaigns/old.toml
-says "old.toml:19:1: key 'cut' in .field. is called 'border_rows' since version 0.2"
-says "'curvature' since version 0.2 (the first of 10); .*let ideotype migrate campaigns/plants/old_plant.toml do it"
-expect 0 "$ideotype" migrate campaigns/old.toml
-says "^campaigns/old.toml:26:2: table 'evolution' is now 'search'$"
-says "^campaigns/old.toml: 2 names changed; the old text is in campaigns/old.toml.bak$"
-says "^campaigns/plants/old_plant.toml: 21 names changed"
-cmp old.toml campaigns/old.toml.bak
-diff <(sed -e 's/^cut/border_rows/' -e 's/^\[evolution\]/[search]/' old.toml) \
-    campaigns/old.toml || fail "more than names has changed"
-cmp campaigns/plants/old_plant.toml campaigns/plants/b73_v01.toml
-[ "$(stat -c %a campaigns/old.toml)" = 640 ] || fail "permissions have changed"
-expect 0 "$ideotype" migrate campaigns/old.toml
-says "^campaigns/old.toml: nothing to do$"
-says "^campaigns/plants/old_plant.toml: nothing to do$"
-# An older copy is not lost, and nothing is half done.
-cp campaigns/plants/old_plant.toml.bak campaigns/plants/old_plant.toml
-cp old.toml campaigns/other.toml
-expect 4 "$ideotype" migrate campaigns/other.toml
-says "ideotype: campaigns/plants/old_plant.toml.bak: exists already"
-cmp old.toml campaigns/other.toml
-[ ! -e campaigns/other.toml.bak ] || fail "a copy of what did not change"
-rm campaigns/plants/old_plant.toml.bak
-ln -s plants/old_plant.toml campaigns/link.toml
-expect 0 "$ideotype" migrate campaigns/link.toml
-says "the old text is in .*campaigns/plants/old_plant.toml.bak$"
-cmp campaigns/plants/old_plant.toml campaigns/plants/b73_v01.toml
-[ -L campaigns/link.toml ] || fail "a link became a file"
-# What is not TOML stays; what is wrong besides is told.
-echo "[evolution" >campaigns/no.toml
-expect 3 "$ideotype" migrate campaigns/no.toml
-says "no.toml:1:11: not valid TOML"
-[ ! -e campaigns/no.toml.bak ] || fail "a copy of what is not TOML"
-sed 's/^elites.*/elites = 6/' old.toml >campaigns/wrong.toml
-expect 3 "$ideotype" migrate campaigns/wrong.toml
-says "names changed"
-says "wrong.toml:28:10: search.elites is 6"
-expect 1 "$ideotype" migrate campaigns/missing.toml
-[ -z "$(ls campaigns/*.migrating campaigns/plants/*.migrating 2>/dev/null)" ] ||
-    fail "something unfinished is left"
 
 expect 0 "$ideotype" evaluate campaigns/verbs.toml
 says "incident"
@@ -221,10 +171,11 @@ expect 0 "$ideotype" export "$history" --generations --to all.csv
 [ "$(wc -l <all.csv)" -eq 13 ] || fail "not one line for each row and its head"
 head -1 all.csv | tr , '\n' >heads
 ! grep -q '[^A-Za-z0-9_]' heads || fail "odd letters in $(cat heads)"
-# The plant has measures that are no traits.
-head -1 plant.csv | tr , '\n' | grep -vE '^(leaf|curvature_deg|insertion_height_m)$' |
-    sed 's/^/leaf07_/' >expected
-grep '^leaf07' heads | cmp - expected || fail "not the heads of --best"
+# The plant has a measure that is no trait, and a trait is no measure.
+head -1 plant.csv | tr , '\n' | grep -vE '^(leaf|insertion_height_m)$' |
+    sed 's/^/leaf07_/' | sort >expected
+grep '^leaf07' heads | grep -v azimuth_deviation | sort | cmp - expected ||
+    fail "not the heads of --best"
 for name in origin absorbed_par_MJ_per_m2_per_day stalk_fraction paths lai_m2_per_m2 \
     absorbed_by_source_beam_standard_error_MJ_per_m2_per_day balance_error; do
     grep -qx $name heads || fail "no $name in $(cat heads)"
@@ -236,7 +187,7 @@ expect 0 "$ideotype" export "$history" --best --to bred.toml
 expect 0 "$ideotype" compare "$history" bred.toml plant.csv \
     --under campaigns/verbs.toml --csv same.csv
 [ "$(tail -n +2 same.csv | cut -d, -f1 | sort -u | wc -l)" -eq 3 ] || fail "not three plants"
-[ "$(tail -n +2 same.csv | cut -d, -f9- | sort -u)" = 0,0 ] ||
+tail -n +2 same.csv | awk -F, '$9 * $9 + $10 * $10 > 1e-24 { exit 1 }' ||
     fail "a plant file changes the plant: $(cat same.csv)"
 sed 's/^width = /wdith = /' bred.toml >typo_plant.toml
 expect 3 "$ideotype" compare "$history" typo_plant.toml \

@@ -67,8 +67,6 @@ for thing in "pipe.h5 a.named.pipe 4" "folder/x.h5 a.folder 4" \
         expect "$code" "$ideotype" status "$path"
         says "$path: .*$what"
     fi
-    expect "$code" "$ideotype" pack "$path"
-    says "$path: .*$what"
     expect "$code" "$ideotype" export "$path" --best --to new.csv
     says "$path: .*$what"
     ln -sfn "$(realpath -ms "$path")" "$(history_of odd maths)"

@@ -22,9 +22,6 @@ code=0
 "$ideotype" run campaigns/long.toml --out drained --resume 2>second.log || code=$?
 [ $code -eq 4 ] || fail "a second writer ended with $code: $(cat second.log)"
 grep -q "in use by process" second.log || fail "$(cat second.log)"
-code=0
-"$ideotype" pack "$(history_of drained long)" 2>pack.log || code=$?
-[ $code -eq 4 ] || fail "packing a live file ended with $code: $(cat pack.log)"
 kill -USR1 $job
 code=0
 wait $job || code=$?
@@ -40,10 +37,6 @@ grep -qx "  mpirun -n 3 $ideotype run campaigns/long.toml --out drained --resume
 [ "$("$ideotype" plan campaigns/long.toml --left --out drained | cut -f 2)" -gt 0 ] ||
     fail "no evaluation of a drained case counts"
 grep -q -- "--resume" drain.log || fail "no word about how to go on"
-code=0
-"$ideotype" pack "$(history_of drained long)" 2>pack.log || code=$?
-[ $code -eq 4 ] || fail "packing a part ended with $code: $(cat pack.log)"
-grep -q "is not finished" pack.log || fail "$(cat pack.log)"
 # Two resumes at once: one goes on, the other is refused.
 codes=()
 jobs=()

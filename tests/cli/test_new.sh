@@ -75,8 +75,6 @@ grep -q '^width = \[0.004, ' other/narrow.toml || fail "$(cat other/narrow.toml)
 expect 0 "$ideotype" check other/narrow.toml
 expect 0 "$ideotype" check other/field.toml
 says "^plant     field, 2 leaves"
-expect 0 "$ideotype" migrate other/field.toml
-says "^other/field.toml: nothing to do$"
 sed -i 's/^30,4/30,400/; 1d' own/field.csv
 expect 3 "$ideotype" new other/bad.toml "${place[@]}" "${field[@]}" \
     --plant own/field.csv

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any text is either a campaign, whose resolved form reads back to itself, or
-// an InputError. A migrated text has nothing left to migrate.
+// an InputError.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
 
 #include "ideotype/campaign/campaign.hpp"
-#include "ideotype/campaign/migration.hpp"
 #include "ideotype/core/error.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
@@ -15,8 +14,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
     using namespace ideotype;
     const std::string text(data, data + size);
     try {
-        const Migration now = migrated(text, "fuzz.toml");
-        if (migrated(now.text, "now.toml").text != now.text) std::abort();
         const Campaign campaign = parse_campaign(text, "fuzz.toml");
         const Campaign again = parse_campaign(campaign.resolved, "again.toml");
         if (again.resolved != campaign.resolved) std::abort();

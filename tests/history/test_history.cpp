@@ -150,13 +150,12 @@ TEST_F(HistoryTest, PendingIsWhatIsNotRecorded) {
 }
 
 TEST_F(HistoryTest, CommitMovesToTheNextGeneration) {
-    EXPECT_TRUE(history->last_committed().empty());
     complete(*history, 0);
     complete(*history, 1);
     history->propose(2, sample_candidates(2));
     reopen();
     EXPECT_EQ(history->next_generation(), 2U);
-    const Population population = history->last_committed();
+    const Population population = history->generation(1);
     ASSERT_EQ(population.size(), 4U);
     EXPECT_EQ(population[3].candidate.genome, sample_candidate(1, 3).genome);
     const Estimate expected = sample_outcome(1, 3).objectives[0];

@@ -85,7 +85,7 @@ TEST(Live, FileIsReadWhileItIsWritten) {
     EXPECT_EQ(live.pending(1), (std::vector<std::uint32_t>{0, 1, 2}));
     expect_row(live.row(1, 3), 1, 3);
     expect_row(live.row(0, 2), 0, 2);
-    EXPECT_EQ(live.last_committed().size(), 4U);
+    EXPECT_EQ(live.generation(0).size(), 4U);
     EXPECT_EQ(live.summaries().size(), 1U);
     EXPECT_EQ(live.finished(), std::nullopt);
 }

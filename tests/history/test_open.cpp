@@ -182,6 +182,11 @@ TEST(Open, RefusesAnotherMajorVersion) {
     History::create(path, sample_header());
     set_attribute(path, "format_version", "3.0");
     expect_refused(path, "format version 3.0");
+    set_attribute(path, "format_version", "1.0");
+    EXPECT_NE(failure_of([&] {
+                  History::read(path);
+              }).message.find("ideotype 0.2.1 reads it"),
+              std::string::npos);
 }
 
 TEST(Open, ReadsButDoesNotResumeAnotherMinorVersion) {

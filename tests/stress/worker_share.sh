@@ -39,7 +39,7 @@ plant = 0.1524
 rows = 6
 plants = 6
 [plant]
-baseline = "plants/b73_v01.toml"
+baseline = "crops/maize.toml"
 [light]
 paths = ${PATHS:-4096}
 randomisations = 8

@@ -36,10 +36,6 @@ struct PlanOptions {
 };
 ExitCode plan(const PlanOptions& options);
 
-//! `migrate CAMPAIGN`: gives a campaign or crop file of an earlier version,
-//! and the crop file that a campaign names, the names of this one.
-ExitCode migrate(const std::string& path);
-
 //! `status PATH...`: one line per history or history in a folder, also of live
 //! ones, and how to go on with what stopped.
 struct StatusOptions {
@@ -141,9 +137,6 @@ ExitCode export_generations(const ExportOptions& options);
 
 //! `verify FILE...`: compares histories with their checksums.
 ExitCode verify(const std::vector<std::string>& paths);
-
-//! `pack FILE...`: compresses finished histories.
-ExitCode pack(const std::vector<std::string>& paths);
 
 //! Parses the command line, runs the verb, reports errors.
 int run_command_line(int argc, char** argv);

@@ -193,9 +193,6 @@ class History {
     //! What selection needs of them.
     Population generation(std::uint32_t generation) const;
 
-    //! The last committed generation; empty if there is none.
-    Population last_committed() const;
-
     //! Marks a generation complete.
     void commit(std::uint32_t generation, const GenerationSummary& summary);
 

@@ -10,7 +10,6 @@ namespace ideotype {
 struct Verified {
     std::uint32_t generations = 0;
     std::uint32_t finalists = 0;
-    bool has_checksums = true;  //!< format 1.0 has none
 };
 
 //! Reads all of a history, also while it is written, and compares header,

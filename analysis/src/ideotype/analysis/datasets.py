@@ -15,8 +15,7 @@ from .file import HistoryError, open_file, text
 
 
 class Datasets:
-    """Datasets and root attributes of a history by their names, as format
-    2.0 has them."""
+    """Datasets and root attributes of a history by their names."""
 
     def __init__(self, path: str | Path) -> None:
         self.path = Path(path)

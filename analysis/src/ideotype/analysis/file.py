@@ -17,7 +17,7 @@ import h5py
 from .._errors import Error
 
 FORMAT = "ideotype-history"
-MAJOR_VERSIONS = (1, 2)
+MAJOR_VERSION = 2
 
 _SIGNATURE = b"\x89HDF\r\n\x1a\n"
 _SUPERBLOCK_SIZE = 48
@@ -230,12 +230,16 @@ def _check_format(file: h5py.File, path: Path) -> None:
             f'(no attribute format = "{FORMAT}")'
         )
     major = version.split(".")[0]
-    if major not in map(str, MAJOR_VERSIONS):
-        known = " and ".join(f"{version}.x" for version in MAJOR_VERSIONS)
+    if major != str(MAJOR_VERSION):
         raise UnsupportedVersion(
             f"{path}: history format {version or 'unknown'}, but this reads "
-            f"{known}; install the ideotype package that belongs to the "
-            "program that wrote it"
+            f"{MAJOR_VERSION}.x; "
+            + (
+                "version 0.2.1 of the ideotype package reads it"
+                if major == "1"
+                else "install the ideotype package that belongs to the "
+                "program that wrote it"
+            )
         )
 
 

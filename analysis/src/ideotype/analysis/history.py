@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import tomllib
+from dataclasses import fields
 from functools import cached_property
 from pathlib import Path
 from types import TracebackType
@@ -12,8 +13,8 @@ from typing import Any, Self, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from .datasets import Datasets
 from .file import HistoryError, text, writer_of
-from .format_1 import Format1, open_datasets
 from .front import Front, front_of
 from .genes import Genes
 from .indices import GROUP, Indices, read_indices
@@ -24,8 +25,7 @@ from .row_reader import RowReader
 from .rows import Evaluation, Origin, Rows, Status
 from .state import Generations, Session, State
 
-_SESSION = ("started", "host", "command", "ranks")
-_SESSION_2 = ("program", "compiler", "libraries")
+_SESSION = tuple(field.name for field in fields(Session))
 
 
 def open_history(path: str | Path) -> History:
@@ -42,7 +42,7 @@ class History:
 
     def __init__(self, path: str | Path) -> None:
         self.path = Path(path)
-        data = open_datasets(path)
+        data = Datasets(path)
         try:
             self.datasets = data
             self.attributes = data.attributes()
@@ -73,10 +73,9 @@ class History:
             raise
 
     def verify(self) -> None:
-        """Compares what is recorded with its checksums; a file of format 1.0
-        has none. Raises HistoryError if a part is damaged."""
-        if not isinstance(self.datasets, Format1):
-            verify(self.datasets)
+        """Compares what is recorded with its checksums. Raises HistoryError
+        if a part is damaged."""
+        verify(self.datasets)
 
     def __repr__(self) -> str:
         return f"<History {self.path}>"
@@ -226,11 +225,8 @@ class History:
 
     def sessions(self) -> list[Session]:
         """The starts of the program, oldest first."""
-        known = {*self.datasets.names("sessions")}
         columns = {
-            name: self.datasets.read(f"sessions/{name}")
-            for name in (*_SESSION, *_SESSION_2)
-            if name in known
+            name: self.datasets.read(f"sessions/{name}") for name in _SESSION
         }
         rows = (dict(zip(columns, row)) for row in zip(*columns.values()))
         return [

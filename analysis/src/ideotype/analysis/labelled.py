@@ -24,8 +24,7 @@ def open_arrays(
 ) -> xarray.Dataset:
     """A group of a history, "evaluations", "final", "generations", "genes" and
     so on, in memory: arrays by name, whose dimensions have names and labels.
-    Works on finished, live and killed files and on those of format 1.0. Of
-    /evaluations and /final only the rows whose outcome is recorded; all of
+    Works on finished, live and killed files. Of /evaluations and /final only the rows whose outcome is recorded; all of
     them with `all_rows`. The attribute `unchecked_rows` of /evaluations counts
     those of a generation that is not complete and so has no checksum.
 

@@ -66,8 +66,6 @@ class RowReader:
 
         row = first + complete
         generation, slot = self._places(group, row)
-        objectives = read("objectives")
-        has_draws = "objectives_by_randomisation" in names
         return Rows(
             genes=self.genes,
             goals=self.objectives,
@@ -79,13 +77,9 @@ class RowReader:
             origin=read("origin").astype(int),
             parents=read("parents").astype(int),
             genome=read("genome"),
-            objectives=objectives,
+            objectives=read("objectives"),
             objectives_standard_error=read("objectives" + _ERROR),
-            randomisations=(
-                read("objectives_by_randomisation")
-                if has_draws
-                else np.empty((*objectives.shape, 0))
-            ),
+            randomisations=read("objectives_by_randomisation"),
             violation=read("violation"),
             attempt=read("attempt").astype(int),
             seconds=read("seconds"),

@@ -38,17 +38,16 @@ class State:
 
 @dataclass(frozen=True)
 class Session:
-    """One start of the program on this history. Files of format 1.0 do not
-    have the last three."""
+    """One start of the program on this history."""
 
     started: str
     """UTC, ISO 8601."""
     host: str
     command: str
     ranks: int
-    program: str = ""
-    compiler: str = ""
-    libraries: str = ""
+    program: str
+    compiler: str
+    libraries: str
 
 
 @dataclass(frozen=True)

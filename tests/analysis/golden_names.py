@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figures of a history of format 2.0 by the names that 1.0 had for them."""
+"""The figures of a history by the names that the golden files have for them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ PARTS = ("absorbed", "stalk", "soil", "reflected")
 
 
 def figures(file: h5py.File) -> dict[str, np.ndarray]:
-    """All that a file of format 1.0 had."""
+    """All that the golden files hold."""
     found = {}
     for part in ("evaluations", "final"):
         rows = file[part]

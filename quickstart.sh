@@ -22,7 +22,7 @@ echo
 echo
 "$ideotype" plan "$campaign"
 echo
-"$ideotype" run "$campaign" --ranks auto --out "$out" --resume
+"$ideotype" run "$campaign" --out "$out" --resume
 
 echo
 .venv/bin/ideotype-summary --gains "$out/quickstart"

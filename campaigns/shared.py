@@ -136,7 +136,7 @@ def breed(
 
     The program is that of IDEOTYPE_EXECUTABLE, else `ideotype` on PATH."""
     program = os.environ.get("IDEOTYPE_EXECUTABLE", "ideotype")
-    words = [program, verb, str(campaign), "--ranks", "auto", "--resume"]
+    words = [program, verb, str(campaign), "--resume"]
     words += ["--out", str(out)]
     for key in (f"name={name}", *settings):
         words += ["--set", key]

@@ -195,7 +195,6 @@ void tell_next(const std::string& path,
         words.emplace_back("--set");
         words.push_back(each);
     }
-    words.insert(words.end(), {"--ranks", "auto"});
     fmt::print("next: {}\n", quoted(words));
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <deque>
 #include <filesystem>
 #include <list>
 #include <optional>
@@ -10,7 +11,9 @@
 #include "ideotype/cli/ranks.hpp"
 #include "ideotype/core/routine.hpp"
 #include "ideotype/parallel/dispatcher.hpp"
+#include "ideotype/run/machines.hpp"
 #include "ideotype/run/progress.hpp"
+#include "report_error.hpp"
 
 namespace ideotype {
 
@@ -98,10 +101,9 @@ class Comparer : public Director {
     std::list<Routine<bool>> running_;
 };
 
-void compare_and_tell(Comparison& comparison,
-                      std::unique_ptr<Dispatcher> dispatcher,
+void compare_and_tell(Comparison& comparison, Dispatcher& dispatcher,
                       const CompareOptions& options) {
-    Comparer(comparison).fill(*dispatcher);
+    Comparer(comparison).fill(dispatcher);
     if (!options.csv_path.empty()) write_csv(options.csv_path, comparison);
     if (options.is_json)
         fmt::print("{}\n", to_text(to_json(comparison)));
@@ -125,7 +127,7 @@ std::optional<Comparison> read_on_all(const Session& session,
     std::exception_ptr failure;
     try {
         comparison = read(options);
-        if (comparison->size() == 1)
+        if (comparison->size() == 1 && session.size() > 1)
             throw Error(
                 fmt::format("compare: one plant in one case is one "
                             "evaluation, which {} ranks cannot share; start "
@@ -149,31 +151,41 @@ void share(const CompareOptions& options, const Session& session,
            StopFlag& stop) {
     auto comparison = read_on_all(session, options);
     if (!comparison) return;
-    CompareEvaluator evaluator(
-        *comparison, session.broadcast(Device::supported_isas().back()));
-    if (session.rank() != 0) return serve(session, evaluator);
+    const std::string isa = session.broadcast(Device::supported_isas().back());
+    std::deque<CompareEvaluator> own_evaluators;
+    Evaluators evaluators;
+    for (int i = threads_per_rank(session, options.threads); i > 0; --i)
+        evaluators.push_back(&own_evaluators.emplace_back(*comparison, isa));
+    if (session.rank() != 0) return serve(session, evaluators);
     const Campaign& under = comparison->under;
-    compare_and_tell(
-        *comparison,
-        make_dispatcher(session, evaluator, stop,
+    const auto dispatcher =
+        make_dispatcher(session, evaluators, stop,
                         {under.answer_limits.deadline,
-                         under.answer_limits.attempts, final_effort(under)}),
-        options);
+                         under.answer_limits.attempts, final_effort(under)});
+    std::exception_ptr failure;
+    try {
+        compare_and_tell(*comparison, *dispatcher, options);
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    // A worker that hangs would keep the program from ending.
+    if (dispatcher->dismiss()) {
+        if (failure) std::rethrow_exception(failure);
+        return;
+    }
+    try {
+        if (failure) std::rethrow_exception(failure);
+    } catch (const std::exception& error) {
+        session.abort(static_cast<int>(report_error(error)));
+    }
+    session.abort(0);
 }
 
 }  // namespace
 
 ExitCode compare(const CompareOptions& options) {
     StopFlag stop;
-    if (launch_of_this_process().size > 1) {
-        const Session session;
-        require_all_ranks(session.size());
-        share(options, session, stop);
-        return ExitCode::ok;
-    }
-    Comparison comparison = read(options);
-    CompareEvaluator evaluator(comparison, Device::supported_isas().back());
-    compare_and_tell(comparison, make_dispatcher(evaluator, stop), options);
+    share(options, start_session(), stop);
     return ExitCode::ok;
 }
 

@@ -13,6 +13,7 @@
 #include "mesh_command.hpp"
 #include "run_command.hpp"
 #include "sensitivity_command.hpp"
+#include "threads_option.hpp"
 
 namespace ideotype {
 
@@ -134,6 +135,7 @@ void declare_compare(CLI::App& verb, CompareOptions& options) {
         ->check(CLI::Range(1e-5, 0.05));
     verb.add_option("--csv", options.csv_path,
                     "also write all figures to this new file, one per line");
+    add_threads(verb, options.threads);
     add_json(verb, options.is_json);
 }
 
@@ -180,6 +182,7 @@ void declare_fidelity(CLI::App& verb, FidelityOptions& options) {
 void declare_serve(CLI::App& verb, ServeOptions& options) {
     add_campaign(verb, options.campaign_path, options.settings);
     add_case(verb, options.case_index);
+    add_threads(verb, options.threads);
     add_log_level(verb, options.level);
 }
 
@@ -239,17 +242,15 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
     add("plan", "list the cases of a campaign with index, seed and cost",
         "campaigns/latitudes.toml", declare_plan, plan);
     add("run",
-        "evolve the cases of a campaign on the cores of this machine "
-        "(--ranks auto), alone, or on a cluster (under mpirun or srun)",
-        "campaigns/quickstart.toml --ranks auto --resume", declare_run,
-        start_run)
+        "evolve the cases of a campaign on the cores of this machine, or on a "
+        "cluster (under mpirun or srun)",
+        "campaigns/quickstart.toml --resume", declare_run, start_run)
         .words = words;
     add("sensitivity",
         "what light, or any other quantity, depends on: indices by Sobol' or "
         "Morris for the traits and for numeric keys of a campaign; runs, "
         "stops and is resumed as run",
-        "campaigns/ames_quick.toml --ranks auto", declare_sensitivity,
-        start_sensitivity)
+        "campaigns/ames_quick.toml", declare_sensitivity, start_sensitivity)
         .run.words = words;
     add("status", "how far histories have come, also while they are written",
         "results", declare_status, status);
@@ -259,14 +260,14 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
         "campaigns/quickstart.toml", declare_evaluate, evaluate_any);
     add("compare",
         "plants in the same light: how each differs from the first, with "
-        "paired standard errors, in all and by leaf and layer; alone, or under "
-        "mpirun or srun",
+        "paired standard errors, in all and by leaf and layer; on all cores, "
+        "or under mpirun or srun",
         "maize.toml field.csv --under campaigns/ames_quick.toml",
         declare_compare, compare);
     add("serve",
         "evaluate the genomes that arrive as lines of JSON on the standard "
         "input, and answer each with a line of JSON, until the input ends; "
-        "alone, or on all ranks under mpirun or srun",
+        "on all cores, or on all ranks under mpirun or srun",
         "campaigns/ames_quick.toml < genomes > answers", declare_serve, serve);
     add("fidelity",
         "measure what accuracy costs here: error and time of every setting "

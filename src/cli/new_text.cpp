@@ -19,7 +19,7 @@ namespace {
 constexpr auto form =
     R"(# A campaign of ideotype, a whole study in one file:
 #     ideotype check FILE               what is wrong, size and cost
-#     ideotype run FILE --ranks auto    on all cores of this machine
+#     ideotype run FILE                 on all cores of this machine
 # Other keys have defaults: see campaigns/README.md.
 
 name = {name:?}

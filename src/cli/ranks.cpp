@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ideotype/cli/ranks.hpp"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <sched.h>
 
 #include <fmt/format.h>
 
 #include "ideotype/core/error.hpp"
-#include "ideotype/parallel/session.hpp"
+#include "ideotype/core/host.hpp"
 
 namespace ideotype {
 
@@ -33,33 +29,34 @@ constexpr std::array<Variables, 3> variables{{
     {"PMIX_RANK", "SLURM_STEP_NUM_TASKS"},
 }};
 
-}  // namespace
-
-int available_cores() {
-    cpu_set_t set;
-    int cores = 1;
-    if (sched_getaffinity(0, sizeof set, &set) == 0) cores = CPU_COUNT(&set);
-    // "max 100000" without a quota
-    std::ifstream file("/sys/fs/cgroup/cpu.max");
-    double quota = 0, period = 0;
-    if (file >> quota >> period && quota > 0 && period > 0)
-        cores = std::min(cores, static_cast<int>(std::ceil(quota / period)));
-    return std::max(cores, 1);
+//! Refuses a job of which MPI has found fewer ranks than were started, as it
+//! does under the launcher of another MPI: each would do all the work.
+void require_all_ranks(int found, int started) {
+    if (found >= started) return;
+    throw Error(
+        fmt::format("{} ranks were started, but do not find each other: the "
+                    "launcher is not that of {}, which this program is built "
+                    "with; start it with the mpirun of that, or srun with "
+                    "another --mpi (srun --mpi=list)",
+                    started, Session::library_version()),
+        ExitCode::usage);
 }
 
-int parse_ranks(const std::string& text) {
-    const int automatic = ranks_for(available_cores());
+}  // namespace
+
+int parse_threads(const std::string& text) {
+    const int automatic = available_cores();
     if (text == "auto") return automatic;
-    int ranks = 0;
+    int threads = 0;
     const char* end = text.data() + text.size();
-    const auto [rest, failure] = std::from_chars(text.data(), end, ranks);
-    if (failure != std::errc() || rest != end || ranks < 1 ||
-        ranks > most_ranks)
-        throw Error(fmt::format("--ranks: '{}' is no number of ranks; give 1 "
-                                "to {}, or auto, which is {} here",
-                                text, most_ranks, automatic),
+    const auto [rest, failure] = std::from_chars(text.data(), end, threads);
+    if (failure != std::errc() || rest != end || threads < 1 ||
+        threads > most_threads)
+        throw Error(fmt::format("--threads: '{}' is no number of threads; give "
+                                "1 to {}, or auto, which is {} here",
+                                text, most_threads, automatic),
                     ExitCode::usage);
-    return ranks;
+    return threads;
 }
 
 Launch launch_of_this_process() {
@@ -70,16 +67,12 @@ Launch launch_of_this_process() {
     return {};
 }
 
-void require_all_ranks(int found) {
-    const int started = launch_of_this_process().size;
-    if (found >= started) return;
-    throw Error(
-        fmt::format("{} ranks were started, but do not find each other: the "
-                    "launcher is not that of {}, which this program is built "
-                    "with; start it with {}, or srun with another --mpi (srun "
-                    "--mpi=list)",
-                    started, Session::library_version(), IDEOTYPE_MPIEXEC),
-        ExitCode::usage);
+Session start_session() {
+    const Launch launch = launch_of_this_process();
+    if (!launch.is_launched) return Session::alone();
+    Session session;
+    require_all_ranks(session.size(), launch.size);
+    return session;
 }
 
 }  // namespace ideotype

@@ -5,12 +5,11 @@
 #include <fmt/format.h>
 
 #include "campaign_argument.hpp"
-#include "ideotype/cli/ranks.hpp"
 #include "ideotype/core/clock.hpp"
 #include "ideotype/run/way_on.hpp"
-#include "launch.hpp"
 #include "log_option.hpp"
 #include "report_error.hpp"
+#include "threads_option.hpp"
 
 namespace ideotype {
 
@@ -23,17 +22,6 @@ double to_seconds(const std::string& text) {
         "--wall-time", fmt::format("'{}' is no time; write for example 90, "
                                    "90s, 30m, 2h, 1h30m or 01:30:00",
                                    text));
-}
-
-//! `--ranks`: starts the ranks, one of which will come here again.
-bool is_to_launch(int ranks) {
-    const Launch own = launch_of_this_process();
-    if (own.is_launched && !is_own_launch())
-        throw Error(
-            "run: --ranks starts the ranks by itself, but mpirun or srun has "
-            "started this already; leave out one of them",
-            ExitCode::usage);
-    return !own.is_launched && ranks > 1;
 }
 
 //! Collective over all ranks.
@@ -54,15 +42,6 @@ ExitCode run_on_ranks(const RunOptions& options, const Session& session,
     }
 }
 
-ExitCode run_with_session(const RunOptions& options, const AtEnd& at_end) {
-    StopFlag stop;
-    const Session session;
-    require_all_ranks(session.size());
-    const ExitCode code = run_on_ranks(options, session, stop, at_end);
-    if (session.rank() == 0) tell_launcher(code);
-    return code;
-}
-
 }  // namespace
 
 void declare_run(CLI::App& verb, RunCommand& command) {
@@ -71,9 +50,7 @@ void declare_run(CLI::App& verb, RunCommand& command) {
     verb.add_option("--start", options.start,
                     "plant file, or history with its best plant, that CMA-ES "
                     "begins around (search.start)");
-    verb.add_option("--ranks", command.ranks,
-                    "start this many ranks under MPI; auto: as many as keep "
-                    "all cores busy");
+    add_threads(verb, options.threads);
     verb.add_option("--masters", options.masters,
                     "so many ranks evolve cases, each with workers of its "
                     "own; if not given one, and from 512 ranks on one for "
@@ -105,11 +82,9 @@ ExitCode start_run(const RunCommand& command) {
 ExitCode start_run(const RunCommand& command, const AtEnd& at_end) {
     RunOptions options = command.options;
     options.command = quoted(command.words);
-    const int count = command.ranks ? parse_ranks(*command.ranks) : 1;
-    if (command.ranks && is_to_launch(count))
-        return ExitCode{
-            launch(count, command.words, way_on(options.command, count))};
-    return run_with_session(options, at_end);
+    StopFlag stop;
+    const Session session = start_session();
+    return run_on_ranks(options, session, stop, at_end);
 }
 
 }  // namespace ideotype

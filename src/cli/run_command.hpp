@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,12 +17,11 @@ namespace ideotype {
 struct RunCommand {
     std::vector<std::string> words;  //!< of the command line
     RunOptions options;
-    std::optional<std::string> ranks;
 };
 
 void declare_run(CLI::App& verb, RunCommand& command);
 
-//! Starts the ranks of `--ranks` and waits for them, or is one of them.
+//! Collective over the ranks that a launcher has started, if any.
 ExitCode start_run(const RunCommand& command);
 
 //! What rank 0 does once all cases are finished.

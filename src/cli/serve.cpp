@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <deque>
 #include <map>
 #include <unistd.h>
 
@@ -122,9 +123,10 @@ class Service : public Director {
         const auto found = in_flight_.find(task.slot);
         ++(outcome.status == Status::done ? done_ : failed_);
         write(answer(found->second, outcome, served_.schema));
-        log_.write(LogLevel::debug,
-                   fmt::format("line {}: rank {}, {:.4f} s", found->second.line,
-                               outcome.worker, outcome.seconds));
+        log_.write(
+            LogLevel::debug,
+            fmt::format("line {}: worker {}, {:.4f} s", found->second.line,
+                        outcome.worker, outcome.seconds));
         in_flight_.erase(found);
     }
 
@@ -182,13 +184,16 @@ ExitCode serve_on(const Session& session, const ServeOptions& options,
     const Campaign campaign = parse_campaign(resolved, options.campaign_path);
     const ServedCase served(campaign, options.case_index,
                             options.campaign_path);
-    RequestEvaluator evaluator(served, isa);
+    std::deque<RequestEvaluator> own_evaluators;
+    Evaluators evaluators;
+    for (int i = threads_per_rank(session, options.threads); i > 0; --i)
+        evaluators.push_back(&own_evaluators.emplace_back(served, isa));
     if (session.rank() != 0) {
-        serve(session, evaluator);
+        serve(session, evaluators);
         return ExitCode::ok;
     }
     const auto dispatcher = make_dispatcher(
-        session, evaluator, stop,
+        session, evaluators, stop,
         {campaign.answer_limits.deadline, campaign.answer_limits.attempts,
          final_effort(campaign), attention});
     Service service(served, stop, log);
@@ -200,7 +205,7 @@ ExitCode serve_on(const Session& session, const ServeOptions& options,
         failure = error;
         code = error.exit_code();
     }
-    // A worker that hangs would keep MPI from ending.
+    // A worker that hangs would keep the program from ending.
     if (!dispatcher->dismiss()) {
         if (failure) log.write(LogLevel::error, failure->what());
         session.abort(static_cast<int>(code));
@@ -209,37 +214,20 @@ ExitCode serve_on(const Session& session, const ServeOptions& options,
     return code;
 }
 
-ExitCode serve_alone(const ServeOptions& options, const StopFlag& stop,
-                     const Log& log) {
-    const Campaign campaign =
-        read_campaign(options.campaign_path, options.settings);
-    print_warnings(campaign, log);
-    const ServedCase served(campaign, options.case_index,
-                            options.campaign_path);
-    RequestEvaluator evaluator(served, Device::supported_isas().back());
-    const auto dispatcher = make_dispatcher(evaluator, stop);
-    return Service(served, stop, log).run(*dispatcher);
-}
-
 }  // namespace
 
 ExitCode serve(const ServeOptions& options) {
     StopFlag stop;
     const Log log(options.level);
-    std::optional<Session> session;
-    if (launch_of_this_process().size > 1) {
-        session.emplace();
-        require_all_ranks(session->size());
-    }
+    const Session session = start_session();
     try {
-        return session ? serve_on(*session, options, stop, log)
-                       : serve_alone(options, stop, log);
+        return serve_on(session, options, stop, log);
     } catch (const std::exception& error) {
         const ExitCode code = report_error(error, log);
         // Rank 0 tells the others to leave before an Error of its own. Ranks
         // would wait for ever for one that fails by itself.
-        if (session && (session->rank() != 0 || !is_told(error)))
-            session->abort(static_cast<int>(code));
+        if (session.rank() != 0 || (session.size() > 1 && !is_told(error)))
+            session.abort(static_cast<int>(code));
         return code;
     }
 }

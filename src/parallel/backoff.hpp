@@ -2,27 +2,23 @@
 #pragma once
 
 #include <algorithm>
-
-#include "ideotype/parallel/rank_clock.hpp"
+#include <utility>
 
 namespace ideotype {
 
-//! Waiting that costs little: a call of MPI that blocks would burn a core.
-//! Rests grow with the time waited so far, so that what is waited for is
-//! noticed within a few percent of the time that it took.
+//! Rests of who waits for MPI, of which a call that blocks would burn a core.
+//! They grow with the time waited so far, so that what is waited for is noticed
+//! within a few percent of the time that it took.
 class Backoff {
   public:
-    explicit Backoff(const RankClock& clock) : clock_(clock) {}
-
-    void wait() {
-        clock_.nap(nap_);
-        nap_ = std::min(nap_ + nap_ / 32, longest);
+    //! Tells the next rest [s].
+    double next() {
+        return std::exchange(rest_, std::min(rest_ + rest_ / 32, longest));
     }
 
   private:
     static constexpr double longest = 1e-3;
-    const RankClock& clock_;
-    double nap_ = 50e-6;  //!< the next [s]
+    double rest_ = 50e-6;
 };
 
 }  // namespace ideotype

@@ -30,8 +30,8 @@ struct Dispatcher::Assignment {
     std::uint64_t batch = 0;  //!< its number; it may be gone since
     std::uint64_t item = 0;
     Task task;
-    double began = 0;     //!< on the clock [s]
-    double deadline = 0;  //!< on the clock [s]
+    double began = 0;     //!< as now() tells [s]
+    double deadline = 0;  //!< as now() tells [s]
 };
 
 Dispatcher::Dispatcher(std::unique_ptr<Workers> workers, const StopFlag& stop,
@@ -40,7 +40,8 @@ Dispatcher::Dispatcher(std::unique_ptr<Workers> workers, const StopFlag& stop,
       stop_(stop),
       rules_(rules),
       clock_(clock),
-      given_(static_cast<std::size_t>(workers_->width())) {
+      given_(static_cast<std::size_t>(workers_->width())),
+      looked_(clock.now()) {
     for (int worker = 0; worker < workers_->width(); ++worker)
         idle_.insert(idle_.end(), worker);
 }
@@ -156,6 +157,16 @@ bool Dispatcher::has_late() const {
     return idle_.size() + deadlines_.size() < given_.size();
 }
 
+//! Tells how long this process has run [s]. While a job stands still, as after
+//! Ctrl-Z, nobody is late.
+double Dispatcher::now() {
+    constexpr double longest_step = 1;
+    const double looked = clock_.now();
+    running_ += std::min(looked - looked_, longest_step);
+    looked_ = looked;
+    return running_;
+}
+
 void Dispatcher::give(int worker, const Assignment& given, const Work& work) {
     idle_.erase(worker);
     deadlines_.emplace(given.deadline, worker);
@@ -178,7 +189,7 @@ Dispatcher::Assignment Dispatcher::take(int worker, const Outcome& outcome) {
 //! A worker who is late from now on, if there is one.
 std::optional<int> Dispatcher::next_late() {
     const auto first = deadlines_.begin();
-    if (first == deadlines_.end() || clock_.now() <= first->first) return {};
+    if (first == deadlines_.end() || now() <= first->first) return {};
     const int worker = first->second;
     deadlines_.erase(first);
     return worker;
@@ -201,12 +212,12 @@ bool Dispatcher::hand_out() {
         // A late worker may have answered after all.
         if (found == batch.unanswered_.end()) return true;
         const Work& work = found->second;
-        const double now = clock_.now();
+        const double began = now();
         const double patience =
             std::max(rules_.deadline,
                      longest_factor * longest_ * rules_.effort(work.task));
         give(*idle_.begin(),
-             {batch.number_, item, work.task, now, now + patience}, work);
+             {batch.number_, item, work.task, began, began + patience}, work);
         return true;
     }
     return false;
@@ -231,7 +242,8 @@ void Dispatcher::receive(Director& director) {
         const auto& [worker, outcome] = *answer;
         const Assignment given = take(worker, outcome);
         if (outcome.status == Status::proposed)
-            note_obstacle(workers_->rank(worker), given.task, outcome.message);
+            note_obstacle(workers_->number(worker), given.task,
+                          outcome.message);
         else
             settle(given, outcome);
     }
@@ -239,13 +251,13 @@ void Dispatcher::receive(Director& director) {
 }
 
 //! A machine could not evaluate, which says nothing of the plant.
-void Dispatcher::note_obstacle(int rank, const Task& task,
+void Dispatcher::note_obstacle(int worker, const Task& task,
                                const std::string& reason) {
     if (!obstacle_.empty()) return;
     obstacle_ = fmt::format(
-        "rank {} could not evaluate {} {}; that is not the plant's fault, so "
-        "nothing is said of it: give each rank more memory, or start fewer",
-        rank, name_of(task), reason);
+        "worker {} could not evaluate {} {}; that is not the plant's fault, so "
+        "nothing is said of it: give each worker more memory, or have fewer",
+        worker, name_of(task), reason);
 }
 
 //! Records an outcome, unless its batch is gone or another attempt was first.
@@ -271,10 +283,10 @@ void Dispatcher::settle(const Assignment& given, const Outcome& outcome) {
 //! What happens to the task of a worker that has become late.
 void Dispatcher::give_up(int worker, Director& director) {
     const Assignment given = *given_[static_cast<std::size_t>(worker)];
-    std::string what =
-        fmt::format("no answer from rank {} within {:.3g} s for {}, attempt {}",
-                    workers_->rank(worker), given.deadline - given.began,
-                    name_of(given.task), given.task.attempt);
+    std::string what = fmt::format(
+        "no answer from worker {} within {:.3g} s for {}, attempt {}",
+        workers_->number(worker), given.deadline - given.began,
+        name_of(given.task), given.task.attempt);
     const auto found = by_number_.find(given.batch);
     if (found == by_number_.end() ||
         !found->second->unanswered_.contains(given.item)) {
@@ -300,7 +312,7 @@ void Dispatcher::give_up(int worker, Director& director) {
                         given.deadline - given.began, given.task.attempt);
         Outcome outcome = failed_outcome(workers_->schema(given.task), reason);
         outcome.seconds = given.deadline - given.began;
-        outcome.worker = static_cast<std::uint32_t>(workers_->rank(worker));
+        outcome.worker = static_cast<std::uint32_t>(workers_->number(worker));
         settle(given, outcome);
     } else {
         Batch& batch = *found->second;
@@ -311,7 +323,7 @@ void Dispatcher::give_up(int worker, Director& director) {
 
 double Dispatcher::seconds_to_wait() const {
     if (deadlines_.empty()) return rules_.attention;
-    return std::clamp(deadlines_.begin()->first - clock_.now(), 0.0,
+    return std::clamp(deadlines_.begin()->first - running_, 0.0,
                       rules_.attention);
 }
 
@@ -322,20 +334,14 @@ void Dispatcher::drop_next() {
     while (next_late()) continue;
 }
 
-std::unique_ptr<Dispatcher> make_dispatcher(Evaluator& evaluator,
-                                            const StopFlag& stop) {
-    return std::make_unique<Dispatcher>(make_local_worker(evaluator, 0), stop);
-}
-
 std::unique_ptr<Dispatcher> make_dispatcher(const Session& session,
-                                            Evaluator& evaluator,
+                                            const Evaluators& evaluators,
                                             const StopFlag& stop,
                                             const AnswerRules& rules) {
-    auto workers = session.size() == 1
-                       ? make_local_worker(evaluator, session.rank_in_job(0))
-                       : make_rank_workers(session, evaluator);
-    return std::make_unique<Dispatcher>(std::move(workers), stop, rules,
-                                        session.clock());
+    return std::make_unique<Dispatcher>(
+        session.size() == 1 ? make_thread_workers(session, evaluators)
+                            : make_rank_workers(session, evaluators),
+        stop, rules, session.clock());
 }
 
 }  // namespace ideotype

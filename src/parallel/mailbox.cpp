@@ -32,10 +32,10 @@ Mailbox::Mailbox(const Session& session)
     : session_(session), posted_(std::make_unique<Posted>()) {}
 
 Mailbox::~Mailbox() {
-    Backoff backoff(session_.clock());
+    Backoff backoff;
     for (posted_->forget_finished(); !posted_->sendings.empty();
          posted_->forget_finished())
-        backoff.wait();
+        session_.clock().nap(backoff.next());
 }
 
 void Mailbox::post(int rank, Tag tag, Bytes bytes) {
@@ -54,7 +54,7 @@ Envelope Mailbox::wait() {
 
 std::optional<Envelope> Mailbox::wait(double seconds) {
     const double end = session_.clock().now() + seconds;
-    Backoff backoff(session_.clock());
+    Backoff backoff;
     MPI_Status status;
     for (;;) {
         posted_->forget_finished();
@@ -63,7 +63,7 @@ std::optional<Envelope> Mailbox::wait(double seconds) {
                    &arrived, &status);
         if (arrived) break;
         if (session_.clock().now() >= end) return std::nullopt;
-        backoff.wait();
+        session_.clock().nap(backoff.next());
     }
     int size = 0;
     MPI_Get_count(&status, MPI_BYTE, &size);

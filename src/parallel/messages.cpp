@@ -133,6 +133,11 @@ Bytes encode_reply(const Reply& reply) {
     return bytes;
 }
 
+Task task_of_reply(std::span<const std::byte> bytes) {
+    return from_wire(
+        read_header<ReplyHeader>(bytes, Mark::reply, "a reply").task);
+}
+
 Reply decode_reply(std::span<const std::byte> bytes,
                    const OutcomeSchema& schema) {
     const auto header = read_header<ReplyHeader>(bytes, Mark::reply, "a reply");

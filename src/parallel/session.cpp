@@ -17,12 +17,12 @@ namespace ideotype {
 namespace {
 
 void wait_for(MPI_Request request, const RankClock& clock) {
-    Backoff backoff(clock);
+    Backoff backoff;
     for (;;) {
         int finished = 0;
         MPI_Test(&request, &finished, MPI_STATUS_IGNORE);
         if (finished) return;
-        backoff.wait();
+        clock.nap(backoff.next());
     }
 }
 
@@ -38,7 +38,16 @@ Session::Session(const RankClock& clock)
 Session::Session(const RankClock& clock, const Ranks& ranks)
     : clock_(clock), ranks_(std::make_unique<Ranks>(ranks)) {}
 
+Session::Session(const RankClock& clock, std::nullptr_t) : clock_(clock) {}
+
+Session::Session(Session&& other) noexcept = default;
+
+Session Session::alone() {
+    return {machine_clock(), nullptr};
+}
+
 Session::~Session() {
+    if (!ranks_) return;
     if (ranks_->end == Ranks::End::finalize) {
         MPI_Finalize();
         return;
@@ -48,6 +57,7 @@ Session::~Session() {
 }
 
 Session Session::split(int part) const {
+    if (!ranks_) return alone();
     MPI_Comm communicator = MPI_COMM_NULL;
     MPI_Comm_split(ranks_->communicator, part, rank(), &communicator);
     return {clock_, {communicator, Ranks::End::free}};
@@ -55,11 +65,13 @@ Session Session::split(int part) const {
 
 int Session::rank() const {
     int rank = 0;
+    if (!ranks_) return rank;
     MPI_Comm_rank(ranks_->communicator, &rank);
     return rank;
 }
 
 int Session::rank_in_job(int rank) const {
+    if (!ranks_) return rank;
     MPI_Group own = MPI_GROUP_NULL;
     MPI_Group all = MPI_GROUP_NULL;
     MPI_Comm_group(ranks_->communicator, &own);
@@ -72,12 +84,14 @@ int Session::rank_in_job(int rank) const {
 }
 
 int Session::size() const {
-    int size = 0;
+    int size = 1;
+    if (!ranks_) return size;
     MPI_Comm_size(ranks_->communicator, &size);
     return size;
 }
 
 std::string Session::broadcast(const std::string& text) const {
+    if (!ranks_) return text;
     std::uint64_t length = text.size();
     MPI_Request request;
     MPI_Ibcast(&length, 1, MPI_UINT64_T, 0, ranks_->communicator, &request);
@@ -91,6 +105,7 @@ std::string Session::broadcast(const std::string& text) const {
 }
 
 std::vector<std::string> Session::gather(const std::string& text) const {
+    if (!ranks_) return {text};
     const auto ranks = static_cast<std::size_t>(size());
     const auto length = static_cast<int>(text.size());
     std::vector<int> lengths(ranks), starts(ranks);
@@ -113,6 +128,7 @@ std::vector<std::string> Session::gather(const std::string& text) const {
 
 int Session::largest(int value) const {
     int result = value;
+    if (!ranks_) return result;
     MPI_Request request;
     MPI_Iallreduce(&value, &result, 1, MPI_INT, MPI_MAX, ranks_->communicator,
                    &request);
@@ -124,7 +140,7 @@ void Session::abort(int exit_code) const {
     std::cout.flush();
     std::cerr.flush();
     std::fflush(nullptr);
-    MPI_Abort(MPI_COMM_WORLD, exit_code);
+    if (ranks_) MPI_Abort(MPI_COMM_WORLD, exit_code);
     std::_Exit(exit_code);
 }
 

@@ -14,15 +14,17 @@ struct Answer {
     Outcome outcome;
 };
 
-//! Those who evaluate: workers numbered from 0, each with one task at a time.
+//! Those who evaluate: workers counted from 0, each with one task at a time.
 class Workers {
   public:
     virtual ~Workers() = default;
 
     virtual int width() const = 0;
 
-    //! The MPI rank of a worker.
-    virtual int rank(int worker) const = 0;
+    //! The number of a worker in the whole job: its thread; with one thread
+    //! per rank its MPI rank; with several the rank times their number, plus
+    //! the thread.
+    virtual int number(int worker) const = 0;
 
     //! The columns of this task's outcome.
     virtual const OutcomeSchema& schema(const Task& task) const = 0;
@@ -37,12 +39,13 @@ class Workers {
     virtual void dismiss() = 0;
 };
 
-//! This process is the only worker; it evaluates while it waits.
-//! @param rank its own
-std::unique_ptr<Workers> make_local_worker(Evaluator& evaluator, int rank);
+//! Threads of this process. Their end is awaited: who is not sure that all
+//! answer must end the process instead.
+std::unique_ptr<Workers> make_thread_workers(const Session& session,
+                                             const Evaluators& evaluators);
 
-//! All ranks but rank 0.
+//! All ranks but rank 0, and if each has several threads those of rank 0.
 std::unique_ptr<Workers> make_rank_workers(const Session& session,
-                                           const Evaluator& evaluator);
+                                           const Evaluators& evaluators);
 
 }  // namespace ideotype

@@ -58,6 +58,11 @@ std::vector<Machine> gather_machines(const Session& session,
     return machines;
 }
 
+int threads_per_rank(const Session& session, const std::optional<int>& wanted) {
+    return session.largest(
+        wanted.value_or(session.size() > 1 ? 1 : available_cores()));
+}
+
 void require_same_program(const std::vector<Machine>& machines) {
     const Machine& first = machines.front();
     for (const Machine& other : machines)

@@ -156,7 +156,7 @@ class ProgressLog::CaseWatcher : public Watcher {
 
     void on_evaluation(const Task& task, const Outcome& outcome) override {
         log_.print(
-            fmt::format("{}  {} slot {}: rank {}, {:.4f} s, {}", entry_.name,
+            fmt::format("{}  {} slot {}: worker {}, {:.4f} s, {}", entry_.name,
                         task.is_final
                             ? "final"
                             : fmt::format("generation {}", task.generation),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ideotype/run/run.hpp"
 
+#include <deque>
 #include <filesystem>
 #include <optional>
 
@@ -96,10 +97,10 @@ struct Crew {
 
 //! A master: evolves its cases, then lets its workers go.
 ExitCode direct(const RunOptions& options, const Campaign& campaign,
-                const std::string& isa, CanopyEvaluator& evaluator,
+                const std::string& isa, const Evaluators& evaluators,
                 const Crew& crew, StopFlag& stop) {
     const auto dispatcher = make_dispatcher(
-        crew.own, evaluator, stop,
+        crew.own, evaluators, stop,
         {campaign.answer_limits.deadline, campaign.answer_limits.attempts,
          final_effort(campaign)});
     std::optional<Error> failure;
@@ -156,6 +157,7 @@ ExitCode run_on(const Machine& own, const RunOptions& options,
                 const Session& session, StopFlag& stop) {
     if (options.wall_time) stop.request_after(*options.wall_time);
     const std::vector<Machine> machines = gather_machines(session, own);
+    const int threads = threads_per_rank(session, options.threads);
     std::optional<Campaign> campaign;
     Start start;
     // Rank 0 alone looks at files. An empty text tells the others to leave.
@@ -173,7 +175,10 @@ ExitCode run_on(const Machine& own, const RunOptions& options,
     const std::string resolved = session.broadcast(start.resolved);
     if (!campaign) campaign = parse_campaign(resolved, options.campaign_path);
 
-    CanopyEvaluator evaluator(*campaign, isa);
+    std::deque<CanopyEvaluator> own_evaluators;
+    Evaluators evaluators;
+    for (int i = 0; i < threads; ++i)
+        evaluators.push_back(&own_evaluators.emplace_back(*campaign, isa));
     const std::vector<Case> chosen = chosen_cases(options, *campaign);
     const auto count = static_cast<int>(chosen.size());
     const int parts = masters(options.masters, session.size(), count);
@@ -182,9 +187,9 @@ ExitCode run_on(const Machine& own, const RunOptions& options,
     const bool is_master = crew.rank() == 0;
     const Session peers = session.split(is_master ? 0 : 1);
     if (is_master)
-        return direct(options, *campaign, isa, evaluator,
+        return direct(options, *campaign, isa, evaluators,
                       {session, crew, peers, dealt(chosen, part, parts)}, stop);
-    serve(crew, evaluator);
+    serve(crew, evaluators);
     return ExitCode::ok;
 }
 

@@ -64,9 +64,8 @@ bool is_start(const std::string& line) {
 }
 
 std::string way_on(const std::string& command, int ranks) {
-    const bool needs_launcher = ranks > 1 && !contains(command, "--ranks");
-    return (needs_launcher ? fmt::format("mpirun -n {} ", ranks) : "") +
-           command + (contains(command, "--resume") ? "" : " --resume");
+    return (ranks > 1 ? fmt::format("mpirun -n {} ", ranks) : "") + command +
+           (contains(command, "--resume") ? "" : " --resume");
 }
 
 }  // namespace ideotype

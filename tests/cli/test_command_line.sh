@@ -16,8 +16,8 @@ says "did you mean 'check'"
 expect 3 "$ideotype" evaluate campaigns/crops/maize.toml
 says "maize.toml:1:1: this is a crop file .*ideotype compare PLANT --under CAMPAIGN"
 expect 2 "$ideotype"
-expect 2 "$ideotype" run campaigns/verbs.toml --rank 2
-says "^ideotype: run: there is no option --rank; did you mean --ranks?$"
+expect 2 "$ideotype" run campaigns/verbs.toml --thread 2
+says "^ideotype: run: there is no option --thread; did you mean --threads?$"
 expect 2 "$ideotype" status results --jsno
 says "status: there is no option --jsno; did you mean --json?"
 expect 2 "$ideotype" check campaigns/verbs.toml --xyz=3
@@ -31,7 +31,7 @@ says "missing.toml"
 
 expect 0 "$ideotype" check campaigns/verbs.toml
 says "LAI 3.44"
-says "^next: ideotype run campaigns/verbs.toml --ranks auto$"
+says "^next: ideotype run campaigns/verbs.toml$"
 says "Ames  *42 N 93.6 W  *0807  *UTC-5  *06:19  *13:20  *64.2 deg  *20:20  *0.2 %  *+1.24 h"
 sed -e 's/^start = .*/start = 01:00:00/' -e 's/^end = .*/end = 05:00:00/' \
     campaigns/verbs.toml >campaigns/dark.toml
@@ -56,7 +56,7 @@ says "^  warning   the best plant has a leaf area index of 1[0-9.]*, and fields 
 expect 0 "$ideotype" status dense
 says "(evaluated again), 0 failed; this plant has a leaf area index of 1"
 expect 0 "$ideotype" plan campaigns/verbs.toml --set seed=3
-says "^next: ideotype run campaigns/verbs.toml --set seed=3 --ranks auto$"
+says "^next: ideotype run campaigns/verbs.toml --set seed=3$"
 says "ames_0807_762x152_all_r1"
 says "^ *128  *[0-9:]*  *[0-9:]*$"
 expect 0 "$ideotype" plan campaigns/verbs.toml --count

@@ -47,7 +47,7 @@ await_end() {
 start one
 freeze 2
 await_end "^history: "
-grep -q "no answer from rank 2 within .*trying again" "$log" || fail "$(cat "$log")"
+grep -q "no answer from worker 2 within .*trying again" "$log" || fail "$(cat "$log")"
 same_results "$(history_of whole hang)" "$(history_of one hang)"
 
 start drained

@@ -142,7 +142,7 @@ for start in "" "${ranks[*]}"; do
     bash -c 'exec 3>in 4<out; printf "%s\n" "$(<many)" >&3
         while read -r -t 60 -u 4 line; do :; done' &
     client=$!
-    await "the first evaluation" grep -q "line 5: rank" killed.log
+    await "the first evaluation" grep -q "line 5: worker" killed.log
     kill -KILL $client
     wait $client 2>/dev/null || true
     await "the end of all ranks" no_ranks
@@ -153,7 +153,7 @@ for start in "" "${ranks[*]}"; do
     job=$!
     exec 3>in
     cat many >&3 &
-    await "the first evaluation" grep -q "line 5: rank" stopped.log
+    await "the first evaluation" grep -q "line 5: worker" stopped.log
     kill -USR1 $job
     code=0
     wait $job || code=$?
@@ -163,7 +163,7 @@ for start in "" "${ranks[*]}"; do
         fail "a stop ends with $code: $(cat stopped.log)"
     grep -q "stopped before the end of the input" stopped.log ||
         fail "$(cat stopped.log)"
-    [ "$(grep -c ": rank " stopped.log)" = "$(grep -c '"status":"done"' stopped.out)" ] ||
+    [ "$(grep -c ": worker " stopped.log)" = "$(grep -c '"status":"done"' stopped.out)" ] ||
         fail "what was evaluated has no answer"
 done
 
@@ -172,7 +172,7 @@ done
 job=$!
 exec 3>in
 cat many >&3 &
-await "the first evaluation" grep -q "line 5: rank" lost.log
+await "the first evaluation" grep -q "line 5: worker" lost.log
 kill -KILL "$(rank_of $job 2)"
 code=0
 wait $job || code=$?

@@ -44,7 +44,7 @@ goes_on() {
 expect 1 ./starve.sh all "${run[@]}" --out alone
 goes_on alone
 expect 1 mpirun -n 3 ./starve.sh 1 "${run[@]}" --out worker
-says "rank 1 could not"
+says "worker 1 could not"
 goes_on worker
 
 # Finalists, of a run that was killed before it had evaluated them.
@@ -72,7 +72,7 @@ genome=$(echo | "$ideotype" serve campaigns/starved.toml 2>/dev/null |
     grep -o '"baseline":[^,]*' | cut -d : -f 2 | paste -s -d ,)
 echo "{\"genome\": [$genome]}" >request
 expect 1 ./starve.sh all "$ideotype" serve campaigns/starved.toml <request
-says "rank 0 could not evaluate .*not enough memory"
+says "worker 0 could not evaluate .*not enough memory"
 ! grep '"status"' out.log || fail "an answer of a plant"
 
 # No thread for a library that needs one and gives up: a reason, not a signal.

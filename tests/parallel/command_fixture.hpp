@@ -16,9 +16,9 @@ class Commanded : public OnAllRanks {
     //! What rank 0 does, while the others serve.
     template <class Command>
     void command(Command give_orders, const AnswerRules& rules = {}) {
-        if (!is_master()) return serve(session(), evaluator_);
+        if (!is_master()) return serve(session(), {&evaluator_});
         const auto dispatcher =
-            make_dispatcher(session(), evaluator_, stop_, rules);
+            make_dispatcher(session(), {&evaluator_}, stop_, rules);
         give_orders(*dispatcher);
     }
 

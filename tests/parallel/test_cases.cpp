@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <set>
 #include <vector>
 
-#include "command_fixture.hpp"
-#include "fake_director.hpp"
+#include "fake_workers.hpp"
 #include "ideotype/core/error.hpp"
 
 namespace ideotype {
-
-using std::chrono::milliseconds;
 
 namespace {
 
@@ -25,9 +21,14 @@ std::vector<Work> generation_of(std::uint32_t case_index,
 }  // namespace
 
 //! Several routines in one run, as cases of a sweep.
-class CasesOnAllRanks : public Commanded {
+class Cases : public WithAnyWorkers {
   protected:
-    CasesOnAllRanks() : Commanded(FakeEvaluator(milliseconds(2))) {}
+    //! What the dispatcher of a test does.
+    template <class Command>
+    void command(Command give_orders) {
+        Dispatcher dispatcher = make(GetParam());
+        give_orders(dispatcher);
+    }
 
     //! Awaits one generation after the other, and notes when what arrived.
     Routine<bool> evolve(Dispatcher& dispatcher, std::uint32_t case_index,
@@ -53,11 +54,12 @@ class CasesOnAllRanks : public Commanded {
             std::count(order_.begin(), order_.end(), case_index));
     }
 
-    FakeDirector director_;
     std::vector<std::uint32_t> order_;  //!< cases of outcomes as they arrived
 };
 
-TEST_F(CasesOnAllRanks, AllAreEvaluatedCompletely) {
+INSTANTIATE_TEST_SUITE_P(Workers, Cases, testing::Values(1, 2, 8));
+
+TEST_P(Cases, AllAreEvaluatedCompletely) {
     command([&](Dispatcher& dispatcher) {
         for (std::uint32_t c = 0; c < 4; ++c)
             director_.add(evolve(dispatcher, c, 3, 5 + c));
@@ -68,7 +70,7 @@ TEST_F(CasesOnAllRanks, AllAreEvaluatedCompletely) {
 }
 
 // A row becomes known only when the row three before it has arrived.
-TEST_F(CasesOnAllRanks, GoOnWithWorkThatFollowsFromOutcomes) {
+TEST_P(Cases, GoOnWithWorkThatFollowsFromOutcomes) {
     constexpr std::uint32_t rows = 40, cases = 4;
     std::vector<std::uint32_t> given(cases), answered(cases);
     const auto evolve_rows = [&](Dispatcher& dispatcher,
@@ -95,7 +97,7 @@ TEST_F(CasesOnAllRanks, GoOnWithWorkThatFollowsFromOutcomes) {
     });
 }
 
-TEST_F(CasesOnAllRanks, AFailingSourceEndsItsRoutineAlone) {
+TEST_P(Cases, AFailingSourceEndsItsRoutineAlone) {
     command([&](Dispatcher& dispatcher) {
         const auto failing = [&]() -> Routine<bool> {
             std::uint32_t slot = 0;
@@ -116,7 +118,7 @@ TEST_F(CasesOnAllRanks, AFailingSourceEndsItsRoutineAlone) {
     });
 }
 
-TEST_F(CasesOnAllRanks, StartWhenWorkersWouldBeIdleAndNotBefore) {
+TEST_P(Cases, StartWhenWorkersWouldBeIdleAndNotBefore) {
     command([&](Dispatcher& dispatcher) {
         const std::size_t width = static_cast<std::size_t>(dispatcher.width());
         std::size_t started_at_first = 0;
@@ -134,7 +136,7 @@ TEST_F(CasesOnAllRanks, StartWhenWorkersWouldBeIdleAndNotBefore) {
     });
 }
 
-TEST_F(CasesOnAllRanks, ThoseBegunTogetherEndTogether) {
+TEST_P(Cases, ThoseBegunTogetherEndTogether) {
     command([&](Dispatcher& dispatcher) {
         for (std::uint32_t c = 0; c < 3; ++c)
             director_.add(evolve(dispatcher, c, 4, 24));
@@ -150,23 +152,7 @@ TEST_F(CasesOnAllRanks, ThoseBegunTogetherEndTogether) {
     });
 }
 
-TEST_F(CasesOnAllRanks, AreEvolvedByMastersOfTheirOwn) {
-    const int part = session().rank() % 2;
-    const Session own = session().split(part);
-    if (own.rank() != 0) return serve(own, evaluator_);
-    const auto dispatcher = make_dispatcher(own, evaluator_, stop_);
-    const auto index = static_cast<std::uint32_t>(part);
-    std::set<std::uint32_t> ranks;
-    const Record record = [&](const Work& work, const Outcome& outcome) {
-        EXPECT_EQ(work.task.case_index, index);
-        ranks.insert(outcome.worker);
-    };
-    evaluate(*dispatcher, generation_of(index, 0, 40), record);
-    EXPECT_EQ(ranks.size(), static_cast<std::size_t>(dispatcher->width()));
-    for (const std::uint32_t rank : ranks) EXPECT_EQ(rank % 2, index);
-}
-
-TEST_F(CasesOnAllRanks, AFailingOneLeavesTheOthersAlone) {
+TEST_P(Cases, AFailingOneLeavesTheOthersAlone) {
     command([&](Dispatcher& dispatcher) {
         const Record disk_full = [](const Work&, const Outcome&) {
             throw Error("no space left on device");
@@ -181,7 +167,7 @@ TEST_F(CasesOnAllRanks, AFailingOneLeavesTheOthersAlone) {
     });
 }
 
-TEST_F(CasesOnAllRanks, AStopIsToldOnceAndDrainsAll) {
+TEST_P(Cases, AStopIsToldOnceAndDrainsAll) {
     command([&](Dispatcher& dispatcher) {
         const Record stop_at_once = [&](const Work&, const Outcome&) {
             stop_.request();

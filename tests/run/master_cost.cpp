@@ -75,13 +75,13 @@ void measure(Campaign campaign, double seconds, const Session& session,
         most_generations));
     const HistoryHeader header = header_of(campaign, chosen, "none");
     SleepingEvaluator evaluator(header.schema, seconds);
-    if (session.rank() != 0) return serve(session, evaluator);
+    if (session.rank() != 0) return serve(session, {&evaluator});
 
     const std::string path =
         fmt::format("{}/cost_{}_{}.h5", folder, session.size(), seconds * 1e3);
     std::filesystem::remove(path);
     Counter counter;
-    const auto dispatcher = make_dispatcher(session, evaluator, stop);
+    const auto dispatcher = make_dispatcher(session, {&evaluator}, stop);
     const double began = now();
     const double cpu_began = cpu_seconds();
     {

@@ -71,7 +71,8 @@ class EvolveCase : public ::testing::Test {
     }
     HistoryHeader header() const { return header_of(campaign, chosen, "sse2"); }
     Ending evolve(History& history, SumEvaluator& evaluator) {
-        const auto dispatcher = make_dispatcher(evaluator, stop);
+        const auto dispatcher =
+            make_dispatcher(Session::alone(), {&evaluator}, stop);
         const auto optimizer = make_optimizer(
             campaign.search, search_space(campaign, chosen), chosen.seed);
         Once once(evolve_case({campaign, chosen, *optimizer, *dispatcher,
@@ -168,7 +169,8 @@ TEST_F(EvolveCase, GenerationsMayDifferInSize) {
     {
         History written = History::create(path("a.h5"), h);
         SumEvaluator evaluator(h.schema, stop);
-        const auto dispatcher = make_dispatcher(evaluator, stop);
+        const auto dispatcher =
+            make_dispatcher(Session::alone(), {&evaluator}, stop);
         Once once(evolve_case({campaign, chosen, optimizer, *dispatcher,
                                watcher, [] { return 1.0; }},
                               written));
@@ -212,7 +214,8 @@ TEST_F(EvolveCase, LateGenerationsReadNoMoreThanEarlyOnes) {
     const HistoryHeader h = header();
     History history = History::create(path("long.h5"), h);
     SumEvaluator evaluator(h.schema, stop);
-    const auto dispatcher = make_dispatcher(evaluator, stop);
+    const auto dispatcher =
+        make_dispatcher(Session::alone(), {&evaluator}, stop);
     ReadingWatcher reading;
     const auto optimizer = make_optimizer(
         campaign.search, search_space(campaign, chosen), chosen.seed);

@@ -122,7 +122,7 @@ struct Simulation {
 
     //! Of one master.
     void direct(const Session& crew, int part, int parts) {
-        const auto dispatcher = make_dispatcher(crew, *evaluator, stop);
+        const auto dispatcher = make_dispatcher(crew, {evaluator.get()}, stop);
         Master master(options, campaign, *dispatcher, clock, header,
                       dealt(cases, part, parts));
         began = clock.now();
@@ -170,7 +170,7 @@ void live(Simulation& simulation) try {
     if (crew.rank() == 0)
         simulation.direct(crew, part, parts);
     else
-        serve(crew, *simulation.evaluator);
+        serve(crew, {simulation.evaluator.get()});
 } catch (const std::exception& error) {
     fmt::print(stderr, "scale: {}\n", error.what());
     std::exit(1);

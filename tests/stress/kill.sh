@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Kills runs at random times, looks at what is left, resumes, and compares with
 # an uninterrupted run bit for bit: see README.md.
-# kill.sh IDEOTYPE [KILLS] [SEED] [day|season] [KEY=VALUE...]
+# kill.sh IDEOTYPE [KILLS] [SEED] [day|season|threads] [KEY=VALUE...]
 ideotype=$(readlink -f "$1")
 kills=${2:-100}
 seed=${3:-1}
@@ -42,11 +42,13 @@ done
 [ -n "$python" ] ||
     echo "NO PYTHON WITH h5py: FILES ARE READ BY ideotype status ALONE" >&2
 
-# Starts a run on any number of ranks; sets job, log and width.
+# Starts a run on any number of ranks, or of threads; sets job, log and width.
 start() {
     log=run.$1.log
     width=$((1 + RANDOM % 4))
-    mpirun -n $width "$ideotype" run campaigns/stress.toml "${settings[@]}" --resume \
+    local how=(mpirun -n "$width" "$ideotype" run)
+    [ "$light" != threads ] || how=("$ideotype" run --threads "$width")
+    "${how[@]}" campaigns/stress.toml "${settings[@]}" --resume \
         --out "round$round" >"$log" 2>&1 &
     job=$!
     disown $job  # no word of the shell about its end
@@ -76,6 +78,7 @@ wait_for_end() {
     # Open MPI 4.1's mpirun sometimes waits for ever (in a futex) after it has
     # reported a killed rank and all ranks are gone.
     if ! goes "$job" 10; then
+        [ "$light" != threads ] || fail "$job is there 10 s after the kill"
         stuck=$((stuck + 1))
         kill -KILL "$job"
         goes "$job" 10 || fail "mpirun $job does not go"
@@ -142,6 +145,7 @@ whole=$(history_of whole stress $name)
 round=0
 history=$(history_of round0 stress $name)
 targets=(rank0 worker mpirun all term stop)
+[ "$light" != threads ] || targets=(all term stop)
 declare -A hits=([rank0]=0 [worker]=0 [mpirun]=0 [all]=0 [term]=0 [stop]=0)
 declare -A places=([start]=0 [resume]=0 [generations]=0 [finals]=0)
 done_kills=0 looks=0 lost=0 unreadable=0 different=0 rounds=0 missed=0
@@ -155,7 +159,7 @@ while [ $done_kills -lt "$kills" ]; do
     start $done_kills
     [ $width -eq $last_width ] || changes=$((changes + 1))
     last_width=$width
-    [ $width -gt 1 ] || [ $target != worker ] || target=rank0
+    [ $width -gt 1 ] || [ "$target" != worker ] || target=rank0
     sleep "$(printf '%d.%03d' $((delay / 1000)) $((delay % 1000)))"
     mapfile -t ranks < <(descendants_of $job)
     case $target in
@@ -208,7 +212,7 @@ end_round
 echo "kills: $done_kills (rank 0 ${hits[rank0]}, a worker ${hits[worker]}," \
     "mpirun ${hits[mpirun]}, all ${hits[all]}, all while they drain" \
     "${hits[term]}, all after they stood still ${hits[stop]}); seed $seed"
-echo "changes of the number of ranks: $changes"
+echo "changes of the number of ranks or threads: $changes"
 echo "where: before the file ${places[start]}, before the first new" \
     "generation ${places[resume]}, in later generations" \
     "${places[generations]}, in the finals ${places[finals]}"

@@ -80,6 +80,7 @@ struct CompareOptions {
     std::optional<std::uint64_t> seed;  //!< in the place of the campaign's
     std::optional<double> tolerance;    //!< relative standard error
     std::string csv_path;               //!< new file with all figures; "": none
+    std::optional<int> threads;         //!< see threads_per_rank()
     bool is_json = false;
 };
 ExitCode compare(const CompareOptions& options);
@@ -104,6 +105,7 @@ struct ServeOptions {
     std::string campaign_path;
     std::vector<std::string> settings;  //!< "table.key=value"
     int case_index = 0;
+    std::optional<int> threads;  //!< see threads_per_rank()
     LogLevel level = LogLevel::info;
 };
 ExitCode serve(const ServeOptions& options);

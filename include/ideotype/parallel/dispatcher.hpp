@@ -83,7 +83,7 @@ class Dispatcher {
     Dispatcher(std::unique_ptr<Workers> workers, const StopFlag& stop,
                const AnswerRules& rules = {},
                const RankClock& clock = machine_clock());
-    //! dismiss(), and waits for ever for workers that are late.
+    //! Dismisses the workers, and waits for ever for those that are late.
     ~Dispatcher();
     Dispatcher(const Dispatcher&) = delete;
     Dispatcher& operator=(const Dispatcher&) = delete;
@@ -110,8 +110,8 @@ class Dispatcher {
     int width() const;
 
     //! Waits for what is in flight, but not beyond its deadline, drops it and
-    //! tells the workers to leave serve(). False if one does not answer; then
-    //! only Session::abort() can end the job.
+    //! tells the workers that there is no more. False if one does not answer;
+    //! then only Session::abort() can end the job.
     [[nodiscard]] bool dismiss();
 
   private:
@@ -127,13 +127,14 @@ class Dispatcher {
     bool fetch(Batch& batch);
     int busy_in_time() const;
     bool has_late() const;
+    double now();
     void give(int worker, const Assignment& given, const Work& work);
     Assignment take(int worker, const Outcome& outcome);
     std::optional<int> next_late();
     bool hand_out();
     void resume_complete();
     bool is_ending() const;
-    void note_obstacle(int rank, const Task& task, const std::string& reason);
+    void note_obstacle(int worker, const Task& task, const std::string& reason);
     void release_all();
     void receive(Director& director);
     void settle(const Assignment& given, const Outcome& outcome);
@@ -148,7 +149,7 @@ class Dispatcher {
     std::vector<std::optional<Assignment>> given_;  //!< by worker
     // Nothing here looks at all workers: there may be thousands.
     std::set<int> idle_;
-    //! Of workers that are not late yet, on the clock [s].
+    //! Of workers that are not late yet, as now() tells [s].
     std::set<std::pair<double, int>> deadlines_;
     std::map<Precedence, Batch*> open_;
     std::map<std::uint64_t, Batch*> by_number_;  //!< the same
@@ -157,6 +158,8 @@ class Dispatcher {
     //! What an evaluation of usual effort took at most [s]; late ones do not
     //! count.
     double longest_ = 0;
+    double looked_;         //!< when now() was asked last, on the clock [s]
+    double running_ = 0;    //!< what now() told then [s]
     std::string obstacle_;  //!< why a machine could not evaluate
     bool has_told_of_stop_ = false;
     bool is_dismissed_ = false;
@@ -190,15 +193,13 @@ class [[nodiscard]] Batch {
     std::exception_ptr failure_;
 };
 
-//! Evaluates here, one after the other. The evaluator must outlive it.
-std::unique_ptr<Dispatcher> make_dispatcher(Evaluator& evaluator,
-                                            const StopFlag& stop);
-
-//! With one rank: evaluates here. With more: rank 0 sends work to idle
-//! workers, sleeps in between, and asks the evaluator for its schema only. All
-//! references must outlive the dispatcher.
+//! Without other ranks: threads of this process evaluate. With them: rank 0
+//! sends work to idle workers, sleeps in between, and asks its evaluators for
+//! their schema only, unless each rank has several; then its own threads take
+//! part. All references must outlive the dispatcher.
+//! @param evaluators one for each thread, as many on all ranks
 std::unique_ptr<Dispatcher> make_dispatcher(const Session& session,
-                                            Evaluator& evaluator,
+                                            const Evaluators& evaluators,
                                             const StopFlag& stop,
                                             const AnswerRules& rules = {});
 
@@ -206,6 +207,6 @@ std::unique_ptr<Dispatcher> make_dispatcher(const Session& session,
 //! says that there is no more. An Error in an evaluation becomes a failed
 //! outcome with its message, cut to 160 bytes.
 //! @throws Error if a message arrives that is neither.
-void serve(const Session& session, Evaluator& evaluator);
+void serve(const Session& session, const Evaluators& evaluators);
 
 }  // namespace ideotype

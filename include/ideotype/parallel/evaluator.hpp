@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "ideotype/search/genome.hpp"
 #include "ideotype/search/outcome.hpp"
 #include "ideotype/search/task.hpp"
@@ -21,5 +23,8 @@ class Evaluator {
     //! as a lack of memory: nothing is said of the plant and the job ends.
     virtual Outcome evaluate(const Task& task, const Genome& genome) = 0;
 };
+
+//! The evaluators of a process, one for each of its threads.
+using Evaluators = std::vector<Evaluator*>;
 
 }  // namespace ideotype

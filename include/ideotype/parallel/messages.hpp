@@ -32,6 +32,9 @@ Work decode_work(std::span<const std::byte> bytes);
 //! A header of fixed size, then all numbers of the outcome in their order.
 Bytes encode_reply(const Reply& reply);
 
+//! @throws Error if this is not a reply.
+Task task_of_reply(std::span<const std::byte> bytes);
+
 //! @throws Error if this is not a reply with the columns of the schema.
 Reply decode_reply(std::span<const std::byte> bytes,
                    const OutcomeSchema& schema);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,15 +12,18 @@ namespace ideotype {
 
 class Mailbox;
 
-//! MPI for as long as this lives. Works with and without mpirun. Create it
-//! after the StopFlag, so that MPI does not replace its handlers.
+//! MPI for as long as this lives, with and without mpirun. Create it after the
+//! StopFlag, so that MPI does not replace its handlers.
 class Session {
   public:
+    //! One rank without MPI, which nobody has launched.
+    static Session alone();
+
     //! @param clock what ranks wait by
     explicit Session(const RankClock& clock = machine_clock());
     ~Session();
-    Session(const Session&) = delete;
-    Session& operator=(const Session&) = delete;
+    Session(Session&& other) noexcept;
+    Session& operator=(Session&&) = delete;
 
     //! The ranks that name the same part, numbered from 0 in their order here.
     //! Collective. This one must outlive it.
@@ -53,9 +57,10 @@ class Session {
     friend Mailbox;
     struct Ranks;
     Session(const RankClock& clock, const Ranks& ranks);
+    Session(const RankClock& clock, std::nullptr_t);
 
     const RankClock& clock_;
-    std::unique_ptr<const Ranks> ranks_;
+    std::unique_ptr<const Ranks> ranks_;  //!< none: alone
 };
 
 }  // namespace ideotype

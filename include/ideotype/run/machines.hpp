@@ -37,6 +37,10 @@ Machine machine_of(const std::string& text);
 std::vector<Machine> gather_machines(const Session& session,
                                      const Machine& own);
 
+//! The threads that evaluate on each rank: if none wanted, one, or all cores
+//! of a rank that is alone. Collective.
+int threads_per_rank(const Session& session, const std::optional<int>& wanted);
+
 //! @throws Error (refused) naming what a rank computes with that the first
 //! does not, and both hosts.
 void require_same_program(const std::vector<Machine>& machines);

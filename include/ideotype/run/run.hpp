@@ -27,6 +27,7 @@ struct RunOptions {
     std::string out = "results";
     std::optional<double> wall_time;  //!< of this start [s]
     std::optional<std::string> isa;   //!< instruction set to begin with
+    std::optional<int> threads;       //!< see threads_per_rank()
     std::optional<int> masters;  //!< ranks that evolve cases, see masters.hpp
     std::string command;         //!< as typed, for the record
     LogLevel level = LogLevel::info;

@@ -14,7 +14,7 @@ std::string quoted(const std::vector<std::string>& words);
 bool is_start(const std::string& line);
 
 //! The line that goes on with a run, started as it was: under mpirun if it had
-//! several ranks, unless `--ranks` is there to start them.
+//! several ranks.
 //! @param command the quoted command line of the run
 std::string way_on(const std::string& command, int ranks);
 

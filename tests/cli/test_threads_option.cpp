@@ -6,17 +6,12 @@
 
 #include "ideotype/cli/ranks.hpp"
 #include "ideotype/core/error.hpp"
+#include "ideotype/core/host.hpp"
 
 namespace ideotype {
 namespace {
 
-TEST(Ranks, AreOneMoreThanCoresButForOne) {
-    EXPECT_EQ(ranks_for(1), 1);
-    EXPECT_EQ(ranks_for(2), 3);
-    EXPECT_EQ(ranks_for(64), 65);
-}
-
-TEST(Ranks, CountTheCoresThatThisProcessMayUse) {
+TEST(Threads, AreAsManyAsCoresThatThisProcessMayUse) {
     cpu_set_t all, one;
     ASSERT_EQ(sched_getaffinity(0, sizeof all, &all), 0);
     EXPECT_LE(available_cores(), CPU_COUNT(&all));
@@ -25,21 +20,22 @@ TEST(Ranks, CountTheCoresThatThisProcessMayUse) {
         if (CPU_ISSET(core, &all)) CPU_SET(core, &one);
     ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
     EXPECT_EQ(available_cores(), 1);
-    EXPECT_EQ(parse_ranks("auto"), 1);
+    EXPECT_EQ(parse_threads("auto"), 1);
     sched_setaffinity(0, sizeof all, &all);
 }
 
-TEST(Ranks, AreAWholeNumber) {
-    EXPECT_EQ(parse_ranks("3"), 3);
+TEST(Threads, AreAWholeNumber) {
+    EXPECT_EQ(parse_threads("3"), 3);
     for (const char* text :
          {"", "0", "-1", "2.5", "3x", " 3", "4097", "99999999999999"})
-        EXPECT_THROW(parse_ranks(text), Error) << text;
+        EXPECT_THROW(parse_threads(text), Error) << text;
 }
 
 TEST(Ranks, KnowTheLauncher) {
     for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK"})
         unsetenv(name);
     EXPECT_FALSE(launch_of_this_process().is_launched);
+    EXPECT_EQ(start_session().size(), 1);
     setenv("PMI_RANK", "2", 1);
     setenv("PMI_SIZE", "5", 1);
     const Launch launch = launch_of_this_process();

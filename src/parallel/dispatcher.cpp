@@ -160,7 +160,7 @@ bool Dispatcher::has_late() const {
 //! Tells how long this process has run [s]. While a job stands still, as after
 //! Ctrl-Z, nobody is late.
 double Dispatcher::now() {
-    constexpr double longest_step = 1;
+    constexpr double longest_step = 0.5;
     const double looked = clock_.now();
     running_ += std::min(looked - looked_, longest_step);
     looked_ = looked;

@@ -85,4 +85,17 @@ TEST_P(ThreadWorkers, CostNothingWhileTheyWait) {
     EXPECT_LT(std::clock() - before, CLOCKS_PER_SEC / 10);
 }
 
+TEST(SessionAlone, EndsAtOnceWhateverItsThreadsDo) {
+    const Session session = Session::alone();
+    EXPECT_EQ(session.gather("own"), std::vector<std::string>{"own"});
+    EXPECT_EQ(session.split(3).rank_in_job(0), 0);
+    const auto end_beside_a_thread = [&] {
+        std::thread([] {
+            std::this_thread::sleep_for(milliseconds(10'000));
+        }).detach();
+        session.abort(5);
+    };
+    EXPECT_EXIT(end_beside_a_thread(), testing::ExitedWithCode(5), "");
+}
+
 }  // namespace ideotype

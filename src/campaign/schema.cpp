@@ -118,25 +118,25 @@ Section climate_section(Named<Climate>& named) {
         {entry_name(named.name, R"(months and days, "0721-0920")",
                     R"("season")"),
          path("file", climate.file,
-              "weather file: EPW, TMY3, NSRDB, NASA POWER, or any CSV with "
+              "weather file: what `ideotype weather` writes, or any CSV with "
               "the columns below"),
          date("from", climate.period.from, "2011-07-21", "first day"),
          date("to", climate.period.to, "2011-09-20", "last day"),
          Key("stamp", &climate.stamp,
              "which part of its time step the time of a row is")
              .one_of({"beginning", "middle", "end"})
-             .set(&Key::initial, "that of the format; \"end\" of other CSV"),
+             .set(&Key::initial, "\"end\"; \"middle\" without time"),
          Key("time", &columns.time,
              "columns of date and time, or of date, and time, or of year, "
              "month, day, hour and, if there is one, minute")
              .set(&Key::range, "columns of the file")
-             .set(&Key::initial, "those of the format"),
+             .set(&Key::initial, "what `ideotype weather` writes"),
          Key("date_order", choice(columns.date_order), "of dates in one text")
              .one_of({"year_month_day", "month_day_year", "day_month_year"}),
          number("utc_offset", columns.utc_offset, "that of the site",
                 "of the file's clock, if its times have none")
              .within(-12, 14, "h"),
-         number("missing", climate.missing, "none",
+         number("missing", columns.missing, "none",
                 "number that stands for what is not known, beside -99, -999, "
                 "9999, NaN and the like"),
          light("global", columns.global, "on a horizontal plane"),

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/climate/weather_reader.hpp"
+#include "ideotype/climate/weather.hpp"
 #include "ideotype/core/file.hpp"
 #include "ideotype/core/hash.hpp"
 
@@ -14,18 +14,13 @@ namespace ideotype {
 
 namespace {
 
-//! The columns of a climate, in its order of keys.
-std::vector<std::optional<Column>*> columns_of(ColumnMap& columns) {
-    return {&columns.global,           &columns.beam_normal, &columns.diffuse,
-            &columns.diffuse_fraction, &columns.temperature, &columns.humidity};
-}
-
 //! Reports what cannot be read by; returns whether there is nothing.
 bool check_climate(Climate& climate, Report& report) {
     const Period& period = climate.period;
+    ColumnMap& columns = climate.columns;
     if (!report.usable({&climate.file, &climate.stamp, &period.from, &period.to,
-                        &climate.missing, &climate.columns.utc_offset,
-                        &climate.columns.time, &climate.columns.date_order}))
+                        &columns.missing, &columns.utc_offset, &columns.time,
+                        &columns.date_order}))
         return false;
     if (period.to < period.from) {
         report.add(&period.to,
@@ -34,13 +29,15 @@ bool check_climate(Climate& climate, Report& report) {
                                to_string(period.to), to_string(period.from)));
         return false;
     }
-    for (std::optional<Column>* column : columns_of(climate.columns)) {
+    for (std::optional<Column>* column :
+         {&columns.global, &columns.beam_normal, &columns.diffuse,
+          &columns.diffuse_fraction, &columns.temperature, &columns.humidity}) {
         if (!report.usable({column})) return false;
-        if (!*column || !climate.columns.time.empty()) continue;
+        if (!*column || !columns.time.empty()) continue;
         report.add(column,
                    fmt::format("climate has the column \"{}\" but no 'time' "
-                               "(a file of a known format needs neither); name "
-                               "the columns of the time too",
+                               "(a file that `ideotype weather` wrote needs "
+                               "neither); name the columns of the time too",
                                (*column)->name));
         return false;
     }
@@ -48,25 +45,20 @@ bool check_climate(Climate& climate, Report& report) {
 }
 
 WeatherRequest request_of(const std::string& file, const Site& site,
-                          Climate climate, double par_fraction) {
-    WeatherRequest request{file, site, climate.period};
-    request.par_fraction = par_fraction;
-    if (climate.stamp == "beginning") request.stamp = Stamp::beginning;
-    if (climate.stamp == "middle") request.stamp = Stamp::middle;
-    if (climate.stamp == "end") request.stamp = Stamp::end;
-    if (climate.columns.time.empty()) return request;
-    for (std::optional<Column>* column : columns_of(climate.columns))
-        if (*column) (*column)->missing = climate.missing;
-    request.columns = climate.columns;
-    if (request.stamp) request.columns->stamp = *request.stamp;
+                          const Climate& climate, double par_fraction) {
+    WeatherRequest request{file, site, climate.period, climate.columns,
+                           par_fraction};
+    if (climate.stamp == "beginning") request.columns.stamp = Stamp::beginning;
+    if (climate.stamp == "middle") request.columns.stamp = Stamp::middle;
+    if (climate.stamp == "end") request.columns.stamp = Stamp::end;
     return request;
 }
 
-SiteWeather to_site_weather(const Weather& weather) {
+SiteWeather to_site_weather(const LightSeries& series) {
     SiteWeather result;
-    result.utc_offset = weather.utc_offset;
-    result.dates = weather.series.dates();
-    for (const TimeStep& step : weather.series.steps) {
+    result.utc_offset = series.utc_offset;
+    result.dates = series.dates();
+    for (const TimeStep& step : series.steps) {
         if (step.date == result.dates[0]) result.hours.push_back(step.hour);
         result.beam.push_back(step.par.beam);
         result.diffuse.push_back(step.par.diffuse);
@@ -175,12 +167,12 @@ class WeathersReader {
                 file.refusal(path) + "; give a path relative to this file");
         report_.open(path);
         try {
-            const WeatherReading reading = parse_weather(
+            const Weather weather = parse_weather(
                 file.text,
                 request_of(path, site, climate, campaign_.par_fraction));
-            for (const Problem& warning : reading.warnings)
+            for (const Problem& warning : weather.warnings)
                 if (is_new(warning)) report_.warn(warning);
-            found.push_back(to_site_weather(reading.weather));
+            found.push_back(to_site_weather(weather.series));
             found.back().site = site.name;
             found.back().climate = name;
             found.back().sha256 = sha256(file.text);

@@ -5,8 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "ideotype/climate/column_map.hpp"
-#include "ideotype/climate/site.hpp"
+#include "ideotype/climate/weather.hpp"
 
 namespace ideotype {
 

@@ -9,38 +9,38 @@
 #include "ideotype/climate/diffuse_fraction.hpp"
 #include "ideotype/core/clock.hpp"
 #include "ideotype/core/units.hpp"
-#include "weather_problems.hpp"
 
 namespace ideotype {
 
 namespace {
 
-//! What instruments are apart by [W m-2]; more is worth a warning.
+//! The difference between instruments [W m-2]; more is worth a warning.
 constexpr double noticeable = 20;
 
 //! Counts what is slightly negative, and leaves it out.
-WeatherValues without_negative(WeatherValues values, int line, Doubts& doubts) {
+WeatherValues without_negative(WeatherValues values, int line,
+                               Findings& findings) {
     for (const auto member :
          {&WeatherValues::global, &WeatherValues::beam_normal,
           &WeatherValues::diffuse}) {
         std::optional<double>& value = values.*member;
         if (!value || *value >= 0) continue;
         value = 0;
-        doubts.count(line,
-                     "a value of light is slightly negative; it counts as 0");
+        findings.doubt(line,
+                       "a value of light is slightly negative; it counts as 0");
     }
     return values;
 }
 
-//! The diffuse part of global light.
+//! Returns the diffuse part of global light.
 double diffuse_of(const WeatherValues& values, double extraterrestrial,
-                  const SeriesStep& step, Doubts& doubts) {
+                  const WeatherStep& step, Findings& findings) {
     const double global = *values.global;
     if (values.diffuse) {
         if (*values.diffuse > 1.05 * global + noticeable)
-            doubts.count(step.line,
-                         "a step has more diffuse than global light, all of "
-                         "which counts as diffuse");
+            findings.doubt(step.line,
+                           "a step has more diffuse than global light, all of "
+                           "which counts as diffuse");
         return std::min(*values.diffuse, global);
     }
     if (values.diffuse_fraction)
@@ -52,9 +52,9 @@ double diffuse_of(const WeatherValues& values, double extraterrestrial,
     return diffuse_fraction(global, extraterrestrial, step.sun.zenith) * global;
 }
 
-Irradiance split(const SeriesStep& step, Doubts& doubts) {
+Irradiance split(const WeatherStep& step, Findings& findings) {
     const WeatherValues values =
-        without_negative(step.values, step.line, doubts);
+        without_negative(step.values, step.line, findings);
     if (step.sun.zenith >= 90)
         return {0, values.global ? *values.global : *values.diffuse};
     const double extraterrestrial =
@@ -63,16 +63,16 @@ Irradiance split(const SeriesStep& step, Doubts& doubts) {
     const double most = extraterrestrial * cosine;
     Irradiance light;
     if (values.global) {
-        light.diffuse = diffuse_of(values, extraterrestrial, step, doubts);
+        light.diffuse = diffuse_of(values, extraterrestrial, step, findings);
         light.beam = *values.global - light.diffuse;
     } else {
         light = {*values.beam_normal * cosine, *values.diffuse};
     }
     if (light.beam > most) {
         if (light.beam > most + noticeable)
-            doubts.count(step.line,
-                         "a step has more beam than there is outside the "
-                         "atmosphere; it is capped");
+            findings.doubt(step.line,
+                           "a step has more beam than there is outside the "
+                           "atmosphere; it is capped");
         if (values.global) light.diffuse += light.beam - most;
         light.beam = most;
     }
@@ -81,20 +81,18 @@ Irradiance split(const SeriesStep& step, Doubts& doubts) {
 
 }  // namespace
 
-std::vector<Irradiance> light_of(const std::vector<SeriesStep>& series,
-                                 const WeatherRequest& request,
-                                 Doubts& doubts) {
-    Problems problems(request.file);
+std::vector<Irradiance> light_of(const std::vector<WeatherStep>& series,
+                                 Findings& findings) {
     std::vector<Irradiance> light;
     double global = 0, apart = 0;
-    const SeriesStep* missing = nullptr;
-    for (const SeriesStep& step : series) {
+    const WeatherStep* missing = nullptr;
+    for (const WeatherStep& step : series) {
         const bool was_missing = missing != nullptr;
         missing = nullptr;
         light.emplace_back();
         const WeatherValues& values = step.values;
         if (values.lit()) {
-            light.back() = split(step, doubts);
+            light.back() = split(step, findings);
             if (values.global && values.beam_normal && values.diffuse &&
                 step.sun.zenith < 85) {
                 global += *values.global;
@@ -103,14 +101,14 @@ std::vector<Irradiance> light_of(const std::vector<SeriesStep>& series,
                     *values.diffuse - *values.global;
             }
         } else if (step.highest <= 0) {
-            doubts.count(
+            findings.doubt(
                 step.line,
                 "a step of the night has no light in the file; it counts as 0");
         } else {
             missing = &step;
             // Of several in a row the first is told.
             if (!was_missing)
-                problems.add(step.line, 1,
+                findings.add(step.line, 1,
                              fmt::format("the light of {} "
                                          "{} is not known (a gap or a missing "
                                          "value by day); fill it, or choose "
@@ -119,13 +117,13 @@ std::vector<Irradiance> light_of(const std::vector<SeriesStep>& series,
                                          clock_time(hour_at(step.middle))));
         }
     }
-    problems.stop_if_any();
+    findings.stop_if_any();
     if (std::abs(apart) > 0.1 * global)
-        doubts.count(series.front().line,
-                     fmt::format("beam and diffuse light sum to {:.0f} "
-                                 "% of the global light; diffuse and global "
-                                 "light count",
-                                 100 * (1 + apart / global)));
+        findings.doubt(series.front().line,
+                       fmt::format("beam and diffuse light sum to {:.0f} "
+                                   "% of the global light; diffuse and global "
+                                   "light count",
+                                   100 * (1 + apart / global)));
     return light;
 }
 

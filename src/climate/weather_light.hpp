@@ -3,14 +3,20 @@
 
 #include <vector>
 
-#include "weather_doubts.hpp"
-#include "weather_series.hpp"
+#include "weather_table.hpp"
 
 namespace ideotype {
 
-//! All solar radiation on the ground [W m-2], of each step.
+//! Returns all solar radiation on the ground [W m-2], of each step.
 //! @throws InputError if light is not known by day.
-std::vector<Irradiance> light_of(const std::vector<SeriesStep>& series,
-                                 const WeatherRequest& request, Doubts& doubts);
+std::vector<Irradiance> light_of(const std::vector<WeatherStep>& series,
+                                 Findings& findings);
+
+//! Stops or warns if the light is hardly that of a site, whose clock is that
+//! of the steps.
+//! @throws InputError
+void check_place(const std::vector<WeatherStep>& series,
+                 const std::vector<Irradiance>& light, const Site& site,
+                 Findings& findings);
 
 }  // namespace ideotype

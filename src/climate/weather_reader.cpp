@@ -1,51 +1,142 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/climate/weather_reader.hpp"
-
 #include <algorithm>
 
-#include "ideotype/core/file.hpp"
+#include <fmt/format.h>
+
 #include "weather_light.hpp"
-#include "weather_place.hpp"
 
 namespace ideotype {
 
-WeatherReading parse_weather(const std::string& text,
-                             const WeatherRequest& request) {
-    const std::vector<std::string_view> lines = lines_of(text);
-    const Layout layout = layout_of(lines, request);
-    const RowTimes times = read_times(lines, layout, request);
-    Doubts doubts(request.file);
-    const std::vector<SeriesStep> series = complete_series(
-        times, read_values(lines, layout, times, request), request, doubts);
-    const std::vector<Irradiance> light = light_of(series, request, doubts);
-    check_place(series, light, times.utc_offset, layout.station, request,
-                doubts);
+namespace {
 
-    Weather weather{request.file, times.utc_offset, {}};
-    const auto seconds = static_cast<double>(times.step.count());
-    for (std::size_t i = 0; i < series.size(); ++i) {
-        const SeriesStep& step = series[i];
-        std::optional<double> humidity = step.values.humidity;
-        if (humidity) humidity = std::min(*humidity, 1.0);
-        weather.series.steps.push_back(
-            {hour_at(step.middle),
-             seconds,
-             step.sun,
-             {request.par_fraction * light[i].beam,
-              request.par_fraction * light[i].diffuse},
-             date_at(step.middle),
-             step.values.temperature,
-             humidity});
+using namespace std::chrono;
+
+//! Returns every time step of the period, with the values of the rows that
+//! there are. A 29 February of which there is none is left out.
+std::vector<WeatherStep> all_steps(const WeatherTable& table,
+                                   Findings& findings) {
+    const auto& rows = table.rows;
+    // The first step of the period that is whole steps from the first row.
+    ClockTime middle = rows.front().middle;
+    middle -= (middle - table.begin) / table.step * table.step;
+    const auto steps = (table.end - middle) / table.step;
+    if (steps > 10 * static_cast<std::ptrdiff_t>(rows.size()) + 1000)
+        findings.stop(rows.front().line, 1,
+                      fmt::format("the file has {} of the {} time steps of the "
+                                  "period",
+                                  rows.size(), steps));
+    std::vector<WeatherStep> series;
+    std::size_t next = 0;
+    int line = rows.front().line;
+    for (; middle < table.end; middle += table.step) {
+        while (next < rows.size() && rows[next].middle < middle)
+            findings.add(rows[next++].line, 1,
+                         fmt::format("the time is not whole steps of {} s "
+                                     "after those before it",
+                                     table.step.count()));
+        if (next < rows.size() && rows[next].middle == middle) {
+            series.push_back(rows[next++]);
+            line = series.back().line;
+            continue;
+        }
+        const ClockTime day = floor<days>(middle);
+        const Date date = date_at(day);
+        if (date.month == 2 && date.day == 29 &&
+            std::none_of(rows.begin(), rows.end(), [&](const WeatherStep& row) {
+                return floor<days>(row.middle) == day;
+            })) {
+            if (middle - day < table.step)
+                findings.note(line, "29 February is not in the file");
+            continue;
+        }
+        series.push_back({line, middle});
     }
-    weather.series.days = static_cast<int>(weather.series.dates().size());
-    return {std::move(weather), doubts.warnings()};
+    findings.stop_if_any();
+    return series;
 }
 
-WeatherReading read_weather(const WeatherRequest& request) {
-    const FileText file = read_file(request.file, most_data_bytes);
-    if (!file.is_there)
-        throw InputError({{{request.file}, file.refusal(request.file)}});
-    return parse_weather(file.text, request);
+//! Fills what is not known between two values that are.
+void interpolate(std::vector<WeatherStep>& series,
+                 std::optional<double> WeatherValues::*member,
+                 const std::string& name, seconds step, Findings& findings) {
+    const auto known = [&](const WeatherStep& each) {
+        return (each.values.*member).has_value();
+    };
+    if (std::none_of(series.begin(), series.end(), known)) return;
+    for (auto begin = series.begin(); begin != series.end();) {
+        begin = std::find_if_not(begin, series.end(), known);
+        const auto end = std::find_if(begin, series.end(), known);
+        if (begin == end) break;
+        if ((end - begin) * step > 6h)
+            findings.add(
+                begin->line, 1,
+                fmt::format(
+                    "the {} is not known for {} hours", name,
+                    duration_cast<hours>((end - begin) * step).count()));
+        const auto count = static_cast<double>(end - begin + 1);
+        const auto before = begin == series.begin() ? end : begin - 1;
+        const auto after = end == series.end() ? before : end;
+        const double first = *(before->values.*member);
+        const double last = *(after->values.*member);
+        for (auto each = begin; each != end; ++each) {
+            const auto part = static_cast<double>(each - begin + 1) / count;
+            each->values.*member = first + part * (last - first);
+            findings.doubt(each->line,
+                           fmt::format("a value of the {} is not known and is "
+                                       "interpolated",
+                                       name));
+        }
+        begin = end;
+    }
+}
+
+void place_sun(WeatherStep& step, const Site& site, seconds length) {
+    const auto at = [&](ClockTime time) {
+        return sun_position(site, date_at(time), hour_at(time));
+    };
+    step.sun = at(step.middle);
+    step.highest =
+        90 - std::min({step.sun.zenith, at(step.middle - length / 2).zenith,
+                       at(step.middle + length / 2).zenith});
+}
+
+}  // namespace
+
+Weather parse_weather(const std::string& text, const WeatherRequest& request) {
+    const std::vector<std::string_view> lines = lines_of(text);
+    Findings findings(request.file);
+    WeatherTable table = read_table(lines, request, findings);
+    read_values(table, lines, request.par_fraction, findings);
+    std::vector<WeatherStep> steps = all_steps(table, findings);
+    interpolate(steps, &WeatherValues::temperature, "temperature", table.step,
+                findings);
+    interpolate(steps, &WeatherValues::humidity, "humidity", table.step,
+                findings);
+    findings.stop_if_any();
+    Site site = request.site;
+    site.utc_offset = table.utc_offset;
+    for (WeatherStep& step : steps) place_sun(step, site, table.step);
+    const std::vector<Irradiance> light = light_of(steps, findings);
+    check_place(steps, light, site, findings);
+
+    LightSeries series;
+    series.utc_offset = table.utc_offset;
+    const auto seconds = static_cast<double>(table.step.count());
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const WeatherStep& step = steps[i];
+        std::optional<double> humidity = step.values.humidity;
+        if (humidity) humidity = std::min(*humidity, 1.0);
+        series.steps.push_back({hour_at(step.middle),
+                                seconds,
+                                step.sun,
+                                {request.par_fraction * light[i].beam,
+                                 request.par_fraction * light[i].diffuse},
+                                date_at(step.middle),
+                                step.values.temperature,
+                                humidity});
+    }
+    series.days = static_cast<int>(series.dates().size());
+    return {std::move(series), findings.warnings()};
 }
 
 }  // namespace ideotype

@@ -1,149 +1,188 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "weather_values.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "weather_problems.hpp"
-#include "weather_units.hpp"
+#include "ideotype/core/units.hpp"
+#include "weather_table.hpp"
 
 namespace ideotype {
 
 namespace {
 
-//! The index of a column, and how its numbers become ours.
+//! What a column tells.
+enum class Kind { light, fraction, temperature };
+
+//! Which part of an energy or of photons a unit counts.
+enum class Per { itself, second, photon };
+
+//! The way from the number in a file to ours: factor times it, plus offset.
+struct Scale {
+    double factor = 1;
+    double offset = 0;
+};
+
+struct Unit {
+    Kind kind;
+    std::string_view name;
+    Scale scale;
+    Per per = Per::itself;
+};
+
+constexpr std::array units{
+    Unit{Kind::light, "W/m2", {}},
+    Unit{Kind::light, "kW/m2", {1e3}},
+    Unit{Kind::light, "Wh/m2", {3600}, Per::second},
+    Unit{Kind::light, "kWh/m2", {3.6e6}, Per::second},
+    Unit{Kind::light, "kJ/m2", {1e3}, Per::second},
+    Unit{Kind::light, "MJ/m2", {1e6}, Per::second},
+    Unit{Kind::light, "umol/m2/s", {1}, Per::photon},
+    Unit{Kind::fraction, "1", {}},
+    Unit{Kind::fraction, "%", {0.01}},
+    Unit{Kind::temperature, "C", {}},
+    Unit{Kind::temperature, "K", {1, -273.15}},
+    Unit{Kind::temperature, "F", {5 / 9.0, -160 / 9.0}},
+};
+
+//! Returns one of several ways to write a unit.
+std::string plain(std::string_view unit) {
+    std::string text(unit);
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 10>
+        ways{{{"\xC2\xB5", "u"},  // micro sign
+              {"\xCE\xBC", "u"},  // Greek mu
+              {"\xC2\xB2", "2"},  // superscript two
+              {"\xC2\xB0", ""},   // degree sign
+              {"^", ""},
+              {" m-2 s-1", "/m2/s"},
+              {" m-2", "/m2"},
+              {" ", ""},
+              {"W-hr", "Wh"},
+              {"MJ/hr", "MJ/m2"}}};  // NASA POWER for agriculture, per m2
+    for (const auto& [what, by] : ways)
+        for (std::size_t at; (at = text.find(what)) != text.npos;)
+            text.replace(at, what.size(), by);
+    return text;
+}
+
+//! The index of a column, how its numbers become ours, and what is believed.
 struct Source {
     std::size_t index = 0;
     Scale scale;
-    std::optional<double> missing;
     std::optional<double> WeatherValues::*target = nullptr;
+    double lowest = 0, highest = 0;
+    std::string_view unit;
 };
 
-class ValuesReader {
+//! Finds the columns of a table that hold its values.
+class Sources {
   public:
-    ValuesReader(const std::vector<std::string_view>& lines,
-                 const Layout& layout, const RowTimes& times,
-                 const WeatherRequest& request)
-        : lines_(lines),
-          layout_(layout),
-          times_(times),
-          request_(request),
-          problems_(request.file) {}
-
-    std::vector<WeatherValues> read() {
-        const std::vector<Source> sources = find_sources();
-        problems_.stop_if_any();
-        std::vector<WeatherValues> all;
-        for (const RowTime& row : times_.rows) {
-            const std::vector<CsvField> fields =
-                fields_of(lines_[static_cast<std::size_t>(row.line) - 1]);
-            WeatherValues& values = all.emplace_back();
-            for (const Source& source : sources)
-                values.*source.target =
-                    value_of(entry(fields, source.index), source, row.line);
-        }
-        problems_.stop_if_any();
-        return all;
-    }
-
-  private:
-    std::vector<Source> find_sources() {
-        std::vector<Source> sources;
-        const auto add = [&](const std::optional<Column>& column, Kind kind,
-                             std::optional<double> WeatherValues::*target) {
-            if (!column) return;
-            const auto index = column_index(layout_, column->name, problems_);
-            const auto scale = scale_of(
-                kind, column->unit, static_cast<double>(times_.step.count()),
-                request_.par_fraction);
-            if (!scale)
-                problems_.add(
-                    static_cast<int>(layout_.header_line), 1,
-                    fmt::format("\"{}\" is no unit of the column \"{}\"; there "
-                                "are {}",
-                                column->unit, column->name, units_of(kind)));
-            if (index && scale)
-                sources.push_back({*index, *scale, column->missing, target});
+    Sources(const WeatherTable& table, double par_fraction, Findings& findings)
+        : table_(table), par_fraction_(par_fraction), findings_(findings) {
+        const ColumnMap& columns = table.columns;
+        const auto light = [&](const std::optional<Column>& column,
+                               std::optional<double> WeatherValues::*target) {
+            add(column, Kind::light, {0, {}, target, -20, 2000, "W m-2"});
         };
-        const ColumnMap& columns = layout_.columns;
-        add(columns.global, Kind::light, &WeatherValues::global);
-        add(columns.beam_normal, Kind::light, &WeatherValues::beam_normal);
-        add(columns.diffuse, Kind::light, &WeatherValues::diffuse);
+        light(columns.global, &WeatherValues::global);
+        light(columns.beam_normal, &WeatherValues::beam_normal);
+        light(columns.diffuse, &WeatherValues::diffuse);
         add(columns.diffuse_fraction, Kind::fraction,
-            &WeatherValues::diffuse_fraction);
+            {0,
+             {},
+             &WeatherValues::diffuse_fraction,
+             0,
+             1.01,
+             "of the global light"});
         add(columns.temperature, Kind::temperature,
-            &WeatherValues::temperature);
-        add(columns.humidity, Kind::fraction, &WeatherValues::humidity);
+            {0, {}, &WeatherValues::temperature, -90, 60, "deg C"});
+        add(columns.humidity, Kind::fraction,
+            {0, {}, &WeatherValues::humidity, 0, 1.1, "of saturation"});
         if (!columns.global && !(columns.beam_normal && columns.diffuse))
-            problems_.add(
-                static_cast<int>(layout_.header_line), 1,
+            findings.add(
+                static_cast<int>(table.header_line), 1,
                 "no column tells the light; there must be the global light, or "
                 "the beam and the diffuse");
-        return sources;
+        findings.stop_if_any();
     }
 
-    std::optional<double> value_of(const CsvField& field, const Source& source,
-                                   int line) {
-        constexpr std::array words{"", "NA", "NaN", "nan", "null", "-"};
-        constexpr std::array codes{-99.0,   -999.0, -9900.0,
-                                   -9999.0, 9999.0, 99999.0};
-        if (std::find(words.begin(), words.end(), field.text) != words.end())
-            return std::nullopt;
-        const std::optional<double> number = number_of(field.text);
-        if (!number || std::isinf(*number)) {
-            problems_.add(line, field.column,
-                          fmt::format("\"{}\" is not a number", field.text));
-            return std::nullopt;
+    std::vector<Source> found;
+
+  private:
+    void add(const std::optional<Column>& column, Kind kind, Source source) {
+        if (!column) return;
+        const auto index = table_.index_of(column->name, findings_);
+        const std::string name = plain(column->unit);
+        std::string names;
+        for (const Unit& unit : units) {
+            if (unit.kind != kind) continue;
+            names += fmt::format("{}{}", names.empty() ? "" : ", ", unit.name);
+            if (unit.name != name) continue;
+            source.scale = unit.scale;
+            if (unit.per == Per::second)
+                source.scale.factor /= static_cast<double>(table_.step.count());
+            if (unit.per == Per::photon)
+                source.scale.factor /= mol_per_mj_par * par_fraction_;
+            source.index = index.value_or(0);
+            found.push_back(source);
+            return;
         }
-        if (std::isnan(*number) || number == source.missing ||
-            std::find(codes.begin(), codes.end(), *number) != codes.end())
-            return std::nullopt;
-        const double value =
-            source.scale.factor * *number + source.scale.offset;
-        check_range(value, field, source, line);
-        return value;
+        findings_.add(static_cast<int>(table_.header_line), 1,
+                      fmt::format("\"{}\" is no unit of the column \"{}\"; "
+                                  "there are {}",
+                                  column->unit, column->name, names));
     }
 
-    //! What no weather is: most often another unit.
-    void check_range(double value, const CsvField& field, const Source& source,
-                     int line) {
-        struct Limits {
-            double lowest, highest;
-            std::string_view what;
-        };
-        const Limits limits =
-            source.target == &WeatherValues::temperature
-                ? Limits{-90, 60, "deg C"}
-            : source.target == &WeatherValues::humidity
-                ? Limits{0, 1.1, "of saturation"}
-            : source.target == &WeatherValues::diffuse_fraction
-                ? Limits{0, 1.01, "of the global light"}
-                : Limits{-20, 2000, "W m-2"};
-        if (value < limits.lowest || value > limits.highest)
-            problems_.add(
-                line, field.column,
-                fmt::format("{} means {:.4g} {} (outside {:g} to {:g}); check "
-                            "the unit, or what stands for missing values",
-                            field.text, value, limits.what, limits.lowest,
-                            limits.highest));
-    }
-
-    const std::vector<std::string_view>& lines_;
-    const Layout& layout_;
-    const RowTimes& times_;
-    const WeatherRequest& request_;
-    Problems problems_;
+    const WeatherTable& table_;
+    double par_fraction_;
+    Findings& findings_;
 };
+
+std::optional<double> value_of(const CsvField& field, const Source& source,
+                               std::optional<double> missing, int line,
+                               Findings& findings) {
+    constexpr std::array words{"", "NA", "NaN", "nan", "null", "-"};
+    constexpr std::array codes{-99.0,   -999.0, -9900.0,
+                               -9999.0, 9999.0, 99999.0};
+    if (std::find(words.begin(), words.end(), field.text) != words.end())
+        return std::nullopt;
+    const std::optional<double> number = number_of(field.text);
+    if (!number || std::isinf(*number)) {
+        findings.add(line, field.column,
+                     fmt::format("\"{}\" is not a number", field.text));
+        return std::nullopt;
+    }
+    if (std::isnan(*number) || number == missing ||
+        std::find(codes.begin(), codes.end(), *number) != codes.end())
+        return std::nullopt;
+    const double value = source.scale.factor * *number + source.scale.offset;
+    // What no weather is: most often another unit.
+    if (value < source.lowest || value > source.highest)
+        findings.add(
+            line, field.column,
+            fmt::format("{} means {:.4g} {} (outside {:g} to {:g}); check the "
+                        "unit, or what stands for missing values",
+                        field.text, value, source.unit, source.lowest,
+                        source.highest));
+    return value;
+}
 
 }  // namespace
 
-std::vector<WeatherValues> read_values(
-    const std::vector<std::string_view>& lines, const Layout& layout,
-    const RowTimes& times, const WeatherRequest& request) {
-    return ValuesReader(lines, layout, times, request).read();
+void read_values(WeatherTable& table,
+                 const std::vector<std::string_view>& lines,
+                 double par_fraction, Findings& findings) {
+    const Sources sources(table, par_fraction, findings);
+    for (WeatherStep& row : table.rows) {
+        const std::vector<CsvField> fields =
+            fields_of(lines[static_cast<std::size_t>(row.line) - 1]);
+        for (const Source& source : sources.found)
+            row.values.*source.target =
+                value_of(entry(fields, source.index), source,
+                         table.columns.missing, row.line, findings);
+    }
+    findings.stop_if_any();
 }
 
 }  // namespace ideotype

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/climate/weather_reader.hpp"
+#include "ideotype/climate/weather.hpp"
 #include "ideotype/core/units.hpp"
 
 namespace ideotype {

@@ -51,10 +51,10 @@ TEST(WeatherProblems, GapsAtNightAreFilledAndCounted) {
     MadeCsv made;
     made.rows.erase(made.rows.begin() + midnight,
                     made.rows.begin() + midnight + 2);
-    const WeatherReading reading = parse_weather(made.text(), made_request());
-    EXPECT_EQ(reading.weather.series.steps.size(), 12U * 24);
-    EXPECT_EQ(reading.weather.series.steps[midnight].par.diffuse, 0);
-    EXPECT_EQ(reading.weather.series.steps[midnight].temperature, 20.5);
+    const Weather reading = parse_weather(made.text(), made_request());
+    EXPECT_EQ(reading.series.steps.size(), 12U * 24);
+    EXPECT_EQ(reading.series.steps[midnight].par.diffuse, 0);
+    EXPECT_EQ(reading.series.steps[midnight].temperature, 20.5);
     ASSERT_EQ(reading.warnings.size(), 3U);
     EXPECT_EQ(to_string(reading.warnings[0]),
               "made.csv:25:1: a value of the temperature is not known and is "
@@ -74,10 +74,9 @@ TEST(WeatherProblems, TemperatureIsInterpolatedOverFewHours) {
     lose(noon, 3);
     made.rows[noon + 3] = fmt::format("{},{},24.5,60", made.time(noon + 3.5),
                                       made.global(noon + 3));
-    const WeatherReading reading = parse_weather(made.text(), made_request());
-    EXPECT_NEAR(*reading.weather.series.steps[noon].temperature, 21.5, 1e-12);
-    EXPECT_NEAR(*reading.weather.series.steps[noon + 2].temperature, 23.5,
-                1e-12);
+    const Weather reading = parse_weather(made.text(), made_request());
+    EXPECT_NEAR(*reading.series.steps[noon].temperature, 21.5, 1e-12);
+    EXPECT_NEAR(*reading.series.steps[noon + 2].temperature, 23.5, 1e-12);
     ASSERT_EQ(reading.warnings.size(), 1U);
     EXPECT_EQ(reading.warnings[0].where.line, MadeCsv::line(noon));
     lose(noon, 7);
@@ -104,8 +103,8 @@ TEST(WeatherProblems, NegativeLightIsCountedOrAnError) {
     MadeCsv made;
     set_light(made, midnight, "-3");
     set_light(made, midnight + 1, "-2");
-    const WeatherReading reading = parse_weather(made.text(), made_request());
-    EXPECT_EQ(reading.weather.series.steps[midnight].par.diffuse, 0);
+    const Weather reading = parse_weather(made.text(), made_request());
+    EXPECT_EQ(reading.series.steps[midnight].par.diffuse, 0);
     ASSERT_EQ(reading.warnings.size(), 1U);
     EXPECT_EQ(to_string(reading.warnings[0]),
               "made.csv:26:1: a value of light is slightly negative; it counts "
@@ -122,15 +121,15 @@ TEST(WeatherProblems, PartsThatContradictEachOtherAreCounted) {
         made.rows[i] +=
             fmt::format(",{},100", made.global(static_cast<int>(i)));
     WeatherRequest request = made_request();
-    request.columns->diffuse = Column{"dhi", "W/m2"};
+    request.columns.diffuse = Column{"dhi", "W/m2"};
     // Diffuse and global light are the same, so beam is too much: by some 100
     // of 680 W m-2.
-    request.columns->beam_normal = Column{"dni", "W/m2"};
+    request.columns.beam_normal = Column{"dni", "W/m2"};
     const auto closure = parse_weather(made.text(), request).warnings;
     ASSERT_EQ(closure.size(), 1U);
     EXPECT_THAT(closure[0].what,
                 HasSubstr("beam and diffuse light sum to 115 % of the global"));
-    request.columns->beam_normal.reset();
+    request.columns.beam_normal.reset();
     made.rows[noon] = made.time(noon + .5) + ",400,20,60,600,0";
     const auto diffuse = parse_weather(made.text(), request).warnings;
     ASSERT_EQ(diffuse.size(), 1U);
@@ -138,11 +137,11 @@ TEST(WeatherProblems, PartsThatContradictEachOtherAreCounted) {
                 HasSubstr("more diffuse than global light, all of which counts "
                           "as diffuse (1 time)"));
     made.rows[noon] = made.time(noon + .5) + ",1900,20,60,100,0";
-    const WeatherReading capped = parse_weather(made.text(), request);
+    const Weather capped = parse_weather(made.text(), request);
     ASSERT_EQ(capped.warnings.size(), 1U);
     EXPECT_THAT(capped.warnings[0].what,
                 HasSubstr("more beam than there is outside the atmosphere"));
-    const TimeStep& light = capped.weather.series.steps[noon];
+    const TimeStep& light = capped.series.steps[noon];
     EXPECT_NEAR(light.par.beam + light.par.diffuse, .45 * 1900, 1e-9);
     EXPECT_NEAR(light.par.beam, .45 * 2 * made.global(noon), .05);
 }
@@ -175,44 +174,41 @@ TEST(WeatherProblems, NumbersAreRead) {
 
 TEST(WeatherProblems, ColumnsAndUnitsAreNamed) {
     WeatherRequest request = made_request();
-    request.columns->global->name = "ghj";
+    request.columns.global->name = "ghj";
     EXPECT_THAT(
         error_of(MadeCsv().text(), request),
         HasSubstr("made.csv:1:1: there is no column \"ghj\"; is it \"ghi\"?"));
     request = made_request();
-    request.columns->global->unit = "W/ft2";
+    request.columns.global->unit = "W/ft2";
     EXPECT_THAT(error_of(MadeCsv().text(), request),
                 HasSubstr("\"W/ft2\" is no unit of the column \"ghi\"; there "
                           "are W/m2, kW/m2, Wh/m2"));
-    request.columns->time = {"when"};
+    request.columns.time = {"when"};
     EXPECT_THAT(error_of(MadeCsv().text(), request),
                 HasSubstr("no line has a column \"when\""));
-    request.columns.reset();
-    EXPECT_THAT(error_of(MadeCsv().text(), request),
-                HasSubstr("no weather file of a known format"));
-    EXPECT_THAT(error_of("", request), HasSubstr("no weather file"));
+    EXPECT_THAT(error_of("", WeatherRequest{"x", middle_west}),
+                HasSubstr("ideotype weather"));
     EXPECT_THAT(error_of("time,ghi,t,rh\n", made_request()),
                 HasSubstr("there are not two rows"));
     MadeCsv twice;
     twice.header = "time,ghi,ghi,rh,t";
     EXPECT_THAT(error_of(twice.text(), made_request()),
                 HasSubstr("two columns have the name \"ghi\""));
-    request.file = "no/such/file.csv";
-    EXPECT_THROW(read_weather(request), InputError);
 }
 
-TEST(WeatherProblems, HeadsOfFormatsAreChecked) {
-    const WeatherRequest request{"x", middle_west};
-    EXPECT_THAT(error_of("LOCATION,a,b,c,d,1,north,-90,-6,300\n", request),
-                HasSubstr("x:1:20: the latitude is not a number (\"north\")"));
-    EXPECT_THAT(error_of("LOCATION,a,b,c,d,1,42,-90,-6,300\n", request),
-                HasSubstr("there is no line DATA PERIODS"));
-    EXPECT_THAT(
-        error_of("-BEGIN HEADER-\n-END HEADER-\nYEAR,DOY,T2M\n", request),
-        HasSubstr("x:3:1: there is no column HR"));
-    EXPECT_THAT(error_of("-BEGIN HEADER-\n", request), HasSubstr("HR"));
-    EXPECT_THAT(error_of("Source,Location ID\nNSRDB,1\n", request),
-                HasSubstr("there is no \"Time Zone\""));
+TEST(WeatherProblems, FilesOfOtherFormatsAreConverted) {
+    WeatherRequest request{"weather/mine.epw", middle_west};
+    const std::string text = "LOCATION,a,b,c,d,1,42,-90,-6,300\n2011,7,1\n";
+    EXPECT_EQ(error_of(text, request),
+              "weather/mine.epw:1:1: this is no table with columns time and "
+              "global; say which columns hold what, or convert it and name "
+              "what this writes: ideotype weather 'weather/mine.epw' --to "
+              "'weather/mine_weather.csv' --latitude 42 --longitude -90");
+    request.period = Period{{2011, 7, 5}, {2011, 8, 20}};
+    EXPECT_THAT(error_of(text, request),
+                HasSubstr("--from 2011-07-05 --until 2011-08-20"));
+    EXPECT_THAT(error_of("time,P,G(i)\n1,2,3\n", request),
+                HasSubstr("ideotype weather"));
 }
 
 TEST(WeatherProblems, PeriodMustBeInTheFile) {

@@ -13,7 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 
 Weather weather_of(const MadeCsv& made, const WeatherRequest& request) {
-    return parse_weather(made.text(), request).weather;
+    return parse_weather(made.text(), request);
 }
 
 //! Whether two weathers are the same, but for rounding.
@@ -37,13 +37,10 @@ TEST(WeatherTable, StampsMayNameAnyPartOfTheHour) {
     EXPECT_EQ(middle.series.steps[0].temperature, 20.5);
     EXPECT_EQ(middle.series.steps[0].humidity, .6);
     WeatherRequest request = made_request();
-    request.columns->stamp = Stamp::beginning;
+    request.columns.stamp = Stamp::beginning;
     expect_same(weather_of(MadeCsv(12, {2011, 7, 1}, 0), request), middle);
-    request.columns->stamp = Stamp::end;
+    request.columns.stamp = Stamp::end;
     expect_same(weather_of(MadeCsv(12, {2011, 7, 1}, 1), request), middle);
-    // A request overrides the format.
-    request.stamp = Stamp::middle;
-    expect_same(weather_of(MadeCsv(), request), middle);
 }
 
 TEST(WeatherTable, TimesMayBeWrittenInManyWays) {
@@ -58,8 +55,8 @@ TEST(WeatherTable, TimesMayBeWrittenInManyWays) {
                 fmt::format("{},{:.6f},20.5,60", stamp_of(1 + i / 24, i % 24),
                             made.global(i));
         WeatherRequest request = made_request();
-        request.columns->time = names;
-        request.columns->date_order = order;
+        request.columns.time = names;
+        request.columns.date_order = order;
         return weather_of(made, request);
     };
     const auto ymd = DateOrder::year_month_day;
@@ -115,9 +112,9 @@ TEST(WeatherTable, SummerTimeInStampsIsTakenOut) {
 TEST(WeatherTable, DaysOfAFileInUtcAreThoseOfTheSite) {
     const MadeCsv made(12, {2011, 7, 1}, 6.5);
     WeatherRequest request = made_request();
-    request.columns->utc_offset = 0;
+    request.columns.utc_offset = 0;
     const Weather weather = weather_of(made, request);
-    EXPECT_EQ(weather.utc_offset, -6);
+    EXPECT_EQ(weather.series.utc_offset, -6);
     expect_same(weather, weather_of(MadeCsv(), made_request()));
 }
 
@@ -132,9 +129,9 @@ TEST(WeatherTable, UnitsAreConverted) {
                             factor * made.global(hour), 20.5 + 273.15, .6);
         }
         WeatherRequest request = made_request();
-        request.columns->global->unit = unit;
-        request.columns->temperature->unit = "K";
-        request.columns->humidity->unit = "1";
+        request.columns.global->unit = unit;
+        request.columns.temperature->unit = "K";
+        request.columns.humidity->unit = "1";
         return weather_of(made, request);
     };
     expect_same(plain, in("W/m^2", 1));
@@ -163,7 +160,7 @@ TEST(WeatherTable, GivenPartsOfTheLightAreKept) {
         made.header = "time,ghi,t,rh,x,y";
         for (std::string& row : made.rows) row += "," + parts;
         WeatherRequest request = made_request();
-        set(*request.columns);
+        set(request.columns);
         return weather_of(made, request).series.steps[12];
     };
     const TimeStep fraction = with("0.25,", [](ColumnMap& columns) {
@@ -201,17 +198,37 @@ TEST(WeatherTable, BeamAndDiffuseAloneAreEnough) {
     }
     WeatherRequest request = made_request();
     request.columns = ColumnMap{};
-    request.columns->time = {"time"};
-    request.columns->stamp = Stamp::middle;
-    request.columns->diffuse = Column{"diffuse", "W/m2"};
+    request.columns.time = {"time"};
+    request.columns.stamp = Stamp::middle;
+    request.columns.diffuse = Column{"diffuse", "W/m2"};
     EXPECT_THAT(error_of(made.text(), request),
                 HasSubstr("no column tells the light"));
-    request.columns->beam_normal = Column{"beam", "W/m2"};
+    request.columns.beam_normal = Column{"beam", "W/m2"};
     const TimeStep noon = weather_of(made, request).series.steps[12];
     EXPECT_NEAR(noon.par.beam, .45 * 300 * std::cos(noon.sun.zenith * degree),
                 1e-9);
     EXPECT_FALSE(noon.temperature);
     EXPECT_FALSE(noon.humidity);
+}
+
+TEST(WeatherTable, ColumnsOfTheConverterNeedNoMap) {
+    MadeCsv made;
+    const Weather mapped = weather_of(made, made_request());
+    made.header = "# a remark, with a comma\ntime,global,temperature,humidity";
+    const WeatherRequest request{"made.csv", middle_west};
+    expect_same(weather_of(made, request), mapped);
+    for (std::string& row : made.rows) row.insert(16, ":00-06:00");
+    expect_same(weather_of(made, request), mapped);
+    WeatherRequest beginning = request;
+    beginning.columns.stamp = Stamp::beginning;
+    EXPECT_EQ(weather_of(made, beginning).series.steps[0].hour, 1);
+    // Values that are not known are empty.
+    made.rows[0].resize(made.rows[0].rfind(',') + 1);
+    EXPECT_EQ(weather_of(made, request).warnings.size(), 1U);
+    made.header = "time,diffuse,beam_normal,humidity";
+    EXPECT_EQ(
+        error_of(made.text(), request).find("the light hardly follows the sun"),
+        std::string::npos);
 }
 
 }  // namespace

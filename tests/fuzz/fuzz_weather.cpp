@@ -6,13 +6,13 @@
 #include <cstdlib>
 #include <string>
 
-#include "ideotype/climate/weather_reader.hpp"
+#include "ideotype/climate/weather.hpp"
 
 namespace {
 
 void read(const std::string& text, const ideotype::WeatherRequest& request) {
     try {
-        const auto weather = ideotype::parse_weather(text, request).weather;
+        const auto weather = ideotype::parse_weather(text, request);
         if (weather.series.steps.empty()) std::abort();
         for (const auto& step : weather.series.steps)
             if (!(step.par.beam >= 0) || !(step.par.diffuse >= 0) ||
@@ -33,12 +33,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
     request.period = ideotype::Period{{1981, 7, 2}, {1981, 7, 3}};
     read(text, request);
     // The columns of nsrdb.csv.
-    ideotype::ColumnMap columns;
+    auto& columns = request.columns;
     columns.time = {"Year", "Month", "Day", "Hour", "Minute"};
     columns.stamp = ideotype::Stamp::middle;
     columns.global = ideotype::Column{"GHI", "W/m2"};
     columns.diffuse = ideotype::Column{"DHI", "W/m2"};
-    request.columns = columns;
     read(text, request);
     return 0;
 }

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "ideotype/canopy/field.hpp"
-#include "ideotype/climate/column_map.hpp"
 #include "ideotype/climate/light_series.hpp"
 #include "ideotype/climate/radiance.hpp"
 #include "ideotype/climate/site.hpp"
@@ -36,9 +35,8 @@ struct Named {
 struct Climate {
     std::string file;  //!< as written; "" if each site has one of its own
     Period period;
-    std::string stamp;              //!< "": that of the format
-    std::optional<double> missing;  //!< also stands for what is not known
-    ColumnMap columns;              //!< if they have a time
+    std::string stamp;  //!< "": that of the format
+    ColumnMap columns;
 };
 
 //! The weather of a site in a climate, as it was read.

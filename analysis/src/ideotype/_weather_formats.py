@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Weather files of many formats as tables of one form, most of them read by
+pvlib.iotools."""
+
+from __future__ import annotations
+
+import gzip
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from ._errors import Error
+from ._weather_tables import (
+    MISSING,
+    Readings,
+    named,
+    read_dwd,
+    read_knmi,
+    read_nsrdb,
+    read_power,
+)
+
+
+def read(path: Path, form: str) -> Readings:
+    """Reads a file of a format of FORMATS, or of the one that its beginning
+    shows for "auto".
+
+    Raises Error if it is of no known format, and what its reader raises."""
+    if form == "auto":
+        form = _form_of(path)
+    readings = FORMATS[form](path)
+    frame = readings.frame.astype(float)
+    readings.frame = frame.where(~frame.isin(MISSING))
+    days = (readings.frame.index - pd.Timedelta("1s")).to_series()
+    # Months of different years follow each other in a typical year.
+    readings.is_typical |= bool(
+        ((days.diff().abs() > pd.Timedelta("1D")) & days.dt.year.diff().ne(0))
+        .iloc[1:]
+        .any()
+    )
+    return readings
+
+
+def _form_of(path: Path) -> str:
+    if path.suffix == ".zip":
+        return "dwd"
+    opened: Callable = gzip.open if path.suffix == ".gz" else open
+    with opened(path, "rt", encoding="latin-1") as file:
+        text = file.read(20000)
+    for form, pattern in {
+        "epw": r"LOCATION,",
+        "power": r"-BEGIN HEADER-",
+        "nsrdb": r"Source,Location ID",
+        "tmy3": r".*\nDate \(MM/DD/YYYY\),Time \(HH:MM\)",
+        "tmy2": r" \d{5} .* [NS] +\d+ +\d+ +[EW] +\d+ +\d+",
+        "bsrn": r"\*[CU]0001",
+        "dwd": r"STATIONS_ID *; *MESS_DATUM",
+        "knmi": r"(?s:.*)# ?STN, *YYYYMMDD, *HH",
+        "cams": r"(?s:.*)# Observation period;",
+        "pvgis": r"Latitude \(decimal degrees\)|\{(?s:.*)\"PVGIS|\{\"inputs\"",
+        "surfrad": r".*\n +-?[\d.]+ +-?[\d.]+ +\d+ m version",
+        "solrad": r".*\n *-?[\d.]+ +-?[\d.]+ +-?[\d.]+ +-?\d+",
+        "crn": r" *\d+ \d{8} +\d+ \d{8} +\d+ ",
+    }.items():
+        if re.match(pattern, text):
+            return form
+    raise Error(
+        f"{path}: this is no file of a known format ({', '.join(FORMATS)}); "
+        "name it with --format, or say in the campaign which columns of a "
+        "CSV file hold what"
+    )
+
+
+def _place(meta: dict) -> tuple[float, float]:
+    return float(meta["latitude"]), float(meta["longitude"])
+
+
+def _tmy3(path: Path) -> Readings:
+    table, meta = _iotools().read_tmy3(path, map_variables=True)
+    # Its index has no 24:00 of 28 February in leap years.
+    clock = pd.to_timedelta(table["Time (HH:MM)"] + ":00")
+    days = pd.to_datetime(table["Date (MM/DD/YYYY)"], format="%m/%d/%Y")
+    table.index = pd.DatetimeIndex(days + clock)
+    return named(table, utc_offset=meta["TZ"], place=_place(meta))
+
+
+def _tmy2(path: Path) -> Readings:
+    table, meta = _iotools().read_tmy2(str(path))
+    table["DryBulb"] /= 10
+    return named(
+        table,
+        ("GHI", "DNI", "DHI", "DryBulb", "RHum"),
+        place=_place(meta),
+        stamp="beginning",
+        is_typical=True,
+    )
+
+
+def _epw(path: Path) -> Readings:
+    table, meta = _iotools().read_epw(path)
+    day = pd.to_datetime(table[["year", "month", "day"]])
+    # A minute of a single row each hour is 0 or 60, which is the same.
+    parts = table["minute"].nunique() > 1
+    minute = table["minute"].where(table["minute"] > 0, 60) if parts else 60
+    table.index = pd.DatetimeIndex(
+        day
+        + pd.to_timedelta(table["hour"] - 1, "h")
+        + pd.to_timedelta(minute, "min")
+    )
+    table = table.replace({"temp_air": 99.9, "relative_humidity": 999}, np.nan)
+    return named(table, utc_offset=meta["TZ"], place=_place(meta))
+
+
+def _network(name: str) -> Callable[[Path], Readings]:
+    """Reads minutes of an American network, whose longitudes are west."""
+
+    def read_it(path: Path) -> Readings:
+        table, meta = getattr(_iotools(), name)(str(path))
+        place = float(meta["latitude"]), -abs(float(meta["longitude"]))
+        return named(table, place=place, stamp="beginning")
+
+    return read_it
+
+
+def _bsrn(path: Path) -> Readings:
+    table, meta = _iotools().read_bsrn(str(path))
+    return named(table, place=_place(meta), stamp="beginning")
+
+
+def _crn(path: Path) -> Readings:
+    table = _iotools().read_crn(path)
+    return named(table, place=_place(table.iloc[0].to_dict()))
+
+
+def _cams(path: Path) -> Readings:
+    table, meta = _iotools().read_cams(path)
+    return named(table, place=_place(meta), stamp="beginning")
+
+
+def _pvgis(path: Path) -> Readings:
+    """Reads hourly data or a typical year, whose stamps are instants."""
+    text = path.read_text()
+    form = "json" if text.lstrip().startswith("{") else "csv"
+    if "time(UTC)" in text:
+        table, meta = _iotools().read_pvgis_tmy(path, form)
+        offset = meta["inputs"].get("irradiance time offset", 0)
+        table.index += pd.to_timedelta(round(offset * 60), "min")
+    else:
+        table, meta = _iotools().read_pvgis_hourly(path, form)
+        slope = re.search(
+            r"Slope: *([\d.]+)|\"slope\": *\{\"value\": *([\d.]+)", text
+        )
+        if slope and float(slope[1] or slope[2]) != 0:
+            raise Error(
+                f"{path}: this is light on a tilted plane; download it with "
+                "slope 0"
+            )
+        parts = [
+            name for name in table if re.match("poa_.*(direct|diffuse)", name)
+        ]
+        table["ghi"] = (
+            table[parts].sum(axis=1) if parts else table["poa_global"]
+        )
+        if parts:
+            table["dhi"] = table["poa_sky_diffuse"]
+    place = meta["inputs"].get("location", meta["inputs"])
+    return named(table, place=_place(place), stamp="middle")
+
+
+def _iotools() -> Any:
+    from pvlib import iotools
+
+    return iotools
+
+
+FORMATS: dict[str, Callable[[Path], Readings]] = {
+    "tmy3": _tmy3,
+    "tmy2": _tmy2,
+    "epw": _epw,
+    "nsrdb": read_nsrdb,
+    "power": read_power,
+    "surfrad": _network("read_surfrad"),
+    "solrad": _network("read_solrad"),
+    "pvgis": _pvgis,
+    "bsrn": _bsrn,
+    "crn": _crn,
+    "cams": _cams,
+    "knmi": read_knmi,
+    "dwd": read_dwd,
+}

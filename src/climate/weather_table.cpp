@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "weather_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "ideotype/climate/daylight.hpp"
+
+namespace ideotype {
+
+namespace {
+
+using namespace std::chrono;
+
+std::optional<WrittenTime> time_of(const std::vector<CsvField>& parts,
+                                   DateOrder order) {
+    if (parts.size() == 1) return parse_time(parts[0].text, order);
+    const auto sum = [](std::optional<ClockTime> date,
+                        std::optional<double> hours) {
+        return date && hours
+                   ? std::optional(WrittenTime{later(*date, *hours), {}})
+                   : std::nullopt;
+    };
+    if (parts.size() == 2)
+        return sum(parse_date(parts[0].text, order),
+                   parse_clock(parts[1].text));
+    std::array<double, 5> numbers{};
+    for (std::size_t i = 0; i < parts.size() && i < numbers.size(); ++i) {
+        const auto number = number_of(parts[i].text);
+        if (!number || !(std::abs(*number) <= 9999) ||
+            (i < 3 && *number != std::trunc(*number)))
+            return std::nullopt;
+        numbers[i] = *number;
+    }
+    const auto whole = [&](std::size_t i) {
+        return static_cast<int>(numbers[i]);
+    };
+    const double hours = numbers[3] + numbers[4] / 60;
+    if (hours < 0 || hours > 24) return std::nullopt;
+    return sum(midnight(whole(0), whole(1), whole(2)), hours);
+}
+
+void read_stamps(WeatherTable& table,
+                 const std::vector<std::string_view>& lines, double site_offset,
+                 Findings& findings) {
+    std::vector<std::size_t> columns;
+    for (const std::string& name : table.columns.time)
+        if (const auto index = table.index_of(name, findings))
+            columns.push_back(*index);
+    findings.stop_if_any();
+    std::optional<double> offset = table.columns.utc_offset;
+    for (std::size_t i = table.header_line; i < lines.size(); ++i) {
+        if (lines[i].find_first_not_of(" \t,") == std::string_view::npos)
+            continue;
+        const std::vector<CsvField> fields = fields_of(lines[i]);
+        std::vector<CsvField> parts;
+        for (const std::size_t index : columns)
+            parts.push_back(entry(fields, index));
+        const int line = static_cast<int>(i) + 1;
+        auto written = time_of(parts, table.columns.date_order);
+        if (!written) {
+            std::vector<std::string_view> texts;
+            for (const CsvField& each : parts) texts.push_back(each.text);
+            findings.add(line, parts.front().column,
+                         fmt::format("\"{}\" is no date and time; check the "
+                                     "order of day and month",
+                                     fmt::join(texts, ",")));
+            continue;
+        }
+        if (written->utc_offset) {
+            // Summer time may come and go: one clock for all.
+            if (!offset) offset = written->utc_offset;
+            written->time =
+                later(written->time, *offset - *written->utc_offset);
+        }
+        table.rows.push_back({line, written->time});
+    }
+    findings.stop_if_any();
+    table.utc_offset = offset.value_or(site_offset);
+    if (table.rows.size() < 2)
+        findings.stop(0, 0, "there are not two rows of data");
+}
+
+//! Takes the most frequent difference between neighbours, and moves stamps to
+//! the middles of steps.
+void find_step(WeatherTable& table, Findings& findings) {
+    auto& rows = table.rows;
+    std::map<seconds, int> count;
+    for (std::size_t i = 1; i < rows.size(); ++i)
+        ++count[rows[i].middle - rows[i - 1].middle];
+    const auto most = std::max_element(
+        count.begin(), count.end(),
+        [](const auto& a, const auto& b) { return a.second < b.second; });
+    table.step = most->first;
+    if (table.step < 1min || table.step > 1h || 24h % table.step != 0s)
+        findings.stop(
+            rows[1].line, 1,
+            fmt::format("the rows are {} s apart (there must be one each "
+                        "hour, or a part of it that divides the day)",
+                        table.step.count()));
+    const Stamp stamp = table.columns.stamp.value_or(Stamp::end);
+    if (stamp == Stamp::middle) return;
+    const seconds half = table.step / 2;
+    for (WeatherStep& row : rows)
+        row.middle += stamp == Stamp::beginning ? half : -half;
+}
+
+//! Takes the site's clock where days of the file's would end by day.
+void choose_clock(WeatherTable& table, Site site) {
+    const double shift = site.utc_offset - table.utc_offset;
+    std::swap(site.utc_offset, table.utc_offset);
+    if (std::abs(clock_ahead(site)) <= 3) {
+        table.utc_offset = site.utc_offset;
+        return;
+    }
+    for (WeatherStep& row : table.rows) row.middle = later(row.middle, shift);
+}
+
+void check_order(const WeatherTable& table, Findings& findings) {
+    for (std::size_t i = 1; i < table.rows.size(); ++i) {
+        const WeatherStep& row = table.rows[i];
+        const WeatherStep& before = table.rows[i - 1];
+        if (row.middle == before.middle)
+            findings.add(row.line, 1,
+                         fmt::format("the same time as on line {} (a "
+                                     "duplicate, or the end of summer time); "
+                                     "leave one out, or use a clock that is "
+                                     "not changed",
+                                     before.line));
+        else if (row.middle < before.middle)
+            findings.add(
+                row.line, 1,
+                fmt::format("the time is before that of line {}; sort the rows",
+                            before.line));
+    }
+    findings.stop_if_any();
+}
+
+void select_period(WeatherTable& table, const std::optional<Period>& period,
+                   Findings& findings) {
+    auto& rows = table.rows;
+    table.begin = rows.front().middle;
+    table.end = rows.back().middle + table.step;
+    if (!period) return;
+    const std::string from = to_string(period->from);
+    const std::string to = to_string(period->to);
+    table.begin = midnight(period->from);
+    table.end = midnight(period->to) + 24h;
+    if (table.end <= table.begin)
+        findings.stop(0, 0,
+                      fmt::format("the period ends on {}, before it begins on "
+                                  "{}",
+                                  to, from));
+    if (rows.front().middle >= table.begin + 24h ||
+        rows.back().middle < table.end - 24h)
+        findings.stop(
+            0, 0,
+            fmt::format("the file has {} to {}, but the period is {} "
+                        "to {}; choose days that it has",
+                        to_string(date_at(rows.front().middle)),
+                        to_string(date_at(rows.back().middle)), from, to));
+    std::erase_if(rows, [&](const WeatherStep& row) {
+        return row.middle < table.begin || row.middle >= table.end;
+    });
+    if (rows.empty()) findings.stop(0, 0, "no row is of the period");
+}
+
+}  // namespace
+
+WeatherTable read_table(const std::vector<std::string_view>& lines,
+                        const WeatherRequest& request, Findings& findings) {
+    WeatherTable table = read_head(lines, request, findings);
+    read_stamps(table, lines, request.site.utc_offset, findings);
+    find_step(table, findings);
+    choose_clock(table, request.site);
+    check_order(table, findings);
+    select_period(table, request.period, findings);
+    return table;
+}
+
+}  // namespace ideotype

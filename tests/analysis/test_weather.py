@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The weather that a history holds is what pvlib, which is independent code,
-reads from the same file: a whole typical year, and small files of other
-formats."""
+"""`ideotype weather` converts what pvlib, which is independent code, reads
+from the same file, and the program reads that from the conversion."""
 
 from __future__ import annotations
 
+import subprocess
+import sys
 import tomllib
+import zipfile
+from collections.abc import Callable
 from pathlib import Path
 
 import h5py
@@ -15,9 +18,14 @@ import pvlib
 import pytest
 from real_program import output_of, write_campaign
 
+from ideotype.weather import main
+
 DATA = Path(__file__).parents[1] / "data" / "weather"
-YEAR = Path(pvlib.__file__).parent / "data" / "723170TYA.CSV"
+SHIPPED = Path(pvlib.__file__).parent / "data"
+YEAR = SHIPPED / "723170TYA.CSV"
 PAR = 0.45  # of all solar radiation
+LIGHT = ["global", "beam_normal", "diffuse"]
+HOUR = pd.Timedelta("1h")
 
 _SITE = """
 [[site]]
@@ -30,30 +38,35 @@ elevation = 273
 [[climate]]
 name = "period"
 file = "{file}"
-from = 1981-{first}
-to = 1981-{last}
+from = {first}
+to = {last}
 
 """
 
 
-def read_year(path: Path) -> pd.DataFrame:
-    return pvlib.iotools.read_tmy3(path, map_variables=True)[0]
+def read_expected() -> pd.DataFrame:
+    """The days of all files of DATA, by the middles of hours, as columns of
+    the conversion."""
+    table = pd.read_csv(DATA / "expected.csv")
+    table.index = pd.to_datetime(table["date"]) + pd.to_timedelta(
+        table["hour"], "h"
+    )
+    names = {"ghi": "global", "dni": "beam_normal", "dhi": "diffuse"}
+    table = table.rename(columns=names)
+    return table[[*LIGHT, "temperature", "humidity"]].astype(float)
 
 
-def read_epw(path: Path) -> pd.DataFrame:
-    return pvlib.iotools.read_epw(path)[0]
+def convert(folder: Path, *arguments: object) -> pd.DataFrame:
+    """What main() writes, by the middles of steps on its clock."""
+    to = folder / "weather.csv"
+    assert main([*map(str, arguments), "--to", str(to)]) == 0
+    return read(to)
 
 
-def read_nsrdb(path: Path) -> pd.DataFrame:
-    return pvlib.iotools.read_nsrdb_psm4(path)[0]
-
-
-CASES = {
-    "a typical year": (YEAR, "01-01", "12-31", read_year),
-    "TMY3": (DATA / "tmy3.csv", "07-01", "07-05", read_year),
-    "EPW": (DATA / "small.epw", "07-01", "07-05", read_epw),
-    "NSRDB": (DATA / "nsrdb.csv", "07-01", "07-05", read_nsrdb),
-}
+def read(file: Path) -> pd.DataFrame:
+    table = pd.read_csv(file, comment="#", index_col="time")
+    table.index = pd.DatetimeIndex(table.index.str[:19])
+    return table
 
 
 def weather_of(folder: Path, file: Path, first: str, last: str) -> dict:
@@ -71,11 +84,14 @@ def weather_of(folder: Path, file: Path, first: str, last: str) -> dict:
     return weather
 
 
-@pytest.mark.parametrize("name", CASES)
-def test_weather_is_what_pvlib_reads(name: str, tmp_path: Path) -> None:
-    file, first, last, read = CASES[name]
-    weather = weather_of(tmp_path, file, first, last)
-    table = read(file)
+@pytest.mark.parametrize("year", [1981, 2023])
+def test_the_program_reads_a_typical_year_as_pvlib(
+    year: int, tmp_path: Path
+) -> None:
+    first, last = f"{year}-01-01", f"{year}-12-31"
+    convert(tmp_path, YEAR, "--from", first, "--until", last)
+    weather = weather_of(tmp_path, tmp_path / "weather.csv", first, last)
+    table = pvlib.iotools.read_tmy3(YEAR, map_variables=True)[0]
     steps = len(table)
     assert len(weather["dates"]) * 24 == steps
     assert weather["hours"] == [hour + 0.5 for hour in range(24)]
@@ -104,3 +120,368 @@ def test_weather_is_what_pvlib_reads(name: str, tmp_path: Path) -> None:
     )
     assert plain[ghi > 0].mean() > 0.9
     assert np.array(weather["beam"])[cosine < -0.01] == pytest.approx(0)
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["tmy3.csv", "small.epw", "nsrdb.csv", "power_utc.csv", "power_lst.csv"],
+)
+def test_formats_that_the_program_once_read(name: str, tmp_path: Path) -> None:
+    found = convert(tmp_path, DATA / name)
+    expected = read_expected()[list(found)]
+    assert ("diffuse" in found) == (name != "power_lst.csv")
+    assert list(found.index) == list(expected.index)
+    assert found.to_numpy() == pytest.approx(expected.to_numpy(), rel=1e-5)
+
+
+def test_the_program_reads_what_is_written(tmp_path: Path) -> None:
+    convert(tmp_path, DATA / "nsrdb.csv")
+    written = (tmp_path / "weather.csv").read_text()
+    assert written == (DATA / "converted.csv").read_text()
+    weather = weather_of(
+        tmp_path, tmp_path / "weather.csv", "1981-07-01", "1981-07-05"
+    )
+    found = np.array(weather["beam"]) + np.array(weather["diffuse"])
+    assert found == pytest.approx(PAR * read_expected()["global"].to_numpy())
+
+
+def test_a_file_of_another_format_is_told_how_to_convert(
+    tmp_path: Path,
+) -> None:
+    """The command in the error is one that works."""
+    file = tmp_path / "mine.epw"
+    file.write_bytes((DATA / "small.epw").read_bytes())
+    with pytest.raises(AssertionError) as failure:
+        weather_of(tmp_path, file, "1981-07-02", "1981-07-03")
+    (command,) = (
+        line.split("ideotype weather", 1)[1]
+        for line in str(failure.value).splitlines()
+        if "ideotype weather" in line
+    )
+    done = subprocess.run(
+        f"{sys.executable} -m ideotype.weather {command}",
+        shell=True,
+        check=True,
+        capture_output=True,
+        text=True,
+    )
+    assert 'file = "mine_weather.csv"' in done.stdout
+    assert "from = 1981-07-02\nto = 1981-07-03" in done.stdout
+    assert len(read(tmp_path / "mine_weather.csv")) == 48
+
+
+# ------------------------------------------------------------- other formats
+
+
+def minutes(step: int) -> pd.DataFrame:
+    """The days in UTC in equal parts of hours, by their beginnings."""
+    table = read_expected()
+    table.index += 5 * HOUR - HOUR / 2
+    table.loc[table.index[-1] + HOUR] = np.nan
+    return table.resample(f"{step}min").ffill().iloc[:-1]
+
+
+def write_surfrad(file: Path) -> None:
+    rows = [
+        f" {t:%Y} {t.dayofyear} {t:%m %d %H %M} 0 0 {r['global']:.1f} 0 0 0 "
+        f"{r.beam_normal:.1f} 0 {r.diffuse:.1f} 0 {'0 0 ' * 11}"
+        f"{r.temperature:.1f} 0 {r.humidity:.1f} 0 0 0 0 0 1000 0"
+        for t, r in minutes(1).iterrows()
+    ]
+    head = " Made\n   36.10   79.95 273 m version 1\n"
+    file.write_text(head + "\n".join(rows) + "\n")
+
+
+def write_solrad(file: Path) -> None:
+    rows = [
+        f"{t.year:5}{t.dayofyear:4}{t.month:3}{t.day:3}{t.hour:3}{t.minute:3}"
+        f"{0.0:7.3f}{0.0:7.2f}{r['global']:8.1f} 0{r.beam_normal:8.1f} 0"
+        f"{r.diffuse:8.1f} 0{0.0:8.1f} 0{0.0:8.1f} 0"
+        + f"{0.0:10.3f}" * 3
+        + f"{0.0:9.3f}"
+        for t, r in minutes(1).iterrows()
+    ]
+    head = " Made\n  36.10  79.95 273.0 -5\n"
+    file.write_text(head + "\n".join(rows) + "\n")
+
+
+def write_bsrn(file: Path) -> None:
+    head = ["*U0001", "  1  7 1981  1", "*U0004", " 1  1  1", " 1  1"]
+    head += ["nowhere", "0                   0", "0               0"]
+    head += [f"{36.1 + 90:7.3f} {180 - 79.95:7.3f}  273 00000", "x", "-1 -1"]
+    rows = []
+    for t, r in minutes(1).iterrows():
+        rows.append(
+            f"{t.day:3} {t.hour * 60 + t.minute:5} {r['global']:6.1f}"
+            f"   0.0  0.0  0.0{r.beam_normal:7.1f}   0.0  0.0  0.0"
+        )
+        rows.append(
+            f"          {r.diffuse:6.1f}   0.0  0.0  0.0 -999.0 -99.9 -999"
+            f" -999{r.temperature:9.1f}{r.humidity:6.1f} 1000"
+        )
+    file.write_text("\n".join([*head, "*U0100", *rows]) + "\n")
+
+
+def write_crn(file: Path) -> None:
+    rows = []
+    for t, r in minutes(5).iterrows():
+        t += pd.Timedelta("5min")
+        rows.append(
+            f"12345 {t:%Y%m%d} {t:%H%M} {t:%Y%m%d} {t:%H%M}      3  -79.95"
+            f"   36.10 {r.temperature:7.1f}     0.0 {r['global']:6.0f} 0    20.0"
+            f" C 0 {r.humidity:5.0f} 0   0.100     9.0   100 0   1.00 0"
+        )
+    file.write_text("\n".join(rows) + "\n")
+
+
+def write_cams(file: Path) -> None:
+    rows = []
+    for t, r in minutes(15).iterrows():
+        end = t + pd.Timedelta("15min")
+        energy = ";".join(f"{r[name] / 4:.4f}" for name in LIGHT)
+        rows.append(
+            f"{t:%Y-%m-%dT%H:%M:%S.0}/{end:%Y-%m-%dT%H:%M:%S.0};{energy}"
+        )
+    file.write_text(
+        "# Latitude (positive North, ISO 19115): 36.1000\n"
+        "# Longitude (positive East, ISO 19115): -79.9500\n"
+        "# Altitude (m): 273.00\n"
+        "# Summarization (integration) period: 0 year 0 month 0 day 0 h 15 min"
+        " 0 s\n# Observation period;GHI;BNI;DHI\n" + "\n".join(rows) + "\n"
+    )
+
+
+def write_pvgis(file: Path) -> None:
+    rows = [
+        f"{t:%Y%m%d:%H%M},{r['global'] - r.diffuse:.1f},{r.diffuse:.1f},0,0,"
+        f"{r.temperature},0,0"
+        for t, r in (minutes(60).pipe(at_half)).iterrows()
+    ]
+    file.write_text(
+        "Latitude (decimal degrees):\t36.1\nLongitude (decimal degrees):\t"
+        "-79.95\nElevation (m):\t273\nRadiation database:\tmade\n\n"
+        "Slope: 0 deg. \nAzimuth: 0 deg. \n"
+        "time,Gb(i),Gd(i),Gr(i),H_sun,T2m,WS10m,Int\n"
+        + "\n".join(rows)
+        + "\n\nT2m: made\n"
+    )
+
+
+def at_half(table: pd.DataFrame) -> pd.DataFrame:
+    return table.set_axis(table.index + HOUR / 2)
+
+
+def write_knmi(file: Path) -> None:
+    rows = []
+    for t, r in minutes(60).iterrows():
+        energy = r["global"] * 0.36  # J/cm2
+        rows.append(
+            f"  260,{t:%Y%m%d},{t.hour + 1:5},  180,{10 * r.temperature:5.0f},"
+            f"{energy:9.3f},     ,{r.humidity:5.0f}"
+        )
+    file.write_text(
+        "# BRON: made\n# STN         LON(east)   LAT(north)  ALT(m)  NAME\n"
+        "# 260         -79.950     36.100      1.90    MADE\n"
+        "# STN,YYYYMMDD,   HH,   DD,    T,    Q,   RH,    U\n#\n"
+        + "\n".join(rows)
+        + "\n"
+    )
+
+
+def write_dwd(file: Path) -> None:
+    """Ten minutes' light."""
+    rows = [
+        f"       123;{t + pd.Timedelta('10min'):%Y%m%d%H%M};    3;"
+        f"{r.diffuse * 0.06:.5f};{r['global'] * 0.06:.5f};0.1;  -999;eor"
+        for t, r in minutes(10).iterrows()
+    ]
+    head = "STATIONS_ID;MESS_DATUM;  QN;DS_10;GS_10;SD_10;LS_10;eor\n"
+    file.write_text(head + "\n".join(rows) + "\n")
+
+
+MADE: dict[str, tuple[Callable[[Path], None], list[str]]] = {
+    "surfrad": (write_surfrad, [*LIGHT, "temperature", "humidity"]),
+    "solrad": (write_solrad, LIGHT),
+    "bsrn": (write_bsrn, [*LIGHT, "temperature", "humidity"]),
+    "crn": (write_crn, ["global", "temperature", "humidity"]),
+    "cams": (write_cams, LIGHT),
+    "pvgis": (write_pvgis, ["global", "diffuse", "temperature"]),
+    "knmi": (write_knmi, ["global", "temperature", "humidity"]),
+    "dwd": (write_dwd, ["global", "diffuse"]),
+}
+
+
+@pytest.mark.parametrize("form", MADE)
+def test_other_formats(form: str, tmp_path: Path) -> None:
+    write, columns = MADE[form]
+    file = tmp_path / f"file.{'csv' if form == 'pvgis' else 'txt'}"
+    write(file)
+    place = ["--latitude", 36.1, "--longitude", -79.95]
+    found = convert(tmp_path, file, "--step", 60, *place)
+    assert list(found) == columns
+    expected = read_expected().reindex(found.index)[columns]
+    assert len(found) == 120
+    assert np.abs(found - expected).max(axis=None) <= (
+        0.51 if form in ("crn", "knmi") else 0.06
+    )
+
+
+def test_hours_of_the_true_solar_time_keep_their_light(
+    tmp_path: Path,
+) -> None:
+    """DWD's hours of light end some minutes after the hours of its clock; its
+    temperature has a file of its own."""
+    light = minutes(1)[["global"]]
+    light.index += pd.Timedelta("18min")
+    hours = light.resample("1h", offset="18min").mean()
+    rows = [
+        f"123;{t + HOUR:%Y%m%d%H:%M};1;-999;-999;{v * 0.36:.4f};0;50;x;eor"
+        for t, v in hours["global"].items()
+    ]
+    head = "STATIONS_ID;MESS_DATUM;QN_592;ATMO_LBERG;FD_LBERG;FG_LBERG;"
+    text = head + "SD_LBERG;ZENIT;MESS_DATUM_WOZ;eor\n" + "\n".join(rows)
+    with zipfile.ZipFile(tmp_path / "light.zip", "w") as folder:
+        folder.writestr("Metadaten_Geographie_123.txt", "x")
+        folder.writestr("produkt_st_stunde_123.txt", text)
+    air = minutes(60)
+    rows = [
+        f"123;{t + HOUR:%Y%m%d%H};9;{r.temperature:6.1f};{r.humidity:6.1f};eor"
+        for t, r in air.iterrows()
+    ]
+    head = "STATIONS_ID;MESS_DATUM;QN_9;TT_TU;RF_TU;eor\n"
+    (tmp_path / "air.txt").write_text(head + "\n".join(rows))
+    place = ["--latitude", 36.1, "--longitude", -79.95]
+    files = (tmp_path / "light.zip", tmp_path / "air.txt")
+    found = convert(tmp_path, *files, *place)
+    expected = read_expected()
+    assert list(found) == ["global", "temperature", "humidity"]
+    shifted = light["global"].resample("1D").mean()
+    assert found["global"].sum() == pytest.approx(
+        expected["global"].sum(), rel=0.01
+    )
+    assert len(shifted) >= 5
+    known = found["temperature"].dropna()
+    assert known.to_numpy() == pytest.approx(
+        expected["temperature"].reindex(known.index).to_numpy()
+    )
+
+
+def test_a_typical_year_of_pvgis_begins_on_the_site_s_clock(
+    tmp_path: Path,
+) -> None:
+    year = pd.read_csv(SHIPPED / "723170TYA.CSV", skiprows=1)
+    utc = pd.date_range("2005-01-01", periods=8760, freq="1h")
+    columns = ["Dry-bulb (C)", "RHum (%)", "GHI (W/m^2)"]
+    values = np.roll(year[columns].to_numpy(), 5, axis=0)
+    rows = [
+        f"{t:%Y%m%d:%H%M},{a},{b},{g},0,0,0,0,0,0"
+        for t, (a, b, g) in zip(utc, values)
+    ]
+    head = "Latitude (decimal degrees): 36.1\nLongitude (decimal degrees): "
+    head += "-79.95\nElevation (m): 273\nIrradiance Time Offset (h): 0.5\n"
+    head += "month,year\n" + "".join(f"{m},2005\n" for m in range(1, 13))
+    names = "time(UTC),T2m,RH,G(h),Gb(n),Gd(h),IR(h),WS10m,WD10m,SP\n"
+    file = tmp_path / "tmy.csv"
+    file.write_text(head + names + "\n".join(rows) + "\n\n")
+    text = file.read_text()
+    for month, other in ((2, 2011), (7, 2015)):
+        text = text.replace(f"\n2005{month:02}", f"\n{other}{month:02}")
+    file.write_text(text)
+    found = convert(
+        tmp_path, file, "--from", "2023-01-01", "--until", "2023-12-31"
+    )
+    assert len(found) == 8760
+    assert found.index[0] == pd.Timestamp("2023-01-01 00:30")
+    assert found["global"].to_numpy() == pytest.approx(
+        year["GHI (W/m^2)"].to_numpy()
+    )
+
+
+# ---------------------------------------------------------------- checks
+
+
+def without_hours(folder: Path, *hours: int) -> Path:
+    """The NSRDB file without these rows."""
+    lines = (DATA / "nsrdb.csv").read_text().splitlines()
+    for hour in sorted(hours, reverse=True):
+        del lines[3 + hour]
+    file = folder / "gaps.csv"
+    file.write_text("\n".join(lines) + "\n")
+    return file
+
+
+def test_gaps_are_told_with_their_dates_and_can_be_filled(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = without_hours(tmp_path, 34, 36, 37, 50)
+    found = convert(tmp_path, file)
+    told = capsys.readouterr().err
+    assert "the light of 1981-07-02 10:00 to 1981-07-02 11:00" in told
+    assert "the light of 1981-07-02 12:00 to 1981-07-02 14:00" in told
+    assert "2 gaps by day, the longest of 2 h" in told
+    assert "--fill HOURS" in told
+    assert found["global"].isna().sum() == 4
+    found = convert(tmp_path, file, "--fill", 1)
+    assert found["global"].isna().sum() == 2
+    assert "1 gaps by day" in capsys.readouterr().err
+    found = convert(tmp_path, file, "--fill", 2)
+    assert capsys.readouterr().err == ""
+    expected = read_expected()
+    assert not found.isna().any(axis=None)
+    for hour in (34, 36, 37):
+        near = expected["global"].iloc[[hour - 2, hour + 2]]
+        assert near.min() * 0.8 < found["global"].iloc[hour] < 1100
+
+
+def test_a_wrong_clock_or_place_is_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    to = ["--to", str(tmp_path / "x.csv")]
+    text = YEAR.read_text().replace(",-5.0,36.1", ",-3.0,36.1", 1)
+    file = tmp_path / "clock.csv"
+    file.write_text(text)
+    assert main([str(file), *to]) == 3
+    assert "the light comes 2 h earlier" in capsys.readouterr().err
+    near = ["--latitude", "36.1", "--longitude"]
+    assert main([str(YEAR), *near, "-72", *to]) == 3
+    assert "km from the site (another climate)" in capsys.readouterr().err
+    assert main([str(YEAR), *near, "-79.3", *to]) == 0
+    assert "58 km from the site" in capsys.readouterr().err
+    write_dwd(tmp_path / "dwd.txt")
+    assert main([str(tmp_path / "dwd.txt"), *to]) == 3
+    assert "give --latitude and --longitude" in capsys.readouterr().err
+
+
+def test_what_cannot_be_read_is_told_on_one_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    to = ["--to", str(tmp_path / "x.csv")]
+    file = tmp_path / "file.csv"
+    for text, words in {
+        "a,b\n1,2\n": "no file of a known format",
+        "LOCATION,a,b,c,d,1,north,-90,-6,300\n": "cannot be read",
+        "-BEGIN HEADER-\n-END HEADER-\nYEAR,DOY,T2M\n1,1,1\n": "no column HR",
+        "Source,Location ID\nNSRDB,1\nYear\n1\n": "cannot be read",
+    }.items():
+        file.write_text(text)
+        assert main([str(file), *to]) == 3
+        told = capsys.readouterr().err
+        assert words in told and told.count("\n") == 1
+    assert main([str(tmp_path / "none.csv"), *to]) == 1
+    assert "none.csv" in capsys.readouterr().err
+    assert (
+        main([str(YEAR), *to, "--from", "2023-01-01", "--until", "2024-12-31"])
+        == 3
+    )
+    assert "longer than the typical year" in capsys.readouterr().err
+    assert not (tmp_path / "x.csv").exists()
+
+
+def test_without_pvlib_the_way_to_install_it_is_told(
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setitem(sys.modules, "pvlib", None)
+    assert main([str(YEAR), "--to", str(tmp_path / "x.csv")]) == 1
+    assert "pip install 'ideotype[weather]'" in capsys.readouterr().err

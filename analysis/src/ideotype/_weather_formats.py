@@ -34,7 +34,8 @@ def read(path: Path, form: str) -> Readings:
         form = _form_of(path)
     readings = FORMATS[form](path)
     frame = readings.frame.astype(float)
-    readings.frame = frame.where(~frame.isin(MISSING))
+    frame = frame.where(~frame.isin(MISSING))
+    readings.frame = frame.dropna(axis=1, how="all")
     days = (readings.frame.index - pd.Timedelta("1s")).to_series()
     # Months of different years follow each other in a typical year.
     readings.is_typical |= bool(
@@ -62,9 +63,9 @@ def _form_of(path: Path) -> str:
         "knmi": r"(?s:.*)# ?STN, *YYYYMMDD, *HH",
         "cams": r"(?s:.*)# Observation period;",
         "pvgis": r"Latitude \(decimal degrees\)|\{(?s:.*)\"PVGIS|\{\"inputs\"",
-        "surfrad": r".*\n +-?[\d.]+ +-?[\d.]+ +\d+ m version",
-        "solrad": r".*\n *-?[\d.]+ +-?[\d.]+ +-?[\d.]+ +-?\d+",
         "crn": r" *\d+ \d{8} +\d+ \d{8} +\d+ ",
+        "surfrad": r".*\n +-?[\d.]+ +-?[\d.]+ +\d+ m version",
+        "solrad": r".*\n *-?\d+\.\d+ +-?\d+\.\d+ +\d+[\d.]* +-\d",
     }.items():
         if re.match(pattern, text):
             return form
@@ -147,8 +148,9 @@ def _pvgis(path: Path) -> Readings:
     form = "json" if text.lstrip().startswith("{") else "csv"
     if "time(UTC)" in text:
         table, meta = _iotools().read_pvgis_tmy(path, form)
-        offset = meta["inputs"].get("irradiance time offset", 0)
-        table.index += pd.to_timedelta(round(offset * 60), "min")
+        offset = re.search(r"(?i)time[ _]offset[^\d-]*(-?[\d.]+)", text)
+        minutes = round(float(offset[1]) * 60) if offset else 0
+        table.index += pd.to_timedelta(minutes, "min")
     else:
         table, meta = _iotools().read_pvgis_hourly(path, form)
         slope = re.search(

@@ -74,7 +74,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         )
         return 1
     try:
-        print(_convert(options, tell))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of readers, for programmers
+            print(_convert(options, tell))
     except Error as error:
         tell(error)
         return 3
@@ -118,13 +120,12 @@ def _convert(options: argparse.Namespace, tell: Any) -> str:
 
 def _read(path: Path, form: str) -> Readings:
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            return read(path, form)
+        return read(path, form)
     except (ValueError, KeyError, IndexError) as error:
+        why = f"{type(error).__name__}: {error}".splitlines()[0]
         raise Error(
-            f"{path}: cannot be read as {form} ({error!r}); is it "
-            "another format? See --format"
+            f"{path}: cannot be read ({why}); is it another format? See "
+            "--format"
         ) from error
 
 

@@ -87,17 +87,17 @@ void check_weather(const SiteWeather& weather, Report& report) {
     const std::size_t steps = weather.dates.size() * hours.size();
     const auto of_steps = [&](const std::string& name,
                               const std::vector<double>& values,
-                              bool is_required, double least) {
+                              std::size_t fewest, double least) {
         check(name, values,
-              (values.size() == steps || (values.empty() && !is_required)) &&
+              (values.size() == steps || values.size() == fewest) &&
                   std::all_of(values.begin(), values.end(),
                               [&](double x) { return x >= least; }),
               fmt::format("one of each hour of each date, {} or more", least));
     };
-    of_steps("beam", weather.beam, true, 0);
-    of_steps("diffuse", weather.diffuse, true, 0);
-    of_steps("temperature", weather.temperature, false, -273);
-    of_steps("humidity", weather.humidity, false, 0);
+    of_steps("beam", weather.beam, steps, 0);
+    of_steps("diffuse", weather.diffuse, steps, 0);
+    of_steps("temperature", weather.temperature, 0, -273);
+    of_steps("humidity", weather.humidity, 0, 0);
 }
 
 class WeathersReader {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "time_stamp.hpp"
 
-#include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "ideotype/core/csv.hpp"
 
@@ -13,16 +13,22 @@ namespace {
 
 using namespace std::chrono;
 
-constexpr std::string_view digits = "0123456789";
-
-bool only_digits(std::string_view text) {
-    return !text.empty() && text.find_first_not_of(digits) == text.npos;
-}
-
-//! A whole number of few digits.
-std::optional<int> whole(std::string_view text) {
-    if (!only_digits(text) || text.size() > 4) return std::nullopt;
-    return static_cast<int>(*number_of(text));
+//! Returns the whole numbers, of up to four digits, between separators of one
+//! kind; nothing if the text is anything else.
+std::vector<int> numbers(std::string_view text, std::string_view separators) {
+    const std::size_t first = text.find_first_of(separators);
+    const char separator = first == text.npos ? '\0' : text[first];
+    std::vector<int> all;
+    for (;;) {
+        const std::size_t end = text.find(separator);
+        const std::string_view part = text.substr(0, end);
+        if (part.empty() || part.size() > 4 ||
+            part.find_first_not_of("0123456789") != part.npos)
+            return {};
+        all.push_back(static_cast<int>(*number_of(part)));
+        if (end == text.npos) return all;
+        text.remove_prefix(end + 1);
+    }
 }
 
 //! The hours of an offset from UTC, such as -06:00, +0530 or Z.
@@ -68,51 +74,26 @@ ClockTime later(ClockTime time, double hours) {
 }
 
 std::optional<ClockTime> parse_date(std::string_view text, DateOrder order) {
-    std::array<std::string_view, 3> parts;
-    if (only_digits(text) && text.size() == 8 &&
-        order == DateOrder::year_month_day) {
-        parts = {text.substr(0, 4), text.substr(4, 2), text.substr(6)};
-    } else {
-        const std::size_t first = text.find_first_not_of(digits);
-        if (first == text.npos) return std::nullopt;
-        const std::size_t second = text.find(text[first], first + 1);
-        if (std::string_view("-/.").find(text[first]) == text.npos ||
-            second == text.npos)
-            return std::nullopt;
-        parts = {text.substr(0, first),
-                 text.substr(first + 1, second - first - 1),
-                 text.substr(second + 1)};
-    }
+    std::string parted(text);
+    if (order == DateOrder::year_month_day && text.size() == 8 &&
+        text.find_first_of("-/.") == text.npos)
+        parted.insert(6, "-").insert(4, "-");
+    std::vector<int> parts = numbers(parted, "-/.");
+    if (parts.size() != 3) return std::nullopt;
     if (order == DateOrder::month_day_year)
         parts = {parts[2], parts[0], parts[1]};
     if (order == DateOrder::day_month_year)
         parts = {parts[2], parts[1], parts[0]};
-    const std::optional<int> year = whole(parts[0]);
-    const std::optional<int> month = whole(parts[1]);
-    const std::optional<int> day = whole(parts[2]);
-    if (!year || !month || !day || parts[0].size() != 4) return std::nullopt;
-    return midnight(*year, *month, *day);
+    if (parts[0] < 1000) return std::nullopt;
+    return midnight(parts[0], parts[1], parts[2]);
 }
 
 std::optional<double> parse_clock(std::string_view text) {
-    std::array<int, 3> parts{};
-    if (text.size() == 4 && only_digits(text)) {
-        parts = {*whole(text.substr(0, 2)), *whole(text.substr(2)), 0};
-    } else {
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            const std::size_t end = text.find(':');
-            const std::optional<int> part = whole(text.substr(0, end));
-            if (!part || end + 1 == text.size()) return std::nullopt;
-            parts[i] = *part;
-            if (end == text.npos) {
-                if (i == 0) return std::nullopt;
-                text = {};
-                break;
-            }
-            text.remove_prefix(end + 1);
-        }
-        if (!text.empty()) return std::nullopt;
-    }
+    std::vector<int> parts = numbers(text, ":");
+    if (parts.size() == 1 && text.size() == 4)
+        parts = {parts[0] / 100, parts[0] % 100};
+    if (parts.size() != 2 && parts.size() != 3) return std::nullopt;
+    parts.resize(3);
     const double hours = parts[0] + parts[1] / 60.0 + parts[2] / 3600.0;
     if (hours > 24 || parts[1] > 59 || parts[2] > 59) return std::nullopt;
     return hours;

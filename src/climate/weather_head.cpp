@@ -34,12 +34,12 @@ ColumnMap native_columns(ColumnMap columns,
 
 //! Says how a file of another format becomes one that can be read.
 std::string way_to_convert(const WeatherRequest& request) {
-    const std::filesystem::path file = request.file;
-    const std::string stem =
-        (file.parent_path() / file.stem()).string() + "_weather.csv";
+    const std::string& file = request.file;
     std::string command = fmt::format(
-        "ideotype weather '{}' --to '{}' --latitude {} --longitude {}",
-        file.string(), stem, request.site.latitude, request.site.longitude);
+        "ideotype weather '{}' --to '{}_weather.csv' --latitude {} "
+        "--longitude {}",
+        file, std::filesystem::path(file).replace_extension().string(),
+        request.site.latitude, request.site.longitude);
     if (request.period)
         command += fmt::format(" --from {} --until {}",
                                to_string(request.period->from),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -22,10 +23,9 @@ double extraterrestrial(const Site& site, ClockTime time) {
 }
 
 double correlation(const std::vector<double>& a, const std::vector<double>& b) {
-    double ma = 0, mb = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) ma += a[i], mb += b[i];
-    ma /= static_cast<double>(a.size());
-    mb /= static_cast<double>(a.size());
+    const double n = static_cast<double>(a.size());
+    const double ma = std::accumulate(a.begin(), a.end(), 0.0) / n;
+    const double mb = std::accumulate(b.begin(), b.end(), 0.0) / n;
     double aa = 0, bb = 0, ab = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
         aa += (a[i] - ma) * (a[i] - ma);
@@ -78,7 +78,7 @@ void check_clock(const std::vector<WeatherStep>& series,
         "which part of a step the stamps name",
         hours, shift > 0 ? "later" : "earlier", unshifted, best);
     if (hours >= (long_enough ? 0.75 : 2)) findings.stop(line, 1, text);
-    if (hours >= (long_enough ? 0.5 : 1)) findings.note(line, text);
+    if (hours >= (long_enough ? 0.5 : 1)) findings.doubt(line, text, false);
 }
 
 //! Looks for days with more light than almost all of the sun's.
@@ -104,7 +104,7 @@ void check_days(const std::vector<WeatherStep>& series,
                       what +
                           " of the site outside the atmosphere; check the "
                           "place and the unit");
-    if (bright > 0) findings.note(first, what);
+    if (bright > 0) findings.doubt(first, what, false);
 }
 
 void check_nights(const std::vector<WeatherStep>& series,
@@ -135,8 +135,8 @@ void check_place(const std::vector<WeatherStep>& series,
     for (const Irradiance& each : light)
         measured.push_back(each.beam + each.diffuse);
     if (*std::max_element(measured.begin(), measured.end()) <= 0)
-        return findings.note(series.front().line,
-                             "the period has no light at all");
+        return findings.doubt(series.front().line,
+                              "the period has no light at all", false);
     check_clock(series, measured, site, findings);
     check_days(series, measured, site, findings);
     check_nights(series, measured, findings);

@@ -46,7 +46,7 @@ std::vector<WeatherStep> all_steps(const WeatherTable& table,
                 return floor<days>(row.middle) == day;
             })) {
             if (middle - day < table.step)
-                findings.note(line, "29 February is not in the file");
+                findings.doubt(line, "29 February is not in the file", false);
             continue;
         }
         series.push_back({line, middle});

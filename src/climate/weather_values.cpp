@@ -75,44 +75,14 @@ struct Source {
     std::string_view unit;
 };
 
-//! Finds the columns of a table that hold its values.
-class Sources {
-  public:
-    Sources(const WeatherTable& table, double par_fraction, Findings& findings)
-        : table_(table), par_fraction_(par_fraction), findings_(findings) {
-        const ColumnMap& columns = table.columns;
-        const auto light = [&](const std::optional<Column>& column,
-                               std::optional<double> WeatherValues::*target) {
-            add(column, Kind::light, {0, {}, target, -20, 2000, "W m-2"});
-        };
-        light(columns.global, &WeatherValues::global);
-        light(columns.beam_normal, &WeatherValues::beam_normal);
-        light(columns.diffuse, &WeatherValues::diffuse);
-        add(columns.diffuse_fraction, Kind::fraction,
-            {0,
-             {},
-             &WeatherValues::diffuse_fraction,
-             0,
-             1.01,
-             "of the global light"});
-        add(columns.temperature, Kind::temperature,
-            {0, {}, &WeatherValues::temperature, -90, 60, "deg C"});
-        add(columns.humidity, Kind::fraction,
-            {0, {}, &WeatherValues::humidity, 0, 1.1, "of saturation"});
-        if (!columns.global && !(columns.beam_normal && columns.diffuse))
-            findings.add(
-                static_cast<int>(table.header_line), 1,
-                "no column tells the light; there must be the global light, or "
-                "the beam and the diffuse");
-        findings.stop_if_any();
-    }
-
+//! Finds the columns that hold the values, and the scales of their units.
+std::vector<Source> sources_of(const WeatherTable& table, double par_fraction,
+                               Findings& findings) {
     std::vector<Source> found;
-
-  private:
-    void add(const std::optional<Column>& column, Kind kind, Source source) {
+    const auto add = [&](const std::optional<Column>& column, Kind kind,
+                         Source source) {
         if (!column) return;
-        const auto index = table_.index_of(column->name, findings_);
+        source.index = table.index_of(column->name, findings).value_or(0);
         const std::string name = plain(column->unit);
         std::string names;
         for (const Unit& unit : units) {
@@ -121,23 +91,37 @@ class Sources {
             if (unit.name != name) continue;
             source.scale = unit.scale;
             if (unit.per == Per::second)
-                source.scale.factor /= static_cast<double>(table_.step.count());
+                source.scale.factor /= static_cast<double>(table.step.count());
             if (unit.per == Per::photon)
-                source.scale.factor /= mol_per_mj_par * par_fraction_;
-            source.index = index.value_or(0);
-            found.push_back(source);
-            return;
+                source.scale.factor /= mol_per_mj_par * par_fraction;
+            return found.push_back(source);
         }
-        findings_.add(static_cast<int>(table_.header_line), 1,
-                      fmt::format("\"{}\" is no unit of the column \"{}\"; "
-                                  "there are {}",
-                                  column->unit, column->name, names));
-    }
-
-    const WeatherTable& table_;
-    double par_fraction_;
-    Findings& findings_;
-};
+        findings.add(static_cast<int>(table.header_line), 1,
+                     fmt::format("\"{}\" is no unit of the column \"{}\"; "
+                                 "there are {}",
+                                 column->unit, column->name, names));
+    };
+    const ColumnMap& columns = table.columns;
+    using Values = WeatherValues;
+    Source light{0, {}, &Values::global, -20, 2000, "W m-2"};
+    add(columns.global, Kind::light, light);
+    light.target = &Values::beam_normal;
+    add(columns.beam_normal, Kind::light, light);
+    light.target = &Values::diffuse;
+    add(columns.diffuse, Kind::light, light);
+    add(columns.diffuse_fraction, Kind::fraction,
+        {0, {}, &Values::diffuse_fraction, 0, 1.01, "of the global light"});
+    add(columns.temperature, Kind::temperature,
+        {0, {}, &Values::temperature, -90, 60, "deg C"});
+    add(columns.humidity, Kind::fraction,
+        {0, {}, &Values::humidity, 0, 1.1, "of saturation"});
+    if (!columns.global && !(columns.beam_normal && columns.diffuse))
+        findings.add(static_cast<int>(table.header_line), 1,
+                     "no column tells the light; there must be the global "
+                     "light, or the beam and the diffuse");
+    findings.stop_if_any();
+    return found;
+}
 
 std::optional<double> value_of(const CsvField& field, const Source& source,
                                std::optional<double> missing, int line,
@@ -173,11 +157,11 @@ std::optional<double> value_of(const CsvField& field, const Source& source,
 void read_values(WeatherTable& table,
                  const std::vector<std::string_view>& lines,
                  double par_fraction, Findings& findings) {
-    const Sources sources(table, par_fraction, findings);
+    const auto sources = sources_of(table, par_fraction, findings);
     for (WeatherStep& row : table.rows) {
         const std::vector<CsvField> fields =
             fields_of(lines[static_cast<std::size_t>(row.line) - 1]);
-        for (const Source& source : sources.found)
+        for (const Source& source : sources)
             row.values.*source.target =
                 value_of(entry(fields, source.index), source,
                          table.columns.missing, row.line, findings);

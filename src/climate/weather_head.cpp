@@ -37,9 +37,9 @@ std::string way_to_convert(const WeatherRequest& request) {
     const std::string& file = request.file;
     std::string command = fmt::format(
         "ideotype weather '{}' --to '{}_weather.csv' --latitude {} "
-        "--longitude {}",
+        "--longitude {} --utc-offset {}",
         file, std::filesystem::path(file).replace_extension().string(),
-        request.site.latitude, request.site.longitude);
+        request.site.latitude, request.site.longitude, request.site.utc_offset);
     if (request.period)
         command += fmt::format(" --from {} --until {}",
                                to_string(request.period->from),

@@ -170,6 +170,40 @@ def test_a_file_of_another_format_is_told_how_to_convert(
     assert len(read(tmp_path / "mine_weather.csv")) == 48
 
 
+def test_what_pvlib_refuses_or_misreads(tmp_path: Path) -> None:
+    """Half hours, names in Latin-1, commas in names, the end of 28 February in
+    a leap year, clocks of half an hour."""
+    sun = read_expected()["global"].iloc[:24].tolist()
+    head = "LOCATION,S\xe3o,b,c,d,1,36.1,-79.95,-5.5,300\nDATA PERIODS,1,2\n"
+    rows = [
+        f"2011,7,{day},{hour + 1},{minute},?,20,1,50,9,9,9,9,{sun[hour]},9999,9999"
+        for day in range(1, 11)
+        for hour in range(24)
+        for minute in (30, 60)
+    ]
+    file = tmp_path / "half.epw"
+    file.write_text(head + "\n".join(rows) + "\n", encoding="latin-1")
+    found = convert(tmp_path, file)
+    assert len(found) == 480
+    assert found.index[0] == pd.Timestamp("2011-07-01 00:15")
+    assert found["global"].iloc[24] == sun[12]
+    assert "beam_normal" not in found
+    assert "-05:30" in (tmp_path / "weather.csv").read_text()
+    head = (
+        '1,"MADE, FOR A TEST",NC,-5.0,36.1,-79.95,300\n'
+        "Date (MM/DD/YYYY),Time (HH:MM),GHI (W/m^2),Dry-bulb (C),RHum (%)\n"
+    )
+    rows = [
+        f"{day:%m/%d/%Y},{hour + 1:02}:00,{sun[hour]},-9900,50"
+        for day in pd.date_range("2012-02-20", "2012-02-28")
+        for hour in range(24)
+    ]
+    file.write_text(head + "\n".join(rows) + "\n")
+    found = convert(tmp_path, file)
+    assert found.index[-1] == pd.Timestamp("2012-02-28 23:30")
+    assert list(found) == ["global", "humidity"]
+
+
 # ------------------------------------------------------------- other formats
 
 

@@ -203,7 +203,8 @@ TEST(WeatherProblems, FilesOfOtherFormatsAreConverted) {
               "weather/mine.epw:1:1: this is no table with columns time and "
               "global; say which columns hold what, or convert it and name "
               "what this writes: ideotype weather 'weather/mine.epw' --to "
-              "'weather/mine_weather.csv' --latitude 42 --longitude -90");
+              "'weather/mine_weather.csv' --latitude 42 --longitude -90 "
+              "--utc-offset -6");
     request.period = Period{{2011, 7, 5}, {2011, 8, 20}};
     EXPECT_THAT(error_of(text, request),
                 HasSubstr("--from 2011-07-05 --until 2011-08-20"));

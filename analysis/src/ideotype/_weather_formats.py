@@ -10,7 +10,6 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pandas as pd
 
 from ._errors import Error
@@ -19,9 +18,11 @@ from ._weather_tables import (
     Readings,
     named,
     read_dwd,
+    read_epw,
     read_knmi,
     read_nsrdb,
     read_power,
+    read_tmy3,
 )
 
 
@@ -80,15 +81,6 @@ def _place(meta: dict) -> tuple[float, float]:
     return float(meta["latitude"]), float(meta["longitude"])
 
 
-def _tmy3(path: Path) -> Readings:
-    table, meta = _iotools().read_tmy3(path, map_variables=True)
-    # Its index has no 24:00 of 28 February in leap years.
-    clock = pd.to_timedelta(table["Time (HH:MM)"] + ":00")
-    days = pd.to_datetime(table["Date (MM/DD/YYYY)"], format="%m/%d/%Y")
-    table.index = pd.DatetimeIndex(days + clock)
-    return named(table, utc_offset=meta["TZ"], place=_place(meta))
-
-
 def _tmy2(path: Path) -> Readings:
     table, meta = _iotools().read_tmy2(str(path))
     table["DryBulb"] /= 10
@@ -99,21 +91,6 @@ def _tmy2(path: Path) -> Readings:
         stamp="beginning",
         is_typical=True,
     )
-
-
-def _epw(path: Path) -> Readings:
-    table, meta = _iotools().read_epw(path)
-    day = pd.to_datetime(table[["year", "month", "day"]])
-    # A minute of a single row each hour is 0 or 60, which is the same.
-    parts = table["minute"].nunique() > 1
-    minute = table["minute"].where(table["minute"] > 0, 60) if parts else 60
-    table.index = pd.DatetimeIndex(
-        day
-        + pd.to_timedelta(table["hour"] - 1, "h")
-        + pd.to_timedelta(minute, "min")
-    )
-    table = table.replace({"temp_air": 99.9, "relative_humidity": 999}, np.nan)
-    return named(table, utc_offset=meta["TZ"], place=_place(meta))
 
 
 def _network(name: str) -> Callable[[Path], Readings]:
@@ -180,9 +157,9 @@ def _iotools() -> Any:
 
 
 FORMATS: dict[str, Callable[[Path], Readings]] = {
-    "tmy3": _tmy3,
+    "tmy3": read_tmy3,
     "tmy2": _tmy2,
-    "epw": _epw,
+    "epw": read_epw,
     "nsrdb": read_nsrdb,
     "power": read_power,
     "surfrad": _network("read_surfrad"),

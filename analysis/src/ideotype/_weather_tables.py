@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Weather files that pvlib does not read, or not all of: NSRDB, where it
-wants whole hours for the clock, NASA POWER, KNMI and DWD."""
+"""Weather files that pvlib does not read (NASA POWER, KNMI, DWD), or not all
+of: names in Latin-1 or with commas, half hours, the last hour of 28 February,
+and clocks of half an hour in TMY3, EPW and NSRDB."""
 
 from __future__ import annotations
 
+import csv
 import io
 import re
 import zipfile
@@ -11,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pandas as pd
 
 from ._errors import Error
@@ -51,9 +54,56 @@ def named(
     return Readings(frame, **wanted)
 
 
+def read_tmy3(path: Path) -> Readings:
+    head, rows = path.read_text(encoding="latin-1").split("\n", 1)
+    offset, *place = map(float, next(csv.reader([head]))[3:6])
+    table = pd.read_csv(io.StringIO(rows))
+    days = pd.to_datetime(table["Date (MM/DD/YYYY)"], format="%m/%d/%Y")
+    clock = pd.to_timedelta(table["Time (HH:MM)"] + ":00")
+    return named(
+        table.set_index(pd.DatetimeIndex(days + clock)),
+        (
+            *(f"{name} (W/m^2)" for name in ("GHI", "DNI", "DHI")),
+            "Dry-bulb (C)",
+            "RHum (%)",
+        ),
+        utc_offset=offset,
+        place=(place[0], place[1]),
+    )
+
+
+def read_epw(path: Path) -> Readings:
+    lines = path.read_text(encoding="latin-1").splitlines()
+    latitude, longitude, offset = map(float, next(csv.reader(lines))[6:9])
+    first = next(
+        i for i, x in enumerate(lines) if x.startswith("DATA PERIODS")
+    )
+    names = dict(enumerate(("year", "month", "day", "hour", "minute")))
+    names |= {6: "temperature", 8: "humidity", 13: "global"}
+    names |= {14: "beam_normal", 15: "diffuse"}
+    table = pd.read_csv(
+        io.StringIO("\n".join(lines[first + 1 :])), header=None
+    )[list(names)].rename(columns=names)
+    table = table.replace({"temperature": 99.9, "humidity": 999}, np.nan)
+    # The minute of a single row of each hour is 0 or 60, which is the same.
+    is_parted = table["minute"].nunique() > 1
+    minute = table["minute"].where((table["minute"] > 0) & is_parted, 60)
+    stamps = (
+        pd.to_datetime(table[["year", "month", "day"]])
+        + pd.to_timedelta(table["hour"] - 1, "h")
+        + pd.to_timedelta(minute, "min")
+    )
+    return named(
+        table.set_index(pd.DatetimeIndex(stamps)),
+        COLUMNS,
+        utc_offset=offset,
+        place=(latitude, longitude),
+    )
+
+
 def read_nsrdb(path: Path) -> Readings:
-    meta = pd.read_csv(path, nrows=1).iloc[0]
-    table = pd.read_csv(path, skiprows=2)
+    meta = pd.read_csv(path, nrows=1, encoding="latin-1").iloc[0]
+    table = pd.read_csv(path, skiprows=2, encoding="latin-1")
     table = table.loc[:, ~table.columns.str.startswith("Unnamed")]
     names = ["Year", "Month", "Day", "Hour", "Minute"]
     table.index = pd.DatetimeIndex(pd.to_datetime(table[names]))
@@ -69,7 +119,9 @@ def read_nsrdb(path: Path) -> Readings:
 
 
 def read_power(path: Path) -> Readings:
-    head, _, rows = path.read_text().partition("-END HEADER-")
+    head, _, rows = path.read_text(encoding="latin-1").partition(
+        "-END HEADER-"
+    )
     table = pd.read_csv(io.StringIO(rows.lstrip()))
     place = re.search(r"latitude +(\S+) +longitude +(\S+)", head)
     if "HR" not in table or not place:

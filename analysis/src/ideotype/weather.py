@@ -40,9 +40,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         "--utc-offset",
         type=float,
         metavar="HOURS",
-        help="of the new clock "
-        "(default: that of the file, or by the longitude if the file's is "
-        "more than 3 hours off the sun)",
+        help="of the clock that replaces one more than 3 hours off the sun's, "
+        "such as UTC (default: by the longitude)",
     )
     add("--from", dest="first", type=pd.Timestamp, metavar="DATE")
     add("--until", type=pd.Timestamp, metavar="DATE", help="last day")
@@ -50,8 +49,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         "--step",
         type=int,
         metavar="MINUTES",
-        help="means over so long "
-        "(default: the file's step; 60 if it is below 5 or not regular)",
+        help="means over so long (default: the file's step; 60 if that is "
+        "below 5 or not regular)",
     )
     add(
         "--fill",
@@ -89,12 +88,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _convert(options: argparse.Namespace, tell: Any) -> str:
     sources = [_read(path, options.format) for path in options.files]
     place = place_of(options, [each.place for each in sources], tell)
-    frame, step = _joined(sources, options.step)
+    frame, step = _joined(sources, options.step, tell)
     offset = sources[0].utc_offset
     ahead = (offset - place[1] / 15 + 12) % 24 - 12
-    if options.utc_offset is not None or abs(ahead) > 3:
-        wanted = options.utc_offset
-        wanted = round(place[1] / 15) if wanted is None else wanted
+    if abs(ahead) > 3:
+        by_sun = round(place[1] / 15)
+        wanted = by_sun if options.utc_offset is None else options.utc_offset
         frame.index += (wanted - offset) * _HOUR
         offset = wanted
     if sources[0].is_typical:
@@ -121,7 +120,7 @@ def _convert(options: argparse.Namespace, tell: Any) -> str:
 def _read(path: Path, form: str) -> Readings:
     try:
         return read(path, form)
-    except (ValueError, KeyError, IndexError) as error:
+    except (ValueError, KeyError, IndexError, StopIteration) as error:
         why = f"{type(error).__name__}: {error}".splitlines()[0]
         raise Error(
             f"{path}: cannot be read ({why}); is it another format? See "
@@ -130,7 +129,7 @@ def _read(path: Path, form: str) -> Readings:
 
 
 def _joined(
-    sources: list[Readings], minutes: int | None
+    sources: list[Readings], minutes: int | None, tell: Any
 ) -> tuple[pd.DataFrame, pd.Timedelta]:
     """Puts files together, of later days or with other columns, on the clock
     of the first; the index becomes the middles of steps."""
@@ -143,7 +142,13 @@ def _joined(
         frame = pd.concat([each.frame for each in group]).sort_index(
             kind="stable"
         )
-        frame = frame[~frame.index.duplicated()]
+        twice = frame.index.duplicated()
+        if twice.any():
+            tell(
+                f"warning: {twice.sum()} rows have the time of another, first "
+                f"{frame.index[twice][0]}; the first of each counts"
+            )
+        frame = frame[~twice]
         step = frame.index.to_series().diff().mode().iloc[0]
         if not pd.Timedelta("1min") <= step <= _HOUR:
             raise Error(

@@ -23,10 +23,11 @@ bool check_climate(Climate& climate, Report& report) {
                         &columns.date_order}))
         return false;
     if (period.to < period.from) {
-        report.add(&period.to,
-                   fmt::format("climate.to is {} (before the first day, {}); "
-                               "give a later one",
-                               to_string(period.to), to_string(period.from)));
+        report.add(
+            &period.to,
+            fmt::format(
+                "climate.to is {} (before the first day, {}); give a later one",
+                to_string(period.to), to_string(period.from)));
         return false;
     }
     for (std::optional<Column>* column :
@@ -35,8 +36,8 @@ bool check_climate(Climate& climate, Report& report) {
         if (!report.usable({column})) return false;
         if (!*column || !columns.time.empty()) continue;
         report.add(column,
-                   fmt::format("climate has the column \"{}\" but no 'time' "
-                               "(a file that `ideotype weather` wrote needs "
+                   fmt::format("climate has the column \"{}\" but no 'time' (a "
+                               "file that `ideotype weather` wrote needs "
                                "neither); name the columns of the time too",
                                (*column)->name));
         return false;
@@ -75,10 +76,10 @@ void check_weather(const SiteWeather& weather, Report& report) {
                            const std::vector<double>& values, bool is_fine,
                            const std::string& expected) {
         if (report.usable({&values}) && !is_fine)
-            report.add(&values, fmt::format("weather.{} has {} values "
-                                            "(expected: {}); take what the "
-                                            "program has written",
-                                            name, values.size(), expected));
+            report.add(&values,
+                       fmt::format("weather.{} has {} values (expected: {}); "
+                                   "take what the program has written",
+                                   name, values.size(), expected));
     };
     check("hours", hours,
           !hours.empty() && std::is_sorted(hours.begin(), hours.end()) &&

@@ -17,9 +17,13 @@ class Findings {
     explicit Findings(std::string file) : file_(std::move(file)) {}
 
     //! Adds a problem. More than can be read are only counted.
-    void add(int line, int column, std::string what) {
+    template <class... Args>
+    void add(int line, int column, fmt::format_string<Args...> what,
+             Args&&... args) {
         if (problems_.size() < 20)
-            problems_.push_back({{file_, line, column}, std::move(what)});
+            problems_.push_back(
+                {{file_, line, column},
+                 fmt::format(what, std::forward<Args>(args)...)});
         else
             ++left_out_;
     }
@@ -35,8 +39,12 @@ class Findings {
     }
 
     //! @throws InputError of one problem.
-    [[noreturn]] void stop(int line, int column, std::string what) const {
-        throw InputError({{{file_, line, column}, std::move(what)}});
+    template <class... Args>
+    [[noreturn]] void stop(int line, int column,
+                           fmt::format_string<Args...> what,
+                           Args&&... args) const {
+        throw InputError({{{file_, line, column},
+                           fmt::format(what, std::forward<Args>(args)...)}});
     }
 
     //! Adds a doubt; those of the same text become one warning.

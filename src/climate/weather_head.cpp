@@ -36,8 +36,8 @@ ColumnMap native_columns(ColumnMap columns,
 std::string way_to_convert(const WeatherRequest& request) {
     const std::string& file = request.file;
     std::string command = fmt::format(
-        "ideotype weather '{}' --to '{}_weather.csv' --latitude {} "
-        "--longitude {} --utc-offset {}",
+        "ideotype weather '{}' --to '{}_weather.csv' --latitude {} --longitude "
+        "{} --utc-offset {}",
         file, std::filesystem::path(file).replace_extension().string(),
         request.site.latitude, request.site.longitude, request.site.utc_offset);
     if (request.period)
@@ -65,13 +65,10 @@ WeatherTable read_head(const std::vector<std::string_view>& lines,
         if (!table.columns.global && !table.columns.beam_normal) break;
         return table;
     }
+    if (is_native) findings.stop(1, 1, "{}", way_to_convert(request));
     findings.stop(
-        1, 1,
-        is_native
-            ? way_to_convert(request)
-            : fmt::format("no line has a column \"{}\" (the header must name "
-                          "the columns)",
-                          time));
+        1, 1, "no line has a column \"{}\" (the header must name the columns)",
+        time);
 }
 
 std::optional<std::size_t> WeatherTable::index_of(const std::string& name,
@@ -83,17 +80,14 @@ std::optional<std::size_t> WeatherTable::index_of(const std::string& name,
         std::vector<std::string> names;
         for (const CsvField& each : header) names.emplace_back(each.text);
         const std::string near = nearest_name(name, names);
-        findings.add(
-            line, 1,
-            fmt::format("there is no column \"{}\"{}", name,
-                        near.empty() ? "" : "; is it \"" + near + "\"?"));
+        findings.add(line, 1, "there is no column \"{}\"{}", name,
+                     near.empty() ? "" : "; is it \"" + near + "\"?");
         return std::nullopt;
     }
     if (std::find_if(found + 1, header.end(), is_it) != header.end())
         findings.add(line, found->column,
-                     fmt::format("two columns have the name \"{}\"; rename one "
-                                 "of them",
-                                 name));
+                     "two columns have the name \"{}\"; rename one of them",
+                     name);
     return static_cast<std::size_t>(found - header.begin());
 }
 

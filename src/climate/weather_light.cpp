@@ -108,22 +108,21 @@ std::vector<Irradiance> light_of(const std::vector<WeatherStep>& series,
             missing = &step;
             // Of several in a row the first is told.
             if (!was_missing)
-                findings.add(step.line, 1,
-                             fmt::format("the light of {} "
-                                         "{} is not known (a gap or a missing "
-                                         "value by day); fill it, or choose "
-                                         "another period",
-                                         to_string(date_at(step.middle)),
-                                         clock_time(hour_at(step.middle))));
+                findings.add(
+                    step.line, 1,
+                    "the light of {} {} is not known (a gap or a missing value "
+                    "by day); fill it, or choose another period",
+                    to_string(date_at(step.middle)),
+                    clock_time(hour_at(step.middle)));
         }
     }
     findings.stop_if_any();
     if (std::abs(apart) > 0.1 * global)
-        findings.doubt(series.front().line,
-                       fmt::format("beam and diffuse light sum to {:.0f} "
-                                   "% of the global light; diffuse and global "
-                                   "light count",
-                                   100 * (1 + apart / global)));
+        findings.doubt(
+            series.front().line,
+            fmt::format("beam and diffuse light sum to {:.0f} % of the global "
+                        "light; diffuse and global light count",
+                        100 * (1 + apart / global)));
     return light;
 }
 

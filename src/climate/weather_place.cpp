@@ -64,10 +64,9 @@ void check_clock(const std::vector<WeatherStep>& series,
     const int line = series.front().line;
     if (best < 0.5)
         findings.stop(line, 1,
-                      fmt::format("the light hardly follows the sun (a "
-                                  "correlation of {:.2f}); is it the column of "
-                                  "the light?",
-                                  best));
+                      "the light hardly follows the sun (a correlation of "
+                      "{:.2f}); is it the column of the light?",
+                      best);
     // Clouds move it too: up to half an hour in ten days.
     const bool long_enough =
         series.back().middle - series.front().middle > 9 * 24h;
@@ -77,7 +76,7 @@ void check_clock(const std::vector<WeatherStep>& series,
         "{:.3f}, and {:.3f} with that shift); check the place, the clock, and "
         "which part of a step the stamps name",
         hours, shift > 0 ? "later" : "earlier", unshifted, best);
-    if (hours >= (long_enough ? 0.75 : 2)) findings.stop(line, 1, text);
+    if (hours >= (long_enough ? 0.75 : 2)) findings.stop(line, 1, "{}", text);
     if (hours >= (long_enough ? 0.5 : 1)) findings.doubt(line, text, false);
 }
 
@@ -99,11 +98,11 @@ void check_days(const std::vector<WeatherStep>& series,
     }
     const std::string what =
         fmt::format("{} of {} days have more light than the sun", bright, all);
-    if (bright > 0 && bright > 0.05 * all)
+    if (bright > 0.05 * all)
         findings.stop(first, 1,
-                      what +
-                          " of the site outside the atmosphere; check the "
-                          "place and the unit");
+                      "{} of the site outside the atmosphere; check the place "
+                      "and the unit",
+                      what);
     if (bright > 0) findings.doubt(first, what, false);
 }
 
@@ -119,11 +118,11 @@ void check_nights(const std::vector<WeatherStep>& series,
             "a step of the night has light, which counts as diffuse");
     }
     if (dark > 0.01 * all)
-        findings.stop(series.front().line, 1,
-                      fmt::format("{:.1f} % of the light comes at night (with "
-                                  "the sun 6 deg below the horizon or lower); "
-                                  "check the place and the clock",
-                                  100 * dark / all));
+        findings.stop(
+            series.front().line, 1,
+            "{:.1f} % of the light comes at night (with the sun 6 deg below "
+            "the horizon or lower); check the place and the clock",
+            100 * dark / all);
 }
 
 }  // namespace

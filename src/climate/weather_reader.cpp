@@ -22,18 +22,17 @@ std::vector<WeatherStep> all_steps(const WeatherTable& table,
     const auto steps = (table.end - middle) / table.step;
     if (steps > 10 * static_cast<std::ptrdiff_t>(rows.size()) + 1000)
         findings.stop(rows.front().line, 1,
-                      fmt::format("the file has {} of the {} time steps of the "
-                                  "period",
-                                  rows.size(), steps));
+                      "the file has {} of the {} time steps of the period",
+                      rows.size(), steps);
     std::vector<WeatherStep> series;
     std::size_t next = 0;
     int line = rows.front().line;
     for (; middle < table.end; middle += table.step) {
         while (next < rows.size() && rows[next].middle < middle)
-            findings.add(rows[next++].line, 1,
-                         fmt::format("the time is not whole steps of {} s "
-                                     "after those before it",
-                                     table.step.count()));
+            findings.add(
+                rows[next++].line, 1,
+                "the time is not whole steps of {} s after those before it",
+                table.step.count());
         if (next < rows.size() && rows[next].middle == middle) {
             series.push_back(rows[next++]);
             line = series.back().line;
@@ -68,11 +67,10 @@ void interpolate(std::vector<WeatherStep>& series,
         const auto end = std::find_if(begin, series.end(), known);
         if (begin == end) break;
         if ((end - begin) * step > 6h)
-            findings.add(
-                begin->line, 1,
-                fmt::format(
-                    "the {} is not known for {} hours", name,
-                    duration_cast<hours>((end - begin) * step).count()));
+            findings.add(begin->line, 1,
+
+                         "the {} is not known for {} hours", name,
+                         duration_cast<hours>((end - begin) * step).count());
         const auto count = static_cast<double>(end - begin + 1);
         const auto before = begin == series.begin() ? end : begin - 1;
         const auto after = end == series.end() ? before : end;
@@ -81,10 +79,8 @@ void interpolate(std::vector<WeatherStep>& series,
         for (auto each = begin; each != end; ++each) {
             const auto part = static_cast<double>(each - begin + 1) / count;
             each->values.*member = first + part * (last - first);
-            findings.doubt(each->line,
-                           fmt::format("a value of the {} is not known and is "
-                                       "interpolated",
-                                       name));
+            findings.doubt(each->line, "a value of the " + name +
+                                           " is not known and is interpolated");
         }
         begin = end;
     }

@@ -66,10 +66,10 @@ void read_stamps(WeatherTable& table,
         if (!written) {
             std::vector<std::string_view> texts;
             for (const CsvField& each : parts) texts.push_back(each.text);
-            findings.add(line, parts.front().column,
-                         fmt::format("\"{}\" is no date and time; check the "
-                                     "order of day and month",
-                                     fmt::join(texts, ",")));
+            findings.add(
+                line, parts.front().column,
+                "\"{}\" is no date and time; check the order of day and month",
+                fmt::join(texts, ","));
             continue;
         }
         if (written->utc_offset) {
@@ -98,11 +98,10 @@ void find_step(WeatherTable& table, Findings& findings) {
         [](const auto& a, const auto& b) { return a.second < b.second; });
     table.step = most->first;
     if (table.step < 1min || table.step > 1h || 24h % table.step != 0s)
-        findings.stop(
-            rows[1].line, 1,
-            fmt::format("the rows are {} s apart (there must be one each "
-                        "hour, or a part of it that divides the day)",
-                        table.step.count()));
+        findings.stop(rows[1].line, 1,
+                      "the rows are {} s apart (there must be one each hour, "
+                      "or a part of it that divides the day)",
+                      table.step.count());
     const Stamp stamp = table.columns.stamp.value_or(Stamp::end);
     if (stamp == Stamp::middle) return;
     const seconds half = table.step / 2;
@@ -127,16 +126,14 @@ void check_order(const WeatherTable& table, Findings& findings) {
         const WeatherStep& before = table.rows[i - 1];
         if (row.middle == before.middle)
             findings.add(row.line, 1,
-                         fmt::format("the same time as on line {} (a "
-                                     "duplicate, or the end of summer time); "
-                                     "leave one out, or use a clock that is "
-                                     "not changed",
-                                     before.line));
+                         "the same time as on line {} (a duplicate, or the end "
+                         "of summer time); leave one out, or use a clock that "
+                         "is not changed",
+                         before.line);
         else if (row.middle < before.middle)
-            findings.add(
-                row.line, 1,
-                fmt::format("the time is before that of line {}; sort the rows",
-                            before.line));
+            findings.add(row.line, 1,
+                         "the time is before that of line {}; sort the rows",
+                         before.line);
     }
     findings.stop_if_any();
 }
@@ -151,19 +148,13 @@ void select_period(WeatherTable& table, const std::optional<Period>& period,
     const std::string to = to_string(period->to);
     table.begin = midnight(period->from);
     table.end = midnight(period->to) + 24h;
-    if (table.end <= table.begin)
-        findings.stop(0, 0,
-                      fmt::format("the period ends on {}, before it begins on "
-                                  "{}",
-                                  to, from));
     if (rows.front().middle >= table.begin + 24h ||
         rows.back().middle < table.end - 24h)
-        findings.stop(
-            0, 0,
-            fmt::format("the file has {} to {}, but the period is {} "
-                        "to {}; choose days that it has",
-                        to_string(date_at(rows.front().middle)),
-                        to_string(date_at(rows.back().middle)), from, to));
+        findings.stop(0, 0,
+                      "the file has {} to {}, but the period is {} to {}; "
+                      "choose days that it has",
+                      to_string(date_at(rows.front().middle)),
+                      to_string(date_at(rows.back().middle)), from, to);
     std::erase_if(rows, [&](const WeatherStep& row) {
         return row.middle < table.begin || row.middle >= table.end;
     });

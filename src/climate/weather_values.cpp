@@ -97,9 +97,8 @@ std::vector<Source> sources_of(const WeatherTable& table, double par_fraction,
             return found.push_back(source);
         }
         findings.add(static_cast<int>(table.header_line), 1,
-                     fmt::format("\"{}\" is no unit of the column \"{}\"; "
-                                 "there are {}",
-                                 column->unit, column->name, names));
+                     "\"{}\" is no unit of the column \"{}\"; there are {}",
+                     column->unit, column->name, names);
     };
     const ColumnMap& columns = table.columns;
     using Values = WeatherValues;
@@ -133,8 +132,7 @@ std::optional<double> value_of(const CsvField& field, const Source& source,
         return std::nullopt;
     const std::optional<double> number = number_of(field.text);
     if (!number || std::isinf(*number)) {
-        findings.add(line, field.column,
-                     fmt::format("\"{}\" is not a number", field.text));
+        findings.add(line, field.column, "\"{}\" is not a number", field.text);
         return std::nullopt;
     }
     if (std::isnan(*number) || number == missing ||
@@ -143,12 +141,11 @@ std::optional<double> value_of(const CsvField& field, const Source& source,
     const double value = source.scale.factor * *number + source.scale.offset;
     // What no weather is: most often another unit.
     if (value < source.lowest || value > source.highest)
-        findings.add(
-            line, field.column,
-            fmt::format("{} means {:.4g} {} (outside {:g} to {:g}); check the "
-                        "unit, or what stands for missing values",
-                        field.text, value, source.unit, source.lowest,
-                        source.highest));
+        findings.add(line, field.column,
+                     "{} means {:.4g} {} (outside {:g} to {:g}); check the "
+                     "unit, or what stands for missing values",
+                     field.text, value, source.unit, source.lowest,
+                     source.highest);
     return value;
 }
 

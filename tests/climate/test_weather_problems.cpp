@@ -218,9 +218,6 @@ TEST(WeatherProblems, PeriodMustBeInTheFile) {
     EXPECT_EQ(error_of(MadeCsv().text(), request),
               "made.csv: the file has 2011-07-01 to 2011-07-12, but the period "
               "is 2011-07-05 to 2011-07-20; choose days that it has");
-    request.period = Period{{2011, 7, 5}, {2011, 7, 4}};
-    EXPECT_THAT(error_of(MadeCsv().text(), request),
-                HasSubstr("ends on 2011-07-04, before it begins"));
     // What is wrong outside of the period does not matter.
     request.period = Period{{2011, 7, 5}, {2011, 7, 9}};
     MadeCsv made;

@@ -16,7 +16,7 @@ namespace ideotype {
 namespace {
 
 //! A key without a value gets its default, one without a note its meaning.
-constexpr auto form =
+constexpr auto campaign_form =
     R"(# A campaign of ideotype, a whole study in one file:
 #     ideotype check FILE               what is wrong, size and cost
 #     ideotype run FILE                 on all cores of this machine
@@ -95,7 +95,8 @@ std::string new_text(const Site& site, const Date& date, double row,
                     ExitCode::usage);
     const bool has_night = day.sunrise && day.sunset;
     std::istringstream lines(fmt::format(
-        form, fmt::arg("name", site.name), fmt::arg("latitude", site.latitude),
+        campaign_form, fmt::arg("name", site.name),
+        fmt::arg("latitude", site.latitude),
         fmt::arg("longitude", site.longitude),
         fmt::arg("utc_offset", site.utc_offset),
         fmt::arg("date", to_string(date)),

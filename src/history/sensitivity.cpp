@@ -32,7 +32,7 @@ constexpr const char* unit_path = "/sensitivity/unit";
 constexpr const char* error_suffix = "_standard_error";
 
 //! The datasets of an index and of its standard error.
-constexpr std::pair<const char*, double Estimate::*> parts[] = {
+constexpr std::pair<const char*, double Estimate::*> index_parts[] = {
     {"", &Estimate::mean}, {error_suffix, &Estimate::standard_error}};
 
 std::string path(const std::string& name) {
@@ -68,7 +68,7 @@ void SensitivityTable::create(hid_t file, const SensitivityForm& form) {
                         .axes = {"quantity"},
                         .meaning = "that are complete"});
     for (const SensitivityIndex& index : sensitivity_indices(form.method))
-        for (const auto& [suffix, member] : parts)
+        for (const auto& [suffix, member] : index_parts)
             create_dataset(at, {.name = index.name + suffix,
                                 .type = H5T_IEEE_F64LE,
                                 .axes = {"quantity", "factor"},
@@ -106,7 +106,7 @@ void SensitivityTable::write(
         Dataset(file, path("samples"))
             .write_one(row, static_cast<std::int64_t>(one.samples));
         for (std::size_t i = 0; i < indices.size(); ++i)
-            for (const auto& [suffix, member] : parts) {
+            for (const auto& [suffix, member] : index_parts) {
                 std::vector<double> values;
                 for (const Estimate& each : one.indices[i])
                     values.push_back(each.*member);
@@ -131,7 +131,7 @@ std::vector<QuantitySensitivity> SensitivityTable::read(
             Dataset(file, path("samples")).read<std::int64_t>(row, 1)[0]);
         for (const SensitivityIndex& index : indices) {
             std::vector<Estimate> estimates(form.factors.size());
-            for (const auto& [suffix, member] : parts) {
+            for (const auto& [suffix, member] : index_parts) {
                 const auto values = Dataset(file, path(index.name + suffix))
                                         .read<double>(row, 1);
                 for (std::size_t k = 0; k < values.size(); ++k)

@@ -11,7 +11,6 @@ install_packages
 cmake --preset release >build-release.log 2>&1 || { cat build-release.log; exit 1; }
 cmake --build --preset release
 rm -f build-release.log
-install_python release
 
 campaign=campaigns/quickstart.toml
 out=${1:-results}
@@ -24,6 +23,8 @@ echo
 echo
 "$ideotype" run "$campaign" --out "$out" --resume
 
+# Reports draw the shapes of plants, which the compiled module knows.
+install_python release
 echo
 .venv/bin/ideotype-summary --gains "$out/quickstart"
 echo

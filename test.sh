@@ -1,22 +1,32 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Installs what is missing, builds, and runs every test.
+# Installs what is missing, builds, and runs every unit test and a test of each
+# promise. `./test.sh --all` runs every test: also long ones, of kills, SLURM,
+# scale, browsers, the manual and the study. Other words are options of ctest.
 set -euo pipefail
 cd "$(dirname "$0")"
 . .ci/install
 
-install_packages libgtest-dev libgmock-dev libbenchmark-dev hdf5-tools \
-    slurmctld slurmd slurm-client munge procps chromium doxygen \
-    "libsimgrid-dev?"
+packages=(libgtest-dev libgmock-dev hdf5-tools procps)
+targets=(all) label=(-LE long) mark=(-m "not long")
+is_all=no
+if [ "${1:-}" = --all ]; then
+    shift
+    is_all=yes
+    packages+=(libbenchmark-dev slurmctld slurmd slurm-client munge chromium
+        doxygen "libsimgrid-dev?")
+    targets+=(measurements) label=() mark=()
+fi
+install_packages "${packages[@]}"
 cmake --preset dev >build-dev.log 2>&1 || { cat build-dev.log; exit 1; }
-cmake --build --preset dev
+cmake --build --preset dev --target "${targets[@]}"
 rm -f build-dev.log
 install_python dev test,docs,lint
 
-docs/build
+[ $is_all = no ] || docs/build
 # Tests wait for ranks, browsers and clusters half of the time.
 processes=$(($(nproc) + 1))
-ctest --preset dev --timeout 600 --parallel $processes "$@"
+ctest --preset dev --timeout 600 --parallel $processes "${label[@]}" "$@"
 IDEOTYPE_EXECUTABLE=$PWD/build/dev/src/ideotype \
-    .venv/bin/python -m pytest -q --numprocesses $processes \
+    .venv/bin/python -m pytest -q --numprocesses $processes "${mark[@]}" \
     --dist loadfile --no-loadscope-reorder tests/analysis

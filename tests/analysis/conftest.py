@@ -16,12 +16,31 @@ from made_kinds import Measured
 from real_program import run_shortened, start
 
 HERE = Path(__file__).parent
-LONG = ("test_study_script.py", "test_manual.py", "test_examples.py")
+LONG = {
+    "test_manual.py",
+    "test_study_script.py",
+    "test_examples.py",
+    "test_commands.py",
+    "test_front.py",
+    "test_report.py",
+    "test_campaign_scripts.py",
+    "test_real_report.py",
+    "test_workers.py",
+    "test_viewer.py",
+    "test_organs.py",
+    "test_cma.py",
+    "test_nsga2.py",
+}
+"""Tests of the manual, the study, browsers and other programs: ./test.sh
+leaves them out. They begin first, so that none is left for the end."""
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Files that take longest begin first, so that none is left for the end."""
+    """Marks the long tests, and begins with them."""
     items.sort(key=lambda item: item.path.name not in LONG)
+    for item in items:
+        if item.path.name in LONG:
+            item.add_marker("long")
 
 
 class WriterProcess:

@@ -133,7 +133,7 @@ def test_the_plants_of_a_report_have_the_sizes_of_their_genes(
         best, genes = case.best, case.genes
     leaves = [f"leaf{leaf:02}" for leaf in range(1, 11)]
     for mesh in (plants.baseline, plants.best):
-        assert list(dict.fromkeys(mesh.groups)) == [*leaves, "stalk"]
+        assert list(dict.fromkeys(mesh.groups))[:11] == [*leaves, "stalk"]
     lengths = best.row.genome[0, genes.columns("length")]
     widths = best.row.genome[0, genes.columns("width")]
     for leaf, length, width in zip(leaves, lengths, widths):

@@ -125,8 +125,8 @@ def test_a_browser_shows_the_report_of_a_real_run(
     """
     shown, errors = run_in_browser(out / "report.html", script, tmp_path)
     assert errors == []
-    # leaves of 12 x 2 faces, eight sides and tops of the stalk, two plants
-    assert shown["faces"] == 2 * (10 * 24 + 16) and shown["turns"]
+    # two plants: leaves of 12 x 2 faces, nine octagonal organs with a cover
+    assert shown["faces"] == 2 * (10 * 24 + 9 * 16) and shown["turns"]
     figures = {path.stem for path in (out / "figures").glob("*.png")}
     assert {"fidelity", "cross", "gains", "energy"} < figures
     assert len(shown["pictures"]) == len(figures)

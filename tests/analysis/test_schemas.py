@@ -87,7 +87,7 @@ def test_check(folder: Path, tmp_path: Path) -> None:
     document = told(0, "check", folder / "tiny.toml")
     assert_needs_all("check", document)
     assert document["cases"] == 1
-    assert document["genes"] == document["free_genes"] == 40
+    assert document["genes"] == 79 and document["free_genes"] == 40
     assert document["field"]["rows"] == 2
     assert document["cost"]["evaluations_per_case"] == 12
     cost = {**document["cost"], "evaluation_s": None}

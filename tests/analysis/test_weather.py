@@ -217,7 +217,7 @@ def minutes(step: int) -> pd.DataFrame:
 
 def write_surfrad(file: Path) -> None:
     rows = [
-        f" {t:%Y} {t.dayofyear} {t:%m %d %H %M} 0 0 {r['global']:.1f} 0 0 0 "
+        f" {t:%Y} {t.day_of_year} {t:%m %d %H %M} 0 0 {r['global']:.1f} 0 0 0 "
         f"{r.beam_normal:.1f} 0 {r.diffuse:.1f} 0 {'0 0 ' * 11}"
         f"{r.temperature:.1f} 0 {r.humidity:.1f} 0 0 0 0 0 1000 0"
         for t, r in minutes(1).iterrows()
@@ -228,7 +228,7 @@ def write_surfrad(file: Path) -> None:
 
 def write_solrad(file: Path) -> None:
     rows = [
-        f"{t.year:5}{t.dayofyear:4}{t.month:3}{t.day:3}{t.hour:3}{t.minute:3}"
+        f"{t.year:5}{t.day_of_year:4}{t.month:3}{t.day:3}{t.hour:3}{t.minute:3}"
         f"{0.0:7.3f}{0.0:7.2f}{r['global']:8.1f} 0{r.beam_normal:8.1f} 0"
         f"{r.diffuse:8.1f} 0{0.0:8.1f} 0{0.0:8.1f} 0"
         + f"{0.0:10.3f}" * 3

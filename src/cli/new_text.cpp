@@ -110,8 +110,8 @@ std::string new_text(const Site& site, const Date& date, double row,
         if (line.starts_with('[') || line.starts_with('#') || line.empty()) {
             if (line.starts_with('[')) section = line;
             std::erase_if(section, [](char c) { return c == '[' || c == ']'; });
-            text +=
-                (line.starts_with('#') && name != "" ? "\n" : "") + line + '\n';
+            text += (line.starts_with('#') && !name.empty() ? "\n" : "") +
+                    line + '\n';
             continue;
         }
         const std::size_t equals = line.find(" = "), note = line.find(" # ");

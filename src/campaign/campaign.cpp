@@ -98,6 +98,7 @@ Campaign complete(Draft& draft, const std::string& source,
     campaign.source = source;
     campaign.warnings = report.warnings();
     campaign.resolved = resolved_text(draft);
+    campaign.accuracy = accuracy_keys(draft);
     if (campaign.climates.empty()) campaign.sun_dates = 0;
     campaign.sha256 = sha256(campaign.resolved);
     return campaign;

@@ -206,10 +206,12 @@ Section plant_section(Draft& draft) {
                  .one_of(all_organs(draft.campaign.crop.baseline)),
              Key("cells_along", &campaign.tessellation.cells_along,
                  "faces along a leaf; there are two across")
-                 .within(4, 200),
+                 .within(4, 200)
+                 .trades({6, 8, 12, 16, 24}),
              Key("stalk_sides", &campaign.tessellation.stalk_sides,
                  "faces around stalks and sheaths")
-                 .within(3, 100)}};
+                 .within(3, 100)
+                 .trades({3, 6, 12}, !draft.organs.empty())}};
 }
 
 }  // namespace

@@ -68,6 +68,23 @@ std::string resolved_text(Draft& draft) {
     return text;
 }
 
+std::vector<AccuracyKey> accuracy_keys(Draft& draft) {
+    std::vector<AccuracyKey> found;
+    for (const Table& table : campaign_tables(draft)) {
+        if (table.size() != 1) continue;
+        for (const Key& key : table.section(0).keys) {
+            if (key.accuracy.empty()) continue;
+            const int* const whole = std::holds_alternative<int*>(key.value)
+                                         ? std::get<int*>(key.value)
+                                         : nullptr;
+            found.push_back({table.name + '.' + key.name,
+                             whole ? *whole : *std::get<double*>(key.value),
+                             key.accuracy});
+        }
+    }
+    return found;
+}
+
 std::string resolved_plant_text(Draft& draft) {
     std::string text;
     append_plant(text, "", draft);

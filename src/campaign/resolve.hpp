@@ -11,6 +11,10 @@ namespace ideotype {
 //! arrays of tables, the plant inlined.
 std::string resolved_text(Draft& draft);
 
+//! The keys that are declared as a matter of accuracy, but for those of tables
+//! that there are several of.
+std::vector<AccuracyKey> accuracy_keys(Draft& draft);
+
 //! A crop file: the plant of a draft alone.
 std::string resolved_plant_text(Draft& draft);
 

@@ -39,16 +39,19 @@ Key duration(const std::string& name, double& value, double least,
 }  // namespace
 
 Section light_section(Campaign& campaign) {
+    const bool has_tolerance = campaign.sampling.tolerance > 0;
     return {"light",
             {paths(campaign.sampling,
-                   "light paths per randomisation; with a tolerance at most"),
+                   "light paths per randomisation; with a tolerance at most")
+                 .trades({1024, 4096, 16384, 65536}, !has_tolerance),
              randomisations(campaign.sampling),
              relative_error(
                  "tolerance", campaign.sampling.tolerance,
                  "relative standard error of the leaves' light that is "
                  "expected of each evaluation, with as few paths as that "
                  "takes; 0: none, all paths")
-                 .set(&Key::initial, "0.008, or 0 if paths is given"),
+                 .set(&Key::initial, "0.008, or 0 if paths is given")
+                 .trades({0.02, 0.01, 0.005, 0.0025}, has_tolerance),
              relative_error(
                  "first_tolerance", campaign.first_tolerance,
                  "that of the first generation, from which it falls to that "
@@ -61,7 +64,8 @@ Section light_section(Campaign& campaign) {
                  "of a climate: the suns of so many dates stand for all, the "
                  "nearest for each hour")
                  .within(1, 366)
-                 .set(&Key::is_written, !campaign.climates.empty())}};
+                 .set(&Key::is_written, !campaign.climates.empty())
+                 .trades({1, 2, 3, 6, 12}, !campaign.climates.empty())}};
 }
 
 Section objective_section(Campaign& campaign) {

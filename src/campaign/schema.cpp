@@ -84,7 +84,8 @@ Section day_section(Named<DaySpan>& day) {
                      "last instant"),
              Key("step_minutes", &span.step_minutes,
                  "between instants; divides the time from start to end")
-                 .within(1, 720, "min")}};
+                 .within(1, 720, "min")
+                 .trades({120, 60, 30, 15})}};
 }
 
 Key column(const std::string& name, std::optional<Column>& value,
@@ -217,9 +218,15 @@ Section traits_section(const Draft& draft, Named<TraitSet>& traits) {
 }
 
 Section field_section(FieldForm& field) {
+    const std::vector<double> sizes{1, 2, 4, 6};
+    const bool repeats = field.boundary == Boundary::periodic;
     return {"field",
-            {Key("rows", &field.rows, "of the field").within(1, 100),
-             Key("plants", &field.plants, "per row").within(1, 100),
+            {Key("rows", &field.rows, "of the field")
+                 .within(1, 100)
+                 .trades(sizes, repeats),
+             Key("plants", &field.plants, "per row")
+                 .within(1, 100)
+                 .trades(sizes, repeats),
              Key("boundary", choice(field.boundary),
                  "whether the field repeats without end or is a plot alone on "
                  "endless soil, lit from all sides")

@@ -87,6 +87,10 @@ struct Key {
     Key& one_of(const std::vector<std::string>& names) {
         return set(&Key::choices, names);
     }
+    //! A number that trades speed for accuracy, where that is so.
+    Key& trades(const std::vector<double>& values, bool is_so = true) {
+        return set(&Key::accuracy, is_so ? values : std::vector<double>{});
+    }
     template <class Value, class Given>
     Key& set(Value Key::*member, const Given& given) {
         this->*member = given;
@@ -108,6 +112,9 @@ struct Key {
     bool is_written = true;    //!< in resolved campaigns
     //! Of texts, none: any name.
     std::vector<std::string> choices;
+    //! Values that `fidelity` tries, the most accurate last; none: the key is
+    //! no matter of accuracy.
+    std::vector<double> accuracy;
     std::string example;  //!< as TOML, shown in messages
     //! Words for the documentation that can't be had from the above.
     std::string type;

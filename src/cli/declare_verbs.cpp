@@ -163,22 +163,6 @@ void declare_new(CLI::App& verb, NewOptions& options) {
     verb.add_option("--name", options.name, "of the campaign");
 }
 
-void declare_fidelity(CLI::App& verb, FidelityOptions& options) {
-    add_campaign(verb, options.campaign_path, options.settings);
-    add_case(verb, options.case_index);
-    verb.add_option("--tolerance", options.tolerance,
-                    "relative error of one evaluation that will do")
-        ->check(CLI::Range(1e-5, 0.05))
-        ->capture_default_str();
-    verb.add_option("--seconds", options.seconds,
-                    "to measure, about; at least what a few draws take")
-        ->check(CLI::Range(0.0, 1e6))
-        ->capture_default_str();
-    verb.add_option("--json", options.json_path,
-                    "also write everything to this file");
-    add_log_level(verb, options.level);
-}
-
 void declare_serve(CLI::App& verb, ServeOptions& options) {
     add_campaign(verb, options.campaign_path, options.settings);
     add_case(verb, options.case_index);
@@ -269,10 +253,6 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
         "input, and answer each with a line of JSON, until the input ends; "
         "on all cores, or on all ranks under mpirun or srun",
         "campaigns/ames_quick.toml < genomes > answers", declare_serve, serve);
-    add("fidelity",
-        "measure what accuracy costs here: error and time of every setting "
-        "that trades one for the other, and the cheapest that will do",
-        "campaigns/ames_quick.toml", declare_fidelity, fidelity);
     add("export",
         "write a plant of a history as OBJ (mesh), VTP (mesh with the PAR "
         "that each face absorbs, for ParaView), CSV (traits) or TOML (plant "

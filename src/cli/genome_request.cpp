@@ -153,6 +153,11 @@ Json hello(const ServedCase& served, int workers) {
                                  {"is_free", gene.is_free},
                                  {"is_circular", gene.is_circular}});
     }
+    json["accuracy"] = Json::array();
+    for (const AccuracyKey& each : served.campaign.accuracy)
+        json["accuracy"].push_back({{"key", each.path},
+                                    {"value", each.value},
+                                    {"values", each.values}});
     for (const Objective& each : served.schema.objectives)
         json["objectives"].push_back(
             {{"name", each.name},

@@ -79,7 +79,7 @@ double to_number(const std::string& text, const std::string& section,
     return number.value();
 }
 
-Date to_date(const std::string& text) {
+Date date_of(const std::string& text) {
     using std::chrono::year;
     Date date;
     char more = 0;
@@ -107,7 +107,7 @@ void check(const Question& question, const std::string& answer) {
                                did_you_mean(answer, names)));
     };
     if (key == "date")
-        to_date(answer);
+        date_of(answer);
     else if (key == "maximise")
         require("objective", objective_names());
     else if (key != "baseline")
@@ -202,7 +202,7 @@ std::string text_for(const NewOptions& options, const std::string& plant) {
     const std::string file =
         fs::proximate(plant, fs::absolute(path).parent_path()).generic_string();
     const auto text_with = [&](const std::string& bounds) {
-        return new_text(site, to_date(options.date),
+        return new_text(site, date_of(options.date),
                         to_number(options.row, "spacing", "row"),
                         to_number(options.plant_spacing, "spacing", "plant"),
                         file, bounds, options.objective);

@@ -5,16 +5,21 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 
 #include <fmt/format.h>
 
-#include "ideotype/fidelity/probe.hpp"
 #include "ideotype/light/tolerance.hpp"
 #include "stand.hpp"
 
 namespace ideotype {
 
 namespace {
+
+//! Time of the processor that this process has used [s].
+double processor_seconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
 
 //! Under which light and with which surfaces.
 struct Setting {
@@ -119,7 +124,8 @@ void print_row(int plants, const Setting& setting, int randomisations,
         paths += static_cast<double>(report.paths) / draws;
         parts = report.seconds;
     }
-    const double time = median(seconds);
+    std::ranges::nth_element(seconds, seconds.begin() + draws / 2);
+    const double time = seconds[static_cast<std::size_t>(draws) / 2];
     const Origins by = origins_of(stand, request.accuracy);
     fmt::print(
         "| {} x {} | {} | {} | {:.2f} | {:.4f} | {:.0f} | {:.2f} | {:.2f} "

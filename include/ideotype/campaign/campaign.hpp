@@ -117,6 +117,13 @@ struct AnswerLimits {
 //! What an objective is over several scenarios.
 enum class Across { mean, worst };
 
+//! A key that trades speed for accuracy, such as "light.paths".
+struct AccuracyKey {
+    std::string path;
+    double value = 0;
+    std::vector<double> values;  //!< to try, the most accurate last
+};
+
 //! A whole study as written in a TOML file: immutable once read. Every key,
 //! its unit, range and default are listed in campaigns/README.md.
 struct Campaign {
@@ -124,6 +131,7 @@ struct Campaign {
     std::string resolved;  //!< a complete campaign in canonical form: every
                            //!< key with its value, the plant inlined
     std::string sha256;    //!< of resolved
+    std::vector<AccuracyKey> accuracy;
     std::vector<Problem> warnings;  //!< what may be wrong with it
     //! Numbers of the baseline that are outside the bounds in which they would
     //! be bred, then the lines to write. Only breeding needs them to be inside.

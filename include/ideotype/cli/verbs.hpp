@@ -110,18 +110,6 @@ struct ServeOptions {
 };
 ExitCode serve(const ServeOptions& options);
 
-//! `fidelity CAMPAIGN`: measures what accuracy costs.
-struct FidelityOptions {
-    std::string campaign_path;
-    std::vector<std::string> settings;  //!< "table.key=value"
-    int case_index = 0;
-    double tolerance = 1e-3;  //!< of one evaluation, relative
-    double seconds = 80;      //!< to measure, about
-    std::string json_path;    //!< empty: none
-    LogLevel level = LogLevel::info;
-};
-ExitCode fidelity(const FidelityOptions& options);
-
 //! `export FILE --to X.obj|X.vtp|X.csv|X.toml`: writes a plant or its field.
 //! `export FILE --generations --to X.csv`: writes the candidates of all
 //! complete generations, also of a file that was cut short.

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 from .._errors import Error
 from . import tables
@@ -16,7 +17,7 @@ from .case import Case
 from .case_figures import figures_of
 from .comparison import draw_energy, draw_gains, intervals_of
 from .cross import Cross, draw_cross
-from .fidelity import Fidelity, draw_fidelity
+from .fidelity import draw_fidelity
 from .field import draw_field
 from .file import HistoryError
 from .front_plants import draw_front_plants
@@ -83,7 +84,7 @@ def write_report(
     folder: str | Path,
     *,
     cross: Cross | None = None,
-    fidelity: Fidelity | None = None,
+    fidelity: dict[str, Any] | None = None,
     command: str = "",
     progress: Progress | None = None,
     has_pdf: bool = False,
@@ -324,7 +325,7 @@ def _shown(case: Case, plants: Plants | Note) -> list[Block]:
     return figures
 
 
-def _trade(fidelity: Fidelity | None) -> list[Section]:
+def _trade(fidelity: dict[str, Any] | None) -> list[Section]:
     if fidelity is None:
         return []
     section = Section("Speed for accuracy")
@@ -332,10 +333,8 @@ def _trade(fidelity: Fidelity | None) -> list[Section]:
         Drawing(
             "fidelity",
             "What does accuracy cost?",
-            f"Speed for accuracy in {fidelity.case}. Lines: the cheapest "
-            "settings for each error, as predicted; points: some of them "
-            "evaluated again, with standard errors. One field serves all "
-            "randomisations of a generation; finalists have a field each.",
+            f"Speed for accuracy in {fidelity['case']}, with standard errors: "
+            "bias and noise of one evaluation together.",
             partial(draw_fidelity, fidelity),
         )
     )

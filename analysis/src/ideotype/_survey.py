@@ -1,0 +1,252 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How accurate evaluations are with settings that trade accuracy for speed,
+measured within a time."""
+
+from __future__ import annotations
+
+import math
+import sys
+import time
+from collections.abc import Callable, Sequence
+from itertools import product
+from statistics import fmean, median, stdev
+from typing import Any, NamedTuple
+
+from ._errors import Error
+
+Setting = tuple[tuple[str, float], ...]
+"""Keys with the values that they have instead of the campaign's."""
+OWN: Setting = ()
+FEWEST = 4
+"""Draws that a standard deviation is taken from."""
+_FOR_LADDERS = 0.6
+"""Part of the time for keys by themselves."""
+_COMBINATIONS = 6
+"""So many of the combinations that are predicted best are measured."""
+
+
+class Refused(Error):
+    """The program does not take a setting; code is its exit code."""
+
+    def __init__(self, message: str, code: int) -> None:
+        super().__init__(message)
+        self.code = code
+
+
+class Draw(NamedTuple):
+    """The objective of one evaluation of the baseline, how much more another
+    plant has with the same random numbers, and seconds of one evaluation."""
+
+    value: float
+    difference: float
+    seconds: float
+
+
+class Estimate(NamedTuple):
+    """A number and its standard error."""
+
+    mean: float
+    standard_error: float
+
+    def __str__(self) -> str:
+        return f"{100 * self.mean:.2f} ± {100 * self.standard_error:.2f}"
+
+
+def root_sum(biases: Sequence[Estimate]) -> Estimate:
+    """The root of the sum of squares, less what errors add to them; a bias
+    within two standard errors of 0 is taken for none."""
+    square = sum(m**2 - e**2 for m, e in biases if abs(m) > 2 * e)
+    error = math.hypot(*(error for _, error in biases))
+    return Estimate(math.sqrt(square), error)
+
+
+class Survey:
+    """Measures settings within some seconds. A ladder has the settings of one
+    key, the most accurate last, which get the same draws, so that biases are
+    means of pairs; cheap ladders get more."""
+
+    def __init__(
+        self,
+        keys: Sequence[dict[str, Any]],
+        measure: Callable[[Setting, int], Draw],
+        seconds: float,
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self._measure, self._clock, self._seconds = measure, clock, seconds
+        self._began = clock()
+        self._cost: dict[Setting, float] = {}
+        self.draws: dict[Setting, list[Draw]] = {OWN: []}
+        self.left_out: dict[str, str] = {}
+        self.ladders = [ladder(**each) for each in keys]
+        self.chosen = [OWN]  # the combinations that are measured
+
+    def run(self, tolerance: float) -> None:
+        """Measures each setting once, then ladders, then combinations."""
+        for _ in range(FEWEST):
+            self._draw(OWN, 0, math.inf)
+        for settings in self.ladders:
+            self._begin(settings)
+        while self._repeat(self.ladders, _FOR_LADDERS):
+            pass
+        guess = 4 * self._cost[OWN]
+        for each in self.predicted(tolerance):
+            if each in self.draws or self._draw(each, guess, 1):
+                self.chosen.append(each)
+        while self._repeat([self.chosen], 1):
+            pass
+
+    def _begin(self, settings: list[Setting]) -> None:
+        """Measures a ladder once, and leaves out what takes too long."""
+        cost = self._cost[OWN]
+        for each in list(settings):
+            if each != OWN:
+                # More accurate ones may take several times as long.
+                is_cheap = OWN in settings[settings.index(each) :]
+                guess = cost if is_cheap else 3 * cost
+                why = "it takes too long for --seconds"
+                try:
+                    is_short = guess < self._seconds / 40
+                    if not (
+                        is_short and self._draw(each, guess, _FOR_LADDERS)
+                    ):
+                        raise Refused(why, 0)
+                except Refused as error:
+                    self.left_out[words(each)] = str(error)
+                    settings.remove(each)
+                    continue
+            cost = self._cost[each]
+
+    def _repeat(self, ladders: list[list[Setting]], part: float) -> bool:
+        """Draws once more of the ladder that is behind; False if the time is
+        over."""
+
+        def work(settings: list[Setting]) -> float:
+            cost = sum(self._cost[each] for each in settings)
+            return len(self.draws[settings[0]]) * math.sqrt(cost)
+
+        settings = min(ladders, key=work, default=[])
+        least = min((len(self.draws[each]) for each in settings), default=0)
+        behind = [each for each in settings if len(self.draws[each]) == least]
+        return all([behind, *(self._draw(each, 0, part) for each in behind)])
+
+    def _draw(self, setting: Setting, guess: float, part: float) -> bool:
+        """Measures a setting if that is done within a part of the time."""
+        before = self._clock()
+        end = before + self._cost.get(setting, guess) - self._began
+        if end > part * self._seconds:
+            return False
+        if sys.stderr.isatty():
+            left = f"{max(0, self._seconds - end):.0f} s left"
+            print(f"\r{left:12}", end="", file=sys.stderr)
+        done = self.draws.get(setting, [])
+        self.draws[setting] = [*done, self._measure(setting, len(done))]
+        self._cost[setting] = self._clock() - before
+        return True
+
+    def measured(self) -> list[list[Setting]]:
+        """The ladders without what has too few draws to tell its error."""
+        return [
+            [s for s in each if len(self.draws.get(s, [])) >= FEWEST]
+            for each in self.ladders
+        ]
+
+    def row(
+        self, setting: Setting, ladders: Sequence[list[Setting]]
+    ) -> dict[str, Any]:
+        """Errors of one evaluation relative to the baseline's objective, of
+        that and of the difference between the plants. Biases against the most
+        accurate setting of each ladder add up as squares: that some cancel for
+        these plants says nothing of others."""
+        draws = self.draws[setting]
+        scale = abs(fmean(each.value for each in self.draws[OWN]))
+        row: dict[str, Any] = {"settings": dict(setting), "draws": len(draws)}
+        row["seconds"] = median(each.seconds for each in draws)
+        for part, name in enumerate(("value", "difference")):
+            biases = []
+            for each in ladders:
+                here = (s for s in each if set(s) & set(setting))
+                pairs = zip(self.draws[next(here, OWN)], self.draws[each[-1]])
+                apart = [(a[part] - b[part]) / scale for a, b in pairs]
+                error = stdev(apart) / math.sqrt(len(apart))
+                biases.append(Estimate(fmean(apart), error))
+            size = stdev(each[part] for each in draws) / scale
+            noise = Estimate(size, size / math.sqrt(2 * len(draws) - 2))
+            bias = root_sum(biases)
+            size = math.hypot(bias.mean, noise.mean)
+            error = math.hypot(*(m * e for m, e in (bias, noise))) / size
+            row[name] = {
+                "bias": biases[0] if len(biases) == 1 else bias,
+                "noise": noise,
+                "error": Estimate(size, error),
+            }
+        return row
+
+    def predicted(self, tolerance: float) -> list[Setting]:
+        """Some of the combinations that promise most near a tolerance: with
+        ratios of noise and of seconds that multiply."""
+        own = self.row(OWN, [])
+        noise = own["value"]["noise"]
+        options: list[list[Any]] = []
+        for settings in self.measured():
+            options.append([])
+            for each in settings:
+                row = self.row(each, [settings])
+                bias, one, _ = row["value"].values()
+                ratio = one.mean / noise.mean
+                cost = row["seconds"] / own["seconds"]
+                options[-1].append((each, root_sum([bias])[0], ratio, cost))
+        found = []
+        for setting, biases, ratios, costs in (
+            zip(*c) for c in product(*options)
+        ):
+            error = math.hypot(noise.mean * math.prod(ratios), *biases)
+            found.append((math.prod(costs), error, sum(setting, ())))
+        near = [
+            each for each in pareto(found) if 0.4 < each[1] / tolerance < 2
+        ]
+        step = max(1, math.ceil(len(near) / _COMBINATIONS))
+        return [setting for _, _, setting in near[::step]]
+
+
+def pareto(points: Sequence[tuple[float, float, Any]]) -> list[Any]:
+    """Those of (cost, error, ...) that are more accurate than all cheaper."""
+    front: list[Any] = []
+    for each in sorted(points, key=lambda point: point[:2]):
+        if not front or each[1] < front[-1][1]:
+            front.append(each)
+    return front
+
+
+def ladder(key: str, value: float, values: Sequence[float]) -> list[Setting]:
+    """The settings of a key, the most accurate last, and the campaign's."""
+    is_falling = values[-1] < values[0]
+    steps = sorted({value, *values}, reverse=is_falling)
+    return [OWN if each == value else ((key, each),) for each in steps]
+
+
+def words(setting: Setting) -> str:
+    """Keys and values as `--set` takes them."""
+    return " ".join(f"{k}={v:.15g}" for k, v in setting) or "the campaign"
+
+
+def result(survey: Survey, tolerance: float) -> dict[str, Any]:
+    """All that was measured; an estimate is [mean, standard error]."""
+    ladders = survey.measured()
+    rows = [
+        survey.row(each, ladders)
+        for each in dict.fromkeys(survey.chosen)
+        if len(survey.draws[each]) >= FEWEST
+    ]
+    rows.sort(key=lambda row: row["seconds"])
+    front = pareto([(r["seconds"], r["value"]["error"].mean, r) for r in rows])
+    met = [row for _, error, row in front if error <= tolerance]
+    for row in rows:
+        row["is_on_front"] = any(row is point[2] for point in front)
+    return {
+        "tolerance": tolerance,
+        "keys": [[survey.row(s, [each]) for s in each] for each in ladders],
+        "settings": rows,
+        "chosen": met[0] if met else front[-1][2],
+        "is_met": bool(met),
+        "left_out": survey.left_out,
+    }

@@ -1,0 +1,220 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`ideotype fidelity CAMPAIGN`: measures what accuracy costs, and tells the
+cheapest setting that is accurate enough."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import tomllib
+from collections.abc import Sequence
+from pathlib import Path
+from statistics import fmean
+from typing import Any
+
+import tomli_w
+
+from ._errors import Error, printable_lines
+from ._survey import FEWEST, OWN, Draw, Refused, Setting, Survey, result, words
+
+
+class Program:
+    """Evaluates two plants with `ideotype serve`, one process for each
+    setting: the baseline, and one whose free genes are moved by a tenth of
+    their ranges, which is how far candidates are apart."""
+
+    def __init__(self, *arguments: str) -> None:
+        found = os.environ.get("IDEOTYPE_EXECUTABLE", "ideotype")
+        if not (program := shutil.which(found)):
+            raise Error(
+                f"there is no program {found}; build it, then put it in PATH "
+                "or its path in IDEOTYPE_EXECUTABLE"
+            )
+        own = ["--threads", "1", "--quiet"]
+        self._command = [program, "serve", *arguments, *own]
+        self._servers: dict[Setting, subprocess.Popen[str]] = {}
+        self.hello = self._start(OWN)
+        self.objective = self.hello["objectives"][0]["name"]
+        genes = self.hello["genes"]
+        baseline = [gene["baseline"] for gene in genes]
+        self._plants = [baseline, list(map(_moved, genes))]
+
+    def draw(self, setting: Setting, number: int) -> Draw:
+        """Evaluates both plants; equal numbers share random numbers."""
+        if setting not in self._servers:
+            self._start(setting)
+        server = self._servers[setting]
+        assert server.stdin and server.stdout
+        values, seconds = [], []
+        for genome in self._plants:
+            # The last generation has no other tolerance than the campaign.
+            request = {"genome": genome, "seed": number, "generation": 1 << 30}
+            print(json.dumps(request), file=server.stdin, flush=True)
+            answer = json.loads(server.stdout.readline() or "{}")
+            if answer.get("status") != "done":
+                why = answer.get("message", "the program has ended")
+                raise Error(f"{words(setting)}: {why}")
+            values.append(answer["objectives"][self.objective]["mean"])
+            seconds.append(answer["seconds"])
+        return Draw(values[0], values[1] - values[0], fmean(seconds))
+
+    def end(self) -> None:
+        """Ends all processes."""
+        for server in self._servers.values():
+            server.kill()
+
+    def _start(self, setting: Setting) -> dict[str, Any]:
+        sets = [w for pair in setting for w in ("--set", words((pair,)))]
+        # In a group of its own: Ctrl-C is for this process alone.
+        server = subprocess.Popen(
+            [*self._command, *sets],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            process_group=0,
+        )
+        self._servers[setting] = server
+        assert server.stdout and server.stderr
+        if line := server.stdout.readline():
+            return json.loads(line)
+        message = server.stderr.read().strip() or "the program has ended"
+        # Without the time, and the name that this command tells itself.
+        message = re.sub(r"^\S+  ideotype: ", "", message, flags=re.MULTILINE)
+        raise Refused(message, server.wait())
+
+
+def _moved(gene: dict[str, Any]) -> float:
+    step = gene["is_free"] * 0.1 * (gene["upper"] - gene["lower"])
+    has_room = gene["baseline"] + step <= gene["upper"]
+    return gene["baseline"] + (
+        step if has_room or gene["is_circular"] else -step
+    )
+
+
+def table(rows: Sequence[dict[str, Any]]) -> list[str]:
+    """A line for each setting, in % and milliseconds."""
+    lines = []
+    for row in rows:
+        figures = [
+            row[of][name]
+            for of in ("value", "difference")
+            for name in ("bias", "noise", "error")
+        ]
+        lines.append(
+            "".join(f"{each!s:>14}" for each in figures)
+            + f"{1e3 * row['seconds']:8.1f}{row['draws']:6}  "
+            + words(tuple(row["settings"].items()))
+            + (" *" if row.get("is_on_front") else "")
+        )
+    return lines
+
+
+def block(campaign: str, settings: dict[str, float]) -> str:
+    """The tables of a campaign's text that change, as TOML."""
+    data = tomllib.loads(campaign)
+    changed = {}
+    for path, value in settings.items():
+        *parts, key = path.split(".")
+        entry: Any = data.setdefault(parts[0], {})
+        (entry[0] if isinstance(entry, list) else entry)[key] = (
+            int(value) if value == int(value) else value
+        )
+        changed[parts[0]] = entry
+    return tomli_w.dumps(changed)
+
+
+def text(found: dict[str, Any], campaign: str) -> str:
+    """Tables of keys and of settings, and what to paste."""
+    names = ("bias", "noise", "error", "bias of diff.", "noise", "error")
+    lines = [
+        f"{found['case']}: errors of one evaluation in % of "
+        f"{found['objective']}, milliseconds of it, draws",
+        "".join(f"{each:>14}" for each in names) + f"{'ms':>8}{'draws':>6}",
+    ]
+    for rows in found["keys"]:
+        lines += ["", *table(rows)]
+    lines += ["", *(f"{k}: {v}" for k, v in found["left_out"].items()), ""]
+    lines.append("keys together (*: what is cheaper is less accurate)")
+    lines += [*table(found["settings"]), ""]
+    wanted = f"# Within {100 * found['tolerance']:g} %"
+    if not found["is_met"]:
+        wanted += " is none; the most accurate"
+    if not (settings := found["chosen"]["settings"]):
+        return "\n".join([*lines, f"{wanted}: the campaign as it is"])
+    lines.append(f"{wanted}: in the place of these tables of the campaign")
+    return "\n".join([*lines, block(campaign, settings)])
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Measures, prints and returns the exit code: 0, 1 if something failed, 2
+    for a wrong command line, 3 for a wrong campaign, 5 after Ctrl-C."""
+    parser = argparse.ArgumentParser(
+        prog="ideotype fidelity",
+        description="Measures error and time of evaluations with each key "
+        "that trades one for the other, and tells the cheapest that will do.",
+    )
+    add = parser.add_argument
+    add("campaign", type=Path, metavar="CAMPAIGN", help="a TOML file")
+    add("--set", action="append", default=[], metavar="KEY=VALUE")
+    add("--case", type=int, default=0, metavar="N", help="of `plan`")
+    add("--tolerance", type=float, default=0.008, help="relative error wanted")
+    add("--seconds", type=float, default=60, help="to measure (default: 60)")
+    add("--json", type=Path, metavar="FILE", help="gets all figures")
+    add("--figure", type=Path, metavar="FILE", help="PNG, PDF or SVG to draw")
+    options = parser.parse_args(arguments)
+    program = None
+    code = 0
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        began = time.monotonic()
+        sets = [word for each in options.set for word in ("--set", each)]
+        case = ["--case", str(options.case)]
+        program = Program(str(options.campaign), *case, *sets)
+        left = options.seconds - (time.monotonic() - began)
+        survey = Survey(program.hello["accuracy"], program.draw, left)
+        try:
+            survey.run(options.tolerance)
+        except KeyboardInterrupt:
+            code = 5
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+        if len(survey.draws[OWN]) < FEWEST:
+            raise KeyboardInterrupt
+        found = {
+            "case": program.hello["case"],
+            "objective": program.objective,
+            **result(survey, options.tolerance),
+        }
+        print(
+            ("stopped before the end\n" if code else "")
+            + text(found, options.campaign.read_text())
+        )
+        if options.json:
+            options.json.write_text(json.dumps(found, indent=1) + "\n")
+        if options.figure:
+            from .analysis.fidelity import draw_fidelity
+
+            draw_fidelity(found).savefig(options.figure)
+    except KeyboardInterrupt:
+        print(
+            "ideotype fidelity: stopped, nothing is measured", file=sys.stderr
+        )
+        return 5
+    except (Error, OSError) as error:
+        print(printable_lines(f"ideotype fidelity: {error}"), file=sys.stderr)
+        return error.code if isinstance(error, Refused) else 1
+    finally:
+        if program:
+            program.end()
+    return code
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -15,6 +15,7 @@ rm -f build-release.log
 campaign=campaigns/quickstart.toml
 out=${1:-results}
 ideotype=build/release/src/ideotype
+export IDEOTYPE_PYTHON=$PWD/.venv/bin/python
 
 echo
 "$ideotype" check "$campaign"
@@ -26,8 +27,8 @@ echo
 # Reports draw the shapes of plants, which the compiled module knows.
 install_python release
 echo
-.venv/bin/ideotype-summary --gains "$out/quickstart"
+"$ideotype" summary --gains "$out/quickstart"
 echo
-.venv/bin/ideotype-report "$out/quickstart" -o "$out/quickstart/report"
+"$ideotype" report "$out/quickstart" -o "$out/quickstart/report"
 echo
 echo "open $(cd "$out/quickstart/report" && pwd)/report.html"

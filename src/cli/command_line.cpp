@@ -16,6 +16,7 @@
 #include "ideotype/cli/verbs.hpp"
 #include "ideotype/core/text.hpp"
 #include "ideotype/run/provenance.hpp"
+#include "python_verbs.hpp"
 #include "report_error.hpp"
 
 namespace ideotype {
@@ -143,6 +144,10 @@ int run_verb(int argc, char** argv) {
     const bool is_silent = launch.rank != 0;
     try {
         check_verb_name(app, argc > 1 ? argv[1] : "");
+        if (argc > 1 && is_python_verb(argv[1])) {
+            require_shared_work(*app.get_subcommand(argv[1]), launch);
+            hand_to_python({words.begin() + 1, words.end()});
+        }
         app.parse(argc, argv);
         require_shared_work(*app.get_subcommands().front(), launch);
         return action();

@@ -11,6 +11,7 @@
 #include "ideotype/stand/mesh_study.hpp"
 #include "log_option.hpp"
 #include "mesh_command.hpp"
+#include "python_verbs.hpp"
 #include "run_command.hpp"
 #include "sensitivity_command.hpp"
 #include "threads_option.hpp"
@@ -262,6 +263,7 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
         "compare all of histories with their checksums, also while they are "
         "written",
         "FILE.h5", declare_files, verify);
+    declare_python_verbs(app);
 }
 
 }  // namespace ideotype

@@ -129,7 +129,7 @@ ExitCode direct(const RunOptions& options, const Campaign& campaign,
             fs::path(path_of(options.out, campaign, crew.cases.front()))
                 .parent_path()
                 .string();
-        fmt::print("next: {}\n", quoted({"ideotype-report", folder, "-o",
+        fmt::print("next: {}\n", quoted({"ideotype", "report", folder, "-o",
                                          folder + "/report"}));
     }
     return code;

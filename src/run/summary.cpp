@@ -137,7 +137,7 @@ std::string gains(const History& history, const Campaign& campaign,
         "            {}\n",
         campaign.replicates == 1
             ? one_seed
-            : "how seeds differ is told by ideotype-summary --gains, "
+            : "how seeds differ is told by ideotype summary --gains, "
               "not by this interval");
     return text + too_dense("the best plant", lai_after);
 }

@@ -11,23 +11,26 @@ from pathlib import Path
 import pytest
 from conftest import WriterProcess
 from made_history import MadeHistory
+from real_program import executable
+
+from ideotype.__main__ import VERBS
 
 BIN = Path(sys.executable).parent
 
 
 def summary(*arguments: object) -> subprocess.CompletedProcess[str]:
     """Runs the installed command."""
-    return _run("ideotype-summary", *arguments)
+    return _run("summary", *arguments)
 
 
 def report(*arguments: object) -> subprocess.CompletedProcess[str]:
     """Runs the installed command."""
-    return _run("ideotype-report", *arguments)
+    return _run("report", *arguments)
 
 
 def _run(name: str, *arguments: object) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [str(BIN / name), *map(str, arguments)],
+        [str(BIN / "ideotype"), name, *map(str, arguments)],
         capture_output=True,
         text=True,
         check=False,
@@ -101,7 +104,7 @@ def test_unusable_files_exit_with_1_and_a_reason(tmp_path: Path) -> None:
         for command in (summary, report):
             done = command(path)
             assert (done.returncode, done.stdout) == (1, "")
-            name = f"ideotype-{command.__name__}"
+            name = f"ideotype {command.__name__}"
             assert done.stderr == f"{name}: {path}: {reason}\n"
 
 
@@ -116,7 +119,7 @@ def test_a_report_without_results_is_refused(
 ) -> None:
     done = report(writer.path, "-o", tmp_path / "out")
     assert done.returncode == 1
-    assert done.stderr.startswith(f"ideotype-report: {writer.path}: ")
+    assert done.stderr.startswith(f"ideotype report: {writer.path}: ")
     assert "not evaluated yet; try again when" in done.stderr
     assert not (tmp_path / "out").exists()
 
@@ -128,14 +131,14 @@ def test_a_full_disk_is_told(finished: Path, words: tuple[str, ...]) -> None:
     arguments = [str(finished) if w == "FILE" else w for w in words]
     with open("/dev/full", "w") as full:
         done = subprocess.run(
-            [str(BIN / "ideotype-summary"), *arguments],
+            [str(BIN / "ideotype"), "summary", *arguments],
             stdout=full,
             stderr=subprocess.PIPE,
             text=True,
             check=False,
         )
     assert done.returncode == 1
-    assert "ideotype-summary: [Errno 28] No space left" in done.stderr
+    assert "ideotype summary: [Errno 28] No space left" in done.stderr
     assert len(done.stderr.splitlines()) == 1
 
 
@@ -158,10 +161,48 @@ def test_a_closed_pipe_is_quiet(finished: Path) -> None:
     os.close(reader)
     with os.fdopen(writer, "w") as closed:
         done = subprocess.run(
-            [str(BIN / "ideotype-summary"), str(finished)],
+            [str(BIN / "ideotype"), "summary", str(finished)],
             stdout=closed,
             stderr=subprocess.PIPE,
             text=True,
             check=False,
         )
     assert (done.returncode, done.stderr) == (1, "")
+
+
+def test_both_commands_hand_over(finished: Path, tmp_path: Path) -> None:
+    program = executable()
+    helped = subprocess.run(
+        [program, "--help"], capture_output=True, text=True, check=True
+    ).stdout.split("Of the Python package:\n")[1]
+    told = [line.split()[0] for line in helped.splitlines() if line.strip()]
+    assert told == list(VERBS)
+
+    def run(command: object, *words: object, **names: str) -> list[object]:
+        done = subprocess.run(
+            [str(command), *map(str, words)],
+            capture_output=True,
+            text=True,
+            check=False,
+            env=os.environ | {"PATH": f"{BIN}:/usr/bin:/bin"} | names,
+        )
+        return [done.returncode, done.stdout, done.stderr]
+
+    by_package = run(BIN / "ideotype", "summary", finished)
+    assert by_package[0] == 0
+    assert run(program, "summary", finished) == by_package
+    python = {"IDEOTYPE_PYTHON": "/usr/bin/python3"}
+    code, _, error = run(program, "summary", finished, **python)
+    assert code == 2 and "pip install . && export" in str(error)
+    python = {"IDEOTYPE_PYTHON": str(tmp_path / "none")}
+    code, _, error = run(program, "summary", finished, **python)
+    assert code == 2 and "summary: there is no" in str(error)
+
+    compiled = {"IDEOTYPE_EXECUTABLE": program}
+    by_program = run(program, "status", "--help")
+    assert run(BIN / "ideotype", "status", "--help", **compiled) == by_program
+    # The package finds its own command on the PATH, and must not begin it.
+    itself = {"IDEOTYPE_EXECUTABLE": str(BIN / "ideotype")}
+    code, _, error = run(BIN / "ideotype", "status", **itself)
+    assert code == 2 and "needs\nthe" not in str(error)
+    assert "need the compiled program" in str(error)

@@ -148,7 +148,7 @@ def test_the_exit_code_tells_what_was_left_out(folder: Path) -> None:
     assert done.stdout.startswith("case ") and done.stdout.count("case  ") == 1
     lines = done.stderr.splitlines()
     assert [line.split(": ")[:3] for line in lines] == [
-        ["ideotype-summary", "left out", f"{folder}/{name}.h5"]
+        ["ideotype summary", "left out", f"{folder}/{name}.h5"]
         for name in ("a", "c", "d")
     ]
     assert "the superblock does not have its checksum" in lines[2]

@@ -162,7 +162,7 @@ def test_provenance_is_told(made: Made) -> None:
     words = plain(made.text)
     for told in (
         *("0123456789ab", "avx2", str(2**63 + 1), "ideotype run", "node1"),
-        *("This page was made by: ideotype-report", "linke_turbidity = 3"),
+        *("This page was made by: ideotype report", "linke_turbidity = 3"),
         *(f"{case}_r{seed}.h5" for case in CASES for seed in (1, 2)),
     ):
         assert told in words

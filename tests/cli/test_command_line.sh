@@ -107,7 +107,7 @@ says "with LAI .* instead of 3.44"
 says "^20[0-9-]*T[0-9:]*Z  ames.*  generation 1, 2 of 2 complete, "
 says "best .* MJ m-2 day-1 (not evaluated again)$"
 says "one seed: the interval holds the noise of the light, not that of the search"
-says "^next: ideotype-report results/verbs -o results/verbs/report$"
+says "^next: ideotype report results/verbs -o results/verbs/report$"
 # On a terminal one line is written over and over; it must not wrap.
 for columns in 60 80 100 200; do
     expect 0 script -qec "stty cols $columns; '$ideotype' run \

@@ -16,7 +16,7 @@ options() {
     sed -n 's/^  \(-[-a-z,]*\).*/\1/p' | tr ',' '\n'
 }
 
-mapfile -t verbs < <("$ideotype" --help | sed '1,/^Subcommands/d' |
+mapfile -t verbs < <("$ideotype" --help | sed '1,/^Subcommands/d; /^Of the/,$d' |
     sed -n 's/^  \([a-z]*\) .*/\1/p')
 [ ${#verbs[@]} -ge 9 ] || fail "too few verbs: ${verbs[*]}"
 complete_words ideotype ""

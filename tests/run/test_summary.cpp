@@ -71,7 +71,7 @@ TEST_F(Summary, SaysWhatOneSeedDoesNotTell) {
     campaign_.replicates = 3;
     const std::string three = of({10, 0.03}, 2.5, {11, 0.04}, 5);
     EXPECT_EQ(three.find("one seed"), std::string::npos) << three;
-    EXPECT_NE(three.find("ideotype-summary"), std::string::npos) << three;
+    EXPECT_NE(three.find("ideotype summary"), std::string::npos) << three;
 }
 
 TEST_F(Summary, WarnsOfMoreLeavesThanFieldsHave) {

@@ -209,8 +209,8 @@ def report(path: Path) -> str:
 PYTHON = {
     "open": arrays,
     "frame": frame,
-    "ideotype-summary": summary,
-    "ideotype-report": report,
+    "ideotype summary": summary,
+    "ideotype report": report,
 }
 
 

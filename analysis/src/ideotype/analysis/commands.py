@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The commands ideotype-summary and ideotype-report."""
+"""The verbs `ideotype summary` and `ideotype report`."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def summary(arguments: Sequence[str] | None = None) -> int:
     """Prints summaries and returns the exit code: 0, 1 if no file can be
     used, 2 for a wrong command line, 3 if only some files can be used."""
     parser = argparse.ArgumentParser(
-        prog="ideotype-summary",
+        prog="ideotype summary",
         description="Prints a summary of each history, also while it is "
         "being written.",
         epilog=_EXIT_CODES,
@@ -44,7 +44,7 @@ def summary(arguments: Sequence[str] | None = None) -> int:
 def report(arguments: Sequence[str] | None = None) -> int:
     """Writes a report and returns the exit code, as summary does."""
     parser = argparse.ArgumentParser(
-        prog="ideotype-report",
+        prog="ideotype report",
         description="Writes one HTML page about all histories, which needs "
         "nothing else to be viewed, and its figures as files; also "
         "while they are being written.",
@@ -84,6 +84,8 @@ def report(arguments: Sequence[str] | None = None) -> int:
         metavar="N",
         help="processes that draw figures (default: one per core)",
     )
+    words = sys.argv[1:] if arguments is None else arguments
+    parser.set_defaults(command=shlex.join(["ideotype", "report", *words]))
     return _guard(parser, arguments, _report)
 
 
@@ -156,7 +158,7 @@ def _report(options: argparse.Namespace, study: Study) -> None:
         options.output,
         cross=cross,
         fidelity=fidelity,
-        command=shlex.join(["ideotype-report", *sys.argv[1:]]),
+        command=options.command,
         progress=Progress(),
         has_pdf=options.pdf,
         jobs=options.jobs or len(os.sched_getaffinity(0)),

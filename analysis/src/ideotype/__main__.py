@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The command `ideotype` of the Python package, which answers its own verbs and
+leaves the others to the compiled program."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+from importlib import import_module
+from pathlib import Path
+
+VERBS = {
+    "summary": "ideotype.analysis.commands:summary",
+    "report": "ideotype.analysis.commands:report",
+    "weather": "ideotype.weather:main",
+}
+"""Where the function of each verb is, which takes the words after the verb
+and returns the exit code; `python_verbs.cpp` has the same names."""
+
+
+def answer(words: Sequence[str]) -> int:
+    """Runs the verb that is the first word and returns its exit code."""
+    module, function = VERBS[words[0]].split(":")
+    return getattr(import_module(module), function)(words[1:])
+
+
+def main() -> int:
+    """Answers the command line, or becomes the compiled program, which does."""
+    words = sys.argv[1:]
+    if words and words[0] in VERBS:
+        return answer(words)
+    if program := _compiled_program():
+        os.execv(program, [program, *words])
+    print(
+        f"ideotype: only {', '.join(VERBS)} can be answered here; other verbs "
+        "need the compiled program, which neither $IDEOTYPE_EXECUTABLE nor "
+        "the PATH has; ./quickstart.sh in the folder of the sources builds it",
+        file=sys.stderr,
+    )
+    return 2
+
+
+def _compiled_program() -> str | None:
+    """Finds the first `ideotype` that is not this command of some Python."""
+    named = os.environ.get("IDEOTYPE_EXECUTABLE")
+    folders = os.get_exec_path()
+    for path in [*filter(None, [named]), *(f"{f}/ideotype" for f in folders)]:
+        if os.access(path, os.X_OK) and Path(path).is_file():
+            with open(path, "rb") as file:
+                head = file.read(256)
+            if not (head.startswith(b"#!") and b"python" in head):
+                return path
+    return None
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "python_verbs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "ideotype/core/error.hpp"
+
+namespace ideotype {
+
+namespace {
+
+struct PythonVerb {
+    const char* name;
+    const char* about;
+};
+
+//! `ideotype.__main__.VERBS` of the package has the same names.
+constexpr std::array python_verbs{
+    PythonVerb{"summary", "the outcome of histories in words"},
+    PythonVerb{"report", "one page about histories, with all figures"},
+    PythonVerb{"weather",
+               "make of weather files of many formats the one that campaigns "
+               "read"},
+};
+
+//! Its arguments are what to say if the package is missing, and the words.
+constexpr const char* answer_code = R"py(import sys
+try:
+    from ideotype.__main__ import answer
+except ImportError as error:
+    print(f"{sys.argv[1]} ({sys.executable}: {error})", file=sys.stderr)
+    sys.exit(2)
+sys.exit(answer(sys.argv[2:])))py";
+
+}  // namespace
+
+void declare_python_verbs(CLI::App& app) {
+    for (const auto& [name, about] : python_verbs)
+        app.add_subcommand(name, about)->group("Of the Python package");
+}
+
+bool is_python_verb(const std::string& verb) {
+    return std::ranges::find(python_verbs, verb, &PythonVerb::name) !=
+           python_verbs.end();
+}
+
+void hand_to_python(const std::vector<std::string>& words) {
+    const char* named = std::getenv("IDEOTYPE_PYTHON");
+    std::string python = named != nullptr && *named != '\0' ? named : "python3";
+    const std::string remedy = fmt::format(
+        "ideotype: {} is a verb of the Python package, which is not "
+        "installed; in the folder of the sources: python3 -m venv .venv && "
+        ".venv/bin/pip install . && export "
+        "IDEOTYPE_PYTHON=$PWD/.venv/bin/python",
+        words.front());
+    std::vector<std::string> all{python, "-c", answer_code, remedy};
+    all.insert(all.end(), words.begin(), words.end());
+    std::vector<char*> arguments;
+    for (std::string& each : all) arguments.push_back(each.data());
+    arguments.push_back(nullptr);
+    execvp(python.c_str(), arguments.data());
+    throw Error(fmt::format("{}: there is no {} to answer it with, which "
+                            "$IDEOTYPE_PYTHON names, or else the PATH has",
+                            words.front(), python),
+                ExitCode::usage);
+}
+
+}  // namespace ideotype

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <filesystem>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -27,6 +28,10 @@ constexpr std::array python_verbs{
     PythonVerb{"weather",
                "make of weather files of many formats the one that campaigns "
                "read"},
+    PythonVerb{"fidelity",
+               "measure what accuracy costs here: error and time of every "
+               "setting that trades one for the other, and the cheapest that "
+               "will do"},
 };
 
 //! Its arguments are what to say if the package is missing, and the words.
@@ -64,6 +69,9 @@ void hand_to_python(const std::vector<std::string>& words) {
     std::vector<char*> arguments;
     for (std::string& each : all) arguments.push_back(each.data());
     arguments.push_back(nullptr);
+    // Verbs of the package that evaluate plants start this program.
+    const auto own = std::filesystem::read_symlink("/proc/self/exe");
+    setenv("IDEOTYPE_EXECUTABLE", own.c_str(), 0);
     execvp(python.c_str(), arguments.data());
     throw Error(fmt::format("{}: there is no {} to answer it with, which "
                             "$IDEOTYPE_PYTHON names, or else the PATH has",

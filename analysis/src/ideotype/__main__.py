@@ -14,6 +14,7 @@ VERBS = {
     "summary": "ideotype.analysis.commands:summary",
     "report": "ideotype.analysis.commands:report",
     "weather": "ideotype.weather:main",
+    "fidelity": "ideotype.fidelity:main",
 }
 """Where the function of each verb is, which takes the words after the verb
 and returns the exit code; `python_verbs.cpp` has the same names."""

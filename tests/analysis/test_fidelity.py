@@ -1,73 +1,228 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The trade of speed for accuracy in a report."""
+"""What accuracy costs: planned by a clock, measured, pasted and drawn."""
 
 from __future__ import annotations
 
 import json
+import os
+import random
+import re
+import signal
+import subprocess
+import sys
+import time
+import tomllib
 from pathlib import Path
 
 import pytest
+from real_program import CAMPAIGNS, output_of, write_campaign
 
+from ideotype import fidelity
+from ideotype._survey import OWN, Draw, Setting, Survey, ladder, pareto, result
 from ideotype.analysis import HistoryError
 from ideotype.analysis.fidelity import draw_fidelity, read_fidelity
 
+KEYS = [
+    {"key": "plant.cells", "value": 12, "values": [4, 8, 16]},
+    {"key": "light.tolerance", "value": 0.01, "values": [0.02, 0.005]},
+]
 
-def estimate(mean: float, error: float) -> dict[str, float]:
-    return {"mean": mean, "standard_error": error}
+
+class Fake:
+    """Evaluations of known error, which a clock of its own takes for long."""
+
+    def __init__(self, second: float = 1.0) -> None:
+        self.now = 0.0
+        self.second = second
+        self.calls: list[Setting] = []
+
+    def clock(self) -> float:
+        return self.now
+
+    def __call__(self, setting: Setting, number: int) -> Draw:
+        given = dict(setting)
+        cells = given.get("plant.cells", 12)
+        noise = given.get("light.tolerance", 0.01)
+        self.calls.append(setting)
+        seconds = self.second * (cells / 12 + (0.01 / noise) ** 2)
+        self.now += 2 * seconds
+        field = random.Random(number)
+        value = 9 * (1 - 0.5 / cells**2) + 9 * noise * field.gauss()
+        return Draw(value, 0.1 + noise * field.gauss(), seconds)
 
 
-@pytest.fixture
-def written(tmp_path: Path) -> Path:
-    fronts = [
-        {
-            "goal": goal,
-            "fields": fields,
-            "combinations": [
-                {"milliseconds": 2.0, "error": 0.01},
-                {"milliseconds": 30.0, "error": 0.003},
-            ],
-        }
-        for goal in ("value", "difference")
-        for fields in ("one", "each")
+@pytest.mark.parametrize("seconds", (20, 100, 500, 3000))
+def test_no_evaluation_begins_that_would_end_late(seconds: float) -> None:
+    fake = Fake()
+    survey = Survey(KEYS, fake, seconds, fake.clock)
+    survey.run(0.008)
+    assert 0.5 * seconds < fake.now <= seconds
+    assert sum(map(len, survey.draws.values())) == len(fake.calls)
+
+
+def test_what_takes_too_long_is_left_out_and_told() -> None:
+    fake = Fake()
+    survey = Survey(KEYS, fake, 170, fake.clock)
+    survey.run(0.008)
+    assert list(survey.left_out) == [
+        "plant.cells=16",
+        "light.tolerance=0.005",
     ]
-    check = {
-        "bias": estimate(-0.003, 0.0004),
-        "standard_error": estimate(0.004, 0.0003),
-        "milliseconds": 29.0,
-    }
-    choices = [
-        {"goal": "value", "fields": "one", "tolerance": 3e-3, "check": check},
-        {"goal": "value", "fields": "one", "tolerance": 1e-3},
+    assert (("light.tolerance", 0.005),) not in survey.draws
+    # The campaign itself is the most accurate that is left.
+    assert survey.ladders[0][-1] == OWN
+
+
+def test_biases_and_noise_are_found() -> None:
+    fake = Fake(1e-3)
+    survey = Survey(KEYS, fake, 100, fake.clock)
+    survey.run(0.008)
+    found = result(survey, 0.008)
+    cells, tolerances = found["keys"]
+    assert [row["settings"] for row in cells] == [
+        {"plant.cells": 4},
+        {"plant.cells": 8},
+        {},
+        {"plant.cells": 16},
     ]
-    path = tmp_path / "fidelity.json"
-    path.write_text(
-        json.dumps({"case": "ames", "fronts": fronts, "choices": choices})
+    for row, n in zip(cells, (4, 8, 12, 16), strict=True):
+        # All draws share their random numbers: what is left is the bias.
+        wanted = 0.5 / 16**2 - 0.5 / n**2
+        assert row["value"]["bias"].mean == pytest.approx(wanted, abs=1e-4)
+        assert row["value"]["bias"].standard_error < 1e-4
+    for row, noise in zip(tolerances, (0.02, 0.01, 0.005), strict=True):
+        mean, error = row["value"]["noise"]
+        assert abs(mean - noise) < 4 * error < noise
+    chosen = found["chosen"]
+    assert found["is_met"] and chosen["value"]["error"].mean <= 0.008
+    assert chosen["settings"]["light.tolerance"] == 0.005
+    assert chosen["is_on_front"]
+
+
+def test_ladders_end_with_the_most_accurate() -> None:
+    assert ladder("a.b", 12, [4, 8]) == [(("a.b", 4),), (("a.b", 8),), OWN]
+    assert ladder("a.b", 3, [9, 1]) == [(("a.b", 9),), OWN, (("a.b", 1),)]
+
+
+def test_of_a_front_each_is_more_accurate_than_all_cheaper() -> None:
+    points = [(3, 1, "c"), (1, 5, "a"), (2, 5, "no"), (2, 4, "b"), (4, 2, "")]
+    assert [name for _, _, name in pareto(points)] == ["a", "b", "c"]
+
+
+def measure(campaign: Path, *options: object) -> str:
+    command = [sys.executable, "-m", "ideotype.fidelity", campaign]
+    done = subprocess.run(
+        [*command, *map(str, options)],
+        capture_output=True,
+        text=True,
+        timeout=300,
+        check=False,
     )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def pasted(campaign: Path, told: str) -> Path:
+    """The campaign with the tables of the output in the place of its own."""
+    block = told.split("\n# ")[1].split("\n", 1)[1]
+    headers = re.findall(r"^\[.*", block, re.MULTILINE)
+    assert len(headers) == len(set(headers)) > 0
+    changed = {name.split(".")[0] for name in tomllib.loads(block)}
+    head, *tables = re.split(
+        r"^(?=\[)", campaign.read_text(), flags=re.MULTILINE
+    )
+    kept = [t for t in tables if re.split(r"\W+", t)[1] not in changed]
+    path = campaign.with_name("pasted.toml")
+    path.write_text("".join([head, *kept]) + "\n" + block)
     return path
 
 
-def test_errors_of_checks_are_bias_and_scatter(written: Path) -> None:
-    fidelity = read_fidelity(written)
-    assert fidelity.case == "ames"
-    (check,) = fidelity.checks
-    assert check.error == pytest.approx(0.005)
-    # Each part counts by its share: 3/5 of .0004 and 4/5 of .0003.
-    assert check.standard_error == pytest.approx(0.00024 * 2**0.5)
+def of_a_day(folder: Path) -> Path:
+    return write_campaign(folder, 1)
 
 
-def test_both_panels_have_both_fronts_and_the_checks(written: Path) -> None:
-    value, difference = draw_fidelity(read_fidelity(written)).axes
-    for axes in (value, difference):
-        fronts = [line for line in axes.lines if len(line.get_xdata()) == 2]
-        assert len(fronts) >= 2
-        assert list(fronts[0].get_ydata()) == pytest.approx([1, 0.3])
-    assert len(value.containers) == 1
-    assert len(difference.containers) == 0
+def of_a_season(folder: Path) -> Path:
+    """A week of bondville.toml."""
+    text = (CAMPAIGNS / "bondville.toml").read_text()
+    text = text.replace("to = 2011-09-20", "to = 2011-07-27")
+    for name in ("weather", "crops"):
+        text = text.replace(f'"{name}/', f'"{CAMPAIGNS}/{name}/')
+    campaign = folder / "season.toml"
+    campaign.write_text(text + "\n[light]\npaths = 256\nrandomisations = 4\n")
+    return campaign
+
+
+@pytest.mark.parametrize("made", (of_a_day, of_a_season))
+def test_keys_can_be_pasted_and_time_is_kept(made, tmp_path: Path) -> None:
+    campaign, file = made(tmp_path), tmp_path / "fidelity.json"
+    began = time.monotonic()
+    options = ("--seconds", 6, "--tolerance", 1e-4, "--json", file)
+    told = measure(campaign, *options, "--figure", tmp_path / "fidelity.png")
+    assert time.monotonic() - began < 14  # with the start and the figure
+    found = json.loads(file.read_text())
+    rows = [row for rows in found["keys"] for row in rows]
+    rows += found["settings"]
+    unique = {str(r["settings"]): 2 * r["draws"] * r["seconds"] for r in rows}
+    assert 1 < sum(unique.values()) < 6.5
+    keys = {key for row in rows for key in row["settings"]}
+    assert {"plant.cells_along", "field.rows", "light.paths"} <= keys
+    assert ("light.dates" in keys) == (made is of_a_season)
+    assert ("day.step_minutes" in keys) == (made is of_a_day)
+    assert "is none; the most accurate" in told
+    resolved = json.loads(output_of("check", pasted(campaign, told), "--json"))
+    assert resolved["is_valid"]
+    text = (tmp_path / "pasted.toml").read_text()
+    for key, value in found["chosen"]["settings"].items():
+        table, name = key.split(".")
+        entry = tomllib.loads(text)[table]
+        assert (entry[0] if table == "day" else entry)[name] == value
+    assert (tmp_path / "fidelity.png").stat().st_size > 10_000
+
+
+def test_ctrl_c_prints_what_is_measured(tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "ideotype.fidelity"]
+    command += [of_a_day(tmp_path), "--seconds", "600"]
+    with subprocess.Popen(
+        command,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        process_group=0,
+    ) as process:
+        time.sleep(5)
+        os.killpg(process.pid, signal.SIGINT)
+        told, errors = process.communicate(timeout=10)
+    assert (process.returncode, errors) == (5, "")
+    assert told.startswith("stopped before the end")
+    assert "light.paths=1024" in told and "the campaign" in told
+
+
+def test_what_is_wrong_is_told_once(
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    campaign = of_a_day(tmp_path)
+    assert fidelity.main([str(campaign), "--set", "light.path=3"]) == 3
+    assert "light.path" in capsys.readouterr().err
+    monkeypatch.setenv("IDEOTYPE_EXECUTABLE", "nowhere")
+    assert fidelity.main([str(campaign)]) == 1
+    assert "no program nowhere" in capsys.readouterr().err
 
 
 def test_other_files_are_refused_by_name(tmp_path: Path) -> None:
     other = tmp_path / "other.json"
-    for text in ("{}", "[]", "not json", '{"case": 1, "fronts": [1]}'):
+    for text in ("{}", "[]", "not json", '{"keys": 1, "settings": [1]}'):
         other.write_text(text)
         with pytest.raises(HistoryError, match="other.json: not written by"):
             read_fidelity(other)
+
+
+def test_both_panels_have_all_settings() -> None:
+    fake = Fake(1e-3)
+    survey = Survey(KEYS, fake, 30, fake.clock)
+    survey.run(0.008)
+    found = {"case": "ames", "objective": "light", **result(survey, 0.008)}
+    for axes in draw_fidelity(found).axes:
+        counts = [len(each[0].get_xdata()) for each in axes.containers]
+        assert counts == [7, len(found["settings"]) - 1, 1]

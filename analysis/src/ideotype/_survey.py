@@ -97,36 +97,40 @@ class Survey:
 
     def _begin(self, settings: list[Setting]) -> None:
         """Measures a ladder once, and leaves out what takes too long."""
-        cost = self._cost[OWN]
+        last = OWN
         for each in list(settings):
-            if each != OWN:
-                # More accurate ones may take several times as long.
-                is_cheap = OWN in settings[settings.index(each) :]
-                guess = cost if is_cheap else 3 * cost
-                why = "it takes too long for --seconds"
-                try:
-                    is_short = guess < self._seconds / 40
-                    if not (
-                        is_short and self._draw(each, guess, _FOR_LADDERS)
-                    ):
-                        raise Refused(why, 0)
-                except Refused as error:
-                    self.left_out[words(each)] = str(error)
-                    settings.remove(each)
+            # More accurate ones may take several times as long.
+            factor = 2 if OWN in settings[settings.index(each) :] else 6
+            guess = factor * self.draws[last][0].seconds
+            try:
+                if each == OWN or (
+                    guess < self._seconds / 40
+                    and self._draw(each, guess, _FOR_LADDERS)
+                ):
+                    last = each
                     continue
-            cost = self._cost[each]
+                why = "it takes too long for --seconds"
+            except Refused as error:
+                why = str(error)
+            self.left_out[words(each)] = why
+            settings.remove(each)
 
     def _repeat(self, ladders: list[list[Setting]], part: float) -> bool:
         """Draws once more of the ladder that is behind; False if the time is
         over."""
 
+        def least(settings: list[Setting]) -> int:
+            return min(len(self.draws[each]) for each in settings)
+
         def work(settings: list[Setting]) -> float:
             cost = sum(self._cost[each] for each in settings)
-            return len(self.draws[settings[0]]) * math.sqrt(cost)
+            return least(settings) * math.sqrt(cost)
 
-        settings = min(ladders, key=work, default=[])
-        least = min((len(self.draws[each]) for each in settings), default=0)
-        behind = [each for each in settings if len(self.draws[each]) == least]
+        # The campaign alone has nothing to compare.
+        several = [each for each in ladders if each != [OWN]]
+        settings = min(several, key=work, default=[])
+        fewest = least(settings) if settings else 0
+        behind = [each for each in settings if len(self.draws[each]) == fewest]
         return all([behind, *(self._draw(each, 0, part) for each in behind)])
 
     def _draw(self, setting: Setting, guess: float, part: float) -> bool:
@@ -201,9 +205,9 @@ class Survey:
         ):
             error = math.hypot(noise.mean * math.prod(ratios), *biases)
             found.append((math.prod(costs), error, sum(setting, ())))
-        near = [
-            each for each in pareto(found) if 0.4 < each[1] / tolerance < 2
-        ]
+        front = pareto(found)
+        near = [each for each in front if 0.4 < each[1] / tolerance < 2]
+        near = near or front[-_COMBINATIONS:]
         step = max(1, math.ceil(len(near) / _COMBINATIONS))
         return [setting for _, _, setting in near[::step]]
 

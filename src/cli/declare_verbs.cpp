@@ -8,9 +8,9 @@
 
 #include "campaign_argument.hpp"
 #include "ideotype/cli/verbs.hpp"
-#include "ideotype/stand/mesh_study.hpp"
+#include "ideotype/stand/mesh_options.hpp"
+#include "light_command.hpp"
 #include "log_option.hpp"
-#include "mesh_command.hpp"
 #include "python_verbs.hpp"
 #include "run_command.hpp"
 #include "sensitivity_command.hpp"
@@ -72,48 +72,17 @@ void declare_status(CLI::App& verb, StatusOptions& options) {
     add_json(verb, options.is_json)->excludes("--resumable");
 }
 
-//! The two kinds of `evaluate`.
-struct AnyEvaluate {
-    EvaluateOptions one;
-    MeshOptions mesh;
-    std::vector<std::string> paths;
-    std::string under;  //!< of versions before `compare`
-};
-
-void declare_evaluate(CLI::App& verb, AnyEvaluate& options) {
-    auto& [one, mesh, paths, under] = options;
-    auto* files = verb.add_option(
-        "file", paths, "campaign (.toml: its baseline) or history (.h5)");
-    verb.add_option("--under", under)->group("");
-    add_settings(verb, one.settings)->needs(files);
-    add_case(verb, one.case_index);
-    declare_row(verb, one.row);
-    add_json(verb, one.is_json);
-    add_mesh_options(verb, mesh);
-    verb.add_option("--tolerance", one.tolerance,
-                    "relative standard error of the leaves' total: of a mesh "
-                    "(0.001 if not given), or of a second look at a row of a "
-                    "history, in the same field");
-    verb.get_option("--paths")->excludes("--tolerance");
-    auto* mesh_path = verb.get_option("--mesh")->excludes(files);
-    mesh_path->excludes("--case");
-    for (const char* each : row_options) mesh_path->excludes(each);
-}
-
-ExitCode evaluate_any(const AnyEvaluate& options) {
-    auto [one, mesh, paths, under] = options;
-    if (!under.empty() || paths.size() > 1)
-        throw Error(
-            fmt::format("evaluate: {} (it evaluates one canopy); to compare "
-                        "plants: ideotype compare PLANT... --under CAMPAIGN",
-                        under.empty() ? "several files are given"
-                                      : "there is no option --under"),
-            ExitCode::usage);
-    mesh.is_json = one.is_json;
-    mesh.tolerance = one.tolerance.value_or(mesh.tolerance);
-    if (!mesh.path.empty()) return evaluate_mesh(mesh);
-    if (!paths.empty()) one.path = paths.front();
-    return evaluate(one);
+void declare_evaluate(CLI::App& verb, EvaluateOptions& options) {
+    verb.add_option("file", options.path,
+                    "campaign (.toml: its baseline) or history (.h5)")
+        ->required();
+    add_settings(verb, options.settings);
+    add_case(verb, options.case_index);
+    declare_row(verb, options.row);
+    add_json(verb, options.is_json);
+    verb.add_option("--tolerance", options.tolerance,
+                    "relative standard error of the leaves' total, for a "
+                    "second look at a row of a history, in the same field");
 }
 
 void declare_compare(CLI::App& verb, CompareOptions& options) {
@@ -240,9 +209,12 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
     add("status", "how far histories have come, also while they are written",
         "results", declare_status, status);
     add("evaluate",
-        "the light in one canopy: a campaign's baseline, or a row of a "
-        "history, which is recomputed and compared bit for bit, or any mesh",
-        "campaigns/quickstart.toml", declare_evaluate, evaluate_any);
+        "one plant in its field: the baseline of a campaign, or a row of a "
+        "history, which is recomputed and compared bit for bit",
+        "campaigns/quickstart.toml", declare_evaluate, evaluate);
+    add("light", "the light in any mesh",
+        "plant.obj --period .76 .15 --sun 60 180", declare_light,
+        light_in_mesh);
     add("compare",
         "plants in the same light: how each differs from the first, with "
         "paired standard errors, in all and by leaf and layer; on all cores, "

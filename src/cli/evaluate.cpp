@@ -131,8 +131,8 @@ ExitCode evaluate_baseline(const EvaluateOptions& options) {
     const Campaign campaign = read_campaign(options.path, options.settings);
     if (options.tolerance)
         throw Error(
-            "evaluate: --tolerance is for meshes and for rows of a "
-            "history; that of a campaign is its light.tolerance",
+            "evaluate: --tolerance is for rows of a history; that of a "
+            "campaign is its light.tolerance",
             ExitCode::usage);
     const Case chosen = case_at(campaign, options.case_index, options.path);
     Task task;
@@ -230,9 +230,6 @@ ExitCode evaluate_row(const EvaluateOptions& options) {
 }  // namespace
 
 ExitCode evaluate(const EvaluateOptions& options) {
-    if (options.path.empty())
-        throw Error("evaluate: name a campaign, a history or --mesh FILE.obj",
-                    ExitCode::usage);
     if (is_history(options.path) && !options.settings.empty())
         throw Error(
             "evaluate: --set is for campaigns; a row of a history is "

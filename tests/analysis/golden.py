@@ -80,8 +80,7 @@ def _mesh_figures(options: list[str]) -> dict[str, np.ndarray]:
     found: dict[str, np.ndarray] = {}
     report = json.loads(
         _run(
-            "evaluate",
-            "--mesh",
+            "light",
             path,
             *others,
             "--tolerance",

@@ -98,7 +98,7 @@ def test_a_mesh_has_the_bits_of_the_command_line(tmp_path: Path) -> None:
     path.write_text("\n".join(lines) + "\n")
     said = subprocess.run(
         [
-            *(executable(), "evaluate", "--mesh", path, "--json"),
+            *(executable(), "light", path, "--json"),
             *("--field", "2", "2", ".762", ".15", "--jitter", "10"),
             *("--site", "42", "-93.6", "-5", "--date", "2021-07-01"),
             *("--paths", "2048"),

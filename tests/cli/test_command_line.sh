@@ -152,7 +152,7 @@ expect 0 "$ideotype" export "$history" --generation 0 --slot 0 --field \
     --to field.obj
 [ "$(grep -c '^g plant.*leaf' field.obj)" -eq 90 ] || fail "not nine plants"
 # Read again, it has the leaf area of the baseline and its stalks.
-expect 0 "$ideotype" evaluate --mesh field.obj --period 2.286 .4572 \
+expect 0 "$ideotype" light field.obj --period 2.286 .4572 \
     --sun 60 180 --tolerance .05
 says "^LAI 3.4[34]"
 says "^stalk "

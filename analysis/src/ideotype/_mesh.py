@@ -69,7 +69,7 @@ class Canopy:
         by_face: bool = False,
         seed: int = 1,
     ) -> xarray.Dataset:
-        """Where light goes, as `ideotype evaluate --mesh` tells it.
+        """Where light goes, as `ideotype light` tells it.
 
         period: of the lattice on which the mesh repeats, along x and y [m].
         isolated: the mesh alone on endless soil, with `ground_area` [m2] that

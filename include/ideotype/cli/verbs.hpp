@@ -45,8 +45,8 @@ struct StatusOptions {
 };
 ExitCode status(const StatusOptions& options);
 
-//! `evaluate --mesh FILE.obj`: studies and prints.
-ExitCode evaluate_mesh(const MeshOptions& options);
+//! `light MESH`: traces and prints the light in any mesh.
+ExitCode light_in_mesh(const MeshOptions& options);
 
 //! Which plant of a history is meant.
 struct RowChoice {

@@ -14,14 +14,14 @@
 
 namespace ideotype {
 
-//! `evaluate --mesh FILE.obj`: the light in one canopy from any mesh; x is
+//! `light MESH`: the light in one canopy from any mesh; x is
 //! east, y is north, z is up.
 struct MeshOptions {
     struct Period {
         double x, y;  //!< [m]
     };
 
-    std::string path;  //!< empty: another kind of evaluate is meant
+    std::string path;
     std::optional<Period> period;
     Boundary boundary = Boundary::periodic;
     std::optional<double> ground_area;  //!< [m2]

@@ -9,7 +9,7 @@ namespace ideotype {
 
 struct MeshOptions;
 
-//! Adds the options of `evaluate --mesh` to a verb. They need --mesh.
-void add_mesh_options(CLI::App& verb, MeshOptions& options);
+//! Declares the mesh and the options of `light`.
+void declare_light(CLI::App& verb, MeshOptions& options);
 
 }  // namespace ideotype

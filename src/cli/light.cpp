@@ -107,7 +107,7 @@ void print_report(const MeshReport& report, const MeshOptions& options,
 
 }  // namespace
 
-ExitCode evaluate_mesh(const MeshOptions& options) {
+ExitCode light_in_mesh(const MeshOptions& options) {
     const double began = now();
     const MeshReport report = study(options);
     const double seconds = now() - began;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_command.hpp"
+#include "light_command.hpp"
 
 #include <cstdio>
 #include <map>
@@ -50,76 +50,64 @@ CLI::Option* add_choice(CLI::App& verb, const std::string& name, Target& target,
         ->check(CLI::IsMember(choices));
 }
 
-void add_light(CLI::App& verb, MeshOptions& options, CLI::Option* mesh) {
+void add_light(CLI::App& verb, MeshOptions& options) {
     verb.add_option_function<Two>(
-            "--sun",
-            [&](const Two& sun) {
-                options.sun = {90 - std::get<0>(sun), std::get<1>(sun)};
-            },
-            "elevation and azimuth, clockwise from north = +y [deg]; its "
-            "light on level ground is 1")
-        ->needs(mesh);
+        "--sun",
+        [&](const Two& sun) {
+            options.sun = {90 - std::get<0>(sun), std::get<1>(sun)};
+        },
+        "elevation and azimuth, clockwise from north = +y [deg]; its "
+        "light on level ground is 1");
     add_choice<SkyModel>(verb, "--sky", options.sky,
                          {{"uniform", SkyModel::uniform},
                           {"overcast", SkyModel::overcast},
                           {"clear", SkyModel::clear}},
                          "light of the sky (clear needs --sun for the sun's "
-                         "place); with --site the sky of that day")
-        ->needs(mesh);
+                         "place); with --site the sky of that day");
     verb.add_option("--beam-ppfd", options.beam_ppfd,
                     "beam of --sun on level ground above the canopy "
-                    "[umol m-2 s-1], instead of 1")
-        ->needs(mesh);
+                    "[umol m-2 s-1], instead of 1");
     verb.add_option("--sky-ppfd", options.sky_ppfd,
-                    "light of --sky on level ground [umol m-2 s-1]")
-        ->needs(mesh);
+                    "light of --sky on level ground [umol m-2 s-1]");
     verb.add_option("--climate", options.climate,
                     "FILE.toml with the tables [site] and [climate] of a "
-                    "campaign: the light of a season, as its mean day")
-        ->needs(mesh);
+                    "campaign: the light of a season, as its mean day");
     verb.add_option("--photosynthesis", options.photosynthesis,
                     "FILE.toml with a [photosynthesis] table: assimilation of "
-                    "the leaves")
-        ->needs(mesh);
+                    "the leaves");
     verb.add_flag("--exact", options.is_exact,
                   "assimilation from random points of leaves and paths back "
-                  "from them, without bias, slowly: to check the usual way")
-        ->needs(mesh);
+                  "from them, without bias, slowly: to check the usual way");
     verb.add_option_function<Three>(
-            "--site",
-            [&](const Three& site) {
-                options.site = Site{};
-                std::tie(options.site->latitude, options.site->longitude,
-                         options.site->utc_offset) = site;
-            },
-            "latitude, longitude [deg] and UTC offset [h]: a clear day, sun "
-            "and sky, with --date")
-        ->needs(mesh);
+        "--site",
+        [&](const Three& site) {
+            options.site = Site{};
+            std::tie(options.site->latitude, options.site->longitude,
+                     options.site->utc_offset) = site;
+        },
+        "latitude, longitude [deg] and UTC offset [h]: a clear day, sun "
+        "and sky, with --date");
     verb.add_option_function<std::string>(
-            "--date",
-            [&](const std::string& text) { options.date = to_date(text); },
-            "YYYY-MM-DD, with --site")
-        ->needs(mesh);
+        "--date",
+        [&](const std::string& text) { options.date = to_date(text); },
+        "YYYY-MM-DD, with --site");
 }
 
-void add_ground(CLI::App& verb, MeshOptions& options, CLI::Option* mesh) {
+void add_ground(CLI::App& verb, MeshOptions& options) {
     verb.add_option_function<Two>(
-            "--period",
-            [&](const Two& period) {
-                options.period = {std::get<0>(period), std::get<1>(period)};
-            },
-            "lattice on which the mesh repeats, along x and y [m]")
-        ->needs(mesh);
+        "--period",
+        [&](const Two& period) {
+            options.period = {std::get<0>(period), std::get<1>(period)};
+        },
+        "lattice on which the mesh repeats, along x and y [m]");
     add_choice<Boundary>(
         verb, "--boundary", options.boundary,
         {{"periodic", Boundary::periodic}, {"isolated", Boundary::isolated}},
         "periodic (default): an endless stand; isolated: the "
-        "mesh alone on endless soil")
-        ->needs(mesh);
+        "mesh alone on endless soil");
     verb.add_option("--ground-area", options.ground_area,
                     "ground that fractions refer to [m2]; of a periodic stand "
-                    "that of the period")
-        ->needs(mesh);
+                    "that of the period");
     auto* field = verb.add_option_function<Four>(
         "--field",
         [&](const Four& form) {
@@ -129,7 +117,6 @@ void add_ground(CLI::App& verb, MeshOptions& options, CLI::Option* mesh) {
         },
         "rows, plants per row, row and plant spacing [m]: repeats the mesh, a "
         "plant at x = y = 0, in rows along y");
-    field->needs(mesh);
     verb.add_option_function<double>(
             "--jitter",
             [&](double jitter) { field_of(options).jitter = jitter; },
@@ -139,43 +126,42 @@ void add_ground(CLI::App& verb, MeshOptions& options, CLI::Option* mesh) {
 
 //! What surfaces of a tissue do with light.
 void add_surface(CLI::App& verb, const std::string& tissue, Lambertian& surface,
-                 const std::string& meaning, CLI::Option* mesh) {
+                 const std::string& meaning) {
     verb.add_option(tissue + "-reflectance", surface.reflectance,
                     "reflected part of the light, " + meaning)
-        ->capture_default_str()
-        ->needs(mesh);
+        ->capture_default_str();
     verb.add_option(tissue + "-transmittance", surface.transmittance,
                     "transmitted part of the light, " + meaning)
-        ->capture_default_str()
-        ->needs(mesh);
+        ->capture_default_str();
 }
 
 }  // namespace
 
-void add_mesh_options(CLI::App& verb, MeshOptions& options) {
-    auto* mesh =
-        verb.add_option("--mesh", options.path,
-                        "the light in a mesh (OBJ, metres, z up) instead");
-    add_ground(verb, options, mesh);
-    add_light(verb, options, mesh);
-    add_surface(verb, "--leaf", options.leaf, "of both faces", mesh);
+void declare_light(CLI::App& verb, MeshOptions& options) {
+    verb.add_option("mesh", options.path, "mesh (OBJ, metres, z up)")
+        ->required();
+    add_ground(verb, options);
+    add_light(verb, options);
+    add_surface(verb, "--leaf", options.leaf, "of both faces");
     add_surface(verb, "--stalk", options.stalk,
-                "of groups whose names begin with stalk, or with plantN_stalk",
-                mesh);
+                "of groups whose names begin with stalk, or with plantN_stalk");
     add_surface(
         verb, "--sheath", options.sheath,
-        "of groups whose names begin with sheath, or with plantN_sheath", mesh);
+        "of groups whose names begin with sheath, or with plantN_sheath");
     verb.add_option("--soil-albedo", options.soil_albedo,
                     "part of the light that the soil reflects")
-        ->capture_default_str()
-        ->needs(mesh);
+        ->capture_default_str();
+    auto* tolerance =
+        verb.add_option("--tolerance", options.tolerance,
+                        "relative standard error of the leaves' total")
+            ->capture_default_str();
     verb.add_option("--paths", options.paths,
                     "how many paths of light to follow at least, instead of "
                     "a tolerance")
-        ->needs(mesh);
+        ->excludes(tolerance);
     verb.add_option("--seed", options.seed, "of the random numbers")
-        ->capture_default_str()
-        ->needs(mesh);
+        ->capture_default_str();
+    verb.add_flag("--json", options.is_json, "print JSON instead of text");
 }
 
 }  // namespace ideotype

@@ -20,8 +20,6 @@ export IDEOTYPE_PYTHON=$PWD/.venv/bin/python
 echo
 "$ideotype" check "$campaign"
 echo
-"$ideotype" plan "$campaign"
-echo
 "$ideotype" run "$campaign" --out "$out" --resume
 
 # Reports draw the shapes of plants, which the compiled module knows.

@@ -23,7 +23,7 @@ give_up() {
 
 # The unfinished cases of this job: lines of index and evaluations done.
 work_left() {
-    "$ideotype" plan "$campaign" --left --out "$out" |
+    "$ideotype" check "$campaign" --left --out "$out" |
         awk -v only="$only_case" 'only == "" || $1 == only'
 }
 

@@ -147,7 +147,7 @@ Case case_at(const Campaign& campaign, int index, const std::string& path) {
     const std::vector<Case> all = cases(campaign);
     if (index < 0 || index >= static_cast<int>(all.size()))
         throw Error(fmt::format("there is no case {}; {} has cases 0 to {} "
-                                "(see ideotype plan)",
+                                "(see ideotype check --cases)",
                                 index, path, all.size() - 1),
                     ExitCode::usage);
     return all[static_cast<std::size_t>(index)];

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <array>
 #include <limits>
-#include <map>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -10,12 +8,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "campaign_cost.hpp"
+#include "check_cases.hpp"
 #include "ideotype/cli/verbs.hpp"
-#include "ideotype/history/history.hpp"
-#include "ideotype/light/device.hpp"
 #include "ideotype/light/scene.hpp"
 #include "ideotype/run/disk.hpp"
-#include "ideotype/run/evaluator.hpp"
 #include "ideotype/run/progress.hpp"
 #include "ideotype/run/provenance.hpp"
 #include "ideotype/run/run.hpp"
@@ -26,100 +23,6 @@
 namespace ideotype {
 
 namespace {
-
-//! Seconds that evaluations of a case take here on one core.
-struct EvaluationCost {
-    double usual = 0;  //!< on average over the generations
-    double final = 0;
-};
-
-//! Measured on the baseline; the quickest of a few, since the first warms up
-//! and others may use the core too.
-EvaluationCost measure_cost(const Campaign& campaign, const Case& chosen) {
-    CanopyEvaluator evaluator(campaign, Device::supported_isas().back());
-    constexpr double long_time = 1;  // [s], nothing to measure again
-    const auto measure = [&](int times, Task task) {
-        task.case_index = static_cast<std::uint32_t>(chosen.index);
-        double least = std::numeric_limits<double>::infinity();
-        for (int i = 0; i < times && !(i > 0 && least > long_time); ++i) {
-            const double began = now();
-            evaluator.evaluate(task, baseline_numbers(campaign.crop));
-            least = std::min(least, now() - began);
-        }
-        return least;
-    };
-    // A tolerance may change from generation to generation.
-    constexpr int samples = 5;
-    EvaluationCost cost;
-    for (int i = 0; i < samples; ++i) {
-        Task task;
-        task.generation = static_cast<std::uint32_t>(
-            i * (campaign.stop.generations - 1) / (samples - 1));
-        cost.usual += measure(2, task) / samples;
-        if (samples * cost.usual < long_time || i > 0) continue;
-        cost.usual *= samples;
-        break;
-    }
-    Task final;
-    final.is_final = true;
-    cost.final = measure(1, final);
-    return cost;
-}
-
-//! For which the cost is told.
-constexpr std::array<int, 4> shown_workers{1, 2, 16, 128};
-
-//! What a campaign costs if no stop rule ends it early.
-class Cost {
-  public:
-    Cost(const Campaign& campaign, const EvaluationCost& seconds)
-        : seconds_(seconds),
-          population_(campaign.search.population),
-          generations_(campaign.stop.generations),
-          finalists_(1 + campaign.final_rule.candidates) {}
-
-    //! Of one case [s]: the slowest worker of a generation counts.
-    double of_case(int workers) const {
-        const int rounds = (population_ + workers - 1) / workers;
-        const int final_rounds = (finalists_ + workers - 1) / workers;
-        return seconds_.usual * static_cast<double>(generations_) * rounds +
-               seconds_.final * final_rounds;
-    }
-
-    //! Of cases that share a job [s]: they fill each other's gaps.
-    double of_cases(std::size_t cases, int workers) const {
-        const double all = static_cast<double>(cases) * of_case(1) / workers;
-        return std::max(all, of_case(workers));
-    }
-
-    Json json(std::size_t cases) const {
-        Json json{{"evaluation_s", seconds_.usual},
-                  {"final_evaluation_s", seconds_.final},
-                  {"evaluations_per_case",
-                   static_cast<long long>(generations_) * population_},
-                  {"final_evaluations_per_case", finalists_}};
-        for (const int workers : shown_workers)
-            json["by_workers"].push_back(
-                {{"workers", workers},
-                 {"one_case_s", of_case(workers)},
-                 {"all_cases_s", of_cases(cases, workers)}});
-        return json;
-    }
-
-    std::string text() const {
-        return fmt::format(
-            "{} x {} evaluations of {:.1f} ms and the finalists: {} on one "
-            "core",
-            generations_, population_, seconds_.usual * 1e3,
-            format_duration(of_case(1)));
-    }
-
-  private:
-    EvaluationCost seconds_;
-    int population_;
-    int generations_;
-    int finalists_;
-};
 
 //! Of a case with several.
 std::vector<std::string> scenario_names(const Campaign& campaign,
@@ -141,40 +44,12 @@ std::string scenario_text(const Campaign& campaign, const Case& chosen) {
                                         : "that of the worst one");
 }
 
-//! How many evaluations are done of each case that is not finished.
-std::map<int, std::uint64_t> cases_left(const PlanOptions& options,
-                                        const Campaign& campaign) {
-    std::map<int, std::uint64_t> left;
-    for (const Case& each : cases(campaign)) {
-        const std::string path = path_of(options.out, campaign, each);
-        left[each.index] = 0;
-        if (!history_exists(path)) continue;
-        const History history = History::read(path);
-        require_same_campaign(history.header(), campaign, each, path);
-        if (history.finished())
-            left.erase(each.index);
-        else
-            left[each.index] = history.evaluated();
-    }
-    return left;
-}
-
-Json to_json(const Case& chosen) {
-    return {
-        {"index", chosen.index}, {"name", chosen.name}, {"seed", chosen.seed}};
-}
-
-ExitCode list_left(const PlanOptions& options, const Campaign& campaign) {
-    const std::vector<Case> all = cases(campaign);
-    Json json{{"campaign", campaign.name}, {"cases", Json::array()}};
-    for (const auto& [index, evaluated] : cases_left(options, campaign)) {
-        Json one = to_json(all[static_cast<std::size_t>(index)]);
-        one["evaluations_done"] = evaluated;
-        json["cases"].push_back(one);
-        if (!options.is_json) fmt::print("{}\t{}\n", index, evaluated);
-    }
-    if (options.is_json) fmt::print("{}\n", to_text(json));
-    return ExitCode::ok;
+Json to_json(const std::vector<Case>& all) {
+    Json json = Json::array();
+    for (const Case& each : all)
+        json.push_back(
+            {{"index", each.index}, {"name", each.name}, {"seed", each.seed}});
+    return json;
 }
 
 Json to_json(const std::vector<Problem>& problems) {
@@ -254,7 +129,7 @@ struct Findings {
     LightSeries light;
     Field field;
     Stands stands;
-    Cost cost;
+    CampaignCost cost;
     DiskRoom room;
     double excess;  //!< of constraints, by the baseline
     std::size_t genes, free_genes;
@@ -274,7 +149,7 @@ Findings look_at(const Campaign& campaign) {
                    scenario.light.series,
                    field,
                    stands_of(campaign, leaf_area(plant)),
-                   Cost(campaign, measure_cost(campaign, first)),
+                   CampaignCost(campaign, first),
                    disk_room(campaign, all),
                    0,
                    genes.size(),
@@ -292,7 +167,7 @@ Json to_json(const CheckOptions& options, const Campaign& campaign,
             {"is_valid", true},
             {"warnings", to_json(campaign.warnings)},
             {"campaign", campaign.name},
-            {"cases", all.size()},
+            {"cases", to_json(all)},
             {"scenarios", scenario_names(campaign, all.front())},
             {"plant",
              {{"name", campaign.crop.baseline.name},
@@ -329,7 +204,7 @@ void print(const CheckOptions& options, const Campaign& campaign,
     const Stands& stands = found.stands;
     fmt::print("{}: no errors\n", options.campaign_path);
     fmt::print("campaign  {}, {} case{}\n", campaign.name, all.size(),
-               all.size() == 1 ? "" : "s");
+               all.size() == 1 ? "" : "s (--cases lists them)");
     fmt::print("{}", scenario_text(campaign, all.front()));
     fmt::print("plant     {}, {} leaves, {:.4f} m2 of leaf, {} faces\n",
                campaign.crop.baseline.name,
@@ -357,6 +232,7 @@ void print(const CheckOptions& options, const Campaign& campaign,
     fmt::print("genes     {} of {} free\n", found.free_genes, found.genes);
     fmt::print("cost      {} per case{}\n", found.cost.text(),
                all.size() == 1 ? "" : " (measured on the first)");
+    fmt::print("{}", found.cost.table(all.size()));
     const auto mebibytes = [](std::uint64_t bytes) {
         return static_cast<double>(bytes) / (1 << 20);
     };
@@ -371,6 +247,15 @@ void print(const CheckOptions& options, const Campaign& campaign,
 
 ExitCode check(const CheckOptions& options) try {
     Campaign campaign = read_campaign(options.campaign_path, options.settings);
+    if (options.lists_cases || options.only_count || options.only_left) {
+        if (options.lists_cases)
+            list_cases(campaign);
+        else if (options.only_count)
+            fmt::print("{}\n", cases(campaign).size());
+        else
+            list_left(campaign, options.out);
+        return ExitCode::ok;
+    }
     // Nothing is bred here, but that is what most checked campaigns are for.
     campaign.warnings.insert(campaign.warnings.end(),
                              campaign.outside_bounds.begin(),
@@ -390,38 +275,6 @@ ExitCode check(const CheckOptions& options) try {
                                     {"is_valid", false},
                                     {"problems", to_json(error.problems())}}));
     throw;
-}
-
-ExitCode plan(const PlanOptions& options) {
-    const Campaign campaign =
-        read_campaign(options.campaign_path, options.settings);
-    if (options.only_left) return list_left(options, campaign);
-    const std::vector<Case> all = cases(campaign);
-    if (options.only_count) {
-        fmt::print("{}\n", all.size());
-        return ExitCode::ok;
-    }
-    const Cost cost(campaign, measure_cost(campaign, all.front()));
-    if (options.is_json) {
-        Json json{{"campaign", campaign.name}, {"cases", Json::array()}};
-        for (const Case& each : all) json["cases"].push_back(to_json(each));
-        json["scenarios"] = scenario_names(campaign, all.front());
-        json["cost"] = cost.json(all.size());
-        fmt::print("{}\n", to_text(json));
-        return ExitCode::ok;
-    }
-    fmt::print("{:>5}  {:<40}  {:>20}\n", "index", "case", "seed");
-    for (const Case& c : all)
-        fmt::print("{:>5}  {:<40}  {:>20}\n", c.index, c.name, c.seed);
-    fmt::print("\n{}each case: {} (measured here on the first)\n",
-               scenario_text(campaign, all.front()), cost.text());
-    fmt::print("{:>7}  {:>12}  {:>12}\n", "workers", "one case", "all cases");
-    for (const int workers : shown_workers)
-        fmt::print("{:>7}  {:>12}  {:>12}\n", workers,
-                   format_duration(cost.of_case(workers)),
-                   format_duration(cost.of_cases(all.size(), workers)));
-    tell_next(options.campaign_path, options.settings);
-    return ExitCode::ok;
 }
 
 }  // namespace ideotype

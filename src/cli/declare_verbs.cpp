@@ -38,38 +38,32 @@ CLI::Option* add_json(CLI::App& verb, bool& is_json) {
 
 void add_case(CLI::App& verb, int& index) {
     verb.add_option("--case", index,
-                    "index of the case of the campaign (see plan)")
+                    "index of the case of the campaign (see check --cases)")
         ->capture_default_str();
 }
 
 void declare_check(CLI::App& verb, CheckOptions& options) {
     add_campaign(verb, options.campaign_path, options.settings);
     verb.add_option("--out", options.out,
-                    "folder that the histories will be in")
+                    "folder that the histories will be in, or are")
         ->capture_default_str();
-    add_json(verb, options.is_json);
-}
-
-void declare_plan(CLI::App& verb, PlanOptions& options) {
-    add_campaign(verb, options.campaign_path, options.settings);
-    verb.add_flag("--count", options.only_count,
-                  "print only how many cases there are");
-    verb.add_flag("--left", options.only_left,
-                  "print only the cases that are not finished: index and "
-                  "evaluations done")
-        ->excludes("--count");
-    verb.add_option("--out", options.out,
-                    "folder in which --left looks for histories")
-        ->capture_default_str();
-    add_json(verb, options.is_json)->excludes("--count");
+    const std::vector<CLI::Option*> kinds{
+        add_json(verb, options.is_json),
+        verb.add_flag("--cases", options.lists_cases,
+                      "print only the cases: index, name and seed"),
+        verb.add_flag("--count", options.only_count,
+                      "print only how many cases there are"),
+        verb.add_flag("--left", options.only_left,
+                      "print only the cases that are not finished: index and "
+                      "evaluations done")};
+    for (CLI::Option* each : kinds)
+        for (CLI::Option* other : kinds)
+            if (each != other) each->excludes(other);
 }
 
 void declare_status(CLI::App& verb, StatusOptions& options) {
     verb.add_option("paths", options.paths, "histories or folders")->required();
-    verb.add_flag("--resumable", options.only_resumable,
-                  "print only the files of unfinished cases that nobody "
-                  "works on");
-    add_json(verb, options.is_json)->excludes("--resumable");
+    add_json(verb, options.is_json);
 }
 
 void declare_evaluate(CLI::App& verb, EvaluateOptions& options) {
@@ -191,10 +185,8 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
         "is asked for on a terminal",
         "mine.toml --latitude 42.03 --longitude -93.63", declare_new,
         write_new_campaign);
-    add("check", "validate a campaign; report its size and cost",
+    add("check", "validate a campaign; tell its size, cost and cases",
         "campaigns/quickstart.toml", declare_check, check);
-    add("plan", "list the cases of a campaign with index, seed and cost",
-        "campaigns/latitudes.toml", declare_plan, plan);
     add("run",
         "evolve the cases of a campaign on the cores of this machine, or on a "
         "cluster (under mpirun or srun)",

@@ -57,7 +57,7 @@ void declare_run(CLI::App& verb, RunCommand& command) {
                     "some 256 ranks, as far as there are cases")
         ->check(CLI::PositiveNumber);
     verb.add_option("--case", options.case_index,
-                    "only the case of this index (see plan)");
+                    "only the case of this index (see check --cases)");
     verb.add_flag("--resume", options.is_resumed,
                   "go on with histories that exist; start the others");
     verb.add_option("--out", options.out, "folder for <campaign>/<case>.h5")

@@ -291,11 +291,6 @@ Json to_json(const Report& report) {
 //! One file; adds it to the histories if these are told as JSON.
 ExitCode show(const std::string& path, const StatusOptions& options,
               Overview& overview, Json& histories) {
-    if (options.only_resumable) {
-        if (!History::read(path).finished() && writer_of(path) != Writer::alive)
-            fmt::print("{}\n", path);
-        return ExitCode::ok;
-    }
     const Report report = report_on(path, overview);
     if (options.is_json)
         histories.push_back(to_json(report));

@@ -86,7 +86,12 @@ def test_status_of_what_stopped(tmp_path: Path) -> None:
 def test_check(folder: Path, tmp_path: Path) -> None:
     document = told(0, "check", folder / "tiny.toml")
     assert_needs_all("check", document)
-    assert document["cases"] == 1
+    (case,) = document["cases"]
+    assert case["name"] == history(folder).stem
+    assert [w["workers"] for w in document["cost"]["by_workers"]][:2] == [1, 2]
+    assert not validator("check").is_valid(
+        {**document, "cases": [{**case, "seed": "1"}]}
+    )
     assert document["genes"] == 79 and document["free_genes"] == 40
     assert document["field"]["rows"] == 2
     assert document["cost"]["evaluations_per_case"] == 12
@@ -106,33 +111,14 @@ def test_check(folder: Path, tmp_path: Path) -> None:
     assert "lines" in problem["message"]
 
 
-def test_plan(folder: Path) -> None:
-    campaign = folder / "tiny.toml"
-    document = told(0, "plan", campaign)
-    assert_needs_all("plan", document)
-    (case,) = document["cases"]
-    assert case["name"] == history(folder).stem
-    assert [w["workers"] for w in document["cost"]["by_workers"]][:2] == [1, 2]
-    assert not validator("plan").is_valid(
-        {**document, "cases": [{**case, "seed": "1"}]}
-    )
-    left = told(0, "plan", campaign, "--left", "--out", folder)
-    assert left == {"campaign": "tiny", "cases": []}
-    validator("plan").validate(left)
-    left = told(0, "plan", campaign, "--left", "--out", folder / "none")
-    assert_needs_all("plan", left)
-    assert left["cases"] == [{**case, "evaluations_done": 0}]
-
-
 def test_scenarios(tmp_path: Path) -> None:
     campaign = write_campaign(tmp_path, 2)
     spacing = "\n[[spacing]]\nrow = 0.5\nplant = 0.2\n"
     over = '\n[objective]\nover = ["spacing"]\n'
     campaign.write_text(campaign.read_text() + spacing + over)
-    for verb in ("check", "plan"):
-        document = told(0, verb, campaign)
-        validator(verb).validate(document)
-        assert len(document["scenarios"]) == 2
+    document = told(0, "check", campaign)
+    validator("check").validate(document)
+    assert len(document["scenarios"]) == 2
 
 
 def test_compare(folder: Path) -> None:

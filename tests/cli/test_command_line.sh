@@ -10,7 +10,7 @@ says "HDF5 1"
 expect 0 "$ideotype" --help
 says "evaluate"
 expect 2 "$ideotype" fly
-says "use one of new, check, plan, run"
+says "use one of new, check, run"
 expect 2 "$ideotype" chek campaigns/verbs.toml
 says "did you mean 'check'"
 expect 3 "$ideotype" evaluate campaigns/crops/maize.toml
@@ -22,8 +22,8 @@ expect 2 "$ideotype" status results --jsno
 says "status: there is no option --jsno; did you mean --json?"
 expect 2 "$ideotype" check campaigns/verbs.toml --xyz=3
 says "check: there is no option --xyz; see ideotype check --help"
-expect 2 "$ideotype" plan campaigns/verbs.toml more
-says "plan: 'more' is one word too many; see ideotype plan --help"
+expect 2 "$ideotype" check campaigns/verbs.toml more
+says "check: 'more' is one word too many; see ideotype check --help"
 expect 2 "$ideotype" run campaigns/verbs.toml --wall-time soon
 says "'soon' is no time; write for example 90, 90s, 30m, 2h, 1h30m or 01:30:00"
 expect 1 "$ideotype" check campaigns/missing.toml
@@ -35,7 +35,7 @@ says "^next: ideotype run campaigns/verbs.toml$"
 says "Ames  *42 N 93.6 W  *0807  *UTC-5  *06:19  *13:20  *64.2 deg  *20:20  *0.2 %  *+1.24 h"
 sed -e 's/^start = .*/start = 01:00:00/' -e 's/^end = .*/end = 05:00:00/' \
     campaigns/verbs.toml >campaigns/dark.toml
-for verb in check run plan evaluate; do
+for verb in check run evaluate; do
     expect 3 "$ideotype" $verb campaigns/dark.toml
     says "dark.toml:10:9: day .* no light .* from 06:19 to 20:20); give"
 done
@@ -55,15 +55,16 @@ says "warning: campaigns/dense.toml:14:7: spacing.row is 0.2 m"
 says "^  warning   the best plant has a leaf area index of 1[0-9.]*, and fields hardly ever have more than 8; limit .constraints. lai, or breed for carbon_balance"
 expect 0 "$ideotype" status dense
 says "(evaluated again), 0 failed; this plant has a leaf area index of 1"
-expect 0 "$ideotype" plan campaigns/verbs.toml --set seed=3
-says "^next: ideotype run campaigns/verbs.toml --set seed=3$"
-says "ames_0807_762x152_all_r1"
 says "^ *128  *[0-9:]*  *[0-9:]*$"
-expect 0 "$ideotype" plan campaigns/verbs.toml --count
+expect 0 "$ideotype" check campaigns/verbs.toml --set seed=3
+says "^next: ideotype run campaigns/verbs.toml --set seed=3$"
+expect 0 "$ideotype" check campaigns/verbs.toml --cases
+says "^ *0  ames_0807_762x152_all_r1  *[0-9]*$"
+expect 0 "$ideotype" check campaigns/verbs.toml --count
 says "^1$"
-expect 0 "$ideotype" plan campaigns/verbs.toml --left
+expect 0 "$ideotype" check campaigns/verbs.toml --left
 [ "$(cat out.log)" = "0	0" ] || fail "a case to begin is left: $(cat out.log)"
-expect 2 "$ideotype" plan campaigns/verbs.toml --left --count
+expect 2 "$ideotype" check campaigns/verbs.toml --left --count
 
 {
     cat campaigns/verbs.toml
@@ -123,11 +124,9 @@ expect 0 "$ideotype" status "$history"
 says "2 of 2 generations, best .* MJ m-2 day-1 (evaluated again)"
 says "finished by generations"
 says "^one seed: the interval holds the noise of the light, not that of the search$"
-expect 0 "$ideotype" status "$history" --resumable
-[ ! -s out.log ] || fail "a finished history is not resumable"
-expect 0 "$ideotype" plan campaigns/verbs.toml --left
+expect 0 "$ideotype" check campaigns/verbs.toml --left
 [ ! -s out.log ] || fail "a finished case is not left"
-expect 0 "$ideotype" plan campaigns/verbs.toml --left --out elsewhere
+expect 0 "$ideotype" check campaigns/verbs.toml --left --out elsewhere
 says "^0"
 for slot in 0 3 5; do
     expect 0 "$ideotype" evaluate "$history" --generation 1 --slot $slot

@@ -128,7 +128,7 @@ digest=$(sha256sum $old)
     printf '[[site]]\nname = "Boone"\nlatitude = 50.0\nlongitude = -93.6\nutc_offset = -5\n'
     sed -n '/^\[\[site\]\]/,$p' campaigns/grid.toml
 } >campaigns/more.toml
-expect 0 "$ideotype" plan campaigns/more.toml --left --out grown
+expect 0 "$ideotype" check campaigns/more.toml --left --out grown
 [ "$(cat out.log)" = "0	0" ] || fail "one case is to be begun: $(cat out.log)"
 expect 0 mpirun -n 3 "$ideotype" run campaigns/more.toml --out grown --resume
 "$ideotype" run campaigns/more.toml --out both >/dev/null
@@ -137,14 +137,14 @@ for site in ames boone; do
         grown/grid/${site}_0807_762x152_all_r1.h5
 done
 [ "$(sha256sum $old)" = "$digest" ] || fail "a finished history was written"
-expect 0 "$ideotype" plan campaigns/more.toml --left --out grown
+expect 0 "$ideotype" check campaigns/more.toml --left --out grown
 [ ! -s out.log ] || fail "nothing is left: $(cat out.log)"
-expect 0 "$ideotype" plan campaigns/grid.toml --left --out grown
+expect 0 "$ideotype" check campaigns/grid.toml --left --out grown
 [ ! -s out.log ] || fail "nothing is left: $(cat out.log)"
 expect 0 "$ideotype" status grown
 says "2 cases: 2 finished"
 sed -i 's/^latitude = 50.0/latitude = 51.0/' campaigns/more.toml
-for command in "run --resume" "run --resume --case 0" "plan --left"; do
+for command in "run --resume" "run --resume --case 0" "check --left"; do
     read -r verb options <<<"$command"
     # shellcheck disable=SC2086
     expect 4 "$ideotype" $verb campaigns/more.toml --out grown $options

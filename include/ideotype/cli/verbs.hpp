@@ -15,32 +15,22 @@
 namespace ideotype {
 
 //! `check CAMPAIGN`: validates, builds one plant, reports size and cost, and
-//! whether the names of its files fit into the folder out.
+//! whether the names of its files fit into the folder out; or its cases alone.
 struct CheckOptions {
     std::string campaign_path;
     std::vector<std::string> settings;  //!< "table.key=value"
     std::string out = "results";
+    bool lists_cases = false;
+    bool only_count = false;
+    bool only_left = false;  //!< the cases that are not finished in `out`
     bool is_json = false;
 };
 ExitCode check(const CheckOptions& options);
-
-//! `plan CAMPAIGN`: lists the cases with index, seed and cost, or only those
-//! that are left to do.
-struct PlanOptions {
-    std::string campaign_path;
-    std::vector<std::string> settings;  //!< "table.key=value"
-    bool only_count = false;
-    bool only_left = false;  //!< the cases that are not finished in `out`
-    std::string out = "results";
-    bool is_json = false;
-};
-ExitCode plan(const PlanOptions& options);
 
 //! `status PATH...`: one line per history or history in a folder, also of live
 //! ones, and how to go on with what stopped.
 struct StatusOptions {
     std::vector<std::string> paths;
-    bool only_resumable = false;  //!< print only files to be resumed
     bool is_json = false;
 };
 ExitCode status(const StatusOptions& options);

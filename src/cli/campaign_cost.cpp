@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "campaign_cost.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "ideotype/light/device.hpp"
+#include "ideotype/run/evaluator.hpp"
+#include "ideotype/run/progress.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! Measured on the baseline; the quickest of a few, since the first warms up
+//! and others may use the core too.
+EvaluationCost measure_cost(const Campaign& campaign, const Case& chosen) {
+    CanopyEvaluator evaluator(campaign, Device::supported_isas().back());
+    constexpr double long_time = 1;  // [s], nothing to measure again
+    const auto measure = [&](int times, Task task) {
+        task.case_index = static_cast<std::uint32_t>(chosen.index);
+        double least = std::numeric_limits<double>::infinity();
+        for (int i = 0; i < times && !(i > 0 && least > long_time); ++i) {
+            const double began = now();
+            evaluator.evaluate(task, baseline_numbers(campaign.crop));
+            least = std::min(least, now() - began);
+        }
+        return least;
+    };
+    // A tolerance may change from generation to generation.
+    constexpr int samples = 5;
+    EvaluationCost cost;
+    for (int i = 0; i < samples; ++i) {
+        Task task;
+        task.generation = static_cast<std::uint32_t>(
+            i * (campaign.stop.generations - 1) / (samples - 1));
+        cost.usual += measure(2, task) / samples;
+        if (samples * cost.usual < long_time || i > 0) continue;
+        cost.usual *= samples;
+        break;
+    }
+    Task final;
+    final.is_final = true;
+    cost.final = measure(1, final);
+    return cost;
+}
+
+//! For which the cost is told.
+constexpr std::array<int, 4> shown_workers{1, 2, 16, 128};
+
+}  // namespace
+
+CampaignCost::CampaignCost(const Campaign& campaign, const Case& chosen)
+    : seconds_(measure_cost(campaign, chosen)),
+      population_(campaign.search.population),
+      generations_(campaign.stop.generations),
+      finalists_(1 + campaign.final_rule.candidates) {}
+
+double CampaignCost::of_case(int workers) const {
+    const int rounds = (population_ + workers - 1) / workers;
+    const int final_rounds = (finalists_ + workers - 1) / workers;
+    return seconds_.usual * static_cast<double>(generations_) * rounds +
+           seconds_.final * final_rounds;
+}
+
+double CampaignCost::of_cases(std::size_t cases, int workers) const {
+    const double all = static_cast<double>(cases) * of_case(1) / workers;
+    return std::max(all, of_case(workers));
+}
+
+Json CampaignCost::json(std::size_t cases) const {
+    Json json{{"evaluation_s", seconds_.usual},
+              {"final_evaluation_s", seconds_.final},
+              {"evaluations_per_case",
+               static_cast<long long>(generations_) * population_},
+              {"final_evaluations_per_case", finalists_}};
+    for (const int workers : shown_workers)
+        json["by_workers"].push_back(
+            {{"workers", workers},
+             {"one_case_s", of_case(workers)},
+             {"all_cases_s", of_cases(cases, workers)}});
+    return json;
+}
+
+std::string CampaignCost::text() const {
+    return fmt::format(
+        "{} x {} evaluations of {:.1f} ms and the finalists: {} on one "
+        "core",
+        generations_, population_, seconds_.usual * 1e3,
+        format_duration(of_case(1)));
+}
+
+std::string CampaignCost::table(std::size_t cases) const {
+    std::string text = fmt::format("{:>17}  {:>12}  {:>12}\n", "workers",
+                                   "one case", cases == 1 ? "" : "all cases");
+    for (const int workers : shown_workers)
+        text += fmt::format(
+            "{:>17}  {:>12}  {:>12}\n", workers,
+            format_duration(of_case(workers)),
+            cases == 1 ? "" : format_duration(of_cases(cases, workers)));
+    return text;
+}
+
+}  // namespace ideotype

@@ -72,7 +72,7 @@ for thing in "pipe.h5 a.named.pipe 4" "folder/x.h5 a.folder 4" \
     ln -sfn "$(realpath -ms "$path")" "$(history_of odd maths)"
     expect "$code" "$ideotype" run campaigns/maths.toml --out odd --resume
     says "$what"
-    expect "$code" "$ideotype" plan campaigns/maths.toml --left --out odd
+    expect "$code" "$ideotype" check campaigns/maths.toml --left --out odd
     says "$what"
 done
 expect 1 "$ideotype" evaluate loop.h5 --best

@@ -30,11 +30,9 @@ is_stopped $code || fail "a drain must end with 5, not $code"
 grep ": drained, " status.log || fail "does not look drained"
 grep -qx "  mpirun -n 3 $ideotype run campaigns/long.toml --out drained --resume" \
     status.log || fail "no way to go on: $(cat status.log)"
-"$ideotype" check campaigns/long.toml --left --out drained | grep -q "^0	[1-9]" ||
-    fail "a drained run is not left"
-[ "$("$ideotype" plan campaigns/long.toml --left --out drained | cut -f 1)" = 0 ] ||
+[ "$("$ideotype" check campaigns/long.toml --left --out drained | cut -f 1)" = 0 ] ||
     fail "a drained case is left"
-[ "$("$ideotype" plan campaigns/long.toml --left --out drained | cut -f 2)" -gt 0 ] ||
+[ "$("$ideotype" check campaigns/long.toml --left --out drained | cut -f 2)" -gt 0 ] ||
     fail "no evaluation of a drained case counts"
 grep -q -- "--resume" drain.log || fail "no word about how to go on"
 # Two resumes at once: one goes on, the other is refused.

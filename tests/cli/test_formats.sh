@@ -46,7 +46,7 @@ flip() {
         says "damaged: $3 does not have its checksum"
     done
     [ ! -e flipped.csv ] && [ ! -e flipped.toml ] || fail "something was exported"
-    expect 4 "$ideotype" plan campaigns/flipped.toml --left
+    expect 4 "$ideotype" check campaigns/flipped.toml --left
     says "damaged: $3 does not have its checksum"
 }
 flip /evaluations/genome 8007 "generation 2"

@@ -16,7 +16,7 @@ says "^own/my.toml: no errors$"
 says "^campaign  my, 3 cases$"
 says "^sun .*left out"
 says " 0.0 % "
-(cd own && "$ideotype" plan my.toml) | grep -q "my_0701_762x150_all_r1" ||
+(cd own && "$ideotype" check my.toml --cases) | grep -q "my_0701_762x150_all_r1" ||
     fail "not the campaign that was asked for"
 for line in 'latitude = 42.03  *# .*\[deg\]' 'utc_offset = -6  *#' \
     'start = 04:00:00' 'end = 20:00:00' 'row = 0.762  *# .*\[m\]' \

@@ -16,7 +16,7 @@ same_results "$whole" "$(history_of ranks season july)"
 "$ideotype" run campaigns/season.toml --out killed >killed.log 2>&1 &
 job=$!
 for _ in $(seq 200); do
-    left=$("$ideotype" plan campaigns/season.toml --left --out killed | cut -f 2)
+    left=$("$ideotype" check campaigns/season.toml --left --out killed | cut -f 2)
     [ "${left:-0}" -lt 40 ] || break
     sleep 0.05
 done

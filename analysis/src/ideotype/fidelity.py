@@ -164,7 +164,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     add = parser.add_argument
     add("campaign", type=Path, metavar="CAMPAIGN", help="a TOML file")
     add("--set", action="append", default=[], metavar="KEY=VALUE")
-    add("--case", type=int, default=0, metavar="N", help="of `plan`")
+    add("--case", type=int, default=0, metavar="N", help="of `check --cases`")
     add("--tolerance", type=float, default=0.008, help="relative error wanted")
     add("--seconds", type=float, default=60, help="to measure (default: 60)")
     add("--json", type=Path, metavar="FILE", help="gets all figures")

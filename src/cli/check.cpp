@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <limits>
-#include <set>
-#include <string_view>
-#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,6 +15,7 @@
 #include "ideotype/run/sky_table.hpp"
 #include "ideotype/run/way_on.hpp"
 #include "json.hpp"
+#include "stand_ranges.hpp"
 
 namespace ideotype {
 
@@ -71,56 +68,6 @@ void tell_next(const std::string& path,
         words.push_back(each);
     }
     fmt::print("next: {}\n", quoted(words));
-}
-
-//! The least and the greatest of some values.
-class Extent {
-  public:
-    void add(double value) {
-        lower_ = std::min(lower_, value);
-        upper_ = std::max(upper_, value);
-    }
-
-    Json json(double unit = 1) const { return {lower_ / unit, upper_ / unit}; }
-
-    //! "3.44", or "1.90 .. 9.50" where they differ in what is printed.
-    std::string text(std::string_view form, double unit = 1) const {
-        const std::string lower =
-            fmt::format(fmt::runtime(form), lower_ / unit);
-        const std::string upper =
-            fmt::format(fmt::runtime(form), upper_ / unit);
-        return lower == upper ? lower : lower + " .. " + upper;
-    }
-
-  private:
-    double lower_ = std::numeric_limits<double>::infinity();
-    double upper_ = -std::numeric_limits<double>::infinity();
-};
-
-//! The ranges over the stands of all cases and their scenarios.
-struct Stands {
-    Extent period_x, period_y;   //!< [m]
-    Extent lai;                  //!< of the baseline
-    Extent steps, par, diffuse;  //!< number, [J m-2 day-1], part of it
-};
-
-Stands stands_of(const Campaign& campaign, double leaf_area) {
-    Stands all;
-    for (const auto& [name, spacing] : campaign.spacings) {
-        all.period_x.add(campaign.field.rows * spacing.row);
-        all.period_y.add(campaign.field.plants * spacing.plant);
-        all.lai.add(leaf_area / (spacing.row * spacing.plant));
-    }
-    std::set<std::pair<std::string, std::string>> seen;
-    for (const Case& one : cases(campaign))
-        for (const Case& each : scenarios(one)) {
-            if (!seen.emplace(each.site.name, each.day_name).second) continue;
-            const LightSeries light = light_of(campaign, each);
-            all.steps.add(static_cast<double>(light.steps.size()));
-            all.par.add(light.incident());
-            all.diffuse.add(light.diffuse() / light.incident());
-        }
-    return all;
 }
 
 //! All that check finds, in the first case alone unless said otherwise.

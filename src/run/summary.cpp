@@ -65,45 +65,31 @@ double lai_of(const History& history, const Row& row) {
 }
 
 std::string described(const History& history, const Row& row) {
-    const Objective& objective = history.header().schema.objectives.front();
-    const Estimate value = row.outcome.objectives.front();
-    std::string text =
-        objective.name == "absorbed_par"
-            ? format_daily(value)
-            : fmt::format("{} {}", format(value), objective.unit);
-    text += fmt::format("\n            {} of the incident light, LAI {:.2f}",
-                        format(quantity(history, row, "absorbed_fraction")),
-                        lai_of(history, row));
     const double violation = row.outcome.violation;
-    if (violation > 0)
-        text += fmt::format("; FAILS ITS CONSTRAINTS by {:.3g}", violation);
-    return text;
+    return fmt::format(
+        "{} {}{}", format(row.outcome.objectives.front()),
+        history.header().schema.objectives.front().unit,
+        violation > 0
+            ? fmt::format("; FAILS ITS CONSTRAINTS by {:.3g}", violation)
+            : "");
 }
 
 //! The mean of b - a over randomisations that both plants share, with units
-//! and relative to a. Each may be given per leaf area.
-std::string gain(const Outcome& a, double area_a, const Outcome& b,
-                 double area_b, const std::string& unit) {
-    const auto per = [](Outcome outcome, double area) {
-        for (Estimate& x : outcome.objectives) x = scaled(x, 1 / area);
-        for (double& x : outcome.randomisations) x /= area;
-        return outcome;
-    };
-    const Outcome before = per(a, area_a), after = per(b, area_b);
-    const std::string found = format(difference(before, after)) + " " + unit;
-    if (!(before.objectives.front().mean > 0)) return found;
-    return fmt::format("{} = {} %", found,
-                       format(relative_gain(randomisations_of(before),
-                                            randomisations_of(after))));
+//! and relative to a.
+std::string gain(const Outcome& a, const Outcome& b, const std::string& unit) {
+    const std::string found = format(difference(a, b)) + " " + unit;
+    if (!(a.objectives.front().mean > 0)) return found;
+    return fmt::format(
+        "{} = {} %", found,
+        format(relative_gain(randomisations_of(a), randomisations_of(b))));
 }
 
 std::string gain_line(const History& history, const Row& baseline,
                       const Row& best) {
     const Objective& objective = history.header().schema.objectives.front();
-    return fmt::format(
-        "{}, with LAI {:.2f} instead of {:.2f}",
-        gain(baseline.outcome, 1, best.outcome, 1, objective.unit),
-        lai_of(history, best), lai_of(history, baseline));
+    return fmt::format("{}, with LAI {:.2f} instead of {:.2f}",
+                       gain(baseline.outcome, best.outcome, objective.unit),
+                       lai_of(history, best), lai_of(history, baseline));
 }
 
 //! A warning of plants that no field has so densely, or "".
@@ -117,29 +103,17 @@ std::string too_dense(const std::string& what, double lai) {
                      what, doubt);
 }
 
-//! Much of a gain may be leaf area: it stands beside it, and the gain that is
-//! left of it per leaf area, unless several scenarios have each their own.
+//! Much of a gain may be leaf area, which therefore stands beside it.
 std::string gains(const History& history, const Campaign& campaign,
                   const Row& baseline, const Row& best) {
-    const double lai_before = lai_of(history, baseline);
-    const double lai_after = lai_of(history, best);
-    const Objective& objective = history.header().schema.objectives.front();
-    std::string text =
-        fmt::format("  gain      {}\n", gain_line(history, baseline, best));
-    const bool is_per_ground =
-        objective.name.find("leaf_area") == std::string::npos;
-    if (campaign.over.empty() && is_per_ground && lai_before > 0 &&
-        lai_after > 0)
-        text += fmt::format("            {} per leaf area\n",
-                            gain(baseline.outcome, lai_before, best.outcome,
-                                 lai_after, objective.unit));
-    text += fmt::format(
-        "            {}\n",
+    return fmt::format(
+        "  gain      {}\n            {}\n{}",
+        gain_line(history, baseline, best),
         campaign.replicates == 1
             ? one_seed
             : "how seeds differ is told by ideotype summary --gains, "
-              "not by this interval");
-    return text + too_dense("the best plant", lai_after);
+              "not by this interval",
+        too_dense("the best plant", lai_of(history, best)));
 }
 
 //! Plain absorption in an endless stand has a ceiling: a word of warning.

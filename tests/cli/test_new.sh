@@ -13,7 +13,7 @@ says "^next: ideotype check own/my.toml$"
 cmp own/maize.toml campaigns/crops/maize.toml
 expect 0 "$ideotype" check own/my.toml
 says "^own/my.toml: no errors$"
-says "^campaign  my, 3 cases$"
+says "^campaign  my, 3 cases (--cases lists them)$"
 says "^sun .*left out"
 says " 0.0 % "
 (cd own && "$ideotype" check my.toml --cases) | grep -q "my_0701_762x150_all_r1" ||

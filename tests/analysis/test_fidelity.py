@@ -15,7 +15,7 @@ import tomllib
 from pathlib import Path
 
 import pytest
-from real_program import CAMPAIGNS, output_of, write_campaign
+from real_program import CAMPAIGNS, executable, output_of, write_campaign
 
 from ideotype import fidelity
 from ideotype._survey import OWN, Draw, Setting, Survey, ladder, pareto, result
@@ -110,9 +110,10 @@ def test_of_a_front_each_is_more_accurate_than_all_cheaper() -> None:
 
 
 def measure(campaign: Path, *options: object) -> str:
-    command = [sys.executable, "-m", "ideotype.fidelity", campaign]
+    # As users do: the program hands the verb to Python, which it then serves.
     done = subprocess.run(
-        [*command, *map(str, options)],
+        [executable(), "fidelity", campaign, *map(str, options)],
+        env=os.environ | {"IDEOTYPE_PYTHON": sys.executable},
         capture_output=True,
         text=True,
         timeout=300,
@@ -206,8 +207,9 @@ def test_what_is_wrong_is_told_once(
     assert fidelity.main([str(campaign), "--set", "light.path=3"]) == 3
     assert "light.path" in capsys.readouterr().err
     monkeypatch.setenv("IDEOTYPE_EXECUTABLE", "nowhere")
+    monkeypatch.setenv("PATH", str(tmp_path))
     assert fidelity.main([str(campaign)]) == 1
-    assert "no program nowhere" in capsys.readouterr().err
+    assert "no compiled program" in capsys.readouterr().err
 
 
 def test_other_files_are_refused_by_name(tmp_path: Path) -> None:

@@ -31,6 +31,29 @@ TEST(Settings, TheLastOfAKeyCounts) {
     EXPECT_EQ(read_campaign(ames, {"seed=4", "seed=5"}).seed, 5U);
 }
 
+std::string accuracy_keys(const std::vector<std::string>& settings,
+                          const std::string& file = "/ames.toml") {
+    std::string all;
+    for (const AccuracyKey& key :
+         read_campaign(IDEOTYPE_CAMPAIGNS + file, settings).accuracy)
+        all += fmt::format("{}={} ", key.path, key.value);
+    return all;
+}
+
+TEST(Settings, ThatTradeAccuracyAreDeclared) {
+    EXPECT_EQ(accuracy_keys({"light.tolerance=0.01", "field.rows=5"}),
+              "day.step_minutes=30 field.rows=5 field.plants=4 "
+              "plant.cells_along=12 plant.stalk_sides=8 "
+              "light.tolerance=0.01 ");
+    // A plot alone has the plants that it has.
+    EXPECT_EQ(accuracy_keys({"light.tolerance=0", "light.paths=512",
+                             "field.boundary=isolated", "plant.organs=[]"}),
+              "day.step_minutes=30 plant.cells_along=12 light.paths=512 ");
+    EXPECT_EQ(accuracy_keys({"light.dates=5"}, "/bondville.toml"),
+              "field.rows=4 field.plants=4 plant.cells_along=12 "
+              "plant.stalk_sides=8 light.tolerance=0.008 light.dates=5 ");
+}
+
 TEST(Settings, AreCheckedLikeTheFileAllInOnePass) {
     try {
         read_campaign(ames, {"search.optimizer=randum", "site.latitud=3",

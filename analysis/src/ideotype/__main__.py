@@ -31,7 +31,7 @@ def main() -> int:
     words = sys.argv[1:]
     if words and words[0] in VERBS:
         return answer(words)
-    if program := _compiled_program():
+    if program := compiled_program():
         os.execv(program, [program, *words])
     print(
         f"ideotype: only {', '.join(VERBS)} can be answered here; other verbs "
@@ -42,7 +42,7 @@ def main() -> int:
     return 2
 
 
-def _compiled_program() -> str | None:
+def compiled_program() -> str | None:
     """Finds the first `ideotype` that is not this command of some Python."""
     named = os.environ.get("IDEOTYPE_EXECUTABLE")
     folders = os.get_exec_path()

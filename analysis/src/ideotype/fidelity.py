@@ -6,9 +6,7 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
 import re
-import shutil
 import signal
 import subprocess
 import sys
@@ -20,6 +18,7 @@ from typing import Any
 
 import tomli_w
 
+from .__main__ import compiled_program
 from ._errors import Error, printable_lines
 from ._survey import FEWEST, OWN, Draw, Refused, Setting, Survey, result, words
 
@@ -30,11 +29,10 @@ class Program:
     their ranges, which is how far candidates are apart."""
 
     def __init__(self, *arguments: str) -> None:
-        found = os.environ.get("IDEOTYPE_EXECUTABLE", "ideotype")
-        if not (program := shutil.which(found)):
+        if not (program := compiled_program()):
             raise Error(
-                f"there is no program {found}; build it, then put it in PATH "
-                "or its path in IDEOTYPE_EXECUTABLE"
+                "there is no compiled program; build it by ./quickstart.sh, "
+                "then put it in the PATH or name it in IDEOTYPE_EXECUTABLE"
             )
         own = ["--threads", "1", "--quiet"]
         self._command = [program, "serve", *arguments, *own]

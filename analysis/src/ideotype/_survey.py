@@ -35,7 +35,7 @@ class Refused(Error):
 
 class Draw(NamedTuple):
     """The objective of one evaluation of the baseline, how much more another
-    plant has with the same random numbers, and seconds of one evaluation."""
+    plant has with the same random numbers, and what one takes [s]."""
 
     value: float
     difference: float

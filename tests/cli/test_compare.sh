@@ -110,8 +110,4 @@ says "field.csv:3:6: width_cm is 65 (expected: 0.1 .. 50)"
 # Wrong use.
 expect 2 "$ideotype" compare $b73
 says "under"
-expect 2 "$ideotype" evaluate $b73 $elite
-says "ideotype compare PLANT... --under CAMPAIGN"
-expect 2 "$ideotype" evaluate $b73 "${under[@]}"
-says "there is no option --under .*ideotype compare PLANT... --under CAMPAIGN"
 expect 2 "$ideotype" compare $b73 "${under[@]}" --seed -1

@@ -54,7 +54,7 @@ from shared import (
 )  # fmt: skip
 
 from ideotype import Stand, open_history
-from ideotype.analysis.indices import Indices
+from ideotype.analysis.indices import Indices, indices_of
 from ideotype.analysis.style import new_figure, series
 
 DAY, SEASON = HERE / "ames.toml", HERE / "bondville.toml"
@@ -181,7 +181,7 @@ def indices(tables: dict[str, Any], samples: int, folder: Path) -> Indices:
     }
     [history] = breed_tables(study, folder, "sensitivity")
     with open_history(history) as opened:
-        return opened.sensitivity()[tables["name"]]
+        return indices_of(opened)[tables["name"]]
 
 
 def bred(tables: dict[str, Any], options: argparse.Namespace) -> list[Numbers]:

@@ -59,11 +59,12 @@ int usual_population(const Campaign& campaign) {
 
 //! A sensitivity study ends with the last row of its design, and with nothing
 //! else.
-void plan_sensitivity(const Draft& draft, Campaign& campaign) {
-    SensitivitySettings& design = campaign.search.sensitivity;
+void plan_study(Draft& draft, Campaign& campaign) {
+    SensitivitySettings& design = draft.design;
     constexpr int few = 64;
     if (design.method == SensitivityMethod::morris && !draft.has_samples)
         design.samples = few;
+    campaign.varied = draft.varied;
     campaign.search.population = 0;
     for (const Case& each : cases(campaign))
         campaign.search.population =
@@ -71,6 +72,8 @@ void plan_sensitivity(const Draft& draft, Campaign& campaign) {
                      generation_size(design, search_genes(campaign, each)));
     campaign.stop = {.generations = generations_of(design),
                      .failed_fraction = campaign.stop.failed_fraction};
+    campaign.search.design = design;
+    campaign.has_light_by_row = true;
 }
 
 Campaign complete(Draft& draft, const std::string& source,
@@ -88,7 +91,7 @@ Campaign complete(Draft& draft, const std::string& source,
     if (campaign.search.optimizer == OptimizerKind::cma_es &&
         !draft.has_population)
         campaign.search.population = usual_population(campaign);
-    if (is_sensitivity(campaign)) plan_sensitivity(draft, campaign);
+    if (draft.is_study) plan_study(draft, campaign);
     draft.campaign.search = campaign.search;
     draft.campaign.stop = campaign.stop;
     if (draft.has_photosynthesis)
@@ -104,24 +107,20 @@ Campaign complete(Draft& draft, const std::string& source,
     return campaign;
 }
 
-//! Whether the ends of ranges of keys are tried.
-enum class Ends { tried, not_tried };
-
-Campaign parse(const std::string& text, const std::string& file,
-               PlantSource source,
-               const std::vector<std::string>& settings = {},
-               Ends ends = Ends::tried);
+//! Checks a draft whose keys have other values than its file gives them.
+void check_again(Draft& draft) {
+    Report report(draft.campaign.name);
+    check_draft(draft, report);
+    report.throw_if_any();
+}
 
 //! Reports ends of ranges that contradict the rest of the campaign.
-void try_ends(Draft& draft, const std::string& file, Report& report) {
-    OptimizerKind& optimizer = draft.campaign.search.optimizer;
-    const OptimizerKind own = std::exchange(optimizer, OptimizerKind::random);
-    const std::string text = resolved_text(draft);
-    optimizer = own;
-    for (const KeyFactor& factor : draft.campaign.sensitivity.keys)
+void try_ends(const Draft& draft, Report& report) {
+    for (const KeyFactor& factor : draft.varied.keys)
         for (const double end : {factor.range.lower, factor.range.upper}) try {
-                parse(text, file, PlantSource::table,
-                      {setting_of(factor, end)});
+                Draft varied = draft;
+                set_key(varied, factor, end);
+                check_again(varied);
             } catch (const InputError& error) {
                 report.add(
                     &factor.range,
@@ -132,16 +131,21 @@ void try_ends(Draft& draft, const std::string& file, Report& report) {
 }
 
 Campaign parse(const std::string& text, const std::string& file,
-               PlantSource source, const std::vector<std::string>& settings,
-               Ends ends) {
+               PlantSource source,
+               const std::vector<std::string>& settings = {},
+               bool is_study = false) {
     Draft draft;
+    draft.is_study = is_study;
     Report report;
     read_draft(text, file, source, settings, draft, report);
     read_weathers(file, source, draft, report);
     check_draft(draft, report);
-    if (ends == Ends::tried && report.empty()) try_ends(draft, file, report);
+    if (report.empty()) try_ends(draft, report);
     report.throw_if_any();
-    return complete(draft, text, report);
+    Campaign campaign = complete(draft, text, report);
+    if (!campaign.varied.keys.empty())
+        campaign.draft = std::make_shared<const Draft>(std::move(draft));
+    return campaign;
 }
 
 }  // namespace
@@ -155,6 +159,14 @@ Campaign read_campaign(const std::string& path,
 Campaign read_campaign_text(const std::string& text, const std::string& path,
                             const std::vector<std::string>& settings) {
     return parse(text, path, PlantSource::file_or_table, settings);
+}
+
+Campaign read_study(const std::string& path,
+                    const std::vector<std::string>& settings) {
+    // Replicates would be the same study with other random numbers.
+    std::vector<std::string> all{"replicates=1"};
+    all.insert(all.end(), settings.begin(), settings.end());
+    return parse(read_text(path), path, PlantSource::file_or_table, all, true);
 }
 
 Crop read_crop(const std::string& path, const Plant* other) {
@@ -238,21 +250,16 @@ Campaign parse_campaign(const std::string& text, const std::string& file) {
     return parse(text, file, PlantSource::table);
 }
 
-bool is_sensitivity(const Campaign& campaign) {
-    return campaign.search.optimizer == OptimizerKind::sensitivity;
-}
-
 Campaign at_keys(const Campaign& campaign, Genome& genome) {
-    const std::vector<KeyFactor>& keys = campaign.sensitivity.keys;
+    const std::vector<KeyFactor>& keys = campaign.varied.keys;
     const std::size_t plain = campaign.bounds.size();
-    if (!is_sensitivity(campaign) || genome.size() != plain + keys.size())
-        return campaign;
-    std::vector<std::string> settings;
+    if (keys.empty() || genome.size() != plain + keys.size()) return campaign;
+    Draft draft = *campaign.draft;
     for (std::size_t i = 0; i < keys.size(); ++i)
-        settings.push_back(setting_of(keys[i], genome[plain + i]));
+        set_key(draft, keys[i], genome[plain + i]);
     genome.resize(plain);
-    return parse(campaign.resolved, campaign.name, PlantSource::table, settings,
-                 Ends::not_tried);
+    check_again(draft);
+    return complete(draft, campaign.source, Report());
 }
 
 }  // namespace ideotype

@@ -177,10 +177,9 @@ GeneSpace gene_space(const Campaign& campaign, const Case& chosen) {
 
 GeneSpace search_genes(const Campaign& campaign, const Case& chosen) {
     GeneSpace genes = gene_space(campaign, chosen);
-    if (!is_sensitivity(campaign)) return genes;
     for (Gene& gene : genes)
-        gene.is_free = gene.is_free && campaign.sensitivity.has_traits;
-    for (const auto& [key, range, unit, value] : campaign.sensitivity.keys)
+        gene.is_free = gene.is_free && campaign.varied.has_traits;
+    for (const auto& [key, range, unit, value] : campaign.varied.keys)
         genes.push_back(
             {key, unit, range.lower, range.upper, false, true, key});
     return genes;

@@ -125,7 +125,7 @@ void check_surface(const std::string& name, const Lambertian& surface,
                            1 - surface.reflectance));
 }
 
-void check_objectives(const Campaign& campaign, Report& report) {
+void check_objectives(const Campaign& campaign, bool is_study, Report& report) {
     if (!report.usable({&campaign.maximised, &campaign.minimised})) return;
     const std::size_t count = aims(campaign).size();
     for (const std::string& each : campaign.minimised)
@@ -161,7 +161,7 @@ void check_objectives(const Campaign& campaign, Report& report) {
                    "search.optimizer is \"nsga2\" (which finds a front of "
                    "several objectives); name another in objective.minimise, "
                    "or use \"cma_es\"");
-    else if (!is_pareto && count > 1 && !is_sensitivity(campaign))
+    else if (!is_pareto && count > 1 && !is_study)
         report.add(&campaign.minimised,
                    fmt::format("there are {} objectives (only nsga2 finds a "
                                "front of several); use one, or "
@@ -189,7 +189,7 @@ void check_stop(const StopRules& stop, Report& report) {
                                stop.no_gain, fewest));
 }
 
-void check_search(const Campaign& campaign, Report& report) {
+void check_search(const Campaign& campaign, bool is_study, Report& report) {
     const int& population = campaign.search.population;
     const auto at_most = [&](const std::string& name, const int& value,
                              int most) {
@@ -199,7 +199,7 @@ void check_search(const Campaign& campaign, Report& report) {
                                    "or fewer",
                                    name, value, population, most));
     };
-    check_objectives(campaign, report);
+    check_objectives(campaign, is_study, report);
     check_stop(campaign.stop, report);
     check_scenarios(campaign, report);
     constexpr int fewest = 4;
@@ -318,7 +318,7 @@ void check_draft(Draft& draft, Report& report) {
     check_field(campaign.field, report);
     if (draft.is_crop_known) check_faces(campaign, report);
     check_light(campaign, report);
-    check_search(campaign, report);
+    check_search(campaign, draft.is_study, report);
     check_sensitivity(draft, report);
     check_photosynthesis(
         draft.photosynthesis,

@@ -98,8 +98,7 @@ void check_constraints(const Draft& draft, Report& report) {
 //! Any trait set that breeds a trait, or nullptr.
 const Named<TraitSet>* breeder(const Campaign& campaign,
                                const std::string& trait) {
-    if (is_sensitivity(campaign) && !campaign.sensitivity.has_traits)
-        return nullptr;
+    if (!campaign.varied.has_traits) return nullptr;
     for (const Named<TraitSet>& set : campaign.trait_sets)
         if (std::find(set.value.begin(), set.value.end(), trait) !=
             set.value.end())

@@ -32,10 +32,6 @@ struct Draft {
     //! Fills in the defaults that the structures themselves don't have.
     Draft();
 
-    // Problems are located by the addresses of these members.
-    Draft(const Draft&) = delete;
-    Draft& operator=(const Draft&) = delete;
-
     Campaign campaign;
     std::vector<TraitEntry> traits;
     std::vector<BoundsEntry> bounds;  //!< of all rules
@@ -50,6 +46,9 @@ struct Draft {
     bool has_climate = false;         //!< instead of days
     bool has_population = false;      //!< none that the optimizer chooses
     bool has_samples = false;         //!< none that the method chooses
+    bool is_study = false;            //!< of sensitivity, and no search
+    SensitivitySettings design;       //!< of studies
+    Variation varied;                 //!< by studies
 };
 
 //! The names that campaigns may choose bounds by.

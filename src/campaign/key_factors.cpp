@@ -129,14 +129,14 @@ void check_key(KeyFactor& factor, const std::vector<NamedKey>& keys,
 }  // namespace
 
 void check_sensitivity(Draft& draft, Report& report) {
-    Variation& varied = draft.campaign.sensitivity;
-    const int& levels = draft.campaign.search.sensitivity.levels;
+    Variation& varied = draft.varied;
+    const int& levels = draft.design.levels;
     if (report.usable({&levels}) && levels % 2 != 0)
         report.add(&levels, fmt::format("sensitivity.levels is {} (steps are "
                                         "half of them); use {}",
                                         levels, levels + 1));
     if (report.usable({&varied.has_traits}) && !varied.has_traits &&
-        varied.keys.empty() && is_sensitivity(draft.campaign))
+        varied.keys.empty() && draft.is_study)
         report.add(&varied.has_traits,
                    "sensitivity.traits is false (and there are no "
                    "sensitivity.keys, so nothing would vary); name a key, or "
@@ -157,8 +157,14 @@ void check_sensitivity(Draft& draft, Report& report) {
     }
 }
 
-std::string setting_of(const KeyFactor& factor, double value) {
-    return fmt::format("{}={}", factor.key, value);
+void set_key(Draft& draft, const KeyFactor& factor, double value) {
+    for (const NamedKey& each : variable_keys(draft)) {
+        if (each.name != factor.key) continue;
+        if (const auto* number = std::get_if<double*>(&each.key.value))
+            **number = value;
+        else
+            *std::get<std::vector<double>*>(each.key.value) = {value};
+    }
 }
 
 }  // namespace ideotype

@@ -11,7 +11,7 @@ namespace ideotype {
 //! other. Completes what is known of the keys.
 void check_sensitivity(Draft& draft, Report& report);
 
-//! The value of a factor as a setting, see apply_settings().
-std::string setting_of(const KeyFactor& factor, double value);
+//! Gives a draft another value of a factor that check_sensitivity() has passed.
+void set_key(Draft& draft, const KeyFactor& factor, double value);
 
 }  // namespace ideotype

@@ -77,6 +77,11 @@ class DraftReader {
         draft_.has_photosynthesis =
             top.contains("photosynthesis") || asks_for_assimilation(campaign);
         draft_.has_population = top["search"]["population"].node() != nullptr;
+        // Resolved campaigns have it if nothing is searched for.
+        if (source_ == PlantSource::table)
+            draft_.is_study = top.contains("sensitivity");
+        if (draft_.is_study)
+            campaign.varied.has_traits = draft_.varied.has_traits;
         draft_.has_samples = top["sensitivity"]["samples"].node() != nullptr;
         choose_organs();
         for (auto& [name, free] : campaign.trait_sets) sort_traits(free);
@@ -243,6 +248,20 @@ class DraftReader {
     std::vector<std::string> tables_above_;  //!< each names the next as crop
 };
 
+//! A study has no optimizer. Histories of version 0.2.0 name it as one.
+void leave_out_study(toml::table& top, const std::string& file,
+                     PlantSource source, Draft& draft, Report& report) {
+    const auto optimizer = top["search"]["optimizer"];
+    if (optimizer.value<std::string>() != "sensitivity") return;
+    if (source != PlantSource::table)
+        report.add(location(optimizer.node()->source(), file),
+                   "search.optimizer is \"sensitivity\" (a design, which "
+                   "searches for nothing); remove it, and start ideotype "
+                   "sensitivity CAMPAIGN");
+    draft.is_study = true;
+    top["search"].as_table()->erase("optimizer");
+}
+
 }  // namespace
 
 void read_draft(const std::string& text, const std::string& file,
@@ -255,8 +274,10 @@ void read_draft(const std::string& text, const std::string& file,
                    "this is a crop file (it has leaves, but no site to "
                    "light them); give a campaign, or evaluate the plant in "
                    "one: ideotype compare PLANT --under CAMPAIGN");
-    else if (table)
+    else if (table) {
+        leave_out_study(*table, file, source, draft, report);
         DraftReader(file, source, draft, report).read(*table);
+    }
 }
 
 void read_tables(const std::string& text, const std::string& file,

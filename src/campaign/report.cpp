@@ -11,7 +11,7 @@ void Report::locate(const void* value, const Location& where) {
 }
 
 const Location& Report::where(const void* value) const {
-    return places_.at(value);
+    return all_ ? *all_ : places_.at(value);
 }
 
 void Report::add(const Location& where, const std::string& what) {
@@ -29,7 +29,8 @@ void Report::add(const void* value, const std::string& what) {
 
 bool Report::usable(std::initializer_list<const void*> values) const {
     return std::none_of(values.begin(), values.end(), [&](const void* value) {
-        return unusable_.count(value) != 0 || places_.count(value) == 0;
+        return unusable_.count(value) != 0 ||
+               (!all_ && places_.count(value) == 0);
     });
 }
 

@@ -3,6 +3,7 @@
 
 #include <initializer_list>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -16,6 +17,10 @@ namespace ideotype {
 //! later checks can point at it. Values are identified by their address.
 class Report {
   public:
+    Report() = default;
+    //! All values come from this file.
+    explicit Report(const std::string& file) : all_(Location{file}) {}
+
     //! The value comes from this place.
     void locate(const void* value, const Location& where);
 
@@ -58,6 +63,7 @@ class Report {
 
   private:
     std::vector<std::string> files_;
+    std::optional<Location> all_;
     std::map<const void*, Location> places_;
     std::set<const void*> unusable_;
     std::set<std::pair<std::string, std::string>> once_;

@@ -60,7 +60,9 @@ std::string resolved_text(Draft& draft) {
     std::string text;
     append_keys(text, top_section(draft.campaign));
     for (const Table& table : campaign_tables(draft)) {
-        append_table(text, "", table);
+        // A study searches for nothing.
+        if (!draft.is_study || table.name != "search")
+            append_table(text, "", table);
         if (table.name != "plant") continue;
         text += "\n[plant.baseline]\n";
         append_plant(text, "plant.baseline.", draft);

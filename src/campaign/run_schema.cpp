@@ -153,9 +153,8 @@ Section search_section(SearchSettings& search) {
         {Key("optimizer", choice(search.optimizer),
              "what proposes the candidates: the genetic algorithm, CMA-ES, "
              "NSGA-II for several objectives, or without learning: chance or "
-             "points of the Sobol' sequence; the verb sensitivity sets its own")
-             .one_of(
-                 {"ga", "cma_es", "nsga2", "random", "sobol", "sensitivity"}),
+             "points of the Sobol' sequence")
+             .one_of({"ga", "cma_es", "nsga2", "random", "sobol"}),
          Key("population", &search.population, "plants per generation")
              .within(2, 100000)
              .set(&Key::initial, "100; of CMA-ES 4 + 3 ln(free genes)"),
@@ -214,8 +213,8 @@ Section search_section(SearchSettings& search) {
 }
 
 Table sensitivity_table(Draft& draft) {
-    Variation& varied = draft.campaign.sensitivity;
-    SensitivitySettings& design = draft.campaign.search.sensitivity;
+    Variation& varied = draft.varied;
+    SensitivitySettings& design = draft.design;
     Table table = one_table(
         {"sensitivity",
          {Key("method", choice(design.method),
@@ -250,7 +249,7 @@ Table sensitivity_table(Draft& draft) {
         },
         varied.keys)};
     table.children.front().is_optional = true;
-    table.is_default = !is_sensitivity(draft.campaign);
+    table.is_default = !draft.is_study;
     return table;
 }
 

@@ -13,7 +13,6 @@
 #include "log_option.hpp"
 #include "python_verbs.hpp"
 #include "run_command.hpp"
-#include "sensitivity_command.hpp"
 #include "threads_option.hpp"
 
 namespace ideotype {
@@ -193,11 +192,11 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
         "campaigns/quickstart.toml --resume", declare_run, start_run)
         .words = words;
     add("sensitivity",
-        "what light, or any other quantity, depends on: indices by Sobol' or "
-        "Morris for the traits and for numeric keys of a campaign; runs, "
-        "stops and is resumed as run",
-        "campaigns/ames_quick.toml", declare_sensitivity, start_sensitivity)
-        .run.words = words;
+        "evaluate the design of a sensitivity study, by Sobol' or Morris, of "
+        "the traits and of numeric keys of a campaign; runs, stops and is "
+        "resumed as run, and ideotype indices tells what was found",
+        "campaigns/ames_quick.toml", declare_sensitivity, start_run)
+        .words = words;
     add("status", "how far histories have come, also while they are written",
         "results", declare_status, status);
     add("evaluate",

@@ -26,12 +26,9 @@ double to_seconds(const std::string& text) {
 
 //! Collective over all ranks.
 ExitCode run_on_ranks(const RunOptions& options, const Session& session,
-                      StopFlag& stop, const AtEnd& at_end) {
+                      StopFlag& stop) {
     try {
-        const ExitCode code = run(options, session, stop);
-        if (code == ExitCode::ok && session.rank() == 0 && at_end)
-            at_end(options);
-        return code;
+        return run(options, session, stop);
     } catch (const std::exception& error) {
         const ExitCode code = report_error(error, Log(options.level));
         // Rank 0 tells the others to leave before an Error of its own. Ranks
@@ -75,16 +72,18 @@ void declare_run(CLI::App& verb, RunCommand& command) {
         "1h30m, 01:30:00");
 }
 
-ExitCode start_run(const RunCommand& command) {
-    return start_run(command, {});
+void declare_sensitivity(CLI::App& verb, RunCommand& command) {
+    command.options.read = read_study;
+    command.options.out = "results/sensitivity";
+    declare_run(verb, command);
 }
 
-ExitCode start_run(const RunCommand& command, const AtEnd& at_end) {
+ExitCode start_run(const RunCommand& command) {
     RunOptions options = command.options;
     options.command = quoted(command.words);
     StopFlag stop;
     const Session session = start_session();
-    return run_on_ranks(options, session, stop, at_end);
+    return run_on_ranks(options, session, stop);
 }
 
 }  // namespace ideotype

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,8 +23,7 @@ void declare_run(CLI::App& verb, RunCommand& command);
 //! Collective over the ranks that a launcher has started, if any.
 ExitCode start_run(const RunCommand& command);
 
-//! What rank 0 does once all cases are finished.
-using AtEnd = std::function<void(const RunOptions&)>;
-ExitCode start_run(const RunCommand& command, const AtEnd& at_end);
+//! The verb `sensitivity`, which evaluates the design of a study.
+void declare_sensitivity(CLI::App& verb, RunCommand& command);
 
 }  // namespace ideotype

@@ -15,7 +15,6 @@
 #include "ideotype/core/hash.hpp"
 #include "journal.hpp"
 #include "layout.hpp"
-#include "sensitivity.hpp"
 
 namespace ideotype {
 
@@ -104,6 +103,7 @@ std::string header_checksum(hid_t file) {
         const std::string group = each.path.substr(0, each.path.find('/'));
         const bool is_description =
             contains({"campaign", "genes", "objectives"}, group);
+        // Studies of version 0.2.0 have the indices themselves.
         const bool is_table =
             contains({"evaluations", "final", "sensitivity"}, group);
         if (!is_description && !(is_table && is_scale(data))) continue;
@@ -136,13 +136,6 @@ std::string GenerationChecksums::of(std::uint32_t generation,
 std::string finalist_checksum(hid_t file, hsize_t row, Status status) {
     Sha256 sum;
     HashedTable(file, "final", {"checksum"}).add_rows(sum, {row, 1}, status);
-    return sum.finish();
-}
-
-std::string sensitivity_checksum(hid_t file, hsize_t row) {
-    Sha256 sum;
-    HashedTable(file, SensitivityTable::group, {"checksum"})
-        .add_rows(sum, {row, 1});
     return sum.finish();
 }
 
@@ -179,13 +172,6 @@ void require_intact(hid_t file, const std::string& path) {
                 ? expected[row] != finalist_checksum(file, row, statuses[row])
                 : is_finished && !expected[row].empty())
             refuse(path, fmt::format("finalist {}", row));
-    const auto form = SensitivityTable::read_form(file);
-    if (!form || !is_finished) return;
-    const Dataset sums(file,
-                       std::string(SensitivityTable::group) + "/checksum");
-    for (std::size_t row = 0; row < sums.rows(); ++row)
-        if (sums.read_text(row, 1)[0] != sensitivity_checksum(file, row))
-            refuse(path, "the sensitivity of " + form->quantities[row]);
 }
 
 }  // namespace ideotype

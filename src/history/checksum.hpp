@@ -40,9 +40,6 @@ class GenerationChecksums {
 //! SHA-256 of a row of /final with this status, which is written later.
 std::string finalist_checksum(hid_t file, hsize_t row, Status status);
 
-//! SHA-256 of what a sensitivity study tells of a quantity.
-std::string sensitivity_checksum(hid_t file, hsize_t row);
-
 //! @throws Error (refused) if the header does not have its checksum.
 void require_header_intact(hid_t file, const std::string& path);
 
@@ -51,8 +48,7 @@ void require_header_intact(hid_t file, const std::string& path);
 void require_intact(GenerationChecksums& found, const Generations& generations,
                     std::uint32_t generation, const std::string& path);
 
-//! Looks at the header, all complete generations, all recorded finalists and,
-//! of a finished case, what a sensitivity study tells.
+//! Looks at the header, all complete generations and all recorded finalists.
 //! @throws Error (refused) at the first that does not have its checksum.
 void require_intact(hid_t file, const std::string& path);
 

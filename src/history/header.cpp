@@ -9,7 +9,6 @@
 #include "contents.hpp"
 #include "dataset.hpp"
 #include "layout.hpp"
-#include "sensitivity.hpp"
 #include "types.hpp"
 
 namespace ideotype {
@@ -178,7 +177,6 @@ HistoryHeader read_header(hid_t file) {
     header.genes = read_genes(file);
     header.schema = Columns::read_schema(file, "evaluations");
     header.schema.objectives = read_objectives(file);
-    header.sensitivity = SensitivityTable::read_form(file);
     header.final_randomisations =
         Columns::read_schema(file, "final").randomisations;
     return header;

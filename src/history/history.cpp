@@ -10,7 +10,6 @@
 #include "checksum.hpp"
 #include "history_file.hpp"
 #include "open.hpp"
-#include "sensitivity.hpp"
 
 namespace ideotype {
 
@@ -286,19 +285,6 @@ std::vector<Row> History::finalists() const {
         return row.outcome.status == Status::empty;
     });
     return rows;
-}
-
-void History::record_sensitivity(
-    const std::vector<QuantitySensitivity>& found) {
-    file_->write([&] {
-        SensitivityTable::write(file_->id, *file_->header.sensitivity, found);
-    });
-}
-
-std::vector<QuantitySensitivity> History::sensitivity() const {
-    return file_->read([&] {
-        return SensitivityTable::read(file_->id, *file_->header.sensitivity);
-    });
 }
 
 void History::require_in_place() const {

@@ -21,7 +21,6 @@
 #include "header.hpp"
 #include "ideotype/core/error.hpp"
 #include "journal.hpp"
-#include "sensitivity.hpp"
 #include "space.hpp"
 
 namespace ideotype {
@@ -145,7 +144,6 @@ void write_everything(hid_t file, const HistoryHeader& header) {
     // The large comes last: it is what a file that is cut short loses.
     Generations::create(file, header);
     Journal::create(file);
-    if (header.sensitivity) SensitivityTable::create(file, *header.sensitivity);
     Columns::create(
         file, header.genes, header.final_schema(),
         {.group = "final",

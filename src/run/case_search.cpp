@@ -137,8 +137,8 @@ void CaseSearch::add(const std::vector<Candidate>& candidates) {
         const auto slot = static_cast<std::uint32_t>(open.rows.size());
         open.rows.push_back({candidate, Status::proposed, {}, 0});
         const std::uint32_t original =
-            is_sensitivity(evolution_.campaign)
-                ? slot  // each has random numbers of its own
+            evolution_.campaign.has_light_by_row
+                ? slot
                 : open.first_slots.emplace(candidate.genome, slot)
                       .first->second;
         const Outcome outcome = slot - first < stored

@@ -20,7 +20,7 @@ Outcome CanopyEvaluator::evaluate(const Task& task, const Genome& genome) {
                               sampling_of(task, campaign, chosen), device_);
     };
     const std::uint32_t i = task.case_index;
-    if (!is_sensitivity(campaign_) || campaign_.sensitivity.keys.empty())
+    if (campaign_.varied.keys.empty())
         return in(campaign_, cases_.at(i), stands_.at(i), genome);
     Genome plain = genome;
     const Campaign varied = at_keys(campaign_, plain);

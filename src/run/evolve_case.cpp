@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "case_search.hpp"
-#include "ideotype/run/sensitivity.hpp"
 #include "ideotype/stand/stand.hpp"
 
 namespace ideotype {
@@ -43,9 +42,8 @@ Routine<bool> evaluate_finalists(const Evolution& evolution, History& history) {
 SearchSpace search_space(const Campaign& campaign, const Case& chosen) {
     SearchSpace space{
         search_genes(campaign, chosen), baseline_numbers(campaign.crop), {}};
-    if (is_sensitivity(campaign))
-        for (const KeyFactor& each : campaign.sensitivity.keys)
-            space.baseline.push_back(each.value);
+    for (const KeyFactor& each : campaign.varied.keys)
+        space.baseline.push_back(each.value);
     for (const Aim& aim : aims(campaign)) space.senses.push_back(aim.sense);
     return space;
 }
@@ -66,8 +64,6 @@ Routine<Ending> evolve_case(Evolution evolution, History& history) {
     const bool is_complete = co_await evaluate_finalists(evolution, history);
     history.set_wall_time(spent_before + evolution.elapsed());
     if (!is_complete) co_return Ending::drained;
-    if (is_sensitivity(evolution.campaign))
-        record_sensitivity(evolution.campaign, evolution.chosen, history);
     history.finish(*reason);
     co_return Ending::finished;
 }

@@ -192,9 +192,8 @@ class ProgressLog::CaseWatcher : public Watcher {
     void on_final(const std::string& reason) override {
         to_evaluate_ = 0;
         log_.print(fmt::format(
-            "{}  ended by {}; evaluating {} again with fresh random numbers",
-            entry_.name, reason,
-            is_sensitivity(log_.campaign_) ? "the baseline" : "the best"));
+            "{}  ended by {}; evaluating finalists with fresh random numbers",
+            entry_.name, reason));
     }
 
   private:

@@ -12,7 +12,6 @@
 #include "ideotype/parallel/session.hpp"
 #include "ideotype/run/machines.hpp"
 #include "ideotype/run/progress.hpp"
-#include "ideotype/run/sensitivity.hpp"
 #include "ideotype/stand/stand.hpp"
 
 namespace ideotype {
@@ -50,8 +49,6 @@ HistoryHeader header_of(const Campaign& campaign, const Case& chosen,
     header.campaign_resolved = campaign.resolved;
     header.genes = search_genes(campaign, chosen);
     header.schema = outcome_schema(campaign, chosen, campaign.sampling);
-    if (is_sensitivity(campaign))
-        header.sensitivity = sensitivity_form(campaign, chosen, header.schema);
     header.final_randomisations =
         static_cast<std::size_t>(campaign.final_rule.sampling.randomisations);
     header.seed = chosen.seed;

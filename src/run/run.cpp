@@ -140,8 +140,8 @@ Campaign read_with_start(const RunOptions& options) {
     const std::string& path = options.campaign_path;
     if (!options.start.empty())
         settings.push_back(
-            start_setting(read_campaign(path, settings), options.start));
-    Campaign campaign = read_campaign(path, settings);
+            start_setting(options.read(path, settings), options.start));
+    Campaign campaign = options.read(path, settings);
     require_breedable(campaign);
     return campaign;
 }

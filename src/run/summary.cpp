@@ -180,15 +180,18 @@ std::string front(const History& history, const Campaign& campaign,
     return text + too_dense("a plant of the front", lai);
 }
 
+constexpr const char* only_the_baseline =
+    "nothing but the baseline was evaluated again";
+
 }  // namespace
 
 std::string final_summary(const History& history, const Campaign& campaign) {
     const std::vector<Row> finalists = history.finalists();
     const auto& objectives = history.header().schema.objectives;
     const std::size_t best = best_finalist(finalists, objectives.front().sense);
-    if (is_sensitivity(campaign)) return "";
     std::string failures = failures_of(finalists);
     if (!failures.empty()) failures += '\n';
+    if (finalists.size() == 1) return failures + only_the_baseline + '\n';
     if (finalists.empty() || finalists[0].outcome.status != Status::done ||
         best == 0)
         return failures +
@@ -215,11 +218,11 @@ std::string final_summary(const History& history, const Campaign& campaign) {
                left_to_gain(history, campaign, finalists[best]));
 }
 
-std::string final_line(const History& history, const Campaign& campaign) {
+std::string final_line(const History& history) {
     const std::vector<Row> finalists = history.finalists();
     const auto& objectives = history.header().schema.objectives;
     const std::size_t best = best_finalist(finalists, objectives.front().sense);
-    if (is_sensitivity(campaign)) return "sensitivity study";
+    if (finalists.size() == 1) return only_the_baseline;
     if (finalists.empty() || finalists[0].outcome.status != Status::done ||
         best == 0)
         return "no finalist could be evaluated";

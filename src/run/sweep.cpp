@@ -115,14 +115,13 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
     progress_.end(chosen);
     const std::string path = path_of(options_.out, campaign_, chosen);
     const std::vector<Row> finalists = history.finalists();
-    if (!is_sensitivity(campaign_) &&
-        failed_finalists(finalists) == finalists.size())
+    if (failed_finalists(finalists) == finalists.size())
         throw CaseError(fmt::format("{}: {}", path, failures_of(finalists)));
     progress_.print_result(
-        was_finished ? fmt::format("finished before: {}, {}", path,
-                                   final_line(history, campaign_))
-                     : fmt::format("{}history: {}",
-                                   final_summary(history, campaign_), path));
+        was_finished
+            ? fmt::format("finished before: {}, {}", path, final_line(history))
+            : fmt::format("{}history: {}", final_summary(history, campaign_),
+                          path));
     co_return Ending::finished;
 }
 

@@ -49,6 +49,9 @@ void GenerationalOptimizer::learn(Individual row) {
 std::unique_ptr<Optimizer> make_optimizer(const SearchSettings& settings,
                                           const SearchSpace& space,
                                           std::uint64_t seed) {
+    if (settings.design)
+        return std::make_unique<SensitivityDesign>(*settings.design, space,
+                                                   seed);
     switch (settings.optimizer) {
         case OptimizerKind::ga:
             if (settings.window == 0) break;
@@ -60,9 +63,6 @@ std::unique_ptr<Optimizer> make_optimizer(const SearchSettings& settings,
         case OptimizerKind::random:
         case OptimizerKind::sobol:
             return std::make_unique<RandomSearch>(settings, space, seed);
-        case OptimizerKind::sensitivity:
-            return std::make_unique<SensitivitySearch>(settings.sensitivity,
-                                                       space, seed);
     }
     return std::make_unique<GeneticAlgorithm>(settings, space, seed);
 }

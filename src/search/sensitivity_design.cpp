@@ -52,10 +52,6 @@ std::size_t SensitivityDesign::rows_per_sample() const {
     return factors_.size() + (is_morris ? 1 : 2);
 }
 
-double SensitivityDesign::step_size() const {
-    return settings_.levels / (2.0 * (settings_.levels - 1));
-}
-
 SensitivityDesign::Path SensitivityDesign::path(std::uint32_t sample) const {
     Path path;
     path.start.resize(space_.genes.size());
@@ -74,18 +70,6 @@ SensitivityDesign::Path SensitivityDesign::path(std::uint32_t sample) const {
         std::swap(path.order[i - 1],
                   path.order[stream.below(static_cast<std::uint32_t>(i))]);
     return path;
-}
-
-std::vector<SensitivityDesign::Step> SensitivityDesign::steps(
-    std::uint32_t sample) const {
-    const Path path = this->path(sample);
-    std::vector<Step> steps;
-    for (const std::size_t factor : path.order) {
-        const std::vector<std::size_t>& genes = factors_[factor].genes;
-        const bool is_down = genes.size() == 1 && path.steps[genes[0]] < 0;
-        steps.push_back({factor, is_down ? -1.0 : 1.0});
-    }
-    return steps;
 }
 
 Genome SensitivityDesign::row(std::uint32_t sample, std::size_t place) const {
@@ -134,35 +118,28 @@ int generations_of(const SensitivitySettings& settings) {
            samples_per_generation;
 }
 
-SensitivitySearch::SensitivitySearch(const SensitivitySettings& settings,
-                                     SearchSpace space, std::uint64_t seed)
-    : design_(settings, std::move(space), seed) {}
-
-std::size_t SensitivitySearch::size(std::uint32_t generation) const {
+std::size_t SensitivityDesign::size(std::uint32_t generation) const {
     const std::size_t before = std::size_t{generation} * samples_per_generation;
-    return design_.rows_per_sample() *
-           std::min<std::size_t>(samples_per_generation,
-                                 design_.samples() - before);
+    return rows_per_sample() *
+           std::min<std::size_t>(samples_per_generation, samples() - before);
 }
 
-std::uint64_t SensitivitySearch::needs(std::uint32_t generation,
+std::uint64_t SensitivityDesign::needs(std::uint32_t generation,
                                        std::uint32_t) const {
     constexpr std::uint64_t under_way = 1000;
-    const std::uint64_t before = std::uint64_t{generation} *
-                                 samples_per_generation *
-                                 design_.rows_per_sample();
+    const std::uint64_t before =
+        std::uint64_t{generation} * samples_per_generation * rows_per_sample();
     return before - std::min(before, under_way);
 }
 
-Candidate SensitivitySearch::propose(std::uint32_t generation,
+Candidate SensitivityDesign::propose(std::uint32_t generation,
                                      std::uint32_t slot) {
-    const auto rows = static_cast<std::uint32_t>(design_.rows_per_sample());
-    return {design_.row(generation * samples_per_generation + slot / rows,
-                        slot % rows),
+    const auto rows = static_cast<std::uint32_t>(rows_per_sample());
+    return {row(generation * samples_per_generation + slot / rows, slot % rows),
             Origin::random};
 }
 
-std::vector<Candidate> SensitivitySearch::best(std::size_t) const {
+std::vector<Candidate> SensitivityDesign::best(std::size_t) const {
     return {};
 }
 

@@ -30,7 +30,7 @@ Randomness randomness_of(const Task& task, const Campaign& campaign,
     if (task.is_final)
         return {derive_seed(chosen.seed, "final"), 0, 0,
                 Randomness::Fields::each};
-    if (is_sensitivity(campaign))
+    if (campaign.has_light_by_row)
         return {chosen.seed, task.generation,
                 task.slot * static_cast<std::uint32_t>(
                                 campaign.sampling.randomisations),

@@ -3,18 +3,18 @@
 
 from __future__ import annotations
 
-import shutil
+import json
+import sys
 from pathlib import Path
 
-import h5py
 import numpy as np
 import pytest
 from real_program import output_of
 
-from ideotype.analysis import HistoryError, open_history
+from ideotype.analysis import open_history
 from ideotype.analysis.case import Case
 from ideotype.analysis.commands import report
-from ideotype.analysis.indices import draw_indices
+from ideotype.analysis.indices import draw_indices, indices_of, main
 
 CAMPAIGN = Path(__file__).parents[2] / "campaigns" / "ames_quick.toml"
 
@@ -31,9 +31,9 @@ def path(request, tmp_path_factory) -> Path:
     return next(out.glob("*/*.h5"))
 
 
-def test_indices_are_read_by_quantity(path: Path) -> None:
+def test_indices_are_computed_by_quantity(path: Path) -> None:
     with open_history(path) as history:
-        found = history.sensitivity()
+        found = indices_of(history)
         assert history.is_sensitivity
         assert history.genes.names[-1] == "optics.soil_albedo"
         rows = history.evaluations()
@@ -70,15 +70,27 @@ def test_indices_are_read_by_quantity(path: Path) -> None:
     )
 
 
-def test_a_damaged_index_is_noticed(path: Path, tmp_path: Path) -> None:
-    copy = Path(shutil.copy(path, tmp_path))
-    with h5py.File(copy, "r+", libver="latest") as file:
-        name = "total" if "total" in file["sensitivity"] else "sigma"
-        file[f"sensitivity/{name}"][0, 1] += 1e-9
-    with pytest.raises(HistoryError, match="damaged: sensitivity 0"):
-        open_history(copy)
-    with pytest.raises(AssertionError, match="sensitivity of absorbed_par"):
-        output_of("verify", copy)
+def test_indices_are_printed(
+    path: Path, capsys: pytest.CaptureFixture
+) -> None:
+    assert main([str(path), "--quantity", "lai"]) == 0
+    text = capsys.readouterr().out
+    assert "absorbed_par [MJ m-2 day-1]: mean" in text
+    assert "lai [m2 m-2]: mean" in text
+    assert "  optics.soil_albedo " in text
+    assert main([str(path), "--json"]) == 0
+    table = json.loads(capsys.readouterr().out)["quantities"]
+    assert table["lai"]["samples"] == 16
+    assert main([str(path), "--quantity", "lay"]) == 1
+    assert "there is no 'lay'" in capsys.readouterr().err
+
+
+def test_without_salib_there_is_one_message(
+    path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture
+) -> None:
+    monkeypatch.setitem(sys.modules, "SALib", None)
+    assert main([str(path)]) == 1
+    assert "pip install 'ideotype[sensitivity]'" in capsys.readouterr().err
 
 
 def test_the_report_draws_them(path: Path, tmp_path: Path) -> None:

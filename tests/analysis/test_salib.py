@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sensitivity indices against SALib, which is told the same rows."""
+"""Indices of the program's designs, of functions whose indices are known."""
 
 import os
 import subprocess
@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from SALib.analyze import morris as salib_morris
-from SALib.analyze import sobol as salib_sobol
+
+from ideotype.analysis.indices import _analyse, _Design
 
 LEVELS = 6
 
@@ -39,90 +40,117 @@ CASES = [
 ]
 
 
-def replay(*words, values=()):
+def design(method, genes, together, samples):
+    """The rows of the program's design, as its histories have them."""
     build = Path(os.environ["IDEOTYPE_EXECUTABLE"]).parents[1]
+    words = (method, genes, together, samples, LEVELS)
     run = subprocess.run(
         [build / "tests" / "search" / "replay_sensitivity", *map(str, words)],
-        input=" ".join(repr(float(v)) for v in values),
         capture_output=True,
         text=True,
         check=True,
     )
-    return np.array([line.split() for line in run.stdout.splitlines()], float)
-
-
-def problem(genes, together=1):
-    found = {
+    x = np.array([line.split() for line in run.stdout.splitlines()], float)
+    of = [f"g{i // together}" for i in range(genes)]
+    factors = tuple(dict.fromkeys(of))
+    problem = {
         "num_vars": genes,
         "names": [f"x{i}" for i in range(genes)],
+        "groups": of,
         "bounds": [[0, 1]] * genes,
     }
-    if together > 1:
-        found["groups"] = [f"g{i // together}" for i in range(genes)]
-    return found
+    points = x.reshape(samples, -1, genes)
+    return _Design(method == "sobol", LEVELS, factors, problem, points)
+
+
+def analyse(made, function, spread=0.0, told=0.0):
+    """Of rows with normal noise, whose standard errors tell so much."""
+    x = made.points.reshape(-1, made.points.shape[2])
+    y = function(x) + spread * np.random.default_rng(5).normal(size=len(x))
+    y = y.reshape(made.points.shape[:2])
+    return _analyse("y", "1", made, y, np.full_like(y, told**2))
 
 
 @pytest.mark.parametrize("function, genes, first, total", CASES)
-def test_sobol_indices(function, genes, first, total):
-    words = ("sobol", genes, 1, 4096, 4)
-    y = function(replay(*words))
-    ours = replay(*words, values=y)
-    published = salib_sobol.analyze(
-        problem(genes), y, calc_second_order=False, seed=1
-    )
-    for row, name, exact in ((0, "S1", first), (1, "ST", total)):
-        index, error = ours[row, ::2], ours[row, 1::2]
-        np.testing.assert_allclose(index, published[name], atol=1e-10, rtol=0)
-        # Both by bootstrap, with other draws.
-        width = published[f"{name}_conf"] / 1.96
-        np.testing.assert_allclose(error, width, rtol=0.5, atol=1e-6)
-        assert np.all(np.abs(index - exact) < 3 * error + 1e-6)
+def test_indices_are_the_known_ones(function, genes, first, total):
+    found = analyse(design("sobol", genes, 1, 4096), function)
+    for name, exact in (("first", first), ("total", total)):
+        error = found.standard_error[name]
+        assert np.all(np.abs(found.index[name] - exact) < 3 * error + 1e-6)
         assert np.max(error) < 0.03
 
 
-@pytest.mark.parametrize("together", [2, 4])
-def test_sobol_indices_of_groups(together):
-    words = ("sobol", 8, together, 1024, 4)
-    y = sobol_g(replay(*words))
-    ours = replay(*words, values=y)
-    published = salib_sobol.analyze(
-        problem(8, together), y, calc_second_order=False, seed=1
-    )
-    for row, name in ((0, "S1"), (1, "ST")):
-        np.testing.assert_allclose(
-            ours[row, ::2], published[name], atol=1e-10, rtol=0
-        )
+def test_noise_that_is_told_is_taken_off():
+    made, spread = design("sobol", 3, 1, 16384), 2.6
+    told = analyse(made, ishigami, spread, spread)
+    untold = analyse(made, ishigami, spread)
+    assert told.noise == pytest.approx(spread)
+    variance = 13.844587940719254
+    assert told.standard_deviation == pytest.approx(variance**0.5, abs=0.1)
+    for name, exact in (("first", ISHIGAMI_FIRST), ("total", ISHIGAMI_TOTAL)):
+        error = told.standard_error[name]
+        assert np.all(np.abs(told.index[name] - exact) < 3 * error)
+        assert np.max(error) < 0.03
+    noisy = variance + spread**2
+    biased = (np.array(ISHIGAMI_TOTAL) * variance + spread**2) / noisy
+    error = untold.standard_error["total"]
+    assert np.all(np.abs(untold.index["total"] - biased) < 3 * error)
+    assert np.all(untold.index["total"] > ISHIGAMI_TOTAL + 5 * error)
 
 
-@pytest.mark.parametrize("function, genes, first, total", CASES)
-def test_elementary_effects(function, genes, first, total):
-    words = ("morris", genes, 1, 200, LEVELS)
-    x = replay(*words)
-    y = function(x)
-    ours = replay(*words, values=y)
+def test_groups_are_their_genes_together():
+    found = analyse(design("sobol", 8, 4, 4096), sobol_g)
+    first = np.prod(1 + PARTS[:4]) - 1
+    error = found.standard_error["first"][0]
+    assert abs(found.index["first"][0] - first / G_VARIANCE) < 3 * error
+    assert error < 0.03
+
+
+def test_elementary_effects_without_noise():
+    made, spread = design("morris", 3, 1, 8192), 1.0
+    exact = analyse(made, ishigami)
+    told = analyse(made, ishigami, spread, spread)
+    untold = analyse(made, ishigami, spread)
+    x = made.points.reshape(-1, 3)
     published = salib_morris.analyze(
-        problem(genes), x, y, num_levels=LEVELS, seed=1
+        {**made.problem, "groups": None}, x, ishigami(x), num_levels=LEVELS
     )
-    for row, name in enumerate(("mu", "mu_star", "sigma")):
+    for name in ("mu", "mu_star", "sigma"):
         np.testing.assert_allclose(
-            ours[row, ::2],
+            exact.index[name],
             np.asarray(published[name], float),
             rtol=1e-10,
             atol=1e-10,
         )
-    width = np.asarray(published["mu_star_conf"], float) / 1.96
-    np.testing.assert_allclose(ours[1, 1::2], width, rtol=0.3, atol=1e-6)
-
-
-def test_elementary_effects_of_groups():
-    words = ("morris", 8, 4, 200, LEVELS)
-    x = replay(*words)
-    y = sobol_g(x)
-    ours = replay(*words, values=y)
-    published = salib_morris.analyze(
-        problem(8, 4), x, y, num_levels=LEVELS, seed=1
-    )
     np.testing.assert_allclose(
-        ours[1, ::2], np.asarray(published["mu_star"], float), rtol=1e-10
+        told.index["sigma"], exact.index["sigma"], atol=0.1
     )
-    assert np.all(np.isnan(ours[0]))
+    step = LEVELS / (2 * (LEVELS - 1))
+    of_noise = np.hypot(exact.index["sigma"], 2**0.5 * spread / step)
+    np.testing.assert_allclose(untold.index["sigma"], of_noise, atol=0.1)
+    alone = analyse(made, lambda x: np.zeros(len(x)), spread, spread)
+    np.testing.assert_allclose(
+        alone.index["mu_star"], alone.index["mu_star_of_noise"], rtol=0.03
+    )
+
+
+def test_samples_that_lack_a_row_are_left_out():
+    made = design("sobol", 3, 1, 64)
+    y = ishigami(made.points.reshape(-1, 3)).reshape(64, -1)
+    expected = _analyse("y", "1", made, y[:32], np.zeros_like(y[:32]))
+    for i in range(32, 64):
+        y[i, i % 5] = np.nan
+    found = _analyse("y", "1", made, y, np.zeros_like(y))
+    assert found.samples == 32
+    for name in ("first", "total"):
+        np.testing.assert_array_equal(found.index[name], expected.index[name])
+    none = _analyse("y", "1", made, np.nan * y, np.zeros_like(y))
+    assert none.samples == 0
+    assert np.isnan(none.index["first"]).all()
+
+
+def test_constants_depend_on_nothing():
+    made = design("sobol", 3, 1, 64)
+    found = analyse(made, lambda x: np.full(len(x), 0.1))
+    assert np.isnan(found.index["first"]).all()
+    assert found.standard_deviation == pytest.approx(0, abs=1e-12)

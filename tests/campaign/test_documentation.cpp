@@ -116,7 +116,7 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
         "[photosynthesis]\nmodel = \"collatz\"\nvmax = 30\nalpha = 0.06\n"
         "beta = 0.9\nk = 0.6\n";
     const std::string sensitivity =
-        "[search]\noptimizer = \"sensitivity\"\n[[sensitivity.keys]]\n"
+        "[[sensitivity.keys]]\n"
         "key = \"field.jitter\"\nrange = [0, 20]\n";
     const std::string variation = "[field.variation]\nlength = 0.1\n";
     const auto lines_of = [](const Campaign& campaign) {

@@ -118,5 +118,36 @@ TEST(Settings, OnlyTheGeneticAlgorithmHasAWindow) {
                      InputError);
 }
 
+TEST(Settings, StudiesAreNoSearchAndOlderOnesNameAnOptimizer) {
+    const Campaign study = read_study(ames, {"sensitivity.samples=40"});
+    ASSERT_TRUE(study.search.design);
+    EXPECT_EQ(study.search.design->samples, 40);
+    EXPECT_EQ(study.stop.generations, 3);
+    EXPECT_EQ(study.resolved.find("[search]"), std::string::npos);
+    std::string older = study.resolved;
+    older.insert(older.find("[sensitivity]"),
+                 "[search]\noptimizer = \"sensitivity\"\npopulation = 9\n\n");
+    EXPECT_EQ(parse_campaign(older, "older").resolved, study.resolved);
+    EXPECT_FALSE(read_campaign(ames, {"sensitivity.samples=40"}).search.design);
+}
+
+TEST(Settings, EndsOfRangesFitTheRestOfTheCampaign) {
+    const std::string key =
+        "sensitivity.keys=[{key=\"optics.leaf_reflectance\"";
+    EXPECT_NO_THROW(read_study(ames, {key + ", range=[0, 0.1]}]"}));
+    try {
+        read_study(ames, {"optics.leaf_transmittance=0.5",
+                          key + ", range=[0, 0.6]}]"});
+        FAIL();
+    } catch (const InputError& error) {
+        ASSERT_EQ(error.problems().size(), 1U);
+        EXPECT_NE(error.problems()[0].what.find(
+                      "sensitivity.keys: with 0.6 of optics.leaf_reflectance, "
+                      "optics.leaf_transmittance is 0.5"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
 }  // namespace
 }  // namespace ideotype

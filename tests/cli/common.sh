@@ -100,9 +100,6 @@ same_results() {
     same_group "$1" "$2" /evaluations seconds worker attempt
     same_group "$1" "$2" /final seconds worker attempt checksum
     same_group "$1" "$2" /generations wall_time checksum
-    if h5ls "$1/sensitivity" >/dev/null 2>&1; then
-        same_group "$1" "$2" /sensitivity
-    fi
 }
 
 # What process $1 started, and what those did: MPICH has a process of its own

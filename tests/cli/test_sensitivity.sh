@@ -19,29 +19,24 @@ key = "spacing.row"
 range = [0.5, 0.9]
 TOML
 sensitivity=("$ideotype" sensitivity campaigns/study.toml)
-expect 0 "${sensitivity[@]}" --out alone --json alone.json --quantity lai
-says "absorbed_par \[MJ m-2 day-1\]: mean "
-says "^  spacing.row "
-says "lai \[m2 m-2\]: mean "
-# Both keys at once may be more than all light.
-says "of 40 samples have rows that failed"
+expect 0 "${sensitivity[@]}" --out alone
 whole=$(history_of alone study)
 "$ideotype" status alone | grep ": finished by generations, 3 of 3 generations" ||
     fail "not finished"
+# Both keys at once may be more than all light.
+"$ideotype" status alone | grep -E ", [0-9]+ failed," || fail "no row failed"
 "$ideotype" verify "$whole"
 "$ideotype" evaluate "$whole" --generation 1 --slot 20 | grep "agrees bit for bit" ||
     fail "a row cannot be computed again"
 for ranks in 1 2 5 12; do
-    mpirun -n $ranks "${sensitivity[@]}" --out ranks$ranks --json ranks.json >/dev/null
+    mpirun -n $ranks "${sensitivity[@]}" --out ranks$ranks >/dev/null
     same_results "$whole" "$(history_of ranks$ranks study)"
-    cmp alone.json ranks.json || fail "$ranks ranks find other indices"
 done
 
 # The comparison itself must be able to fail.
 "${sensitivity[@]}" --set seed=8 --out other >/dev/null
-if (same_group "$whole" "$(history_of other study)" /sensitivity) \
-    >/dev/null 2>&1; then
-    fail "another seed gave the same indices"
+if (same_results "$whole" "$(history_of other study)") >/dev/null 2>&1; then
+    fail "another seed gave the same rows"
 fi
 
 # Stopped and resumed; nothing else may be written over it.
@@ -62,19 +57,14 @@ grep -q -- "sensitivity campaigns/study.toml.*--resume" drain.log ||
     fail "no word about how to go on: $(cat drain.log)"
 expect 4 "${longer[@]}" --out drained
 expect 4 "$ideotype" run campaigns/study.toml --out drained --resume
-says "search.optimizer was"
+says "sensitivity.samples was 240, is absent"
 expect 0 "${longer[@]}" --out drained --resume
 same_results "$(history_of whole study)" "$(history_of drained study)"
-# What is finished is told again.
-expect 0 "${longer[@]}" --out drained --resume --quantity absorbed_fraction
-says "absorbed_fraction \[1\]: mean"
-expect 2 "${longer[@]}" --out drained --resume --quantity absorbed_fractio
-says "did you mean 'absorbed_fraction'?"
+expect 3 "$ideotype" run campaigns/study.toml --set search.optimizer=sensitivity
+says "start ideotype sensitivity CAMPAIGN"
 
 expect 0 "${sensitivity[@]}" --set sensitivity.method=morris \
     --set sensitivity.groups=gene --set sensitivity.samples=16 --out morris
-says "mu_star_of_noise"
-says "^  leaf03_width "
 expect 3 "${sensitivity[@]}" --set sensitivity.traits=3 --set sensitivity.levels=3
 says "sensitivity.traits is an integer"
 says "sensitivity.levels is 3"

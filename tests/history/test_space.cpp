@@ -67,18 +67,18 @@ TEST(Space, IsTakenAtOnceForTheWholeRun) {
 }
 
 TEST(Space, IsKnownBeforeTheFileIsWritten) {
-    for (const int generations : {1, 5, 16, 17, 24, 1000})
-        for (const int population : {4, 7, 1000}) {
+    for (const int most : {1, 5, 16, 17, 24, 1000})
+        for (const int size : {4, 7, 1000}) {
             HistoryHeader header = sample_header();
-            header.generations = generations;
-            header.population = population;
+            header.generations = most;
+            header.population = size;
             const Folder folder;
             const std::string path = folder / "case.h5";
             History::create(path, header);
-            const auto size =
+            const auto bytes =
                 static_cast<double>(std::filesystem::file_size(path));
-            EXPECT_NEAR(static_cast<double>(history_bytes(header)), size, 128)
-                << generations << " x " << population;
+            EXPECT_NEAR(static_cast<double>(history_bytes(header)), bytes, 128)
+                << most << " x " << size;
         }
 }
 

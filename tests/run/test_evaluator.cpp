@@ -254,10 +254,9 @@ TEST(Canopy, InThePolarNightAllFiguresAreZero) {
 
 class Study : public ::testing::Test {
   protected:
-    const Campaign campaign = read_campaign(
+    const Campaign campaign = read_study(
         std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml",
-        {"search.optimizer=sensitivity",
-         "sensitivity.keys=[{key=\"optics.soil_albedo\", range=[0, 1]}, "
+        {"sensitivity.keys=[{key=\"optics.soil_albedo\", range=[0, 1]}, "
          "{key=\"spacing.row\", range=[0.5, 0.9]}]"});
     CanopyEvaluator evaluator{campaign, Device::supported_isas().back()};
     Genome genome = baseline_numbers(campaign.crop);
@@ -275,10 +274,9 @@ class Study : public ::testing::Test {
 };
 
 TEST_F(Study, KeysOfARowAreThoseOfACampaignWithThem) {
-    const Campaign other =
-        read_campaign(std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml",
-                      {"optics.soil_albedo=0.4", "spacing.row=0.6",
-                       "spacing.name=762x152", "search.optimizer=sensitivity"});
+    const Campaign other = read_study(
+        std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml",
+        {"optics.soil_albedo=0.4", "spacing.row=0.6", "spacing.name=762x152"});
     CanopyEvaluator of_other(other, Device::supported_isas().back());
     Task task;
     task.slot = 3;
@@ -310,10 +308,9 @@ TEST_F(Study, RowsHaveIndependentNoiseOfKnownSizeInOneField) {
 }
 
 TEST_F(Study, KeysThatContradictEachOtherFailTheRow) {
-    const Campaign dark = read_campaign(
+    const Campaign dark = read_study(
         std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml",
-        {"search.optimizer=sensitivity",
-         "sensitivity.keys=[{key=\"optics.leaf_reflectance\", range=[0, 0.9]},"
+        {"sensitivity.keys=[{key=\"optics.leaf_reflectance\", range=[0, 0.9]},"
          "{key=\"optics.leaf_transmittance\", range=[0, 0.9]}]"});
     Genome of_row = genome;
     of_row.insert(of_row.end(), {0.8, 0.8});

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Arguments: sobol or morris, genes, of how many in each group (1: none),
-// samples, levels. Prints the rows of the design over unit ranges. If values of
-// the rows, with standard errors of 0, follow on standard input, prints the
-// indices instead, each with the standard error of each factor.
+// samples, levels. Prints the rows of the design over unit ranges.
 
 #include <cstdio>
 #include <cstdlib>
-#include <iostream>
 #include <string>
 
-#include "ideotype/search/sensitivity_indices.hpp"
+#include "ideotype/search/sensitivity_design.hpp"
 
 using namespace ideotype;
 
@@ -27,19 +24,9 @@ int main(int, char** words) {
          std::atoi(words[4]), std::atoi(words[5]),
          together > 1 ? Grouping::trait : Grouping::gene},
         space, 1);
-    std::vector<Estimate> rows;
-    for (double x = 0; std::cin >> x;) rows.push_back({x, 0});
-    if (rows.empty())
-        for (std::uint32_t i = 0; i < design.samples(); ++i)
-            for (std::size_t k = 0; k < design.rows_per_sample(); ++k) {
-                for (const double x : design.row(i, k))
-                    std::printf("%.17g ", x);
-                std::printf("\n");
-            }
-    else
-        for (const auto& index : analyse(design, rows).indices) {
-            for (const auto& [mean, error] : index)
-                std::printf("%.17g %.17g ", mean, error);
+    for (std::uint32_t i = 0; i < design.samples(); ++i)
+        for (std::size_t k = 0; k < design.rows_per_sample(); ++k) {
+            for (const double x : design.row(i, k)) std::printf("%.17g ", x);
             std::printf("\n");
         }
     return 0;

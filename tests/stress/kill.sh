@@ -7,6 +7,8 @@ ideotype=$(readlink -f "$1")
 kills=${2:-100}
 seed=${3:-1}
 light=${4:-day}
+verb=run
+[ "$light" != study ] || verb=sensitivity
 settings=()
 for setting in "${@:5}"; do settings+=(--set "$setting"); done
 here=$(readlink -f "$(dirname "$0")")
@@ -46,7 +48,7 @@ done
 start() {
     log=run.$1.log
     width=$((1 + RANDOM % 4))
-    local how=(mpirun -n "$width" "$ideotype" run)
+    local how=(mpirun -n "$width" "$ideotype" "$verb")
     [ "$light" != threads ] || how=("$ideotype" run --threads "$width")
     "${how[@]}" campaigns/stress.toml "${settings[@]}" --resume \
         --out "round$round" >"$log" 2>&1 &
@@ -140,7 +142,7 @@ if [ "$light" = season ]; then
     name=july
     lag=1000  # weather is read first
 fi
-"$ideotype" run campaigns/stress.toml "${settings[@]}" --out whole >/dev/null
+"$ideotype" "$verb" campaigns/stress.toml "${settings[@]}" --out whole >/dev/null
 whole=$(history_of whole stress $name)
 round=0
 history=$(history_of round0 stress $name)
@@ -203,7 +205,7 @@ while [ $done_kills -lt "$kills" ]; do
     rm -f "$log"
 done
 if ! finished; then
-    mpirun -n 3 "$ideotype" run campaigns/stress.toml "${settings[@]}" --resume \
+    mpirun -n 3 "$ideotype" "$verb" campaigns/stress.toml "${settings[@]}" --resume \
         --out "round$round" >last.log 2>&1 ||
         fail "the last resume failed: $(cat last.log)"
 fi

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -51,6 +52,9 @@ struct SiteWeather {
     std::vector<double> beam, diffuse, temperature, humidity;
 };
 
+//! A campaign as it is read.
+struct Draft;
+
 //! The traits that may be bred; the others keep the baseline's values.
 using TraitSet = std::vector<std::string>;
 
@@ -95,7 +99,7 @@ struct KeyFactor {
     double value = 0;
 };
 
-//! What a sensitivity study varies.
+//! What candidates differ in.
 struct Variation {
     bool has_traits = true;  //!< free genes are factors
     std::vector<KeyFactor> keys;
@@ -168,7 +172,12 @@ struct Campaign {
     Across across = Across::mean;
     Constraints constraints;
     SearchSettings search;
-    Variation sensitivity;
+    Variation varied;  //!< traits alone, but in a sensitivity study
+    //! Each row has light of its own in the field of all; else those of a
+    //! generation share both.
+    bool has_light_by_row = false;
+    //! To vary keys again, if there are any: see at_keys().
+    std::shared_ptr<const Draft> draft;
     StopRules stop;
     FinalRule final_rule;
     AnswerLimits answer_limits;
@@ -226,6 +235,12 @@ Campaign read_campaign(const std::string& path,
 //! that it names are looked for from there.
 Campaign read_campaign_text(const std::string& text, const std::string& path,
                             const std::vector<std::string>& settings = {});
+
+//! Reads a campaign as a sensitivity study, which evaluates the design of its
+//! [sensitivity] instead of searching, with one replicate unless a setting asks
+//! for more.
+Campaign read_study(const std::string& path,
+                    const std::vector<std::string>& settings = {});
 
 //! Parses the text of a resolved campaign; file is used in messages.
 //! parse_campaign(c.resolved, f).resolved == c.resolved.
@@ -289,9 +304,6 @@ GeneSpace gene_space(const Campaign& campaign, const Case& chosen);
 //! The same with the keys that a sensitivity study varies behind them. Where
 //! it does not vary traits, no gene of them is free.
 GeneSpace search_genes(const Campaign& campaign, const Case& chosen);
-
-//! Whether a campaign is a sensitivity study instead of a search.
-bool is_sensitivity(const Campaign& campaign);
 
 //! The campaign with those keys set to the last numbers of a genome of these
 //! genes, which are removed.

@@ -13,18 +13,9 @@
 #include "ideotype/search/genome.hpp"
 #include "ideotype/search/outcome.hpp"
 #include "ideotype/search/population.hpp"
-#include "ideotype/search/sensitivity_indices.hpp"
 #include "ideotype/search/summary.hpp"
 
 namespace ideotype {
-
-//! The shape of what a history tells of a sensitivity study.
-struct SensitivityForm {
-    SensitivityMethod method = SensitivityMethod::sobol;
-    std::vector<std::string> factors;
-    std::vector<std::string> quantities;
-    std::vector<std::string> units;  //!< of quantities
-};
 
 //! All that is known of a history before its first evaluation.
 struct HistoryHeader {
@@ -38,11 +29,10 @@ struct HistoryHeader {
     OutcomeSchema schema;  //!< of /evaluations
     //! That finalists' objectives are the means of; all else is as in schema.
     std::size_t final_randomisations = 2;
-    std::optional<SensitivityForm> sensitivity{};  //!< of such a study
-    std::uint64_t seed = 0;                        //!< of the case
-    int population = 0;   //!< rows of a generation, on average at most
-    int generations = 0;  //!< at most
-    int finalists = 0;    //!< rows of /final
+    std::uint64_t seed = 0;  //!< of the case
+    int population = 0;      //!< rows of a generation, on average at most
+    int generations = 0;     //!< at most
+    int finalists = 0;       //!< rows of /final
 
     //! Room of /evaluations.
     int rows() const { return population * generations; }
@@ -205,11 +195,6 @@ class History {
     std::vector<std::uint32_t> pending_final() const;
     void record_final(std::uint32_t slot, const Outcome& outcome);
     std::vector<Row> finalists() const;
-
-    //! What a sensitivity study has found of the quantities in its form; NaN
-    //! before it is recorded. Only of histories that have that form.
-    void record_sensitivity(const std::vector<QuantitySensitivity>& found);
-    std::vector<QuantitySensitivity> sensitivity() const;
 
     //! What is written to a file that was deleted or replaced nobody can ever
     //! read; every write looks at this too. @throws Error (refused)

@@ -19,6 +19,9 @@ std::string path_of(const std::string& out, const Campaign& campaign,
 
 //! `run CAMPAIGN`: evolves one case, or all of them in one job.
 struct RunOptions {
+    //! Reads the campaign: as a search, or as what is evaluated otherwise.
+    Campaign (*read)(const std::string& path,
+                     const std::vector<std::string>& settings) = read_campaign;
     std::string campaign_path;
     std::vector<std::string> settings;  //!< "table.key=value"
     std::string start;  //!< plant or history that CMA-ES begins around; or ""

@@ -33,6 +33,6 @@ std::string failures_of(const std::vector<Row>& finalists);
 std::string final_summary(const History& history, const Campaign& campaign);
 
 //! Tells the result of a case in one line without its end.
-std::string final_line(const History& history, const Campaign& campaign);
+std::string final_line(const History& history);
 
 }  // namespace ideotype

@@ -31,12 +31,14 @@ std::vector<Factor> factors_of(const GeneSpace& genes, Grouping groups);
 //! after the other makes a step, in a random order. The genes of a factor
 //! change together (Campolongo et al. 2007,
 //! doi:10.1016/j.envsoft.2006.10.004).
-class SensitivityDesign {
+//!
+//! It proposes its rows sample after sample, in the place of an optimizer, and
+//! learns nothing.
+class SensitivityDesign : public Optimizer {
   public:
     SensitivityDesign(const SensitivitySettings& settings, SearchSpace space,
                       std::uint64_t seed);
 
-    const SensitivitySettings& settings() const { return settings_; }
     const std::vector<Factor>& factors() const { return factors_; }
     std::size_t samples() const;
     std::size_t rows_per_sample() const;
@@ -44,17 +46,14 @@ class SensitivityDesign {
     //! @param place from 0 to rows_per_sample()
     Genome row(std::uint32_t sample, std::size_t place) const;
 
-    //! What changes between two neighbouring rows of a path by Morris.
-    struct Step {
-        std::size_t factor = 0;
-        //! 1 up, -1 down; 1 of several genes, which go either way.
-        double sign = 1;
-    };
-    std::vector<Step> steps(std::uint32_t sample) const;
-
-    //! The part of a gene's range that it steps over; circular genes step over
-    //! half a turn.
-    double step_size() const;
+    std::size_t size(std::uint32_t generation) const override;
+    //! So few that nobody waits: a thousand rows may be under way.
+    std::uint64_t needs(std::uint32_t generation,
+                        std::uint32_t slot) const override;
+    Candidate propose(std::uint32_t generation, std::uint32_t slot) override;
+    void learn(Individual) override {}
+    //! Nothing: no plant is better than others.
+    std::vector<Candidate> best(std::size_t count) const override;
 
   private:
     struct Path;
@@ -76,24 +75,5 @@ inline constexpr int samples_per_generation = 16;
 int generation_size(const SensitivitySettings& settings,
                     const GeneSpace& genes);
 int generations_of(const SensitivitySettings& settings);
-
-//! Proposes the rows of a design, sample after sample, and learns nothing.
-class SensitivitySearch : public Optimizer {
-  public:
-    SensitivitySearch(const SensitivitySettings& settings, SearchSpace space,
-                      std::uint64_t seed);
-
-    std::size_t size(std::uint32_t generation) const override;
-    //! So few that nobody waits: a thousand rows may be under way.
-    std::uint64_t needs(std::uint32_t generation,
-                        std::uint32_t slot) const override;
-    Candidate propose(std::uint32_t generation, std::uint32_t slot) override;
-    void learn(Individual) override {}
-    //! Nothing: no plant is better than others.
-    std::vector<Candidate> best(std::size_t count) const override;
-
-  private:
-    SensitivityDesign design_;
-};
 
 }  // namespace ideotype

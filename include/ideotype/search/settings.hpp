@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "ideotype/search/sensitivity_settings.hpp"
@@ -8,7 +9,7 @@
 namespace ideotype {
 
 //! Which optimizer searches.
-enum class OptimizerKind { ga, cma_es, nsga2, random, sobol, sensitivity };
+enum class OptimizerKind { ga, cma_es, nsga2, random, sobol };
 
 //! Settings of the genetic algorithm.
 struct GaSettings {
@@ -43,7 +44,8 @@ struct SearchSettings {
     int window = 0;
     GaSettings ga;
     CmaSettings cma;
-    SensitivitySettings sensitivity{};
+    //! That proposes the rows in place of an optimizer.
+    std::optional<SensitivitySettings> design{};
     //! Of the hypervolume, by objective; empty: the worst of the beginning.
     std::vector<double> reference{};
 };

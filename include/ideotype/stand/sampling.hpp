@@ -15,8 +15,8 @@ namespace ideotype {
 Accuracy accuracy_of(const Task& task, const Campaign& campaign);
 
 //! The random numbers of a task: common to all candidates of a generation;
-//! fresh ones for all finalists. Rows of a sensitivity study have light of
-//! their own, in one field.
+//! fresh ones for all finalists. Where each row has light of its own, they
+//! share the field.
 Randomness randomness_of(const Task& task, const Campaign& campaign,
                          const Case& chosen);
 

@@ -17,7 +17,6 @@ from .datasets import Datasets
 from .file import HistoryError, text, writer_of
 from .front import Front, front_of
 from .genes import Genes
-from .indices import GROUP, Indices, read_indices
 from .integrity import verify
 from .pair import Pair
 from .quantity import Objective, Quantity
@@ -206,12 +205,7 @@ class History:
     def is_sensitivity(self) -> bool:
         """Whether the rows are those of a sensitivity study, of which no
         plant is the best."""
-        return GROUP in self.datasets.names("/")
-
-    def sensitivity(self) -> dict[str, Indices]:
-        """What a finished sensitivity study found, by quantity; empty before
-        that, and of a search."""
-        return read_indices(self.datasets)
+        return "sensitivity" in self.resolved
 
     def state(self) -> State:
         """Whether the case is running, stopped, interrupted or finished."""
@@ -273,7 +267,6 @@ class History:
         self.evaluations()
         self.finalists()
         self.generations()
-        self.sensitivity()
         self.state()
         self.sessions()
         self.messages()

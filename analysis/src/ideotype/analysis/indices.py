@@ -1,24 +1,28 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a sensitivity study found: Sobol' indices, or elementary effects by
-Morris."""
+Morris, by SALib from its rows, of which the noise is taken off."""
 
 from __future__ import annotations
 
+import argparse
+import json
+import sys
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from .._errors import did_you_mean, printable_lines
 from . import style
-from .datasets import Datasets
 from .file import HistoryError
+from .history import History, open_history
 
 if TYPE_CHECKING:
     from .case import Case
 
-GROUP = "sensitivity"
 _SOBOL = ("first", "total")
 _MORRIS = ("mu_star", "sigma")
 _SHOWN = 15
@@ -28,6 +32,11 @@ _LABELS = {
     "mu_star": "mean size μ*",
     "sigma": "standard deviation σ",
 }
+_NORMAL = 1.959963984540054
+"""Half the width of an interval of 95 % in standard errors."""
+_DRAWS = {"num_resamples": 500, "seed": 1}
+
+Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -44,46 +53,187 @@ class Indices:
     """Standard deviation of noise."""
     samples: int
     """Of which no row failed."""
-    index: dict[str, NDArray[np.float64]]
+    index: dict[str, Floats]
     """first and total by factor; or mu, mu_star, sigma, mu_star_of_noise."""
-    standard_error: dict[str, NDArray[np.float64]]
+    standard_error: dict[str, Floats]
+    """By bootstrap over samples: of first and total, or of mu_star."""
+
+    @property
+    def main(self) -> Floats:
+        """The index that ranks factors: total, or mu_star."""
+        return self.index["total" if "total" in self.index else "mu_star"]
 
 
-def read_indices(data: Datasets) -> dict[str, Indices]:
-    """By quantity; none if the history is of no sensitivity study, or that is
-    not finished yet."""
-    if GROUP not in data.names("/") or not data.read("state/finished"):
+@dataclass(frozen=True)
+class _Design:
+    """What the rows of a study are."""
+
+    is_sobol: bool
+    levels: int
+    factors: tuple[str, ...]
+    problem: dict[str, Any]
+    """As SALib has it: a variable for each free gene, a group for each factor."""
+    points: Floats
+    """[samples, rows of a sample, free genes], 0 to 1 in their ranges."""
+
+
+def indices_of(history: History) -> dict[str, Indices]:
+    """Computes the indices of all quantities that are single numbers, by name;
+    none if the history is of no sensitivity study, or that is not finished yet.
+
+    Raises HistoryError if SALib is not installed."""
+    if not history.is_sensitivity or not history.state().finished:
         return {}
+    try:
+        import SALib  # noqa: F401
+    except ImportError as error:
+        raise HistoryError(
+            "indices need SALib, which is not installed; run "
+            "pip install 'ideotype[sensitivity]'"
+        ) from error
+    rows = history.evaluations()
+    design = _design(history, rows.genome)
+    names = [goal.name for goal in history.objectives]
+    names += [name for name, q in rows.quantities.items() if q.axis is None]
+    found = {}
+    for name in dict.fromkeys(names):
+        quantity = rows[name]
+        shape = design.points.shape[:2]
+        values = quantity.values.reshape(shape)
+        noise = quantity.standard_error.reshape(shape) ** 2
+        found[name] = _analyse(name, quantity.unit, design, values, noise)
+    return found
 
-    def read(name: str) -> NDArray:
-        return data.read(f"{GROUP}/{name}")
 
-    suffix = "_standard_error"
-    names = [
-        name.removesuffix(suffix)
-        for name in data.names(GROUP)
-        if name.endswith(suffix)
-    ]
-    index = {name: read(name) for name in names}
-    error = {name: read(name + suffix) for name in names}
-    numbers = ("mean", "standard_deviation", "noise_standard_deviation")
-    mean, deviation, noise, samples = map(read, (*numbers, "samples"))
-    factors = tuple(data.texts(f"{GROUP}/factor"))
-    units = data.texts(f"{GROUP}/unit")
-    return {
-        quantity: Indices(
-            quantity,
-            units[i],
-            factors,
-            float(mean[i]),
-            float(deviation[i]),
-            float(noise[i]),
-            int(samples[i]),
-            {name: values[i] for name, values in index.items()},
-            {name: values[i] for name, values in error.items()},
-        )
-        for i, quantity in enumerate(data.texts(f"{GROUP}/quantity"))
+def _design(history: History, genomes: Floats) -> _Design:
+    settings = history.resolved["sensitivity"]
+    genes, free = history.genes, history.genes.is_free
+    by_gene = settings["groups"] == "gene"
+    of = np.array(genes.names if by_gene else genes.traits)[free].tolist()
+    factors = tuple(dict.fromkeys(of))
+    is_sobol = settings["method"] == "sobol"
+    size = len(factors) + (2 if is_sobol else 1)
+    width = (genes.upper - genes.lower)[free]
+    points = (genomes[:, free] - genes.lower[free]) / width
+    problem = {
+        "num_vars": len(of),
+        "names": [f"x{i}" for i in range(len(of))],
+        "groups": of,
+        "bounds": [[0, 1]] * len(of),
     }
+    return _Design(
+        is_sobol,
+        settings["levels"],
+        factors,
+        problem,
+        points.reshape(-1, size, len(of)),
+    )
+
+
+def _analyse(
+    name: str, unit: str, design: _Design, values: Floats, noise: Floats
+) -> Indices:
+    """Computes the indices of the samples that have all rows.
+
+    `values` and the variances of their noise are [samples, rows]."""
+    known = np.isfinite(values + noise).all(1)
+    y, noise = values[known], noise[known]
+    ends = [0, -1] if design.is_sobol else slice(None)
+    error = float(noise[:, ends].mean()) if len(y) else np.nan
+    variance = float(y[:, ends].var()) if len(y) else np.nan
+    mean = float(y.mean()) if len(y) else np.nan
+    # Rounding alone makes constants vary.
+    is_constant = not variance - error > (1e-12 * mean) ** 2
+    empty = np.full(len(design.factors), np.nan)
+    index: dict[str, Floats] = dict.fromkeys(
+        _SOBOL if design.is_sobol else ("mu", *_MORRIS, "mu_star_of_noise"),
+        empty,
+    )
+    errors = dict.fromkeys(index, empty)
+    if len(y) > 1 and not (design.is_sobol and is_constant):
+        if design.is_sobol:
+            _sobol(design, y, noise, index, errors)
+        else:
+            _morris(design, design.points[known], y, noise, index, errors)
+    return Indices(
+        name,
+        unit,
+        design.factors,
+        mean,
+        float(np.sqrt(max(0.0, variance - error))) if len(y) else np.nan,
+        float(np.sqrt(error)),
+        len(y),
+        index,
+        errors,
+    )
+
+
+def _sobol(
+    design: _Design,
+    y: Floats,
+    noise: Floats,
+    index: dict[str, Floats],
+    errors: dict[str, Floats],
+) -> None:
+    """First order by Saltelli et al. 2010 (doi:10.1016/j.cpc.2009.09.018) and
+    total by Jansen 1999 (doi:10.1016/S0010-4655(98)00154-4). Rows have
+    independent noise, whose variance is in the variance of the rows and in the
+    squared differences of a total index, but not in the products of a first."""
+    from SALib.analyze import sobol
+
+    found = sobol.analyze(
+        design.problem, y.ravel(), calc_second_order=False, **_DRAWS
+    )
+    variance = y[:, [0, -1]].var()
+    scale = variance / (variance - noise[:, [0, -1]].mean())
+    of_pairs = (noise[:, :1] + noise[:, 1:-1]).mean(0) / 2 / variance
+    index["first"] = scale * found["S1"]
+    index["total"] = scale * (found["ST"] - of_pairs)
+    errors["first"] = scale * found["S1_conf"] / _NORMAL
+    errors["total"] = scale * found["ST_conf"] / _NORMAL
+
+
+def _morris(
+    design: _Design,
+    points: Floats,
+    y: Floats,
+    noise: Floats,
+    index: dict[str, Floats],
+    errors: dict[str, Floats],
+) -> None:
+    """Elementary effects over the whole range of a factor (Morris 1991,
+    doi:10.1080/00401706.1991.10484804, Campolongo et al. 2007,
+    doi:10.1016/j.envsoft.2006.10.004); the variance of noise is taken off that
+    of effects."""
+    from SALib.analyze import morris
+
+    found = morris.analyze(
+        design.problem,
+        points.reshape(-1, points.shape[2]),
+        y.ravel(),
+        num_levels=design.levels,
+        **_DRAWS,
+    )
+    index["mu_star"] = np.asarray(found["mu_star"], float)
+    errors["mu_star"] = np.asarray(found["mu_star_conf"], float) / _NORMAL
+    step = design.levels / (2 * (design.levels - 1))
+    groups = np.array(design.problem["groups"])
+    for k, factor in enumerate(design.factors):
+        genes = groups == factor
+        change = np.diff(points[:, :, genes], axis=1)
+        sample, row = np.nonzero((change != 0).any(2))
+        # Several genes step either way.
+        is_one = genes.sum() == 1
+        sign = np.sign(change[sample, row, 0]) if is_one else 1
+        effects = sign * np.diff(y, axis=1)[sample, row] / step
+        spread = (noise[:, 1:] + noise[:, :-1])[sample, row] / step**2
+        for name, value in {
+            "mu": effects.mean() if is_one else np.nan,
+            "sigma": np.sqrt(max(0.0, effects.var(ddof=1) - spread.mean())),
+            "mu_star_of_noise": np.sqrt(2 * spread / np.pi).mean(),
+        }.items():
+            index[name] = index[name].copy()
+            index[name][k] = value
 
 
 def draw_indices(case: Case) -> Figure:
@@ -93,11 +243,11 @@ def draw_indices(case: Case) -> Figure:
     Raises HistoryError if the study is not finished, or tells nothing."""
     history = case.histories[0]
     name = history.objectives[0].name
-    found = history.sensitivity().get(name)
+    found = indices_of(history).get(name)
     if found is None:
         raise HistoryError("the sensitivity study is not finished yet")
     shown = _SOBOL if "total" in found.index else _MORRIS
-    main = found.index["total" if "total" in found.index else "mu_star"]
+    main = found.main
     if not np.isfinite(main).any():
         raise HistoryError(f"{style.words(name)} varies by no more than noise")
     order = np.argsort(-np.nan_to_num(main, nan=-np.inf))[:_SHOWN][::-1]
@@ -141,3 +291,124 @@ def draw_indices(case: Case) -> Figure:
         fontsize=10,
     )
     return figure
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Prints the indices of a history and returns the exit code: 0, or 1 if
+    there are none."""
+    parser = argparse.ArgumentParser(
+        prog="ideotype indices",
+        description="Tells what the objectives of a finished sensitivity study "
+        "depend on, the factors that matter most first, with 95 % intervals.",
+    )
+    parser.add_argument("file", help="history of `ideotype sensitivity`")
+    parser.add_argument(
+        "--quantity",
+        action="append",
+        default=[],
+        help="print the indices of this quantity too, such as lai",
+    )
+    parser.add_argument(
+        "--json", action="store_true", help="print all quantities as JSON"
+    )
+    options = parser.parse_args(arguments)
+    try:
+        with open_history(options.file) as history:
+            print(printable_lines(_told(history, options)))
+    except (HistoryError, OSError) as error:
+        print(printable_lines(f"ideotype: {error}"), file=sys.stderr)
+        return 1
+    return 0
+
+
+def _told(history: History, options: argparse.Namespace) -> str:
+    found = indices_of(history)
+    if not found:
+        raise HistoryError(
+            f"{history.path}: "
+            + (
+                "the sensitivity study is not finished yet; go on with "
+                "ideotype sensitivity CAMPAIGN --resume"
+                if history.is_sensitivity
+                else "is of no sensitivity study; ideotype sensitivity "
+                "CAMPAIGN writes one"
+            )
+        )
+    case = str(history.attributes["case"])
+    if options.json:
+        table = {name: _to_json(each) for name, each in found.items()}
+        return json.dumps({"case": case, "quantities": table}, indent=2)
+    names = [goal.name for goal in history.objectives] + options.quantity
+    for name in options.quantity:
+        if name not in found:
+            raise HistoryError(
+                f"--quantity: there is no '{name}'"
+                + did_you_mean(name, list(found))
+            )
+    text = "\n\n".join(f"{case}  {_to_text(found[name])}" for name in names)
+    known = found[names[0]].samples
+    samples = history.resolved["sensitivity"]["samples"]
+    if known < samples:
+        text += (
+            f"\n{samples - known} of {samples} samples have rows that failed; "
+            "the indices are from the others"
+        )
+    return text
+
+
+def _to_json(found: Indices) -> dict[str, Any]:
+    def number(x: float) -> float | None:
+        return float(x) if np.isfinite(x) else None
+
+    return {
+        "unit": found.unit,
+        "mean": number(found.mean),
+        "standard_deviation": number(found.standard_deviation),
+        "noise_standard_deviation": number(found.noise),
+        "samples": found.samples,
+        "factors": {
+            factor: {
+                name: {
+                    "mean": number(values[k]),
+                    "standard_error": number(found.standard_error[name][k]),
+                }
+                for name, values in found.index.items()
+            }
+            for k, factor in enumerate(found.factors)
+        },
+    }
+
+
+def _to_text(found: Indices) -> str:
+    lines = [
+        f"{found.quantity} [{found.unit}]: mean {found.mean:.6g}, standard "
+        f"deviation {found.standard_deviation:.3g} (without that of noise, "
+        f"{found.noise:.2g}); {found.samples} samples, 95 % intervals",
+        f"  {'factor':<32}" + "".join(f"{name:>28}" for name in found.index),
+    ]
+    for k in np.argsort(-np.nan_to_num(found.main), kind="stable"):
+        cells = [
+            _with_interval(values[k], found.standard_error[name][k])
+            for name, values in found.index.items()
+        ]
+        lines.append(
+            f"  {found.factors[k]:<32}"
+            + "".join(f"{cell:>28}" for cell in cells)
+        )
+    return "\n".join(lines)
+
+
+def _with_interval(value: float, error: float) -> str:
+    if not np.isfinite(value):
+        return "-"
+    if not np.isfinite(error):
+        return f"{value:.4g}"
+    half = _NORMAL * error
+    digits = 4 if half <= 0 else int(1 - np.floor(np.log10(half)))
+    digits = min(max(digits, 0), 4)
+    low, high = value - half, value + half
+    return f"{value:.{digits}f} ({low:.{digits}f} .. {high:.{digits}f})"
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -52,9 +52,6 @@ def verify(data: Datasets) -> None:
     final_sums = data.texts("final/checksum")
     for i in np.flatnonzero(~recorded):
         _check(data, f"finalist {i}", "", final_sums[i])
-    if "sensitivity" in _tables(data):
-        quantities = range(len(data.read("sensitivity/quantity")))
-        _check_rows(data, "sensitivity", "sensitivity", quantities)
 
 
 def _tables(data: Datasets) -> list[str]:

@@ -32,6 +32,9 @@ constexpr std::array python_verbs{
                "measure what accuracy costs here: error and time of every "
                "setting that trades one for the other, and the cheapest that "
                "will do"},
+    PythonVerb{"indices",
+               "what each objective depends on, from the rows of a "
+               "sensitivity study"},
 };
 
 //! Its arguments are what to say if the package is missing, and the words.

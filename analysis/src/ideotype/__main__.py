@@ -15,6 +15,7 @@ VERBS = {
     "report": "ideotype.analysis.commands:report",
     "weather": "ideotype.weather:main",
     "fidelity": "ideotype.fidelity:main",
+    "indices": "ideotype.analysis.indices:main",
 }
 """Where the function of each verb is, which takes the words after the verb
 and returns the exit code; `python_verbs.cpp` has the same names."""

@@ -49,7 +49,7 @@ full() {
 }
 for words in --version --help "run campaigns/full.toml --out full" \
     "check campaigns/full.toml" "check campaigns/full.toml --json" \
-    "plan campaigns/full.toml" "plan campaigns/full.toml --count" \
+    "check campaigns/full.toml --cases" "check campaigns/full.toml --count" \
     "status full" "status full --json" "verify $(history_of full full)" \
     "evaluate campaigns/full.toml"; do
     # shellcheck disable=SC2086

@@ -58,7 +58,7 @@ refused_once() {
 write_campaign one 8 3
 refused_once "one plant in one case" \
     compare campaigns/one.toml --under campaigns/one.toml
-for verb in check plan evaluate; do
+for verb in check evaluate; do
     refused_once "$verb: 3 copies" $verb campaigns/one.toml
 done
 refused_once "status: 3 copies" status alone

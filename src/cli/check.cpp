@@ -14,6 +14,9 @@
 #include "ideotype/run/run.hpp"
 #include "ideotype/run/sky_table.hpp"
 #include "ideotype/run/way_on.hpp"
+#include "ideotype/stand/across_scenarios.hpp"
+#include "ideotype/stand/sampling.hpp"
+#include "ideotype/stand/stand.hpp"
 #include "json.hpp"
 #include "stand_ranges.hpp"
 

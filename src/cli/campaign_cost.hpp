@@ -15,7 +15,7 @@ struct EvaluationCost {
     double final = 0;
 };
 
-//! What a campaign costs if no stop rule ends it early.
+//! The cost of a campaign that no stop rule ends early.
 class CampaignCost {
   public:
     //! Measures evaluations of the baseline in a case.
@@ -30,9 +30,9 @@ class CampaignCost {
     std::string table(std::size_t cases) const;
 
   private:
-    //! Of one case [s]: the slowest worker of a generation counts.
+    //! The time of one case [s]: the slowest worker of a generation counts.
     double of_case(int workers) const;
-    //! Of cases that share a job [s]: they fill each other's gaps.
+    //! The time of cases that share a job [s]: they fill each other's gaps.
     double of_cases(std::size_t cases, int workers) const;
 
     EvaluationCost seconds_;

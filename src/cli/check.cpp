@@ -24,7 +24,7 @@ namespace ideotype {
 
 namespace {
 
-//! Of a case with several.
+//! Names the scenarios of a case that has several.
 std::vector<std::string> scenario_names(const Campaign& campaign,
                                         const Case& chosen) {
     if (chosen.scenarios.empty()) return {};

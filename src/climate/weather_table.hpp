@@ -13,7 +13,7 @@
 
 namespace ideotype {
 
-//! What a row tells, in our units; nothing where it is not known.
+//! The values of a row in our units; nothing where one is not known.
 struct WeatherValues {
     std::optional<double> global;            //!< [W m-2]
     std::optional<double> beam_normal;       //!< [W m-2]
@@ -43,7 +43,8 @@ struct WeatherTable {
     std::vector<WeatherStep> rows{};
     double utc_offset = 0;  //!< of the clock [h]
     std::chrono::seconds step{3600};
-    //! Of a period: its first and last midnight; else the first and last rows.
+    //! The ends of a period: its first and last midnight; else the first and
+    //! last rows.
     ClockTime begin{}, end{};
 
     //! The index of the column of this name; adds a problem if there is not

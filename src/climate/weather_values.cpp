@@ -12,10 +12,10 @@ namespace ideotype {
 
 namespace {
 
-//! What a column tells.
+//! The quantity that a column has.
 enum class Kind { light, fraction, temperature };
 
-//! Which part of an energy or of photons a unit counts.
+//! The part of an energy or of photons that a unit counts.
 enum class Per { itself, second, photon };
 
 //! The way from the number in a file to ours: factor times it, plus offset.
@@ -139,7 +139,7 @@ std::optional<double> value_of(const CsvField& field, const Source& source,
         std::find(codes.begin(), codes.end(), *number) != codes.end())
         return std::nullopt;
     const double value = source.scale.factor * *number + source.scale.offset;
-    // What no weather is: most often another unit.
+    // Values that no weather has: most often the unit is another.
     if (value < source.lowest || value > source.highest)
         findings.add(line, field.column,
                      "{} means {:.4g} {} (outside {:g} to {:g}); check the "

@@ -184,7 +184,7 @@ Handle create_in_memory(const HistoryHeader& header) {
     return file;
 }
 
-// Of a file with so many generations, which is only made in memory.
+// Makes a file with so many generations in memory only.
 std::uint64_t bytes_with(HistoryHeader header, int generations) {
     header.generations = generations;
     const std::string action = "measure a file";

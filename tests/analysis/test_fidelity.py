@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What accuracy costs: planned by a clock, measured, pasted and drawn."""
+"""The cost of accuracy: planned by a clock, measured, pasted and drawn."""
 
 from __future__ import annotations
 

@@ -64,7 +64,7 @@ def design(method, genes, together, samples):
 
 
 def analyse(made, function, spread=0.0, told=0.0):
-    """Of rows with normal noise, whose standard errors tell so much."""
+    """Makes rows with normal noise, whose standard errors tell so much."""
     x = made.points.reshape(-1, made.points.shape[2])
     y = function(x) + spread * np.random.default_rng(5).normal(size=len(x))
     y = y.reshape(made.points.shape[:2])

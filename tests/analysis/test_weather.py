@@ -57,7 +57,7 @@ def read_expected() -> pd.DataFrame:
 
 
 def convert(folder: Path, *arguments: object) -> pd.DataFrame:
-    """What main() writes, by the middles of steps on its clock."""
+    """Returns what main() writes, by the middles of steps on its clock."""
     to = folder / "weather.csv"
     assert main([*map(str, arguments), "--to", str(to)]) == 0
     return read(to)

@@ -78,7 +78,7 @@ write_text /state/reason 'gen\033]0;evil\007\302\233'
 expect 0 "$ideotype" status "$history"
 says 'finished by gen\\x1b\]0;evil\\x07\\xc2\\x9b'
 
-# What h5repack makes of it reads the same. With -L it can also be resumed.
+# The result of h5repack reads the same. With -L it can also be resumed.
 cp whole.h5 "$history"
 expect 0 "$ideotype" export whole.h5 --generations --to whole.csv
 for option in "" -L; do

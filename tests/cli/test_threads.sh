@@ -88,7 +88,7 @@ same_results "$(history_of whole long)" "$(history_of twice long)"
 
 expect 5 "$ideotype" run campaigns/long.toml --out timed --threads 2 --wall-time 1
 says "stopped before the end"
-# What stands still, as after Ctrl-Z, is not late.
+# A job that stands still, as after Ctrl-Z, is not late.
 printf '[parallel]\ndeadline = 2\n' >>campaigns/long.toml
 "$ideotype" run campaigns/long.toml --out timed --threads 2 --resume >out.log 2>&1 &
 job=$!

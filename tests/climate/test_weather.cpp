@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 
 const Site greensboro{"greensboro", 36.1, -79.95, -5, 273};
 
-//! What pvlib reads and computes; data/weather/make.py.
+//! The numbers that pvlib reads and computes; data/weather/make.py.
 struct Expected {
     Date date;
     double hour, zenith, azimuth, ghi, dni, dhi, erbs_dhi, temperature,

@@ -28,7 +28,7 @@ class FakeClock : public RankClock {
 //! Workers that answer after as much of a fake clock's time as a test decides.
 class FakeWorkers : public Workers {
   public:
-    //! How long a worker takes for this work [s].
+    //! The time that a worker takes for this work [s].
     using Duration = std::function<double(int worker, const Work& work)>;
 
     FakeWorkers(int width, const FakeClock& clock, Duration duration)
@@ -106,7 +106,7 @@ class WithFakeWorkers : public testing::Test {
     FakeDirector director_;
 };
 
-//! The same for several numbers of workers.
+//! The cost with several numbers of workers.
 class WithAnyWorkers : public WithFakeWorkers,
                        public testing::WithParamInterface<int> {};
 

@@ -23,7 +23,7 @@ std::vector<Work> generation_of(std::uint32_t case_index,
 //! Several routines in one run, as cases of a sweep.
 class Cases : public WithAnyWorkers {
   protected:
-    //! What the dispatcher of a test does.
+    //! The calls that the dispatcher of a test makes.
     template <class Command>
     void command(Command give_orders) {
         Dispatcher dispatcher = make(GetParam());

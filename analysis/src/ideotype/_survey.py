@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How accurate evaluations are with settings that trade accuracy for speed,
+"""Measures how accurate evaluations are with settings that trade accuracy for
+speed,
 measured within a time."""
 
 from __future__ import annotations

@@ -26,7 +26,7 @@ MISSING = [-99, -999, -9900, -9999, 9999, 99999]
 
 @dataclass
 class Readings:
-    """What a file tells: COLUMNS that it has, by its stamps on its clock."""
+    """The data of a file: COLUMNS that it has, by its stamps on its clock."""
 
     frame: pd.DataFrame
     utc_offset: float

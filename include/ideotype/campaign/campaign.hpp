@@ -99,7 +99,7 @@ struct KeyFactor {
     double value = 0;
 };
 
-//! What candidates differ in.
+//! The genes and keys that candidates differ in.
 struct Variation {
     bool has_traits = true;  //!< free genes are factors
     std::vector<KeyFactor> keys;

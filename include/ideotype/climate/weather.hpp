@@ -16,10 +16,10 @@ struct Period {
     Date to;
 };
 
-//! Which part of its time step the stamp of a row names.
+//! The part of its time step that the stamp of a row names.
 enum class Stamp { beginning, middle, end };
 
-//! How dates are written: 2011-07-21, 07/21/2011 or 21/07/2011.
+//! The order in dates: 2011-07-21, 07/21/2011 or 21/07/2011.
 enum class DateOrder { year_month_day, month_day_year, day_month_year };
 
 //! A column of a table, by the name in its header.
@@ -28,7 +28,7 @@ struct Column {
     std::string unit;
 };
 
-//! Which columns of a CSV file tell what.
+//! The columns of a CSV file by their meaning.
 //!
 //! Units of light: W/m2 of all solar radiation, its energy in the time step as
 //! Wh/m2, kWh/m2, kJ/m2 or MJ/m2, or umol/m2/s of photons from 400 to 700 nm.
@@ -40,7 +40,8 @@ struct ColumnMap {
     //! writes, whose stamps are the middles of steps.
     std::vector<std::string> time{};
     DateOrder date_order = DateOrder::year_month_day;
-    //! Of the clock [h], where stamps do not tell; else that of the site.
+    //! The offset of the clock [h], where stamps do not tell; else that of the
+    //! site.
     std::optional<double> utc_offset{};
     std::optional<Stamp> stamp{};  //!< else the end
     //! A number that means "not known", beside -99, -999, -9900, -9999, 9999,
@@ -55,7 +56,7 @@ struct ColumnMap {
     std::optional<Column> humidity{};          //!< relative; 1 or %
 };
 
-//! Which weather is wanted of a CSV file.
+//! The weather that is wanted of a CSV file.
 struct WeatherRequest {
     std::string file;
     Site site;

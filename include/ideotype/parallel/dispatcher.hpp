@@ -149,7 +149,7 @@ class Dispatcher {
     std::vector<std::optional<Assignment>> given_;  //!< by worker
     // Nothing here looks at all workers: there may be thousands.
     std::set<int> idle_;
-    //! Of workers that are not late yet, as now() tells [s].
+    //! The times of workers that are not late yet, as now() tells [s].
     std::set<std::pair<double, int>> deadlines_;
     std::map<Precedence, Batch*> open_;
     std::map<std::uint64_t, Batch*> by_number_;  //!< the same

@@ -66,7 +66,7 @@ class Indices:
 
 @dataclass(frozen=True)
 class _Design:
-    """What the rows of a study are."""
+    """The rows of a study."""
 
     is_sobol: bool
     levels: int

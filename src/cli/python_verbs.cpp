@@ -37,8 +37,10 @@ constexpr std::array python_verbs{
                "sensitivity study"},
 };
 
-//! Its arguments are what to say if the package is missing, and the words.
+//! Its arguments are what to say if the package is missing, and the words. No
+//! file in the current folder may stand in the place of a module.
 constexpr const char* answer_code = R"py(import sys
+sys.path[:] = filter(None, sys.path)
 try:
     from ideotype.__main__ import answer
 except ImportError as error:

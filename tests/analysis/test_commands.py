@@ -178,12 +178,19 @@ def test_both_commands_hand_over(finished: Path, tmp_path: Path) -> None:
     told = [line.split()[0] for line in helped.splitlines() if line.strip()]
     assert told == list(VERBS)
 
-    def run(command: object, *words: object, **names: str) -> list[object]:
+    def run(
+        command: object,
+        *words: object,
+        cwd: Path | None = None,
+        **names: str,
+    ) -> list[object]:
         done = subprocess.run(
             [str(command), *map(str, words)],
             capture_output=True,
             text=True,
             check=False,
+            cwd=cwd,
+            timeout=60,
             env=os.environ | {"PATH": f"{BIN}:/usr/bin:/bin"} | names,
         )
         return [done.returncode, done.stdout, done.stderr]
@@ -191,6 +198,9 @@ def test_both_commands_hand_over(finished: Path, tmp_path: Path) -> None:
     by_package = run(BIN / "ideotype", "summary", finished)
     assert by_package[0] == 0
     assert run(program, "summary", finished) == by_package
+    # Files in the current folder take the place of no module.
+    (tmp_path / "numpy.py").write_text("raise SystemExit('not NumPy')")
+    assert run(program, "summary", finished, cwd=tmp_path) == by_package
     python = {"IDEOTYPE_PYTHON": "/usr/bin/python3"}
     code, _, error = run(program, "summary", finished, **python)
     assert code == 2 and "pip install . && export" in str(error)
@@ -203,6 +213,14 @@ def test_both_commands_hand_over(finished: Path, tmp_path: Path) -> None:
     assert run(BIN / "ideotype", "status", "--help", **compiled) == by_program
     # The package finds its own command on the PATH, and must not begin it.
     itself = {"IDEOTYPE_EXECUTABLE": str(BIN / "ideotype")}
-    code, _, error = run(BIN / "ideotype", "status", **itself)
-    assert code == 2 and "needs\nthe" not in str(error)
-    assert "need the compiled program" in str(error)
+    missing = run(BIN / "ideotype", "status", **itself)
+    assert missing[0] == 2 and "need the compiled program" in str(missing[2])
+    code, told, _ = run(BIN / "ideotype", "--help", **itself)
+    assert code == 0 and told == missing[2]
+    back = tmp_path / "ideotype"
+    back.write_text(f'#!/bin/sh\nexec {tmp_path}/again "$@"\n')
+    back.chmod(0o755)
+    (tmp_path / "again").symlink_to(BIN / "ideotype")
+    assert missing == run(
+        BIN / "ideotype", "status", IDEOTYPE_EXECUTABLE=str(back)
+    )

@@ -20,6 +20,9 @@ VERBS = {
 """Where the function of each verb is, which takes the words after the verb
 and returns the exit code; `python_verbs.cpp` has the same names."""
 
+_HANDED = "IDEOTYPE_HANDED"
+"""Set in the environment of a program that this command has become."""
+
 
 def answer(words: Sequence[str]) -> int:
     """Runs the verb that is the first word and returns its exit code."""
@@ -32,15 +35,17 @@ def main() -> int:
     words = sys.argv[1:]
     if words and words[0] in VERBS:
         return answer(words)
-    if program := compiled_program():
-        os.execv(program, [program, *words])
+    # A script on the PATH may be a way back to this command.
+    if (program := compiled_program()) and not os.environ.get(_HANDED):
+        os.execve(program, [program, *words], os.environ | {_HANDED: "1"})
+    is_help = words in (["--help"], ["-h"])
     print(
         f"ideotype: only {', '.join(VERBS)} can be answered here; other verbs "
         "need the compiled program, which neither $IDEOTYPE_EXECUTABLE nor "
         "the PATH has; ./quickstart.sh in the folder of the sources builds it",
-        file=sys.stderr,
+        file=sys.stdout if is_help else sys.stderr,
     )
-    return 2
+    return 0 if is_help else 2
 
 
 def compiled_program() -> str | None:

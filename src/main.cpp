@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/cli/verbs.hpp"
+#include "cli/verbs.hpp"
 
 int main(int argc, char** argv) {
     return ideotype::run_command_line(argc, argv);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/campaign/campaign.hpp"
+#include "campaign.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,13 +10,13 @@
 #include "checks.hpp"
 #include "draft.hpp"
 #include "ideotype/core/hash.hpp"
-#include "ideotype/search/sensitivity_design.hpp"
 #include "key_factors.hpp"
 #include "measured_plant.hpp"
 #include "photosynthesis_table.hpp"
 #include "reader.hpp"
 #include "report.hpp"
 #include "resolve.hpp"
+#include "search/sensitivity_design.hpp"
 #include "weather_reader.hpp"
 
 namespace ideotype {

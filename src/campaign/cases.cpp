@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/campaign/campaign.hpp"
+#include "campaign.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/hash.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "ideotype/campaign/campaign.hpp"
+#include "campaign.hpp"
 #include "ideotype/crop/measures.hpp"
 
 namespace ideotype {

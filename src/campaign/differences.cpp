@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/campaign/campaign.hpp"
+#include "campaign.hpp"
 
 namespace ideotype {
 

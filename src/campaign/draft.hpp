@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ideotype/campaign/campaign.hpp"
+#include "campaign.hpp"
 #include "photosynthesis_table.hpp"
 
 namespace ideotype {

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "ideotype/campaign/known_crops.hpp"
 #include "ideotype/core/file.hpp"
+#include "known_crops.hpp"
 #include "leaf_table.hpp"
 #include "measured_plant.hpp"
 #include "nodes.hpp"

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "ideotype/campaign/keys.hpp"
+#include "keys.hpp"
 #include "nodes.hpp"
 #include "values.hpp"
 

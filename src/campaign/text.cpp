@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "ideotype/campaign/keys.hpp"
+#include "keys.hpp"
 #include "schema.hpp"
 
 namespace ideotype {

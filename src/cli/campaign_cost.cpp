@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "ideotype/light/device.hpp"
-#include "ideotype/run/evaluator.hpp"
-#include "ideotype/run/progress.hpp"
+#include "run/evaluator.hpp"
+#include "run/progress.hpp"
 
 namespace ideotype {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "ideotype/campaign/campaign.hpp"
+#include "campaign/campaign.hpp"
 #include "json.hpp"
 
 namespace ideotype {

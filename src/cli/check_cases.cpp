@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/history/history.hpp"
-#include "ideotype/run/provenance.hpp"
-#include "ideotype/run/run.hpp"
+#include "history/history.hpp"
+#include "run/provenance.hpp"
+#include "run/run.hpp"
 
 namespace ideotype {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "ideotype/campaign/campaign.hpp"
+#include "campaign/campaign.hpp"
 
 namespace ideotype {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/cli/choose_row.hpp"
+#include "choose_row.hpp"
 
 #include <filesystem>
 
 #include <fmt/format.h>
 
-#include "ideotype/campaign/campaign.hpp"
-#include "ideotype/run/summary.hpp"
+#include "campaign/campaign.hpp"
+#include "run/summary.hpp"
 
 namespace ideotype {
 

@@ -12,12 +12,12 @@
 #include <fmt/ranges.h>
 
 #include "declare_verbs.hpp"
-#include "ideotype/cli/ranks.hpp"
-#include "ideotype/cli/verbs.hpp"
 #include "ideotype/core/text.hpp"
-#include "ideotype/run/provenance.hpp"
 #include "python_verbs.hpp"
+#include "ranks.hpp"
 #include "report_error.hpp"
+#include "run/provenance.hpp"
+#include "verbs.hpp"
 
 namespace ideotype {
 

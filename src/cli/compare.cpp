@@ -8,12 +8,12 @@
 
 #include "comparison.hpp"
 #include "comparison_output.hpp"
-#include "ideotype/cli/ranks.hpp"
 #include "ideotype/core/routine.hpp"
-#include "ideotype/parallel/dispatcher.hpp"
-#include "ideotype/run/machines.hpp"
-#include "ideotype/run/progress.hpp"
+#include "parallel/dispatcher.hpp"
+#include "ranks.hpp"
 #include "report_error.hpp"
+#include "run/machines.hpp"
+#include "run/progress.hpp"
 
 namespace ideotype {
 

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "choose_row.hpp"
 #include "ideotype/canopy/quantities.hpp"
-#include "ideotype/cli/choose_row.hpp"
 
 namespace ideotype {
 

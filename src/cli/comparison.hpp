@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "ideotype/campaign/campaign.hpp"
+#include "campaign/campaign.hpp"
 #include "ideotype/canopy/scenario.hpp"
-#include "ideotype/cli/verbs.hpp"
-#include "ideotype/search/outcome.hpp"
-#include "ideotype/stand/stand.hpp"
+#include "search/outcome.hpp"
+#include "stand/stand.hpp"
+#include "verbs.hpp"
 
 namespace ideotype {
 

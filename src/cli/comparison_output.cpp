@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/run/progress.hpp"
 #include "output_file.hpp"
+#include "run/progress.hpp"
 
 namespace ideotype {
 

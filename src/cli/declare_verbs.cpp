@@ -7,13 +7,13 @@
 #include <fmt/format.h>
 
 #include "campaign_argument.hpp"
-#include "ideotype/cli/verbs.hpp"
-#include "ideotype/stand/mesh_options.hpp"
 #include "light_command.hpp"
 #include "log_option.hpp"
 #include "python_verbs.hpp"
 #include "run_command.hpp"
+#include "stand/mesh_options.hpp"
 #include "threads_option.hpp"
+#include "verbs.hpp"
 
 namespace ideotype {
 

@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/cli/choose_row.hpp"
-#include "ideotype/cli/verbs.hpp"
+#include "choose_row.hpp"
 #include "ideotype/light/device.hpp"
-#include "ideotype/run/progress.hpp"
-#include "ideotype/run/summary.hpp"
-#include "ideotype/stand/stand.hpp"
 #include "light_output.hpp"
+#include "run/progress.hpp"
+#include "run/summary.hpp"
+#include "stand/stand.hpp"
+#include "verbs.hpp"
 
 namespace ideotype {
 

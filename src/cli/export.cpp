@@ -5,13 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "choose_row.hpp"
 #include "ideotype/canopy/canopy.hpp"
-#include "ideotype/cli/choose_row.hpp"
-#include "ideotype/cli/verbs.hpp"
 #include "ideotype/crop/measures.hpp"
-#include "ideotype/stand/stand.hpp"
 #include "mesh_files.hpp"
 #include "output_file.hpp"
+#include "stand/stand.hpp"
+#include "verbs.hpp"
 
 namespace ideotype {
 

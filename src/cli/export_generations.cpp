@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/cli/verbs.hpp"
-#include "ideotype/history/history.hpp"
+#include "history/history.hpp"
 #include "output_file.hpp"
+#include "verbs.hpp"
 
 namespace ideotype {
 

@@ -10,7 +10,7 @@
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/text.hpp"
 #include "ideotype/core/version.hpp"
-#include "ideotype/stand/stand.hpp"
+#include "stand/stand.hpp"
 
 namespace ideotype {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "ideotype/campaign/campaign.hpp"
-#include "ideotype/stand/sampling.hpp"
+#include "campaign/campaign.hpp"
 #include "json.hpp"
+#include "stand/sampling.hpp"
 
 namespace ideotype {
 

@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/cli/verbs.hpp"
-#include "ideotype/run/progress.hpp"
-#include "ideotype/stand/mesh_study.hpp"
 #include "light_output.hpp"
+#include "run/progress.hpp"
+#include "stand/mesh_study.hpp"
+#include "verbs.hpp"
 
 namespace ideotype {
 

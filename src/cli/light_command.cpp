@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "ideotype/stand/mesh_options.hpp"
+#include "stand/mesh_options.hpp"
 
 namespace ideotype {
 

@@ -8,8 +8,8 @@
 
 #include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/clock.hpp"
-#include "ideotype/run/progress.hpp"
-#include "ideotype/run/summary.hpp"
+#include "run/progress.hpp"
+#include "run/summary.hpp"
 
 namespace ideotype {
 

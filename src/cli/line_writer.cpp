@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
-#include "ideotype/cli/ranks.hpp"
 #include "ideotype/core/error.hpp"
+#include "ranks.hpp"
 
 namespace ideotype {
 

@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "ideotype/run/log.hpp"
+#include "run/log.hpp"
 
 namespace ideotype {
 

@@ -11,15 +11,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "ideotype/campaign/campaign.hpp"
-#include "ideotype/campaign/keys.hpp"
-#include "ideotype/campaign/known_crops.hpp"
+#include "campaign/campaign.hpp"
+#include "campaign/keys.hpp"
+#include "campaign/known_crops.hpp"
 #include "ideotype/canopy/quantities.hpp"
-#include "ideotype/cli/verbs.hpp"
 #include "ideotype/core/csv.hpp"
 #include "ideotype/core/file.hpp"
 #include "new_text.hpp"
 #include "output_file.hpp"
+#include "verbs.hpp"
 
 namespace ideotype {
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/campaign/keys.hpp"
+#include "campaign/keys.hpp"
 #include "ideotype/climate/daylight.hpp"
 #include "ideotype/core/error.hpp"
 

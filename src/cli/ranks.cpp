@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/cli/ranks.hpp"
+#include "ranks.hpp"
 
 #include <array>
 #include <charconv>

@@ -4,7 +4,7 @@
 #include <exception>
 
 #include "ideotype/core/error.hpp"
-#include "ideotype/run/log.hpp"
+#include "run/log.hpp"
 
 namespace ideotype {
 

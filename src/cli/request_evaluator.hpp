@@ -4,8 +4,8 @@
 #include <string>
 
 #include "genome_request.hpp"
-#include "ideotype/parallel/dispatcher.hpp"
-#include "ideotype/stand/stand.hpp"
+#include "parallel/dispatcher.hpp"
+#include "stand/stand.hpp"
 
 namespace ideotype {
 

@@ -6,9 +6,9 @@
 
 #include "campaign_argument.hpp"
 #include "ideotype/core/clock.hpp"
-#include "ideotype/run/way_on.hpp"
 #include "log_option.hpp"
 #include "report_error.hpp"
+#include "run/way_on.hpp"
 #include "threads_option.hpp"
 
 namespace ideotype {

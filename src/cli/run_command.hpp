@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ideotype/run/run.hpp"
+#include "run/run.hpp"
 
 namespace CLI {
 class App;

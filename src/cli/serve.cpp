@@ -5,16 +5,16 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/cli/ranks.hpp"
-#include "ideotype/cli/verbs.hpp"
 #include "ideotype/core/routine.hpp"
-#include "ideotype/run/machines.hpp"
-#include "ideotype/run/progress.hpp"
-#include "ideotype/run/sky_table.hpp"
 #include "line_reader.hpp"
 #include "line_writer.hpp"
+#include "ranks.hpp"
 #include "report_error.hpp"
 #include "request_evaluator.hpp"
+#include "run/machines.hpp"
+#include "run/progress.hpp"
+#include "run/sky_table.hpp"
+#include "verbs.hpp"
 
 namespace ideotype {
 

@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "ideotype/stand/stand.hpp"
+#include "stand/stand.hpp"
 
 namespace ideotype {
 

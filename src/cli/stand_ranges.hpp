@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/campaign/campaign.hpp"
+#include "campaign/campaign.hpp"
 #include "json.hpp"
 
 namespace ideotype {

@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/cli/verbs.hpp"
+#include "history/history.hpp"
 #include "ideotype/core/text.hpp"
-#include "ideotype/history/history.hpp"
-#include "ideotype/run/progress.hpp"
-#include "ideotype/run/summary.hpp"
-#include "ideotype/run/way_on.hpp"
 #include "json.hpp"
+#include "run/progress.hpp"
+#include "run/summary.hpp"
+#include "run/way_on.hpp"
+#include "verbs.hpp"
 
 namespace ideotype {
 

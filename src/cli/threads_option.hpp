@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "ideotype/cli/ranks.hpp"
+#include "ranks.hpp"
 
 namespace ideotype {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/history/verify.hpp"
+#include "history/verify.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "ideotype/cli/verbs.hpp"
 #include "ideotype/core/text.hpp"
+#include "verbs.hpp"
 
 namespace ideotype {
 

@@ -6,8 +6,8 @@
 
 #include "generations.hpp"
 #include "handle.hpp"
-#include "ideotype/search/outcome.hpp"
 #include "mapping.hpp"
+#include "search/outcome.hpp"
 
 namespace ideotype {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "ideotype/search/genome.hpp"
-#include "ideotype/search/population.hpp"
+#include "search/genome.hpp"
+#include "search/population.hpp"
 
 namespace ideotype {
 

@@ -14,9 +14,9 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include "history.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/host.hpp"
-#include "ideotype/history/history.hpp"
 #include "place.hpp"
 
 namespace ideotype {

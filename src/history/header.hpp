@@ -2,7 +2,7 @@
 #pragma once
 
 #include "handle.hpp"
-#include "ideotype/history/history.hpp"
+#include "history.hpp"
 
 namespace ideotype {
 

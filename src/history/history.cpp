@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/history/history.hpp"
+#include "history.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -15,8 +15,8 @@
 #include "file_lock.hpp"
 #include "generations.hpp"
 #include "header.hpp"
+#include "history.hpp"
 #include "ideotype/core/error.hpp"
-#include "ideotype/history/history.hpp"
 #include "journal.hpp"
 
 namespace ideotype {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dataset.hpp"
-#include "ideotype/history/history.hpp"
+#include "history.hpp"
 
 namespace ideotype {
 

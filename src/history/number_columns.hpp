@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "ideotype/search/outcome.hpp"
 #include "layout.hpp"
+#include "search/outcome.hpp"
 
 namespace ideotype {
 

@@ -7,7 +7,7 @@
 
 #include "file_lock.hpp"
 #include "handle.hpp"
-#include "ideotype/history/history.hpp"
+#include "history.hpp"
 
 namespace ideotype {
 

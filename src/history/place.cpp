@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include "history.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/file.hpp"
-#include "ideotype/history/history.hpp"
 
 namespace ideotype {
 

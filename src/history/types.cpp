@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <utility>
 
-#include "ideotype/search/population.hpp"
+#include "search/population.hpp"
 
 namespace ideotype {
 

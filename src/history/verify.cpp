@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/history/verify.hpp"
+#include "verify.hpp"
 
 #include "columns.hpp"
 #include "contents.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <utility>
 
-#include "ideotype/parallel/dispatcher.hpp"
+#include "dispatcher.hpp"
 
 namespace ideotype {
 

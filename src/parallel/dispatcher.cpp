@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/parallel/dispatcher.hpp"
+#include "dispatcher.hpp"
 
 #include <algorithm>
 #include <limits>

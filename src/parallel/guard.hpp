@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ideotype/parallel/dispatcher.hpp"
-#include "ideotype/parallel/rank_clock.hpp"
+#include "dispatcher.hpp"
+#include "rank_clock.hpp"
 
 namespace ideotype {
 

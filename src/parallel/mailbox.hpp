@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 
-#include "ideotype/parallel/messages.hpp"
-#include "ideotype/parallel/session.hpp"
+#include "messages.hpp"
+#include "session.hpp"
 
 namespace ideotype {
 

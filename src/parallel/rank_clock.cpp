@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/parallel/rank_clock.hpp"
+#include "rank_clock.hpp"
 
 #include <chrono>
 #include <thread>

@@ -3,7 +3,7 @@
 
 #include <mpi.h>
 
-#include "ideotype/parallel/session.hpp"
+#include "session.hpp"
 
 namespace ideotype {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/parallel/session.hpp"
+#include "session.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "ideotype/parallel/dispatcher.hpp"
+#include "dispatcher.hpp"
 
 namespace ideotype {
 

@@ -11,7 +11,7 @@
 #include "ideotype/core/error.hpp"
 #include "ideotype/crop/obj_reader.hpp"
 #include "ideotype/crop/polygon.hpp"
-#include "ideotype/stand/mesh_study.hpp"
+#include "stand/mesh_study.hpp"
 
 namespace ideotype::python {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ideotype/light/device.hpp"
-#include "ideotype/stand/stand.hpp"
+#include "stand/stand.hpp"
 
 namespace ideotype::python {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/search/population.hpp"
+#include "search/population.hpp"
 
 namespace ideotype {
 

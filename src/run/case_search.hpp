@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "ideotype/run/evolve_case.hpp"
-#include "ideotype/search/hypervolume.hpp"
-#include "ideotype/search/stop_rules.hpp"
+#include "evolve_case.hpp"
+#include "search/hypervolume.hpp"
+#include "search/stop_rules.hpp"
 
 namespace ideotype {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/run/disk.hpp"
+#include "disk.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 
 #include "ideotype/core/error.hpp"
-#include "ideotype/run/provenance.hpp"
-#include "ideotype/run/run.hpp"
+#include "provenance.hpp"
+#include "run.hpp"
 
 namespace ideotype {
 

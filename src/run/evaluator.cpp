@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/run/evaluator.hpp"
+#include "evaluator.hpp"
 
 namespace ideotype {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/run/evolve_case.hpp"
+#include "evolve_case.hpp"
 
 #include <utility>
 
 #include "case_search.hpp"
-#include "ideotype/stand/stand.hpp"
+#include "stand/stand.hpp"
 
 namespace ideotype {
 

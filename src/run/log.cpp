@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/run/log.hpp"
+#include "log.hpp"
 
 #include <cstdio>
 #include <cstdlib>
@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "ideotype/core/text.hpp"
-#include "ideotype/run/progress.hpp"
+#include "progress.hpp"
 
 namespace ideotype {
 

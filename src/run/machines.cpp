@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/run/machines.hpp"
+#include "machines.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/run/masters.hpp"
+#include "masters.hpp"
 
 #include <algorithm>
 #include <cmath>

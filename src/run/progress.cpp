@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/run/progress.hpp"
+#include "progress.hpp"
 
 #include <algorithm>
 #include <chrono>

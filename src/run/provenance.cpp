@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/run/provenance.hpp"
+#include "provenance.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,10 +9,10 @@
 #include "ideotype/core/maths.hpp"
 #include "ideotype/core/version.hpp"
 #include "ideotype/light/device.hpp"
-#include "ideotype/parallel/session.hpp"
-#include "ideotype/run/machines.hpp"
-#include "ideotype/run/progress.hpp"
-#include "ideotype/stand/stand.hpp"
+#include "machines.hpp"
+#include "parallel/session.hpp"
+#include "progress.hpp"
+#include "stand/stand.hpp"
 
 namespace ideotype {
 

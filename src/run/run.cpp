@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/run/run.hpp"
+#include "run.hpp"
 
 #include <deque>
 #include <filesystem>
@@ -7,15 +7,15 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/run/disk.hpp"
-#include "ideotype/run/evaluator.hpp"
-#include "ideotype/run/machines.hpp"
-#include "ideotype/run/masters.hpp"
-#include "ideotype/run/provenance.hpp"
-#include "ideotype/run/sky_table.hpp"
-#include "ideotype/run/start_plant.hpp"
-#include "ideotype/run/way_on.hpp"
+#include "disk.hpp"
+#include "evaluator.hpp"
+#include "machines.hpp"
+#include "masters.hpp"
+#include "provenance.hpp"
+#include "sky_table.hpp"
+#include "start_plant.hpp"
 #include "sweep.hpp"
+#include "way_on.hpp"
 
 namespace ideotype {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/run/sky_table.hpp"
+#include "sky_table.hpp"
 
 #include <cmath>
 #include <optional>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/run/start_plant.hpp"
+#include "start_plant.hpp"
 
 #include <filesystem>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "ideotype/history/history.hpp"
-#include "ideotype/run/summary.hpp"
+#include "history/history.hpp"
+#include "summary.hpp"
 
 namespace ideotype {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/run/summary.hpp"
+#include "summary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 #include <fmt/ranges.h>
 
 #include "ideotype/core/units.hpp"
-#include "ideotype/run/progress.hpp"
-#include "ideotype/search/hypervolume.hpp"
-#include "ideotype/search/order.hpp"
-#include "ideotype/search/pareto.hpp"
+#include "progress.hpp"
+#include "search/hypervolume.hpp"
+#include "search/order.hpp"
+#include "search/pareto.hpp"
 
 namespace ideotype {
 

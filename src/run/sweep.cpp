@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "ideotype/run/provenance.hpp"
-#include "ideotype/run/summary.hpp"
-#include "ideotype/run/way_on.hpp"
+#include "provenance.hpp"
+#include "summary.hpp"
+#include "way_on.hpp"
 
 namespace ideotype {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "ideotype/run/evolve_case.hpp"
-#include "ideotype/run/progress.hpp"
-#include "ideotype/run/run.hpp"
+#include "evolve_case.hpp"
+#include "progress.hpp"
+#include "run.hpp"
 
 namespace ideotype {
 

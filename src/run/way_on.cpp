@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/run/way_on.hpp"
+#include "way_on.hpp"
 
 #include <filesystem>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/search/breeder.hpp"
+#include "breeder.hpp"
 
 #include <tuple>
 
-#include "ideotype/search/random_search.hpp"
+#include "random_search.hpp"
 #include "variation.hpp"
 
 namespace ideotype {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/search/cma_es.hpp"
+#include "cma_es.hpp"
 
 #include <cmath>
 #include <numbers>
 
 #include "cma.hpp"
 #include "ideotype/core/random.hpp"
-#include "ideotype/search/order.hpp"
-#include "ideotype/search/pareto.hpp"
+#include "order.hpp"
+#include "pareto.hpp"
 
 namespace ideotype {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/search/genetic_algorithm.hpp"
+#include "genetic_algorithm.hpp"
 
 #include <algorithm>
 #include <iterator>
 #include <numeric>
 #include <utility>
 
-#include "ideotype/search/order.hpp"
-#include "ideotype/search/pareto.hpp"
+#include "order.hpp"
+#include "pareto.hpp"
 
 namespace ideotype {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/search/genome.hpp"
+#include "genome.hpp"
 
 #include <algorithm>
 #include <cmath>

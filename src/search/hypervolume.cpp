@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/search/hypervolume.hpp"
+#include "hypervolume.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "ideotype/search/order.hpp"
-#include "ideotype/search/pareto.hpp"
+#include "order.hpp"
+#include "pareto.hpp"
 
 namespace ideotype {
 

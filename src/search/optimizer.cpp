@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/search/optimizer.hpp"
+#include "optimizer.hpp"
 
 #include <limits>
 #include <utility>
 
-#include "ideotype/search/cma_es.hpp"
-#include "ideotype/search/genetic_algorithm.hpp"
-#include "ideotype/search/random_search.hpp"
-#include "ideotype/search/sensitivity_design.hpp"
-#include "ideotype/search/steady_state.hpp"
+#include "cma_es.hpp"
+#include "genetic_algorithm.hpp"
+#include "random_search.hpp"
+#include "sensitivity_design.hpp"
+#include "steady_state.hpp"
 
 namespace ideotype {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/search/order.hpp"
+#include "order.hpp"
 
 #include <set>
 
-#include "ideotype/search/pareto.hpp"
+#include "pareto.hpp"
 
 namespace ideotype {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/search/outcome.hpp"
+#include "outcome.hpp"
 
 #include <algorithm>
 #include <cmath>

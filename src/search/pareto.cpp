@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/search/pareto.hpp"
+#include "pareto.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
 
-#include "ideotype/search/order.hpp"
+#include "order.hpp"
 
 namespace ideotype {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/search/population.hpp"
+#include "population.hpp"
 
 namespace ideotype {
 

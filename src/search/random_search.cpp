@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/search/random_search.hpp"
+#include "random_search.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "ideotype/core/random.hpp"
-#include "ideotype/search/order.hpp"
+#include "order.hpp"
 
 namespace ideotype {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/search/sensitivity_design.hpp"
+#include "sensitivity_design.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/search/sobol_sequence.hpp"
+#include "sobol_sequence.hpp"
 
 #include "ideotype/core/random.hpp"
 #include "ideotype/core/sobol.hpp"

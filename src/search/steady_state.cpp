@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/search/steady_state.hpp"
+#include "steady_state.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "ideotype/search/order.hpp"
+#include "order.hpp"
 
 namespace ideotype {
 

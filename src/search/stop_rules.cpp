@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/search/stop_rules.hpp"
+#include "stop_rules.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <span>
 
-#include "ideotype/search/order.hpp"
+#include "order.hpp"
 
 namespace ideotype {
 

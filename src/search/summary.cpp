@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/search/summary.hpp"
+#include "summary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <numeric>
 #include <set>
 
-#include "ideotype/search/order.hpp"
+#include "order.hpp"
 
 namespace ideotype {
 

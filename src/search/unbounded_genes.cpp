@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/search/unbounded_genes.hpp"
+#include "unbounded_genes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "ideotype/search/genome.hpp"
+#include "genome.hpp"
 
 namespace ideotype {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/stand/across_scenarios.hpp"
+#include "across_scenarios.hpp"
 
 #include <algorithm>
 #include <numeric>
 
 #include "ideotype/canopy/quantities.hpp"
-#include "ideotype/search/order.hpp"
-#include "ideotype/stand/stand.hpp"
+#include "search/order.hpp"
+#include "stand.hpp"
 
 namespace ideotype {
 

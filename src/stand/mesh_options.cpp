@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/stand/mesh_options.hpp"
+#include "mesh_options.hpp"
 
 #include <chrono>
 #include <cmath>

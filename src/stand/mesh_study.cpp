@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/stand/mesh_study.hpp"
+#include "mesh_study.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "ideotype/campaign/campaign.hpp"
+#include "campaign/campaign.hpp"
 #include "ideotype/crop/obj_reader.hpp"
 #include "ideotype/light/device.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/stand/sampling.hpp"
+#include "sampling.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/stand/stand.hpp"
+#include "stand.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <sys/resource.h>
 
 #include "ideotype/light/transport.hpp"
-#include "ideotype/run/evaluator.hpp"
+#include "run/evaluator.hpp"
 #include "stand.hpp"
 
 namespace ideotype {

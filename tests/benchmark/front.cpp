@@ -10,12 +10,12 @@
 #include <cstdlib>
 #include <map>
 
-#include "ideotype/run/evaluator.hpp"
-#include "ideotype/run/evolve_case.hpp"
-#include "ideotype/search/genetic_algorithm.hpp"
-#include "ideotype/search/hypervolume.hpp"
-#include "ideotype/search/order.hpp"
-#include "ideotype/search/pareto.hpp"
+#include "run/evaluator.hpp"
+#include "run/evolve_case.hpp"
+#include "search/genetic_algorithm.hpp"
+#include "search/hypervolume.hpp"
+#include "search/order.hpp"
+#include "search/pareto.hpp"
 
 namespace {
 

@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/parallel/messages.hpp"
-#include "ideotype/run/evolve_case.hpp"
-#include "ideotype/run/provenance.hpp"
+#include "parallel/messages.hpp"
+#include "run/evolve_case.hpp"
+#include "run/provenance.hpp"
 
 namespace ideotype {
 

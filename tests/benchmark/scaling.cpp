@@ -5,7 +5,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "ideotype/run/evaluator.hpp"
+#include "run/evaluator.hpp"
 #include "stand.hpp"
 
 namespace ideotype {

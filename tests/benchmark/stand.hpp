@@ -3,7 +3,7 @@
 
 #include "ideotype/light/illumination.hpp"
 #include "ideotype/light/scene.hpp"
-#include "ideotype/stand/stand.hpp"
+#include "stand/stand.hpp"
 
 namespace ideotype {
 

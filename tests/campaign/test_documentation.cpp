@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "ideotype/campaign/keys.hpp"
+#include "campaign/keys.hpp"
 #include "sample_campaign.hpp"
 
 namespace ideotype {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/campaign/campaign.hpp"
-#include "ideotype/campaign/known_crops.hpp"
+#include "campaign/campaign.hpp"
+#include "campaign/known_crops.hpp"
 
 namespace ideotype {
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/run/run.hpp"
+#include "run/run.hpp"
 
 int main(int argc, char** argv) {
     using namespace ideotype;

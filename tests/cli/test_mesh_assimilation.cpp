@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "ideotype/stand/mesh_study.hpp"
+#include "stand/mesh_study.hpp"
 #include "temporary_folder.hpp"
 
 namespace ideotype {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "ideotype/canopy/quantities.hpp"
-#include "ideotype/stand/mesh_study.hpp"
+#include "stand/mesh_study.hpp"
 #include "temporary_folder.hpp"
 
 namespace ideotype {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/cli/ranks.hpp"
+#include "cli/ranks.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/host.hpp"
 

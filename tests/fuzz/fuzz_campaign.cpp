@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "ideotype/campaign/campaign.hpp"
+#include "campaign/campaign.hpp"
 #include "ideotype/core/error.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,

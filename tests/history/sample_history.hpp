@@ -8,8 +8,8 @@
 
 #include <sys/wait.h>
 
+#include "history/history.hpp"
 #include "ideotype/core/quantity.hpp"
-#include "ideotype/history/history.hpp"
 #include "temporary_folder.hpp"
 
 namespace ideotype {

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "ideotype/light/report.hpp"
-#include "ideotype/stand/stand.hpp"
 #include "light_report.hpp"
+#include "stand/stand.hpp"
 
 namespace ideotype {
 

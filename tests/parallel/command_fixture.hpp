@@ -2,8 +2,8 @@
 #pragma once
 
 #include "fake_evaluator.hpp"
-#include "ideotype/parallel/dispatcher.hpp"
 #include "mpi_fixture.hpp"
+#include "parallel/dispatcher.hpp"
 
 namespace ideotype {
 

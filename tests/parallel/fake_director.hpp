@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "ideotype/core/routine.hpp"
-#include "ideotype/parallel/dispatcher.hpp"
+#include "parallel/dispatcher.hpp"
 
 namespace ideotype {
 

@@ -8,7 +8,7 @@
 
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/random.hpp"
-#include "ideotype/parallel/dispatcher.hpp"
+#include "parallel/dispatcher.hpp"
 
 namespace ideotype {
 

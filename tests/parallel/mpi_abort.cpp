@@ -3,7 +3,7 @@
 #include <iostream>
 #include <thread>
 
-#include "ideotype/parallel/session.hpp"
+#include "parallel/session.hpp"
 
 //! One rank gives up while the others would go on for long.
 int main() {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/parallel/session.hpp"
+#include "parallel/session.hpp"
 
 namespace ideotype {
 

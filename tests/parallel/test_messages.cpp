@@ -6,7 +6,7 @@
 
 #include "fake_evaluator.hpp"
 #include "ideotype/core/error.hpp"
-#include "ideotype/parallel/messages.hpp"
+#include "parallel/messages.hpp"
 
 namespace ideotype {
 

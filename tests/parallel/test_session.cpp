@@ -2,8 +2,8 @@
 #include <chrono>
 #include <thread>
 
-#include "ideotype/parallel/session.hpp"
 #include "mpi_fixture.hpp"
+#include "parallel/session.hpp"
 
 namespace ideotype {
 

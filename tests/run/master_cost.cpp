@@ -11,11 +11,11 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include "ideotype/run/evaluator.hpp"
-#include "ideotype/run/evolve_case.hpp"
-#include "ideotype/run/progress.hpp"
-#include "ideotype/run/provenance.hpp"
 #include "once.hpp"
+#include "run/evaluator.hpp"
+#include "run/evolve_case.hpp"
+#include "run/progress.hpp"
+#include "run/provenance.hpp"
 
 namespace ideotype {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "ideotype/run/evolve_case.hpp"
+#include "run/evolve_case.hpp"
 
 namespace ideotype {
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/run/evaluator.hpp"
+#include "run/evaluator.hpp"
 
 namespace ideotype {
 namespace {

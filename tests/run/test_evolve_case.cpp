@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "ideotype/core/error.hpp"
-#include "ideotype/run/evolve_case.hpp"
-#include "ideotype/run/provenance.hpp"
-#include "ideotype/stand/stand.hpp"
 #include "once.hpp"
+#include "run/evolve_case.hpp"
+#include "run/provenance.hpp"
+#include "stand/stand.hpp"
 
 namespace ideotype {
 namespace {

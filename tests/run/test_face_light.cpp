@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/stand/stand.hpp"
+#include "stand/stand.hpp"
 
 namespace ideotype {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/run/progress.hpp"
-#include "ideotype/run/summary.hpp"
+#include "run/progress.hpp"
+#include "run/summary.hpp"
 
 namespace ideotype {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/run/masters.hpp"
+#include "run/masters.hpp"
 
 namespace ideotype {
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "ideotype/core/error.hpp"
-#include "ideotype/run/provenance.hpp"
+#include "run/provenance.hpp"
 
 namespace ideotype {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/run/provenance.hpp"
-#include "ideotype/run/summary.hpp"
-#include "ideotype/stand/stand.hpp"
+#include "run/provenance.hpp"
+#include "run/summary.hpp"
+#include "stand/stand.hpp"
 
 namespace ideotype {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "ideotype/core/random.hpp"
-#include "ideotype/parallel/evaluator.hpp"
+#include "parallel/evaluator.hpp"
 #include "simulated_clock.hpp"
 
 namespace ideotype {

@@ -17,10 +17,10 @@
 
 #include "fake_evaluator.hpp"
 #include "ideotype/core/stop_flag.hpp"
-#include "ideotype/run/evolve_case.hpp"
-#include "ideotype/run/masters.hpp"
-#include "ideotype/run/provenance.hpp"
 #include "options.hpp"
+#include "run/evolve_case.hpp"
+#include "run/masters.hpp"
+#include "run/provenance.hpp"
 
 namespace ideotype {
 

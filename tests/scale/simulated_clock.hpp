@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ideotype/parallel/rank_clock.hpp"
+#include "parallel/rank_clock.hpp"
 
 namespace ideotype {
 

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "ideotype/search/population.hpp"
+#include "search/population.hpp"
 
 namespace ideotype {
 

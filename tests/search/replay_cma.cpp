@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <iostream>
 
-#include "../../src/search/cma.hpp"
+#include "search/cma.hpp"
 
 namespace {
 

@@ -12,9 +12,9 @@
 #include <numbers>
 #include <string>
 
-#include "ideotype/search/genetic_algorithm.hpp"
-#include "ideotype/search/hypervolume.hpp"
-#include "ideotype/search/pareto.hpp"
+#include "search/genetic_algorithm.hpp"
+#include "search/hypervolume.hpp"
+#include "search/pareto.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "ideotype/search/sensitivity_design.hpp"
+#include "search/sensitivity_design.hpp"
 
 using namespace ideotype;
 

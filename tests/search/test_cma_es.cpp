@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "ideotype/core/random.hpp"
-#include "ideotype/search/cma_es.hpp"
+#include "search/cma_es.hpp"
 
 namespace ideotype {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "ideotype/core/random.hpp"
-#include "ideotype/search/genetic_algorithm.hpp"
+#include "search/genetic_algorithm.hpp"
 
 namespace ideotype {
 namespace {

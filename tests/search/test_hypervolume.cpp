@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "ideotype/core/random.hpp"
-#include "ideotype/search/hypervolume.hpp"
+#include "search/hypervolume.hpp"
 
 namespace ideotype {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "ideotype/search/order.hpp"
 #include "individual.hpp"
+#include "search/order.hpp"
 
 namespace ideotype {
 namespace {

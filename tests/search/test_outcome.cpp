@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/search/outcome.hpp"
+#include "search/outcome.hpp"
 
 namespace ideotype {
 namespace {

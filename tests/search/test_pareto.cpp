@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/search/pareto.hpp"
+#include "search/pareto.hpp"
 
 namespace ideotype {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/search/sensitivity_design.hpp"
+#include "search/sensitivity_design.hpp"
 
 namespace ideotype {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "ideotype/core/estimate.hpp"
 #include "ideotype/core/sobol.hpp"
-#include "ideotype/search/sobol_sequence.hpp"
+#include "search/sobol_sequence.hpp"
 
 namespace ideotype {
 namespace {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "ideotype/core/random.hpp"
-#include "ideotype/search/steady_state.hpp"
+#include "search/steady_state.hpp"
 
 namespace ideotype {
 namespace {

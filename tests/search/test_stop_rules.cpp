@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "ideotype/search/stop_rules.hpp"
+#include "search/stop_rules.hpp"
 
 namespace ideotype {
 namespace {

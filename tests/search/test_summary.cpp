@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/search/summary.hpp"
 #include "individual.hpp"
+#include "search/summary.hpp"
 
 namespace ideotype {
 namespace {

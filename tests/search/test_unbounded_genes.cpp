@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/search/unbounded_genes.hpp"
+#include "search/unbounded_genes.hpp"
 
 namespace ideotype {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "ideotype/core/random.hpp"
-#include "ideotype/search/genetic_algorithm.hpp"
+#include "search/genetic_algorithm.hpp"
 
 // How far children are from their parents, against the densities that were
 // published for simulated binary crossover and polynomial mutation.

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "ideotype/core/error.hpp"
-#include "ideotype/stand/stand.hpp"
+#include "stand/stand.hpp"
 
 namespace ideotype {
 namespace {

@@ -121,15 +121,21 @@ def table(rows: Sequence[dict[str, Any]]) -> list[str]:
 def block(campaign: str, settings: dict[str, float]) -> str:
     """The tables of a campaign's text that change, as TOML."""
     data = tomllib.loads(campaign)
-    changed = {}
+    changed: dict[str, Any] = {}
     for path, value in settings.items():
-        *parts, key = path.split(".")
-        entry: Any = data.setdefault(parts[0], {})
-        (entry[0] if isinstance(entry, list) else entry)[key] = (
-            int(value) if value == int(value) else value
-        )
-        changed[parts[0]] = entry
-    return tomli_w.dumps(changed)
+        name, key = path.split(".")
+        tables = data.setdefault(name, {})
+        first = tables[0] if isinstance(tables, list) else tables
+        first[key] = int(value) if value == int(value) else value
+        changed[name] = tables
+    text = ""
+    for name, tables in changed.items():
+        # TOML's short form of a list of tables may not follow a table.
+        is_list = isinstance(tables, list)
+        for table in tables if is_list else [tables]:
+            header = f"[[{name}]]" if is_list else f"[{name}]"
+            text += f"{header}\n{tomli_w.dumps(table)}\n"
+    return text
 
 
 def text(found: dict[str, Any], campaign: str) -> str:

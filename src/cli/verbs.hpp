@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "campaign/campaign.hpp"
+#include "ideotype/core/error.hpp"
+#include "parallel/session.hpp"
+#include "run/log.hpp"
+#include "stand/mesh_options.hpp"
+
+namespace ideotype {
+
+//! `check CAMPAIGN`: validates, builds one plant, reports size and cost, and
+//! whether the names of its files fit into the folder out; or its cases alone.
+struct CheckOptions {
+    std::string campaign_path;
+    std::vector<std::string> settings;  //!< "table.key=value"
+    std::string out = "results";
+    bool lists_cases = false;
+    bool only_count = false;
+    bool only_left = false;  //!< the cases that are not finished in `out`
+    bool is_json = false;
+};
+ExitCode check(const CheckOptions& options);
+
+//! `status PATH...`: one line per history or history in a folder, also of live
+//! ones, and how to go on with what stopped.
+struct StatusOptions {
+    std::vector<std::string> paths;
+    bool is_json = false;
+};
+ExitCode status(const StatusOptions& options);
+
+//! `light MESH`: traces and prints the light in any mesh.
+ExitCode light_in_mesh(const MeshOptions& options);
+
+//! Which plant of a history is meant.
+struct RowChoice {
+    bool is_best = false;  //!< the best finalist, or the best so far
+    std::optional<std::uint32_t> generation;
+    std::optional<std::uint32_t> slot;
+};
+
+//! `evaluate CAMPAIGN`: the baseline's light.
+//! `evaluate FILE --generation G --slot S`: recomputes a row, or, with a
+//! tolerance, tells how far off it is.
+struct EvaluateOptions {
+    std::string path;                   //!< a campaign or a history
+    std::vector<std::string> settings;  //!< of a campaign: "table.key=value"
+    int case_index = 0;
+    RowChoice row;
+    std::optional<double> tolerance;  //!< relative standard error
+    bool is_json = false;
+};
+ExitCode evaluate(const EvaluateOptions& options);
+
+//! `compare PLANT... --under CAMPAIGN`: every plant in the light of every case
+//! of the campaign, whatever it was bred for, and how it differs from the
+//! first. All plants of a case share their random numbers.
+struct CompareOptions {
+    //! Histories, for the best plant; campaigns, for their baseline; crop files
+    //! and measured plants (.csv).
+    std::vector<std::string> plants;
+    std::string under;
+    std::vector<std::string> settings;  //!< of that: "table.key=value"
+    std::optional<std::uint64_t> seed;  //!< in the place of the campaign's
+    std::optional<double> tolerance;    //!< relative standard error
+    std::string csv_path;               //!< new file with all figures; "": none
+    std::optional<int> threads;         //!< see threads_per_rank()
+    bool is_json = false;
+};
+ExitCode compare(const CompareOptions& options);
+
+//! `new FILE`: writes a commented campaign for a place and a plant. Numbers are
+//! as they were written; what is "" is asked for on a terminal.
+struct NewOptions {
+    std::string path;
+    std::string name;                             //!< "": that of the file
+    std::string latitude, longitude, utc_offset;  //!< [deg], [h]
+    std::string date;
+    std::string row, plant_spacing;  //!< [m]
+    //! A crop that the program knows, a crop file or measured leaves.
+    std::string plant;
+    std::string objective;
+};
+ExitCode write_new_campaign(const NewOptions& options);
+
+//! `serve CAMPAIGN`: evaluates the genomes that lines of the standard input ask
+//! for, and answers in lines.
+struct ServeOptions {
+    std::string campaign_path;
+    std::vector<std::string> settings;  //!< "table.key=value"
+    int case_index = 0;
+    std::optional<int> threads;  //!< see threads_per_rank()
+    LogLevel level = LogLevel::info;
+};
+ExitCode serve(const ServeOptions& options);
+
+//! `export FILE --to X.obj|X.vtp|X.csv|X.toml`: writes a plant or its field.
+//! `export FILE --generations --to X.csv`: writes the candidates of all
+//! complete generations, also of a file that was cut short.
+struct ExportOptions {
+    std::string path;
+    RowChoice row;
+    std::string to;
+    bool is_field = false;
+    //! Of light on the faces, per randomisation; enough if not given.
+    std::optional<int> paths;
+    bool is_generations = false;
+};
+ExitCode export_plant(const ExportOptions& options);
+ExitCode export_generations(const ExportOptions& options);
+
+//! `verify FILE...`: compares histories with their checksums.
+ExitCode verify(const std::vector<std::string>& paths);
+
+//! Parses the command line, runs the verb, reports errors.
+int run_command_line(int argc, char** argv);
+
+}  // namespace ideotype

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ideotype/core/error.hpp"
+#include "search/genome.hpp"
+#include "search/outcome.hpp"
+#include "search/population.hpp"
+#include "search/summary.hpp"
+
+namespace ideotype {
+
+//! All that is known of a history before its first evaluation.
+struct HistoryHeader {
+    //! Root attributes by name: program, provenance, case, site...; see
+    //! analysis/FORMAT.md. format, format_version and checksum are added here.
+    std::map<std::string, std::string> text;
+    std::map<std::string, double> numbers;
+    std::string campaign_source;
+    std::string campaign_resolved;
+    GeneSpace genes;
+    OutcomeSchema schema;  //!< of /evaluations
+    //! That finalists' objectives are the means of; all else is as in schema.
+    std::size_t final_randomisations = 2;
+    std::uint64_t seed = 0;  //!< of the case
+    int population = 0;      //!< rows of a generation, on average at most
+    int generations = 0;     //!< at most
+    int finalists = 0;       //!< rows of /final
+
+    //! Room of /evaluations.
+    int rows() const { return population * generations; }
+    OutcomeSchema final_schema() const;
+};
+
+//! One evaluation as stored.
+struct Row {
+    Candidate candidate;
+    Outcome outcome;
+    std::uint32_t attempt = 0;
+};
+
+//! Characters of a command that a history keeps.
+inline constexpr std::size_t longest_command = 512;
+
+//! One start of the program on this history.
+struct SessionRecord {
+    std::string started;  //!< UTC, ISO 8601
+    std::string host;
+    std::string command;
+    int ranks = 0;
+    std::string program{};    //!< name and version
+    std::string compiler{};   //!< that built it
+    std::string libraries{};  //!< name and version of each
+};
+
+//! What became of the program that writes a history.
+enum class Writer {
+    alive,   //!< it holds the file on this or another host
+    closed,  //!< it ended in order
+    killed,  //!< it was killed, or its machine stopped
+};
+
+//! Looks at the lock of a history; never changes anything. Where the file
+//! system has no locks, a living writer on another host looks killed.
+Writer writer_of(const std::string& path);
+
+//! Is there a file at this path? Never waits, as opening a pipe would.
+//! @throws Error if there is something else, or if that cannot be known.
+bool history_exists(const std::string& path);
+
+//! Bytes that the file of such a history reserves on the disk.
+std::uint64_t history_bytes(const HistoryHeader& header);
+
+//! Another program writes this history at this moment.
+class InUseError : public Error {
+  public:
+    explicit InUseError(const std::string& message)
+        : Error(message, ExitCode::refused) {}
+};
+
+//! The file of one case: written by rank 0 as the evolution goes, in SWMR
+//! mode, and its only checkpoint. Every function throws Error with the file's
+//! name if HDF5 fails.
+class History {
+  public:
+    //! Creates the file with everything in it that will ever be there, only
+    //! empty. @throws Error (refused) if it exists.
+    static History create(const std::string& path, const HistoryHeader& header);
+
+    //! Opens the file of a killed, drained or finished run to go on.
+    //! @throws InUseError if another process writes it, Error (refused) if it
+    //! is not a history, of another format version, or if something in it does
+    //! not have its checksum.
+    static History resume(const std::string& path);
+
+    //! Opens to read only, also while another process writes. A file of format
+    //! 1.0 reads as if it were of this one.
+    //! @throws Error (refused) if something in it does not have its checksum.
+    //! Rows of a generation that is not complete have none.
+    static History read(const std::string& path);
+
+    //! Reads the header alone and compares its checksum.
+    static HistoryHeader header_of(const std::string& path);
+
+    //! As read(), but opens also what is left of a file that was cut short.
+    //! Then only header(), next_generation(), rows(), generation() and
+    //! summaries() mean something: a generation counts if candidates,
+    //! objectives and violations of its rows are left.
+    //! @throws Error (refused) if the header, or a generation of which all is
+    //! left, does not have its checksum.
+    static History salvage(const std::string& path);
+
+    History(History&&) noexcept;
+    History& operator=(History&&) noexcept;
+    ~History();
+
+    //! Name and version of the HDF5 library.
+    static std::string library_version();
+
+    const HistoryHeader& header() const;
+
+    //! Bytes that the end of the file lacks; 0 unless salvaged.
+    std::uint64_t missing_bytes() const;
+
+    //! Complete generations of which nothing is lost, and which so could be
+    //! compared with their checksums.
+    std::uint32_t whole_generations() const;
+
+    //! Adds an entry to /sessions. Once per start.
+    void begin_session(const SessionRecord& session);
+
+    //! The last start of the program; none for a new file.
+    std::optional<SessionRecord> last_session() const;
+
+    //! Evaluations that are recorded, finalists and incomplete generations
+    //! included.
+    std::uint64_t evaluated() const;
+
+    //! The next generation to breed or complete: 0 for a new file.
+    std::uint32_t next_generation() const;
+
+    //! Writes the candidates of a generation before any is sent out, and
+    //! returns how many of them are there already: these are verified instead.
+    //! Generations may differ in size, and the next may be proposed before one
+    //! is complete.
+    //! @throws Error (refused) if a genome, origin or parent differs in any
+    //! bit, naming the slot, or if there is no room for them.
+    std::size_t propose(std::uint32_t generation,
+                        const std::vector<Candidate>& candidates);
+
+    //! The same of some, from this slot of a generation of `size` rows on.
+    std::size_t propose(std::uint32_t generation, std::size_t size,
+                        std::uint32_t slot,
+                        const std::vector<Candidate>& candidates);
+
+    //! Whether the rows of one more generation can be written.
+    bool has_room(std::uint32_t generation, std::size_t size) const;
+
+    //! Slots of a generation that are proposed, and not done or failed yet.
+    std::vector<std::uint32_t> pending(std::uint32_t generation) const;
+
+    //! Stores an outcome, status last, and makes it durable.
+    void record(std::uint32_t generation, std::uint32_t slot,
+                const Outcome& outcome, std::uint32_t attempt);
+
+    //! One row, complete or not.
+    Row row(std::uint32_t generation, std::uint32_t slot) const;
+
+    //! The rows of a complete generation. Of a file that was cut short, NaN in
+    //! what is lost.
+    std::vector<Row> rows(std::uint32_t generation) const;
+
+    //! Slots of a proposed generation; 0 before.
+    std::uint32_t size(std::uint32_t generation) const;
+
+    //! What selection needs of them.
+    Population generation(std::uint32_t generation) const;
+
+    //! Marks a generation complete.
+    void commit(std::uint32_t generation, const GenerationSummary& summary);
+
+    //! Summaries of all committed generations.
+    std::vector<GenerationSummary> summaries() const;
+
+    //! The finalists: as propose, pending, record and row, in /final. Slot 0
+    //! is the baseline.
+    void propose_final(const std::vector<Candidate>& candidates);
+    std::vector<std::uint32_t> pending_final() const;
+    void record_final(std::uint32_t slot, const Outcome& outcome);
+    std::vector<Row> finalists() const;
+
+    //! What is written to a file that was deleted or replaced nobody can ever
+    //! read; every write looks at this too. @throws Error (refused)
+    void require_in_place() const;
+
+    //! Seconds that all sessions together spent.
+    double wall_time() const;
+    void set_wall_time(double seconds);
+
+    //! Adds a line to /messages (the oldest are kept when it is full).
+    void message(const std::string& text);
+
+    //! Marks the case finished with a reason such as "generations".
+    void finish(const std::string& reason);
+
+    //! Why the case finished, if it did.
+    std::optional<std::string> finished() const;
+
+  private:
+    struct File;
+    explicit History(std::unique_ptr<File> file);
+    std::unique_ptr<File> file_;
+};
+
+}  // namespace ideotype

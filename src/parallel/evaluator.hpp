@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "search/genome.hpp"
+#include "search/outcome.hpp"
+#include "search/task.hpp"
+
+namespace ideotype {
+
+//! Computes outcomes; lives on a worker.
+class Evaluator {
+  public:
+    virtual ~Evaluator() = default;
+
+    //! The form of this task's outcome.
+    virtual const OutcomeSchema& schema(const Task& task) const = 0;
+
+    //! A pure function of task and genome, but for seconds.
+    //! @throws Error if the plant can't be evaluated, which the worker turns
+    //! into a failed outcome. Any other exception is the machine's fault, such
+    //! as a lack of memory: nothing is said of the plant and the job ends.
+    virtual Outcome evaluate(const Task& task, const Genome& genome) = 0;
+};
+
+//! The evaluators of a process, one for each of its threads.
+using Evaluators = std::vector<Evaluator*>;
+
+}  // namespace ideotype

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "campaign/campaign.hpp"
+
+namespace ideotype {
+
+//! What the histories of a campaign take on the disk [bytes].
+struct DiskRoom {
+    std::uint64_t largest = 0;  //!< case
+    std::uint64_t all = 0;
+};
+
+DiskRoom disk_room(const Campaign& campaign, const std::vector<Case>& chosen);
+
+//! @throws Error (invalid_campaign) naming the first file whose name or path
+//! is longer than the file system of the folder out allows.
+void require_names_fit(const Campaign& campaign,
+                       const std::vector<Case>& chosen, const std::string& out);
+
+}  // namespace ideotype

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "campaign/campaign.hpp"
+#include "history/history.hpp"
+#include "ideotype/core/error.hpp"
+#include "ideotype/core/routine.hpp"
+#include "parallel/dispatcher.hpp"
+#include "search/optimizer.hpp"
+
+namespace ideotype {
+
+enum class Ending { finished, drained };
+
+//! A case can't go on by itself; others can.
+class CaseError : public Error {
+  public:
+    using Error::Error;
+};
+
+//! Sees a case evolve; for progress lines.
+class Watcher {
+  public:
+    virtual ~Watcher() = default;
+
+    //! An evaluation is durable, of a generation or of a finalist.
+    virtual void on_evaluation(const Task& task, const Outcome& outcome) = 0;
+
+    //! A generation is complete.
+    virtual void on_generation(std::uint32_t generation,
+                               const GenerationSummary& summary) = 0;
+
+    //! The finalists are about to be evaluated.
+    virtual void on_final(const std::string& reason) = 0;
+};
+
+//! What is searched in a case.
+SearchSpace search_space(const Campaign& campaign, const Case& chosen);
+
+//! What an evolution works with; all must outlive it.
+struct Evolution {
+    const Campaign& campaign;
+    const Case& chosen;
+    //! Not told of any generation yet.
+    Optimizer& optimizer;
+    Dispatcher& dispatcher;
+    Watcher& watcher;
+    //! Seconds since this session began to work on the case.
+    std::function<double()> elapsed;
+};
+
+//! The master's loop: evolves a case from where its history stands until a
+//! stop rule holds and the finalists are evaluated, or a stop is requested of
+//! the dispatcher. Pauses while evaluations are under way. The history must
+//! outlive it.
+//! @throws CaseError if too many evaluations of a generation fail.
+Routine<Ending> evolve_case(Evolution evolution, History& history);
+
+}  // namespace ideotype

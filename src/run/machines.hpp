@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "parallel/session.hpp"
+
+namespace ideotype {
+
+//! What results depend on bit for bit, besides the campaign and the
+//! instruction set, by the names of a history's attributes.
+using ProgramFacts = std::map<std::string, std::string>;
+
+//! program_version, compiler, embree_version and maths of this process.
+ProgramFacts program_facts();
+
+//! What one rank of a job computes with.
+struct Machine {
+    std::string host;
+    ProgramFacts program;
+    std::vector<std::string> isas;  //!< instruction sets, narrowest first
+
+    bool operator==(const Machine&) const = default;
+};
+
+Machine this_machine();
+
+//! One machine as a message between ranks, and back.
+std::string to_text(const Machine& machine);
+Machine machine_of(const std::string& text);
+
+//! Those of all ranks, on rank 0. Collective.
+//! @param own that of this rank
+std::vector<Machine> gather_machines(const Session& session,
+                                     const Machine& own);
+
+//! The threads that evaluate on each rank: if none wanted, one, or all cores
+//! of a rank that is alone. Collective.
+int threads_per_rank(const Session& session, const std::optional<int>& wanted);
+
+//! @throws Error (refused) naming what a rank computes with that the first
+//! does not, and both hosts.
+void require_same_program(const std::vector<Machine>& machines);
+
+//! The instruction set for all ranks: the one that is wanted, or the widest
+//! that all have. @throws Error (refused) naming a host that lacks it, with
+//! this remedy.
+std::string choose_isa(const std::vector<Machine>& machines,
+                       const std::optional<std::string>& wanted,
+                       const std::string& remedy);
+
+}  // namespace ideotype

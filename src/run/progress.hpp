@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "campaign/campaign.hpp"
+#include "evolve_case.hpp"
+#include "ideotype/core/estimate.hpp"
+#include "log.hpp"
+
+namespace ideotype {
+
+//! The progress of a job, as the live line tells it.
+struct JobProgress {
+    int cases = 1;                                //!< of this job
+    int ended = 0;                                //!< cases
+    int in_flight = 1;                            //!< cases
+    std::string name;                             //!< of one in flight
+    std::uint32_t complete = 0, generations = 0;  //!< of that
+    std::optional<Estimate> best;                 //!< of that
+    std::string unit;                             //!< of best
+    std::optional<Estimate> hypervolume;          //!< of that
+    double evaluations_per_second = 0;            //!< of the job
+    std::optional<double> left;                   //!< of the job, at most [s]
+};
+
+//! One line of at most so many columns: the less important parts are left out.
+std::string progress_line(const JobProgress& progress, std::size_t columns);
+
+//! Tells how the cases of a job evolve: one live line on a terminal for all
+//! that are in flight, one line per generation and case in a log file.
+class ProgressLog {
+  public:
+    //! All must outlive it.
+    //! @param level the least urgent that is told
+    ProgressLog(const Campaign& campaign, const std::vector<Case>& chosen,
+                LogLevel level = LogLevel::info);
+    ~ProgressLog();
+    ProgressLog(const ProgressLog&) = delete;
+    ProgressLog& operator=(const ProgressLog&) = delete;
+
+    //! A case begins with this generation. The log must outlive the watcher.
+    std::unique_ptr<Watcher> watch(const Case& chosen,
+                                   std::uint32_t generation);
+
+    //! A case has ended, also if nobody watched it.
+    void end(const Case& chosen);
+
+    bool is_on_terminal() const { return columns_ > 0; }
+
+    //! Lines that stay, above the live one; in a log file with the time.
+    //! Warnings and errors go to the standard error if nothing else is told.
+    void print(const std::string& text, LogLevel level = LogLevel::info);
+
+    //! The same of a result, which is told at any level.
+    void print_result(const std::string& text);
+
+  private:
+    class CaseWatcher;
+
+    //! A case in flight.
+    struct Entry {
+        std::string name;
+        std::uint32_t generation = 0;  //!< from 0, as in the history
+        std::uint32_t complete = 0;    //!< generations
+        std::optional<Estimate> best, hypervolume;
+        double violation = 0;  //!< of the best
+    };
+
+    //! Evaluations of a case from this generation on, if no rule ends it.
+    long long all_after(std::uint32_t generation) const;
+    JobProgress progress_of(const Entry& entry) const;
+    std::string text(const Entry& entry) const;
+    void show_live();
+
+    const Campaign& campaign_;
+    LogLevel level_;
+    int columns_;           //!< of the terminal; 0: a log file
+    bool is_live_ = false;  //!< the live line is on the terminal
+    double started_;
+    double shown_ = 0;
+    int evaluations_ = 0;                   //!< of this session
+    int cases_;                             //!< of this session
+    int ended_ = 0;                         //!< cases
+    std::map<int, Entry> in_flight_;        //!< by index of the case
+    std::map<int, long long> to_evaluate_;  //!< at most, by index of the case
+};
+
+//! One line on standard error that is written over and over, if that is a
+//! terminal, and gone at the end.
+class LiveLine {
+  public:
+    explicit LiveLine(LogLevel level = LogLevel::info);
+    ~LiveLine();
+    LiveLine(const LiveLine&) = delete;
+    LiveLine& operator=(const LiveLine&) = delete;
+
+    //! Not more often than can be read.
+    void show(const std::string& text);
+
+  private:
+    bool is_terminal_;
+    double shown_ = 0;
+};
+
+//! What is said of the best of a generation: it was chosen by the same figure,
+//! which is too high on average for that.
+//! @param violation of its constraints
+std::string not_evaluated_again(double violation);
+
+//! "12.345 +- 0.006": as many digits as the standard error allows; "0" of what
+//! differs from zero by rounding alone.
+std::string format(Estimate x);
+
+//! "1:02:03" or "2:03".
+std::string format_duration(double seconds);
+
+//! "2025-08-07T12:00:00Z"
+std::string utc_now();
+
+//! Seconds of a steady clock.
+double now();
+
+}  // namespace ideotype

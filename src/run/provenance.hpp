@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "campaign/campaign.hpp"
+#include "history/history.hpp"
+
+namespace ideotype {
+
+//! Everything that the history of a case says about where it comes from.
+HistoryHeader header_of(const Campaign& campaign, const Case& chosen,
+                        const std::string& isa);
+
+//! Refuses a history of another case, and one of a campaign that differs in
+//! what the case is made of; other cases may have been added.
+//! @throws Error (refused) that names each difference.
+void require_same_campaign(const HistoryHeader& header,
+                           const Campaign& campaign, const Case& chosen,
+                           const std::string& path);
+
+//! Refuses to go on with a history that another campaign, case, program,
+//! compiler, ray tracer or C library wrote.
+//! @throws Error (refused) that names each difference.
+void require_resumable(const HistoryHeader& header, const Campaign& campaign,
+                       const Case& chosen, const std::string& path);
+
+//! This start of the program.
+SessionRecord session_record(const std::string& command, int ranks);
+
+//! One line per fact about the program and its libraries.
+std::string version_text();
+
+}  // namespace ideotype

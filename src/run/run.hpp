@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "campaign/campaign.hpp"
+#include "ideotype/core/error.hpp"
+#include "ideotype/core/stop_flag.hpp"
+#include "log.hpp"
+#include "machines.hpp"
+#include "parallel/session.hpp"
+
+namespace ideotype {
+
+//! Where `run` keeps the history of a case.
+std::string path_of(const std::string& out, const Campaign& campaign,
+                    const Case& chosen);
+
+//! `run CAMPAIGN`: evolves one case, or all of them in one job.
+struct RunOptions {
+    //! Reads the campaign: as a search, or as what is evaluated otherwise.
+    Campaign (*read)(const std::string& path,
+                     const std::vector<std::string>& settings) = read_campaign;
+    std::string campaign_path;
+    std::vector<std::string> settings;  //!< "table.key=value"
+    std::string start;  //!< plant or history that CMA-ES begins around; or ""
+    std::optional<int> case_index;
+    bool is_resumed = false;
+    std::string out = "results";
+    std::optional<double> wall_time;  //!< of this start [s]
+    std::optional<std::string> isa;   //!< instruction set to begin with
+    std::optional<int> threads;       //!< see threads_per_rank()
+    std::optional<int> masters;  //!< ranks that evolve cases, see masters.hpp
+    std::string command;         //!< as typed, for the record
+    LogLevel level = LogLevel::info;
+};
+
+//! Collective over all ranks of the session.
+ExitCode run(const RunOptions& options, const Session& session, StopFlag& stop);
+
+//! The same on a rank that is this machine.
+ExitCode run_on(const Machine& own, const RunOptions& options,
+                const Session& session, StopFlag& stop);
+
+}  // namespace ideotype

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <utility>
+
+#include "ideotype/core/random.hpp"
+#include "optimizer.hpp"
+
+namespace ideotype {
+
+//! Who may have children.
+struct Parent {
+    const Individual& individual;
+    std::int64_t row = no_parent;
+};
+
+//! Chooses a parent by these random numbers.
+using Contest = std::function<Parent(RandomStream&)>;
+
+//! Makes plants from plants, by random numbers of a generation and slot:
+//! simulated binary crossover (Deb and Agrawal 1995), after which each crossed
+//! gene goes to either child (Deb et al. 2002), and polynomial mutation (Deb
+//! and Goyal 1996). On circular genes both act along the shorter arc. Genes
+//! that are not free always keep the baseline's value.
+class Breeder {
+  public:
+    Breeder(const GaSettings& settings, SearchSpace space, std::uint64_t seed);
+
+    //! The baseline in generation 0 and slot 0, else a genome uniform within
+    //! the bounds.
+    Candidate founder(std::uint32_t generation, std::uint32_t slot) const;
+
+    //! Two children of a couple, for this slot and the next.
+    std::pair<Candidate, Candidate> children(const Contest& contest,
+                                             std::uint32_t generation,
+                                             std::uint32_t slot) const;
+
+  private:
+    void mutate_genome(Genome& genome, std::uint32_t generation,
+                       std::uint32_t slot) const;
+
+    GaSettings settings_;
+    SearchSpace space_;
+    std::uint64_t seed_;
+};
+
+}  // namespace ideotype

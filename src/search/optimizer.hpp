@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "genome.hpp"
+#include "population.hpp"
+#include "settings.hpp"
+
+namespace ideotype {
+
+//! What is searched for the best plant.
+struct SearchSpace {
+    GeneSpace genes;
+    Genome baseline;                             //!< where the search begins
+    std::vector<Sense> senses{Sense::maximise};  //!< of the objectives
+};
+
+//! Proposes candidates row by row. A candidate follows from the settings, the
+//! seed and the evaluated rows 0 to needs() - 1 alone: whatever more is known,
+//! and in whatever order it arrived, does not change it. Random numbers are a
+//! function of (seed, purpose, generation, slot). To resume, a new optimizer
+//! learns the stored rows and goes on with the same bits.
+//!
+//! Rows are counted through all generations. A generation is what shares random
+//! numbers and is committed together.
+class Optimizer {
+  public:
+    virtual ~Optimizer() = default;
+
+    //! Rows of a generation, once its first row can be proposed; never 0.
+    virtual std::size_t size(std::uint32_t generation) const = 0;
+
+    //! How many rows must be known before this slot can be proposed. More than
+    //! there can be as long as that is not known itself.
+    virtual std::uint64_t needs(std::uint32_t generation,
+                                std::uint32_t slot) const = 0;
+
+    //! The candidate of this slot, in the order of rows.
+    virtual Candidate propose(std::uint32_t generation, std::uint32_t slot) = 0;
+
+    //! Takes the next evaluated row.
+    virtual void learn(Individual row) = 0;
+
+    //! What to evaluate again at the end, best first; after a whole generation
+    //! was learnt and nothing beyond it.
+    virtual std::vector<Candidate> best(std::size_t count) const = 0;
+};
+
+//! Proposes a generation at a time, from all before it.
+class GenerationalOptimizer : public Optimizer {
+  public:
+    //! The candidates of the next generation, by slot; the same for each call
+    //! until tell(). Generations may differ in size.
+    virtual std::vector<Candidate> ask() const = 0;
+
+    //! Takes the evaluated candidates of that generation, by slot.
+    void tell(Population evaluated);
+
+    std::size_t size(std::uint32_t generation) const override;
+    std::uint64_t needs(std::uint32_t generation,
+                        std::uint32_t slot) const override;
+    Candidate propose(std::uint32_t generation, std::uint32_t slot) override;
+    void learn(Individual row) override;
+
+  protected:
+    //! Learns from the next generation.
+    virtual void take(Population evaluated) = 0;
+
+    //! The next one.
+    std::uint32_t generation() const { return generation_; }
+    //! First row of the generation before it.
+    std::int64_t parents_row() const { return parents_row_; }
+
+  private:
+    const std::vector<Candidate>& asked() const;
+
+    std::uint32_t generation_ = 0;
+    std::int64_t parents_row_ = 0;
+    std::int64_t row_ = 0;  //!< first one of the next generation
+    mutable std::vector<Candidate> asked_;  //!< that generation, once asked
+    Population learnt_;                     //!< so far, of the same
+};
+
+//! The optimizer that the settings name, before the first row.
+std::unique_ptr<Optimizer> make_optimizer(const SearchSettings& settings,
+                                          const SearchSpace& space,
+                                          std::uint64_t seed);
+
+}  // namespace ideotype

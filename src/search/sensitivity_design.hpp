@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "genome.hpp"
+#include "optimizer.hpp"
+#include "sensitivity_settings.hpp"
+#include "sobol_sequence.hpp"
+
+namespace ideotype {
+
+//! What is varied as one.
+struct Factor {
+    std::string name;                //!< of a gene, or what its genes are of
+    std::vector<std::size_t> genes;  //!< that are free
+};
+
+std::vector<Factor> factors_of(const GeneSpace& genes, Grouping groups);
+
+//! The rows of a sensitivity study, which are known before any is evaluated:
+//! samples of as many rows each, all genes uniform within their bounds.
+//!
+//! For Sobol' indices two points A and B of a scrambled Sobol' sequence, and
+//! between them A with one factor after the other from B (Saltelli et al. 2010,
+//! doi:10.1016/j.cpc.2009.09.018). By Morris (1991,
+//! doi:10.1080/00401706.1991.10484804) a path on a grid along which one factor
+//! after the other makes a step, in a random order. The genes of a factor
+//! change together (Campolongo et al. 2007,
+//! doi:10.1016/j.envsoft.2006.10.004).
+//!
+//! It proposes its rows sample after sample, in the place of an optimizer, and
+//! learns nothing.
+class SensitivityDesign : public Optimizer {
+  public:
+    SensitivityDesign(const SensitivitySettings& settings, SearchSpace space,
+                      std::uint64_t seed);
+
+    const std::vector<Factor>& factors() const { return factors_; }
+    std::size_t samples() const;
+    std::size_t rows_per_sample() const;
+
+    //! @param place from 0 to rows_per_sample()
+    Genome row(std::uint32_t sample, std::size_t place) const;
+
+    std::size_t size(std::uint32_t generation) const override;
+    //! So few that nobody waits: a thousand rows may be under way.
+    std::uint64_t needs(std::uint32_t generation,
+                        std::uint32_t slot) const override;
+    Candidate propose(std::uint32_t generation, std::uint32_t slot) override;
+    void learn(Individual) override {}
+    //! Nothing: no plant is better than others.
+    std::vector<Candidate> best(std::size_t count) const override;
+
+  private:
+    struct Path;
+    Path path(std::uint32_t sample) const;
+    Genome genome(const std::vector<double>& point) const;
+
+    SensitivitySettings settings_;
+    SearchSpace space_;
+    std::uint64_t seed_;
+    std::vector<Factor> factors_;
+    std::vector<std::size_t> free_;  //!< genes
+    SobolSequence sequence_;
+};
+
+//! Samples that a history keeps as one generation.
+inline constexpr int samples_per_generation = 16;
+
+//! Rows of such a generation.
+int generation_size(const SensitivitySettings& settings,
+                    const GeneSpace& genes);
+int generations_of(const SensitivitySettings& settings);
+
+}  // namespace ideotype

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ideotype/canopy/canopy.hpp"
+#include "ideotype/core/error.hpp"
+#include "mesh_options.hpp"
+
+namespace ideotype {
+
+//! What light does in a mesh. Of single lights, level ground receives 1.
+struct MeshReport {
+    CanopyReport canopy;
+    std::vector<std::string> warnings;
+};
+
+//! Most paths that a tolerance may ask for.
+inline constexpr std::uint64_t most_tolerance_paths = std::uint64_t{1} << 28;
+
+//! Reads the mesh and traces the light. Always with the same random numbers,
+//! so that results can be repeated.
+//! @throws Error, also of wrong usage.
+MeshReport study(const MeshOptions& options);
+
+//! The same for a mesh that is here; the path of the options is not used.
+MeshReport study(Mesh mesh, const MeshOptions& options);
+
+}  // namespace ideotype

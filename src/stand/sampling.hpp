@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "campaign/campaign.hpp"
+#include "ideotype/core/randomness.hpp"
+#include "ideotype/light/accuracy.hpp"
+#include "search/task.hpp"
+
+namespace ideotype {
+
+//! How accurate a task is: finalists are evaluated more finely.
+Accuracy accuracy_of(const Task& task, const Campaign& campaign);
+
+//! The random numbers of a task: common to all candidates of a generation;
+//! fresh ones for all finalists. Where each row has light of its own, they
+//! share the field.
+Randomness randomness_of(const Task& task, const Campaign& campaign,
+                         const Case& chosen);
+
+//! How a plant is evaluated: how accurately, and with which random numbers.
+struct Sampling {
+    Accuracy accuracy;
+    Randomness randomness;
+};
+
+//! That of a task.
+Sampling sampling_of(const Task& task, const Campaign& campaign,
+                     const Case& chosen);
+
+//! What an evaluation asks for besides its plant.
+struct SamplingRequest {
+    std::uint32_t generation = 0;  //!< of the search whose fields it has
+    bool is_final = false;         //!< as finalists are evaluated
+    //! In the place of the campaign's.
+    std::optional<std::uint64_t> seed{};
+    //! Relative standard error of the leaves' light, with as few paths as that
+    //! takes; not above 0.05.
+    std::optional<double> tolerance{};
+};
+
+//! That of an evaluation outside of a run. With nothing asked for, it is that
+//! of generation 0.
+//! @throws Error of wrong usage if the tolerance is impossible.
+Sampling sampling_of(const SamplingRequest& request, const Campaign& campaign,
+                     const Case& chosen);
+
+}  // namespace ideotype

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "across_scenarios.hpp"
+#include "campaign/campaign.hpp"
+#include "ideotype/canopy/canopy.hpp"
+#include "ideotype/light/device.hpp"
+#include "sampling.hpp"
+
+namespace ideotype {
+
+//! How many times longer the evaluation of a finalist takes, about: it has
+//! more paths, and a field for each randomisation.
+double final_effort(const Campaign& campaign);
+
+//! Layers of 0.25 m, up to what the highest leaf could reach.
+Layers canopy_layers(const Campaign& campaign);
+
+//! What the plants of a case are evaluated under, or in the first of its
+//! scenarios; worth keeping for all of them.
+Scenario scenario_of(const Campaign& campaign, const Case& chosen);
+
+//! How a plant is evaluated in a scenario of a campaign.
+CanopyRequest request_of(const Sampling& sampling, const Campaign& campaign,
+                         const Scenario& scenario, Plant plant);
+
+//! The form of a case's outcomes, with this accuracy.
+OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
+                             const Accuracy& accuracy);
+
+//! What a report says of a plant, in the form of a case without others.
+Outcome to_outcome(const Campaign& campaign, const Plant& plant,
+                   const CanopyReport& report);
+
+//! What plants of one case are evaluated in: its scenarios, set up once for all
+//! of them.
+class Stand {
+  public:
+    //! The campaign must outlive the stand.
+    Stand(const Campaign& campaign, const Case& chosen);
+
+    //! The form of outcomes with the accuracy of the search, or of its final
+    //! evaluations.
+    const OutcomeSchema& schema(bool is_final) const {
+        return is_final ? final_schema_ : schema_;
+    }
+
+    //! Sets up the light of all scenarios, as the first evaluation else does.
+    //! After it several threads may evaluate, each with a device of its own.
+    void prepare();
+
+    //! One outcome in all scenarios. A pure function of plant and sampling.
+    //! @throws Error as ideotype::evaluate()
+    Outcome evaluate(const Plant& plant, const Sampling& sampling,
+                     const Device& device);
+
+  private:
+    const Campaign& campaign_;
+    std::vector<Case> cases_;                //!< of each scenario
+    std::vector<Scenario> scenarios_;        //!< empty until they are set up
+    std::optional<AcrossScenarios> across_;  //!< of several
+    OutcomeSchema schema_, final_schema_;
+};
+
+}  // namespace ideotype

@@ -29,7 +29,7 @@ from ideotype._geometry import Mesh
 from ideotype.analysis.style import RC, new_figure
 
 DOCS = Path(__file__).resolve().parent
-sys.path.insert(0, str(DOCS.parent / "campaigns"))
+sys.path.insert(0, str(DOCS.parent / "campaigns" / "study"))
 from draw_plants import TURN, draw  # noqa: E402
 from shared import ANYWHERE  # noqa: E402
 

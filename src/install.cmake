@@ -29,7 +29,7 @@ if(NOT IDEOTYPE_PROGRAM)
 endif()
 set(data ${CMAKE_INSTALL_DATADIR}/ideotype)
 install(TARGETS ideotype RUNTIME)
-install(DIRECTORY campaigns DESTINATION ${data} PATTERN figures EXCLUDE)
+install(DIRECTORY campaigns DESTINATION ${data} PATTERN study EXCLUDE)
 if(HELP2MAN)
     install(FILES ${PROJECT_BINARY_DIR}/src/ideotype.1
         DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

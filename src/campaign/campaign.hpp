@@ -129,7 +129,7 @@ struct AccuracyKey {
 };
 
 //! A whole study as written in a TOML file: immutable once read. Every key,
-//! its unit, range and default are listed in campaigns/README.md.
+//! its unit, range and default are listed in docs/campaign_files.md.
 struct Campaign {
     std::string source;    //!< the text of the campaign file as it was read
     std::string resolved;  //!< a complete campaign in canonical form: every

@@ -20,7 +20,7 @@ constexpr auto campaign_form =
     R"(# A campaign of ideotype, a whole study in one file:
 #     ideotype check FILE               what is wrong, size and cost
 #     ideotype run FILE                 on all cores of this machine
-# Other keys have defaults: see campaigns/README.md.
+# Other keys have defaults: see docs/campaign_files.md.
 
 name = {name:?}
 seed

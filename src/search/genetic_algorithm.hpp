@@ -21,7 +21,7 @@ namespace ideotype {
 //! are children. The best distinct, by front and crowding, of them and of their
 //! parents are the next parents. These keep what they were evaluated to, which
 //! may be luck: to evaluate them again under the random numbers of their
-//! children costs more than it gains (campaigns/RESULTS.md).
+//! children costs more than it gains (campaigns/study/RESULTS.md).
 class GeneticAlgorithm : public GenerationalOptimizer {
   public:
     GeneticAlgorithm(const SearchSettings& settings, SearchSpace space,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Scripts of campaigns/ that are no part of the study."""
+"""Scripts of campaigns/study that are no part of the study."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from real_program import CAMPAIGNS, executable
 
 def run(script: str, *words: object) -> str:
     done = subprocess.run(
-        [sys.executable, CAMPAIGNS / script, *map(str, words)],
+        [sys.executable, CAMPAIGNS / "study" / script, *map(str, words)],
         env=os.environ | {"IDEOTYPE_EXECUTABLE": executable()},
         capture_output=True,
         text=True,
@@ -85,7 +85,7 @@ def test_the_error_of_a_gain_is_that_of_the_ratio(
 ) -> None:
     """As of the carbon balance at 15 x 3 inches: the baseline has nearly
     nothing, and the noise of both plants is about the same."""
-    monkeypatch.syspath_prepend(CAMPAIGNS)
+    monkeypatch.syspath_prepend(CAMPAIGNS / "study")
     shared = importlib.import_module("shared")
     draw, runs, count = np.random.default_rng(3), 2000, 16
     common = draw.normal(0.0, 0.004, (runs, 1, count))
@@ -100,7 +100,7 @@ def test_the_error_of_a_gain_is_that_of_the_ratio(
 def test_parts_of_the_light_are_told_by_organ(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.syspath_prepend(CAMPAIGNS)
+    monkeypatch.syspath_prepend(CAMPAIGNS / "study")
     organs = importlib.import_module("organs")
     first, *_, last = organs.PLANTS
     for plant, shown in ((first, [1, 0, 0, 0]), (last, [1, 1, 1, 1])):

@@ -13,8 +13,8 @@ from real_program import CAMPAIGNS
 
 
 def draw(*arguments: object) -> subprocess.CompletedProcess[str]:
-    """What campaigns/draw_plants.py says."""
-    script = CAMPAIGNS / "draw_plants.py"
+    """What campaigns/study/draw_plants.py says."""
+    script = CAMPAIGNS / "study" / "draw_plants.py"
     words = [sys.executable, script, *arguments]
     return subprocess.run(
         [*map(str, words)], capture_output=True, text=True, check=False

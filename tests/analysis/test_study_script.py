@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""campaigns/study.py makes tables from histories, and finds what they do not
+"""campaigns/study/study.py makes tables from histories, and finds what they do not
 say."""
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from pathlib import Path
 from real_program import CAMPAIGNS, executable
 
 PARTS = re.findall(
-    r'(?m)^    "(\w+)": Part\(', (CAMPAIGNS / "study.py").read_text()
+    r'(?m)^    "(\w+)": Part\(', (CAMPAIGNS / "study" / "study.py").read_text()
 )
 PLACES = "# Results\n\n" + "\n".join(
     f"<!-- short study: {name} -->\nold\n<!-- end of study -->\n"
@@ -26,7 +26,11 @@ def run(
 ) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
         [
-            *(sys.executable, CAMPAIGNS / "study.py", folder / "study"),
+            *(
+                sys.executable,
+                CAMPAIGNS / "study" / "study.py",
+                folder / "study",
+            ),
             *("--short", "--results", results or folder / "RESULTS.md"),
             *words,
         ],
@@ -67,7 +71,7 @@ def test_a_number_that_histories_do_not_say_is_found(tmp_path: Path) -> None:
 def test_the_small_study_of_results_is_what_histories_say(
     tmp_path: Path,
 ) -> None:
-    quoted = CAMPAIGNS / "RESULTS.md"
+    quoted = CAMPAIGNS / "study" / "RESULTS.md"
     done = run(tmp_path, "--only", "erect_tops", "--check", results=quoted)
     assert done.returncode == 0, done.stderr
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What single traits are worth, as campaigns/what_pays.py tells it."""
+"""What single traits are worth, as campaigns/study/what_pays.py tells it."""
 
 from __future__ import annotations
 
@@ -15,7 +15,10 @@ from real_program import CAMPAIGNS, executable, run_crop
 def test_traits_of_leaves_alone_are_undone(tmp_path: Path) -> None:
     """Sheaths and other organs have lengths and azimuths too."""
     history = run_crop(tmp_path, "maize", ["length", "azimuth"])
-    script, under = CAMPAIGNS / "what_pays.py", tmp_path / "tiny.toml"
+    script, under = (
+        CAMPAIGNS / "study" / "what_pays.py",
+        tmp_path / "tiny.toml",
+    )
     done = subprocess.run(
         [sys.executable, script, "--under", under, history],
         env=os.environ | {"IDEOTYPE_EXECUTABLE": executable()},

@@ -13,12 +13,12 @@ namespace ideotype {
 
 namespace {
 
-//! The rows of the tables of keys in campaigns/README.md, each after the
+//! The rows of the tables of keys in docs/campaign_files.md, each after the
 //! section that its heading names.
 std::set<std::string> documented_keys() {
     std::set<std::string> rows;
     std::string section;
-    std::ifstream text(IDEOTYPE_CAMPAIGNS "/README.md");
+    std::ifstream text(IDEOTYPE_CAMPAIGNS "/../docs/campaign_files.md");
     for (std::string line; std::getline(text, line);) {
         if (line.starts_with("## ")) section.clear();
         if (line.starts_with("### `")) {

@@ -1,11 +1,11 @@
 #!/bin/bash
 # SPDX-License-Identifier: Apache-2.0
-# The walk to a crop of one's own in campaigns/README.md, as a user takes it.
+# The walk to a crop of one's own in docs/crop.md, as a user takes it.
 source "$(dirname "$0")/common.sh"
 
-# The blocks of that chapter, one file each.
-awk '/^## /{inside = /Your own crop/} inside' "$project/campaigns/README.md" |
-    awk '/^```[a-z]/{name = "block" ++n; next} /^```/{name = ""} name{print > name}'
+# The blocks of that page, one file each.
+awk '/^```[a-z]/{name = "block" ++n; next} /^```/{name = ""} name{print > name}' \
+    "$project/docs/crop.md"
 cat block1 block2 >millet.toml
 mv block3 dryland.toml
 [ "$(wc -l <block4)" -eq 5 ] || fail "not the five commands"

@@ -44,7 +44,7 @@ class Stand:
     `Stand(tables)` takes the tables of a campaign file as dictionaries, with
     every key that a file may have; files that it names are looked for in
     `folder`. `Stand.from_campaign` reads such a file. What keys mean:
-    campaigns/README.md.
+    docs/campaign_files.md.
 
     Threads may share a stand: evaluations run without the interpreter's lock.
     """

@@ -32,9 +32,11 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-from shared import HERE, guard
+from shared import CAMPAIGNS, guard
 
 import ideotype
+
+HERE = Path(__file__).parent
 
 
 @dataclass(frozen=True)
@@ -66,7 +68,7 @@ PARTS = {
     "plants_differ": Part(
         "What do plants that are all alike hide?",
         ("plants_differ.py", "--figure", "{figures}/plants_differ.png"),
-        ("--under", str(HERE / "ames_quick.toml"), "--plants", "2"),
+        ("--under", str(CAMPAIGNS / "ames_quick.toml"), "--plants", "2"),
     ),
     "validation": Part(
         "Does the canopy behave as maize does in the field?",
@@ -191,7 +193,7 @@ def versions() -> str:
     program = os.environ.get("IDEOTYPE_EXECUTABLE", "ideotype")
     return "{}; {}".format(
         told_by(
-            *("git", "-C", str(HERE), "describe"),
+            *("git", "-C", str(CAMPAIGNS), "describe"),
             *("--always", "--dirty", "--tags"),
         ),
         told_by(program, "--version").partition("\n")[0],
@@ -202,14 +204,14 @@ def digests() -> list[str]:
     """Of the plants, weather files and campaigns that the parts may read."""
     return [
         f"{hashlib.sha256(path.read_bytes()).hexdigest()[:12]} "
-        f"{path.relative_to(HERE)}"
+        f"{path.relative_to(CAMPAIGNS)}"
         for pattern in (
             "crops/*.toml",
             "plants/*.toml",
             "weather/*.csv",
             "*.toml",
         )
-        for path in sorted(HERE.glob(pattern))
+        for path in sorted(CAMPAIGNS.glob(pattern))
     ]
 
 

@@ -26,8 +26,8 @@ from ideotype import Stand
 from ideotype.analysis.estimate import Estimate as Figure
 from ideotype.analysis.estimate import relative_gain
 
-HERE = Path(__file__).parent
-MAIZE = HERE / "crops" / "maize.toml"
+CAMPAIGNS = Path(__file__).parents[1]
+MAIZE = CAMPAIGNS / "crops" / "maize.toml"
 PLANT_AREA = 0.3991
 """Leaf area of this plant [m2]."""
 #: [field.variation] of hybrids, and of the lines that were measured; README.md has the

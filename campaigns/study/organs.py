@@ -20,7 +20,7 @@ from pathlib import Path
 
 import numpy as np
 from shared import (
-    HERE,
+    CAMPAIGNS,
     Estimate,
     Numbers,
     best,
@@ -33,7 +33,7 @@ from shared import (
 
 from ideotype import Stand
 
-QUICK = HERE / "ames_quick.toml"
+QUICK = CAMPAIGNS / "ames_quick.toml"
 TASSEL = ["peduncle", "tassel_spike", "tassel_branches"]
 
 #: Name, crop file and organs besides leaves.
@@ -50,7 +50,7 @@ TRAITS = ("all", "azimuth")
 def settings(plant: str, traits: str = "all") -> list[str]:
     crop, organs = PLANTS[plant]
     keys = [
-        f"plant.baseline={HERE.resolve() / crop}",
+        f"plant.baseline={CAMPAIGNS.resolve() / crop}",
         f"plant.organs={json.dumps(organs)}",
     ]
     if traits == "azimuth":
@@ -108,7 +108,7 @@ def main() -> None:
     parser.add_argument("--seeds", type=int, default=3, metavar="N")
     parser.add_argument("folder", type=Path, metavar="FOLDER")
     options = parser.parse_args()
-    campaigns = [QUICK, *([HERE / "ames.toml"] if options.full else [])]
+    campaigns = [QUICK, *([CAMPAIGNS / "ames.toml"] if options.full else [])]
     head = [
         "plant",
         "leaves",

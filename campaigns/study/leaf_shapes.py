@@ -31,7 +31,7 @@ from statistics import fmean, stdev
 
 import numpy as np
 from scipy.interpolate import BSpline
-from shared import HERE, Numbers, best, breed, guard
+from shared import CAMPAIGNS, Numbers, best, breed, guard
 
 import ideotype
 
@@ -349,7 +349,7 @@ def main() -> None:
         parser.error("--fields must be 2 or more (errors are from fields)")
     options.folder.mkdir(parents=True, exist_ok=True)
     histories = breed(
-        HERE / "ames_quick.toml",
+        CAMPAIGNS / "ames_quick.toml",
         "ames_quick",
         [f"replicates={options.seeds}"],
         options.folder,

@@ -26,7 +26,7 @@ from typing import Any
 import numpy as np
 from paper_table import CONDITIONS, FIRST, Condition, bred, campaign
 from shared import (
-    HERE,
+    CAMPAIGNS,
     Estimate,
     Numbers,
     gain,
@@ -44,7 +44,7 @@ from ideotype import Stand
 UPPER = 4
 PLACES = {x.name: x for x in CONDITIONS}
 PLOT = "the paper's plot"
-ELITE = HERE / "plants" / "elite.toml"
+ELITE = CAMPAIGNS / "plants" / "elite.toml"
 STANDS = {
     "stand, absorbed PAR": "absorbed_par",
     "stand, net assimilation": "net_assimilation",

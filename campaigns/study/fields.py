@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from shared import (
-    HERE,
+    CAMPAIGNS,
     MAIZE,
     Estimate,
     Numbers,
@@ -24,7 +24,7 @@ from shared import (
 import ideotype
 from ideotype import Stand
 
-DAY, SEASON = HERE / "ames.toml", HERE / "bondville.toml"
+DAY, SEASON = CAMPAIGNS / "ames.toml", CAMPAIGNS / "bondville.toml"
 SOIL_ALBEDO = 0.1
 HOURS = {
     "day": "start = 07:00:00, end = 20:00:00",

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
-from shared import HERE, Numbers
+from shared import CAMPAIGNS, Numbers
 
 DAY = date(2025, 8, 7)
 #: A whole clear day, as a [[day]] of a campaign.
@@ -29,14 +29,14 @@ OVERCAST_SHARE = 0.25
 
 def bondville() -> dict[str, Any]:
     """The campaign of the season."""
-    with (HERE / "bondville.toml").open("rb") as file:
+    with (CAMPAIGNS / "bondville.toml").open("rb") as file:
         return tomllib.load(file)
 
 
 def season() -> dict[str, Any]:
     """As a [[climate]], with the whole path of its file."""
     found: dict[str, Any] = dict(bondville()["climate"][0])
-    return {**found, "file": str(HERE / found["file"])}
+    return {**found, "file": str(CAMPAIGNS / found["file"])}
 
 
 def site(latitude: float) -> dict[str, Any]:

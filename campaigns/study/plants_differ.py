@@ -6,7 +6,7 @@ plants_differ.py [--under CAMPAIGN] [--plants N] [--figure FILE.png]
 
 Evaluates N plants of the bounds "breedable", spread evenly, and the baseline in stands of
 plants alike and in stands of plants that differ: as hybrids do (estimates), and as the
-lines that were measured do (campaigns/README.md). Prints what the baseline absorbs and
+lines that were measured do (docs/campaign_files.md). Prints what the baseline absorbs and
 assimilates on the day of CAMPAIGN in each, how far the order of plants agrees (rank
 correlation), and what the best plant of the stand of plants alike is worth where plants
 differ, relative to the best one there.
@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 from scipy.stats import qmc, spearmanr
 from shared import (
-    HERE,
+    CAMPAIGNS,
     HYBRIDS,
     MAIZE,
     MEASURED_LINES,
@@ -107,7 +107,7 @@ def draw(values: dict[tuple[str, str], Numbers], path: Path) -> None:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("--under", type=Path, default=HERE / "ames.toml")
+    parser.add_argument("--under", type=Path, default=CAMPAIGNS / "ames.toml")
     parser.add_argument("--plants", type=int, default=64)
     parser.add_argument("--figure", type=Path)
     options = parser.parse_args()

@@ -24,7 +24,7 @@ from pathlib import Path
 from statistics import fmean, stdev
 
 import numpy as np
-from shared import HERE, Numbers, breed, gain, guard, light
+from shared import CAMPAIGNS, Numbers, breed, gain, guard, light
 
 from ideotype import Stand, open_history
 from ideotype.analysis.style import new_figure, series
@@ -200,7 +200,9 @@ def main() -> None:
     parser.add_argument(
         "--only", nargs="+", choices=SEARCHES, metavar="SEARCH"
     )
-    parser.add_argument("--campaign", type=Path, default=HERE / "ames.toml")
+    parser.add_argument(
+        "--campaign", type=Path, default=CAMPAIGNS / "ames.toml"
+    )
     options = parser.parse_args()
     stand = Stand.from_campaign(options.campaign)
     checkpoints = [x for x in CHECKPOINTS if x <= options.evaluations]

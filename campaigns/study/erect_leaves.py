@@ -19,7 +19,7 @@ from pathlib import Path
 
 import numpy as np
 from shared import (
-    HERE,
+    CAMPAIGNS,
     MAIZE,
     PLANT_AREA,
     Estimate,
@@ -105,7 +105,7 @@ def gains(
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("--under", type=Path, default=HERE / "ames.toml")
+    parser.add_argument("--under", type=Path, default=CAMPAIGNS / "ames.toml")
     parser.add_argument(
         "--densities", nargs="+", type=float, default=DENSITIES
     )

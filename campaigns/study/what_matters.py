@@ -38,7 +38,7 @@ import numpy as np
 from climates import season
 from shared import (
     BREEDABLE,
-    HERE,
+    CAMPAIGNS,
     ROUGH,
     TITLES,
     Estimate,
@@ -57,7 +57,7 @@ from ideotype import Stand, open_history
 from ideotype.analysis.indices import Indices, indices_of
 from ideotype.analysis.style import new_figure, series
 
-DAY, SEASON = HERE / "ames.toml", HERE / "bondville.toml"
+DAY, SEASON = CAMPAIGNS / "ames.toml", CAMPAIGNS / "bondville.toml"
 #: What is bred for, and the campaign of its light.
 OBJECTIVES = {
     "absorbed_par": DAY,

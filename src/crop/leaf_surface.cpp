@@ -68,58 +68,135 @@ std::array<glm::dvec2, controls_along> interpolate(
             {y[2], z[2]},   {y[3], z[3]}, points.back()};
 }
 
+//! Relative arc length at the middle of each segment of a digitised midrib,
+//! and its angle from the vertical [deg], which goes on beyond 180 where the
+//! midrib curls and never jumps by more than that.
+std::vector<glm::dvec2> angles_of(const std::vector<glm::dvec2>& points) {
+    std::vector<glm::dvec2> angles;
+    double length = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const glm::dvec2 step = points[i] - points[i - 1];
+        const double size = glm::length(step);
+        if (size == 0) continue;
+        double angle = std::atan2(step.x, step.y) / degree;
+        if (!angles.empty())
+            angle += 360 * std::round((angles.back().y - angle) / 360);
+        angles.emplace_back(length + size / 2, angle);
+        length += size;
+    }
+    if (angles.empty()) throw Error("a midrib needs two points that differ");
+    for (glm::dvec2& each : angles) each.x /= length;
+    return angles;
+}
+
+//! A vector turned about an axis of unit length (Rodrigues' formula).
+glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& axis, double angle) {
+    const double sine = std::sin(angle), cosine = std::cos(angle);
+    return cosine * v + sine * glm::cross(axis, v) +
+           (1 - cosine) * glm::dot(axis, v) * axis;
+}
+
 }  // namespace
 
+void measure_midrib(Leaf& leaf) {
+    const std::vector<glm::dvec2> angles = angles_of(leaf.midrib);
+    leaf.insertion_angle = angles.front().y;
+    leaf.curvature = angles.back().y - angles.front().y;
+}
+
+double LeafSurface::angle(double s) const {
+    const double bend = std::pow(s, blade_.curvature_exponent);
+    if (digitised_.empty())
+        return degree * (leaf_.insertion_angle + leaf_.curvature * bend);
+    const glm::dvec2 first = digitised_.front(), last = digitised_.back();
+    const auto next =
+        std::find_if(digitised_.begin(), digitised_.end(),
+                     [&](const auto& each) { return each.x > s; });
+    double angle = next == digitised_.begin() ? first.y : last.y;
+    if (next != digitised_.begin() && next != digitised_.end())
+        angle = glm::mix(next[-1].y, next->y,
+                         (s - next[-1].x) / (next->x - next[-1].x));
+    return degree * (angle + leaf_.insertion_angle - first.y +
+                     (leaf_.curvature - (last.y - first.y)) * bend);
+}
+
+void LeafSurface::advance(glm::dvec2& end, double from, double to,
+                          int steps) const {
+    const double h = (to - from) / steps;
+    double s = from;
+    for (int step = 0; step < steps; ++step, s += h) {
+        const double a = angle(s), b = angle(s + h / 2), c = angle(s + h);
+        end += leaf_.length * h / 6 *
+               glm::dvec2(std::sin(a) + 4 * std::sin(b) + std::sin(c),
+                          std::cos(a) + 4 * std::cos(b) + std::cos(c));
+    }
+}
+
 LeafSurface::LeafSurface(const Leaf& leaf, const Blade& blade, double distance)
-    : leaf_(leaf), base_(0, distance, leaf.insertion_height) {
+    : leaf_(leaf), blade_(blade), base_(0, distance, leaf.insertion_height) {
     if (blade.width_controls.size() != controls_along)
         throw Error("a blade needs six width controls");
-    const auto angle = [&](double s) {
-        return degree *
-               (leaf.insertion_angle +
-                leaf.curvature * std::pow(s, blade.curvature_exponent));
-    };
-
-    // The midrib as the integral of its direction, by Simpson's rule.
-    std::array<glm::dvec2, controls_along> midrib;
     glm::dvec2 end{distance, leaf.insertion_height};
-    double s = 0;
+    if (!leaf.midrib.empty()) {
+        digitised_ = angles_of(leaf.midrib);
+        for (std::size_t i = 0; i < midrib_.size(); ++i) {
+            midrib_[i] = end;
+            const auto steps = static_cast<double>(midrib_.size() - 1);
+            const auto step = static_cast<double>(i);
+            advance(end, step / steps, (step + 1) / steps, 2);
+        }
+        return;
+    }
+    std::array<glm::dvec2, controls_along> midrib;
     midrib[0] = end;
     for (std::size_t i = 1; i < controls_along; ++i) {
-        constexpr int steps = 8;
-        const double h = (greville(i) - greville(i - 1)) / steps;
-        for (int step = 0; step < steps; ++step, s += h) {
-            const double a = angle(s), b = angle(s + h / 2), c = angle(s + h);
-            end += leaf.length * h / 6 *
-                   glm::dvec2(std::sin(a) + 4 * std::sin(b) + std::sin(c),
-                              std::cos(a) + 4 * std::cos(b) + std::cos(c));
-        }
-        s = greville(i);
+        advance(end, greville(i - 1), greville(i), 8);
         midrib[i] = end;
     }
     const auto midrib_controls = interpolate(midrib);
+    for (std::size_t i = 0; i < controls_along; ++i)
+        controls_[i] = across(midrib_controls[i], angle(greville(i)),
+                              blade.width_controls[i]);
+}
 
-    const double rise = blade.folding_angle * degree;
-    for (std::size_t i = 0; i < controls_along; ++i) {
-        const double a = angle(greville(i));
-        const glm::dvec3 upper(0, -std::cos(a), std::sin(a));
-        const double half = leaf.width / 2 * blade.width_controls[i];
-        const glm::dvec3 foot(0, midrib_controls[i].x, midrib_controls[i].y);
-        const glm::dvec3 across(half * std::cos(rise), 0, 0);
-        const glm::dvec3 up = half * std::sin(rise) * upper;
-        controls_[i] = {foot - across + up, foot, foot + across + up};
-    }
+BladeRow LeafSurface::across(const glm::dvec2& midrib, double angle,
+                             double width) const {
+    const double rise = blade_.folding_angle * degree;
+    const glm::dvec3 upper(0, -std::cos(angle), std::sin(angle));
+    const double half = leaf_.width / 2 * width;
+    const glm::dvec3 foot(0, midrib.x, midrib.y);
+    const glm::dvec3 side(half * std::cos(rise), 0, 0);
+    const glm::dvec3 up = half * std::sin(rise) * upper;
+    return {foot - side + up, foot, foot + side + up};
 }
 
 BladeRow LeafSurface::row(double t) const {
     const auto n = basis(t);
-    glm::dvec3 left(0), midrib(0), right(0);
-    for (std::size_t i = 0; i < controls_along; ++i) {
-        left += n[i] * controls_[i].left;
-        midrib += n[i] * controls_[i].midrib;
-        right += n[i] * controls_[i].right;
+    BladeRow row{};
+    if (digitised_.empty()) {
+        for (std::size_t i = 0; i < controls_along; ++i) {
+            row.left += n[i] * controls_[i].left;
+            row.midrib += n[i] * controls_[i].midrib;
+            row.right += n[i] * controls_[i].right;
+        }
+    } else {
+        double width = 0;
+        for (std::size_t i = 0; i < controls_along; ++i)
+            width += n[i] * blade_.width_controls[i];
+        const double place = t * static_cast<double>(midrib_.size() - 1);
+        const auto i =
+            std::min(static_cast<std::size_t>(place), midrib_.size() - 2);
+        row = across(glm::mix(midrib_[i], midrib_[i + 1],
+                              place - static_cast<double>(i)),
+                     angle(t), width);
     }
-    return {left, midrib, right};
+    if (const double turn = leaf_.roll + leaf_.twist * (t - 0.5); turn != 0) {
+        const glm::dvec3 along(0, std::sin(angle(t)), std::cos(angle(t)));
+        for (glm::dvec3* edge : {&row.left, &row.right})
+            *edge =
+                row.midrib + turned(*edge - row.midrib, along, turn * degree);
+    }
+    return row;
 }
 
 std::vector<BladeRow> LeafSurface::tessellate(int cells) const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <numbers>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "ideotype/core/error.hpp"
@@ -92,6 +94,97 @@ TEST(LeafSurface, FoldRaisesTheEdgesTowardsTheUpperSide) {
     EXPECT_NEAR(flat.left.z, flat.midrib.z, 1e-12);
     EXPECT_GT(folded.left.z, folded.midrib.z);
     EXPECT_NEAR(blade_width(folded), blade_width(flat), 1e-9);
+}
+
+//! A leaf with all that may be told of a blade.
+Leaf rolled_leaf() {
+    Leaf leaf = sample_plant().leaves[1];
+    leaf.roll = 40;
+    leaf.twist = 120;
+    return leaf;
+}
+
+TEST(LeafSurface, RollAndTwistTurnTheBladeAboutItsMidrib) {
+    Blade flat = sample_plant().blade;
+    flat.folding_angle = 0;
+    const Leaf rolled = rolled_leaf();
+    const LeafSurface level(sample_plant().leaves[1], flat);
+    const LeafSurface surface(rolled, flat);
+    for (const double t : {0.1, 0.5, 0.9}) {
+        const BladeRow a = level.row(t), b = surface.row(t);
+        EXPECT_EQ(a.midrib, b.midrib);
+        const double cosine = glm::dot(glm::normalize(a.right - a.midrib),
+                                       glm::normalize(b.right - b.midrib));
+        EXPECT_NEAR(cosine,
+                    std::cos((40 + 120 * (t - .5)) / 180 * std::numbers::pi),
+                    1e-9);
+        EXPECT_NEAR(blade_width(a), blade_width(b), 1e-12);
+    }
+    // A positive roll lowers the right edge.
+    EXPECT_LT(surface.row(0.5).right.z, surface.row(0.5).midrib.z);
+}
+
+TEST(LeafSurface, RolledBladesKeepLengthWidthAndArea) {
+    const Leaf rolled = rolled_leaf();
+    Leaf plain = rolled;
+    plain.roll = plain.twist = 0;
+    const Blade blade = sample_plant().blade;
+    const auto area = [&](const Leaf& leaf) {
+        Plant plant = sample_plant();
+        plant.leaves = {leaf};
+        plant.stalk.is_present = false;
+        plant.organs.clear();
+        return leaf_area(build_plant(plant, {40, 8}));
+    };
+    double length = 0, width = 0;
+    const auto rows = LeafSurface(rolled, blade).tessellate(12);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (i > 0) length += distance(rows[i].midrib, rows[i - 1].midrib);
+        width = std::max(width, blade_width(rows[i]));
+    }
+    EXPECT_NEAR(length / rolled.length, 1, 2e-4);
+    EXPECT_NEAR(width / rolled.width, 1, 2e-4);
+    EXPECT_NEAR(area(rolled) / area(plain), 1, 0.01);
+}
+
+TEST(LeafSurface, DigitisedMidribsAreFollowed) {
+    // An arc by 140 deg with a kink, which no power of arc length has.
+    Leaf leaf{0.8, 0.1, 0, 0, 0, 0.5};
+    glm::dvec2 end{3, 7};
+    leaf.midrib = {end};
+    for (int i = 0; i < 20; ++i) {
+        const double angle = (i < 12 ? 20 + 2. * i : 90 + 8. * (i - 12)) *
+                             std::numbers::pi / 180;
+        end += 4. * glm::dvec2(std::sin(angle), std::cos(angle));
+        leaf.midrib.push_back(end);
+    }
+    measure_midrib(leaf);
+    EXPECT_NEAR(leaf.insertion_angle, 20, 1e-9);
+    EXPECT_NEAR(leaf.curvature, 90 + 56 - 20, 1e-9);
+    const LeafSurface surface(leaf, sample_plant().blade, 0.01);
+    double squares = 0;
+    for (std::size_t i = 0; i <= 20; ++i) {
+        const glm::dvec2 wanted =
+            (leaf.midrib[i] - leaf.midrib[0]) / 100. + glm::dvec2(0.01, 0.5);
+        const glm::dvec3 met = surface.row(static_cast<double>(i) / 20).midrib;
+        squares +=
+            std::pow(met.y - wanted.x, 2) + std::pow(met.z - wanted.y, 2);
+    }
+    EXPECT_LT(std::sqrt(squares / 21), 0.002);
+    // A trait that adds 10 deg to the insertion turns the whole midrib.
+    leaf.insertion_angle += 10;
+    const LeafSurface turned(leaf, sample_plant().blade, 0.01);
+    const auto direction = [](const LeafSurface& each) {
+        const glm::dvec3 chord = each.row(1).midrib - each.row(0).midrib;
+        return std::atan2(chord.y, chord.z) * 180 / std::numbers::pi;
+    };
+    EXPECT_NEAR(direction(turned) - direction(surface), 10, 1e-6);
+}
+
+TEST(LeafSurface, MidribsOfOnePointAreRefused) {
+    Leaf leaf{0.8, 0.1, 0, 0, 0, 0.5};
+    leaf.midrib = {{1, 1}, {1, 1}};
+    EXPECT_THROW(LeafSurface(leaf, sample_plant().blade), Error);
 }
 
 TEST(LeafSurface, RefusesAWrongNumberOfWidthControls) {

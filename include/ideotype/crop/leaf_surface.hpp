@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include "ideotype/core/mesh.hpp"
 #include "ideotype/crop/plant.hpp"
 
@@ -28,7 +30,12 @@ struct BladeRow {
 //! Its six control points make the spline pass through that curve at the
 //! Greville abscissae, so that the spline parameter is close to relative arc
 //! length. The halves of the blade rise by `folding_angle` towards the upper
-//! side.
+//! side, and are turned about the midrib by roll + twist * (s - 1/2).
+//!
+//! A digitised midrib has the angles of its segments at their middles, linear
+//! in between. Where a trait changes insertion_angle or curvature, the change
+//! is added to that, as above. The surface then passes through the integral
+//! of the angle at every parameter, which no six control points could follow.
 class LeafSurface {
   public:
     //! The leaf grows from a stalk on the z axis, before it is turned to its
@@ -47,9 +54,20 @@ class LeafSurface {
     std::vector<BladeRow> tessellate(int cells) const;
 
   private:
+    //! From the vertical, at relative arc length s [rad].
+    double angle(double s) const;
+    //! Adds the way of the midrib, out and up, from one relative arc length to
+    //! another: the integral of its direction by Simpson's rule [m].
+    void advance(glm::dvec2& end, double from, double to, int steps) const;
+    //! The two edges of a folded blade beside a point of the midrib.
+    BladeRow across(const glm::dvec2& midrib, double angle, double width) const;
+
     Leaf leaf_;
+    Blade blade_;
     glm::dvec3 base_;  //!< of the midrib
     std::array<BladeRow, controls_along> controls_;
+    std::vector<glm::dvec2> digitised_;  //!< relative arc length, angle [deg]
+    std::array<glm::dvec2, 33> midrib_;  //!< of a digitised one, equal steps
 };
 
 }  // namespace ideotype

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include "ideotype/core/mesh.hpp"
 
 namespace ideotype {
@@ -16,7 +18,22 @@ struct Leaf {
     double curvature = 0;         //!< how far the tip bends down [deg]
     double azimuth = 0;           //!< about the stalk, 0: along the row [deg]
     double insertion_height = 0;  //!< above the soil [m]
+    //! Turn of the blade about its midrib, halfway along it [deg]; a positive
+    //! one lowers the edge that is on the right, as seen from the stalk.
+    double roll = 0;
+    //! Turn of the blade about its midrib from the base to the tip, in
+    //! proportion to arc length [deg].
+    double twist = 0;
+    //! Points of a digitised midrib from the base to the tip: distance from the
+    //! stalk and height, in any unit and from any origin. None: the angle of
+    //! the midrib follows from insertion_angle and curvature.
+    std::vector<glm::dvec2> midrib{};
 };
+
+//! Sets insertion_angle and curvature of a leaf whose midrib is digitised: the
+//! angle of its first segment, and by how much that of its last one is larger
+//! [deg].
+void measure_midrib(Leaf& leaf);
 
 //! The shape that all blades share.
 struct Blade {

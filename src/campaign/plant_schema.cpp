@@ -95,7 +95,12 @@ Section leaf_section(Leaf& leaf) {
     Section section{"leaf", measure_keys(leaf_measures, leaf)};
     const auto examples = {"0.651", "0.073", "34", "90", "90", "0.09"};
     auto example = examples.begin();
-    for (Key& key : section.keys) key.required(*example++);
+    for (Key& key : section.keys)
+        if (example != examples.end())
+            key.required(*example++);
+        else
+            key.is_written =
+                leaf.*(key.name == "roll" ? &Leaf::roll : &Leaf::twist) != 0;
     return section;
 }
 

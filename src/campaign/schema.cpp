@@ -240,21 +240,52 @@ Section field_section(FieldForm& field) {
                  .within(0, 180, "deg")}};
 }
 
+//! A standard deviation of an angle of leaves.
+Key of_leaves(const std::string& name, LeafSpread& spread,
+              const std::string& meaning, double most) {
+    return Key(name, &spread, meaning)
+        .within(0, most, "deg")
+        .set(&Key::count, any_count)
+        .set(&Key::type, "number or list")
+        .set(&Key::initial, "0");
+}
+
 Section variation_section(PlantVariation& variation) {
     constexpr double largest = 0.3;  // three of them leave something
-    return {"field.variation",
-            {Key("length", &variation.length, "of each blade, relative")
-                 .within(0, largest),
-             Key("width", &variation.width, "of each blade, relative")
-                 .within(0, largest),
-             Key("insertion_angle", &variation.insertion_angle, "of each leaf")
-                 .within(0, 30, "deg"),
-             Key("azimuth", &variation.azimuth, "of each leaf")
-                 .within(0, 60, "deg"),
-             Key("height", &variation.height,
-                 "of each plant, relative: stalk, sheaths, and where leaves "
-                 "begin")
-                 .within(0, largest)}};
+    return {
+        "field.variation",
+        {Key("length", &variation.length, "of each blade, relative")
+             .within(0, largest),
+         Key("width", &variation.width, "of each blade, relative")
+             .within(0, largest),
+         of_leaves("insertion_angle", variation.insertion_angle, "of each leaf",
+                   30),
+         of_leaves("curvature", variation.curvature,
+                   "of each leaf: how far its tip bends down", 90),
+         of_leaves("azimuth", variation.azimuth, "of each leaf", 60),
+         of_leaves("roll", variation.roll,
+                   "of each blade: turn about its midrib, halfway along", 90),
+         of_leaves("twist", variation.twist,
+                   "of each blade: turn about its midrib from the base to "
+                   "the tip (Laplace distribution)",
+                   180),
+         Key("height", &variation.height,
+             "of each plant, relative: stalk, sheaths, and where leaves "
+             "begin")
+             .within(0, largest),
+         Key("across_row", &variation.across_row,
+             "fraction of plants whose leaves point across the row, within "
+             "45 deg; left out, plants stand as the baseline does, but for "
+             "`field.jitter`")
+             .within(0, 1),
+         Key("missing", &variation.missing,
+             "fraction of plants that there are not")
+             .within(0, 0.5),
+         Key("late", &variation.late, "fraction of plants that emerged late")
+             .within(0, 0.5),
+         Key("late_size", &variation.late_size,
+             "all lengths of late plants over those of the others")
+             .within(0.1, 1)}};
 }
 
 Section optics_section(Campaign& campaign) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ideotype/canopy/field.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -16,7 +17,14 @@ std::vector<double> draw_plant_azimuths(const FieldForm& form,
     RandomStream stream(randomness.seed, Purpose::jitter, randomness.generation,
                         randomness.first_randomisation);
     std::vector<double> turns(form.count());
-    for (double& turn : turns) turn = stream.uniform(-form.jitter, form.jitter);
+    for (double& turn : turns) {
+        double furthest = form.jitter, middle = 0;
+        if (const auto across = form.variation.across_row) {
+            furthest = 45;
+            if (stream.uniform() >= *across) middle = 90;
+        }
+        turn = middle + stream.uniform(-furthest, furthest);
+    }
     return turns;
 }
 
@@ -90,8 +98,10 @@ Field build_field(std::span<const Mesh> plants, const FieldForm& form,
     mesh.faces.reserve(count * plants.front().faces.size());
     mesh.face_group.reserve(count * plants.front().faces.size());
     field.face_plant.reserve(count * plants.front().faces.size());
+    std::uint32_t present = 0;
     for (std::size_t p = 0; p < count; ++p) {
         const Mesh& plant = plants.size() == 1 ? plants.front() : plants[p];
+        if (plant.faces.empty()) continue;
         const auto per_row = static_cast<std::size_t>(form.plants);
         const std::size_t row = p / per_row;
         const std::size_t place = p % per_row;
@@ -110,7 +120,7 @@ Field build_field(std::span<const Mesh> plants, const FieldForm& form,
         mesh.face_group.insert(mesh.face_group.end(), plant.face_group.begin(),
                                plant.face_group.end());
         field.face_plant.insert(field.face_plant.end(), plant.faces.size(),
-                                static_cast<std::uint32_t>(p));
+                                present++);
     }
     if (form.border_rows > 0) remove_border(field, form);
     return field;
@@ -126,22 +136,57 @@ Field draw_field(const Mesh& plant, const FieldForm& form,
     return build_field(plant, form, draw_plant_azimuths(form, randomness));
 }
 
+namespace {
+
+enum class Emergence { usual, late, none };
+
+//! A fraction of the places of a field is without a plant, and another one has
+//! a late plant. The numbers of both differ from these fractions by less than
+//! one, and are right on average.
+std::vector<Emergence> draw_emergence(const FieldForm& form,
+                                      RandomStream& stream) {
+    const auto count = static_cast<double>(form.count());
+    const auto number = [&](double fraction) {
+        return static_cast<std::size_t>(fraction * count + stream.uniform());
+    };
+    const std::size_t missing =
+        std::min(number(form.variation.missing), form.count() - 1);
+    const std::size_t late =
+        std::min(number(form.variation.late), form.count() - missing);
+    std::vector<Emergence> places(form.count(), Emergence::usual);
+    std::fill_n(places.begin(), missing, Emergence::none);
+    std::fill_n(places.begin() + static_cast<std::ptrdiff_t>(missing), late,
+                Emergence::late);
+    for (std::size_t i = places.size() - 1; i > 0; --i)
+        std::swap(places[i],
+                  places[stream.below(static_cast<std::uint32_t>(i + 1))]);
+    return places;
+}
+
+}  // namespace
+
 Field draw_field(const Plant& plant, const Mesh& mesh,
                  const Tessellation& tessellation, const FieldForm& form,
                  const Randomness& randomness) {
-    if (!form.variation.is_any()) return draw_field(mesh, form, randomness);
+    const PlantVariation& variation = form.variation;
+    if (!variation.is_any()) return draw_field(mesh, form, randomness);
     RandomStream stream(randomness.seed, Purpose::variation,
                         randomness.generation, randomness.first_randomisation);
     std::vector<Mesh> plants;
     plants.reserve(form.count());
-    for (std::size_t p = 0; p < form.count(); ++p) {
-        plants.push_back(build_plant(deviating(plant, form.variation, stream),
-                                     tessellation));
-        Mesh& one = plants.back();
-        if (one.faces.size() != mesh.faces.size())
-            throw Error("a plant has other faces than its line");
-        one.groups = mesh.groups;
-        one.face_group = mesh.face_group;
+    for (const Emergence emergence : draw_emergence(form, stream)) {
+        Plant one = deviating(plant, variation, stream);
+        plants.emplace_back();
+        Mesh& built = plants.back();
+        if (emergence != Emergence::none) {
+            if (emergence == Emergence::late)
+                one = scaled(std::move(one), variation.late_size);
+            built = build_plant(one, tessellation);
+            if (built.faces.size() != mesh.faces.size())
+                throw Error("a plant has other faces than its line");
+            built.face_group = mesh.face_group;
+        }
+        built.groups = mesh.groups;
     }
     return build_field(plants, form, draw_plant_azimuths(form, randomness));
 }

@@ -6,30 +6,81 @@
 
 namespace ideotype {
 
+namespace {
+
+constexpr double furthest = 3;
+
+double cut(double deviation) {
+    return std::clamp(deviation, -furthest, furthest);
+}
+
+//! A number of a Laplace distribution whose standard deviation is 1.
+double laplace(RandomStream& random) {
+    const double x = random.uniform(-1, 1);
+    return std::copysign(std::log1p(-std::abs(x)) / std::sqrt(2.0), x);
+}
+
+//! The standard deviation of a leaf, of so many.
+double of_leaf(const LeafSpread& spread, std::size_t leaf, std::size_t leaves) {
+    return spread.empty() ? 0 : spread[leaf * spread.size() / leaves];
+}
+
+}  // namespace
+
 bool PlantVariation::is_any() const {
-    return length > 0 || width > 0 || insertion_angle > 0 || azimuth > 0 ||
-           height > 0;
+    const auto is_wide = [](const LeafSpread& spread) {
+        return std::any_of(spread.begin(), spread.end(),
+                           [](double each) { return each > 0; });
+    };
+    return length > 0 || width > 0 || height > 0 || missing > 0 || late > 0 ||
+           is_wide(insertion_angle) || is_wide(azimuth) || is_wide(curvature) ||
+           is_wide(roll) || is_wide(twist);
 }
 
 Plant deviating(Plant plant, const PlantVariation& variation,
                 RandomStream& random) {
-    static constexpr double furthest = 3;
-    const auto cut = [](double deviation) {
-        return std::clamp(deviation, -furthest, furthest);
-    };
     const double higher = 1 + variation.height * cut(random.normal()[0]);
     plant.stalk.height *= higher;
     plant.sheath.length *= higher;
-    for (Leaf& leaf : plant.leaves) {
+    const std::size_t leaves = plant.leaves.size();
+    for (std::size_t i = 0; i < leaves; ++i) {
+        Leaf& leaf = plant.leaves[i];
         leaf.insertion_height *= higher;
         const auto [of_length, of_width] = random.normal();
         const auto [of_angle, of_azimuth] = random.normal();
+        const auto [of_curvature, of_roll] = random.normal();
+        const double of_twist = laplace(random);
+        const auto deviation = [&](const LeafSpread& spread, double of_spread) {
+            return of_leaf(spread, i, leaves) * cut(of_spread);
+        };
         leaf.length *= 1 + variation.length * cut(of_length);
         leaf.width *= 1 + variation.width * cut(of_width);
-        leaf.insertion_angle = std::abs(
-            leaf.insertion_angle + variation.insertion_angle * cut(of_angle));
-        leaf.azimuth += variation.azimuth * cut(of_azimuth);
+        leaf.insertion_angle += deviation(variation.insertion_angle, of_angle);
+        leaf.azimuth += deviation(variation.azimuth, of_azimuth);
+        leaf.curvature += deviation(variation.curvature, of_curvature);
+        if (leaf.midrib.empty()) {
+            leaf.insertion_angle = std::abs(leaf.insertion_angle);
+            leaf.curvature = std::max(0.0, leaf.curvature);
+        }
+        leaf.roll += deviation(variation.roll, of_roll);
+        leaf.twist += deviation(variation.twist, of_twist);
     }
+    return plant;
+}
+
+Plant scaled(Plant plant, double size) {
+    for (Leaf& leaf : plant.leaves) {
+        leaf.length *= size;
+        leaf.width *= size;
+        leaf.insertion_height *= size;
+    }
+    for (double* length : {&plant.stalk.height, &plant.stalk.base_diameter,
+                           &plant.stalk.top_diameter, &plant.sheath.length})
+        *length *= size;
+    for (Organ& organ : plant.organs)
+        for (double* length : {&organ.offset, &organ.spread, &organ.length,
+                               &organ.base_diameter, &organ.top_diameter})
+            *length *= size;
     return plant;
 }
 

@@ -360,7 +360,7 @@ TEST_F(TwoLeaves, LightDoesNotDependOnWhetherLeavesAssimilate) {
 
 //! Plants that differ from each other, where even pieces of the same place do.
 TEST_F(TwoLeaves, PiecesOfPlantsThatDifferAssimilateAsExactly) {
-    request.scenario.field.variation = {.15, .15, 15, 20, .1};
+    request.scenario.field.variation = {.15, .15, {15}, {20}, .1};
     request.details.photosynthesis.emplace();
     request.accuracy = {1 << 14, 16};
     const CanopyReport report = evaluated();
@@ -393,7 +393,7 @@ TEST_F(TwoLeaves, PlantsThatDifferHaveTheMeanLeafAreaOfTheirFields) {
 TEST_F(TwoLeaves, FieldsOfPlantsThatDifferAreLessCertain) {
     request.accuracy = {4096, 16};
     const Estimate alike = evaluated(Fields::each).light.day.leaves;
-    request.scenario.field.variation = {.2, .2, 15, 30, .1};
+    request.scenario.field.variation = {.2, .2, {15}, {30}, .1};
     const Estimate differing = evaluated(Fields::each).light.day.leaves;
     EXPECT_GT(differing.standard_error, 1.5 * alike.standard_error);
     EXPECT_LT(evaluated().light.day.leaves.standard_error,

@@ -42,7 +42,8 @@ struct FieldForm {
 //! rows, z up, soil at z = 0. The mesh may reach beyond the period.
 struct Field {
     Mesh mesh;
-    //! The plant that each face is of: its place in the lattice, row by row.
+    //! The plant that each face is of; plants are counted row by row, without
+    //! places where one is missing.
     std::vector<std::uint32_t> face_plant;
     Boundary boundary = Boundary::periodic;
     double period_x = 0;     //!< rows x row spacing, if periodic [m]
@@ -50,14 +51,17 @@ struct Field {
     double ground_area = 0;  //!< that belongs to the plants [m2]
 };
 
-//! The turn of each plant [deg], row by row: independent and uniform in
-//! +-jitter, a function of seed, generation and first randomisation.
+//! The turn of each plant [deg], row by row: independent, and uniform in
+//! +-jitter or, where the variation tells how many plants stand across the row,
+//! on both sides of 45 deg from that; a function of seed, generation and first
+//! randomisation.
 std::vector<double> draw_plant_azimuths(const FieldForm& form,
                                         const Randomness& randomness);
 
 //! Places a turned plant at every lattice point. turns has one entry per
 //! plant. Groups are those of the first plant.
-//! @param plants one that all are copies of, or one for each point
+//! @param plants one that all are copies of, or one for each point, without
+//! faces where a plant is missing
 //! @throws Error if the number of turns is not rows x plants, or nothing is
 //! left of a plot.
 Field build_field(std::span<const Mesh> plants, const FieldForm& form,

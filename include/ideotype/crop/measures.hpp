@@ -23,7 +23,7 @@ struct Measure {
 
 // Limits are wide enough for any crop plant; those of traits are narrower.
 
-inline constexpr std::array<Measure<Leaf>, 6> leaf_measures{
+inline constexpr std::array<Measure<Leaf>, 8> leaf_measures{
     {{"length", "m", {0.01, 3}, &Leaf::length, "arc length of the midrib"},
      {"width", "m", {0.001, 0.5}, &Leaf::width, "largest width of the blade"},
      {"insertion_angle",
@@ -45,7 +45,17 @@ inline constexpr std::array<Measure<Leaf>, 6> leaf_measures{
       "m",
       {0, 6},
       &Leaf::insertion_height,
-      "above the soil, at most the stalk's height"}}};
+      "above the soil, at most the stalk's height"},
+     {"roll",
+      "deg",
+      {-180, 180},
+      &Leaf::roll,
+      "turn of the blade about its midrib, halfway along it"},
+     {"twist",
+      "deg",
+      {-720, 720},
+      &Leaf::twist,
+      "turn of the blade about its midrib from the base to the tip"}}};
 
 inline constexpr std::array<Measure<Blade>, 2> blade_measures{
     {{"folding_angle",

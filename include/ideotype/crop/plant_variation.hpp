@@ -1,22 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "ideotype/core/random.hpp"
 #include "ideotype/crop/plant.hpp"
 
 namespace ideotype {
 
-//! How the plants of one line differ from each other: standard deviations of
-//! normal distributions, which end at three of them.
-struct PlantVariation {
-    double length = 0;           //!< of each blade, relative
-    double width = 0;            //!< of each blade, relative
-    double insertion_angle = 0;  //!< of each leaf [deg]
-    double azimuth = 0;          //!< of each leaf [deg]
-    //! Of the whole plant, relative: stalk, sheaths and where leaves begin.
-    double height = 0;
+//! Standard deviations of an angle of the leaves of a plant [deg], one for
+//! each of equal parts of the leaves, lowest first: three numbers are those of
+//! the lower, middle and upper third. One number holds for all leaves, none
+//! stands for 0.
+using LeafSpread = std::vector<double>;
 
-    //! Whether plants differ at all.
+//! How the plants of one line differ from each other in a field: standard
+//! deviations of distributions that end at three of them.
+struct PlantVariation {
+    double length = 0;             //!< of each blade, relative, normal
+    double width = 0;              //!< of each blade, relative, normal
+    LeafSpread insertion_angle{};  //!< normal
+    LeafSpread azimuth{};          //!< normal
+    //! Of the whole plant, relative, normal: stalk, sheaths and where leaves
+    //! begin.
+    double height = 0;
+    LeafSpread curvature{};  //!< normal
+    LeafSpread roll{};       //!< normal
+    //! Of a Laplace distribution, in which most blades are hardly twisted and
+    //! some are twisted a lot.
+    LeafSpread twist{};
+    double missing = 0;  //!< fraction of plants that there are not
+    double late = 0;     //!< fraction of plants that emerged late
+    double late_size =
+        0.7;  //!< of late plants: all lengths over those of others
+    //! Fraction of plants whose leaves point across the row, within 45 deg;
+    //! none: all plants do, but for the turn that the field gives them.
+    std::optional<double> across_row{};
+
+    //! Whether plants differ by more than their direction.
     bool is_any() const;
 };
 
@@ -25,5 +47,8 @@ struct PlantVariation {
 //! that would lean to the other side of the stalk leans as far to its own.
 Plant deviating(Plant plant, const PlantVariation& variation,
                 RandomStream& random);
+
+//! A plant all of whose lengths are `size` times as large.
+Plant scaled(Plant plant, double size);
 
 }  // namespace ideotype

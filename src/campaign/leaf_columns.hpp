@@ -36,6 +36,8 @@ inline constexpr LeafColumn leaf_columns[]{
     {"insertion_height_cm", &Leaf::insertion_height, 100},
     {"insertion_height_m", &Leaf::insertion_height},
     {"insertion_height_mm", &Leaf::insertion_height, 1000},
+    {"roll_deg", &Leaf::roll},
+    {"twist_deg", &Leaf::twist},
 };
 inline constexpr auto rank_column = "leaf";
 

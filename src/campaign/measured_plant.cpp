@@ -27,7 +27,7 @@ double highest_insertion(const Plant& plant) {
 void require_columns(const LeafTable& table, std::size_t leaves_of_crop,
                      Report& report) {
     if (table.rows.size() == leaves_of_crop) return;
-    for (std::size_t m = 0; m < leaf_measures.size(); ++m) {
+    for (std::size_t m = 0; m < needed_leaf_measures; ++m) {
         const auto& [name, unit, limits, value, meaning] = leaf_measures[m];
         if (table.has[m]) continue;
         report.add(table.header,
@@ -51,7 +51,8 @@ void overlay(const LeafTable& table, Plant& plant, Report& report) {
             report.locate(&value, is_told ? row.places[m] : row.where);
             if (is_told)
                 value = row.leaf.*leaf_measures[m].value;
-            else if (table.has[m] || !has_same_leaves)
+            else if (table.has[m] ||
+                     (!has_same_leaves && m < needed_leaf_measures))
                 report.spoil(&value);  // its own problem is told already
         }
     }

@@ -277,7 +277,8 @@ Section variation_section(PlantVariation& variation) {
              "fraction of plants whose leaves point across the row, within "
              "45 deg; left out, plants stand as the baseline does, but for "
              "`field.jitter`")
-             .within(0, 1),
+             .within(0, 1)
+                 .set(&Key::initial, "as the baseline"),
          Key("missing", &variation.missing,
              "fraction of plants that there are not")
              .within(0, 0.5),

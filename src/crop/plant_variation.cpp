@@ -22,7 +22,7 @@ double laplace(RandomStream& random) {
 
 //! The standard deviation of a leaf, of so many.
 double of_leaf(const LeafSpread& spread, std::size_t leaf, std::size_t leaves) {
-    return spread.empty() ? 0 : spread[leaf * spread.size() / leaves];
+    return spread[leaf * spread.size() / leaves];
 }
 
 }  // namespace

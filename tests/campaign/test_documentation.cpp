@@ -118,12 +118,16 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
     const std::string sensitivity =
         "[[sensitivity.keys]]\n"
         "key = \"field.jitter\"\nrange = [0, 20]\n";
-    const std::string variation = "[field.variation]\nlength = 0.1\n";
+    const std::string variation =
+        "[field.variation]\nlength = 0.1\nacross_row = 0.7\n";
     const auto lines_of = [](const Campaign& campaign) {
         return differences(campaign.resolved, "", cases(campaign).front());
     };
-    auto lines =
-        lines_of(sample("", organ + hyperbola + sensitivity + variation));
+    std::string twisted =
+        sample_text("", organ + hyperbola + sensitivity + variation);
+    const std::string leaf = "[[plant.baseline.leaf]]\n";
+    twisted.insert(twisted.find(leaf) + leaf.size(), "roll = 9\ntwist = 9\n");
+    auto lines = lines_of(parse_campaign(twisted, "sample.toml"));
     // A campaign has days or climates, one scenario or several, and one
     // objective or a front of them.
     const std::string text =

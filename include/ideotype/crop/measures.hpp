@@ -57,6 +57,10 @@ inline constexpr std::array<Measure<Leaf>, 8> leaf_measures{
       &Leaf::twist,
       "turn of the blade about its midrib from the base to the tip"}}};
 
+//! Of the measures of leaves the first so many have to be told of every leaf;
+//! the others are 0 where they are not.
+inline constexpr std::size_t needed_leaf_measures = 6;
+
 inline constexpr std::array<Measure<Blade>, 2> blade_measures{
     {{"folding_angle",
       "deg",

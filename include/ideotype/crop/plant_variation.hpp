@@ -11,25 +11,24 @@ namespace ideotype {
 
 //! Standard deviations of an angle of the leaves of a plant [deg], one for
 //! each of equal parts of the leaves, lowest first: three numbers are those of
-//! the lower, middle and upper third. One number holds for all leaves, none
-//! stands for 0.
+//! the lower, middle and upper third. One number holds for all leaves.
 using LeafSpread = std::vector<double>;
 
 //! How the plants of one line differ from each other in a field: standard
 //! deviations of distributions that end at three of them.
 struct PlantVariation {
-    double length = 0;             //!< of each blade, relative, normal
-    double width = 0;              //!< of each blade, relative, normal
-    LeafSpread insertion_angle{};  //!< normal
-    LeafSpread azimuth{};          //!< normal
+    double length = 0;              //!< of each blade, relative, normal
+    double width = 0;               //!< of each blade, relative, normal
+    LeafSpread insertion_angle{0};  //!< normal
+    LeafSpread azimuth{0};          //!< normal
     //! Of the whole plant, relative, normal: stalk, sheaths and where leaves
     //! begin.
     double height = 0;
-    LeafSpread curvature{};  //!< normal
-    LeafSpread roll{};       //!< normal
+    LeafSpread curvature{0};  //!< normal
+    LeafSpread roll{0};       //!< normal
     //! Of a Laplace distribution, in which most blades are hardly twisted and
     //! some are twisted a lot.
-    LeafSpread twist{};
+    LeafSpread twist{0};
     double missing = 0;  //!< fraction of plants that there are not
     double late = 0;     //!< fraction of plants that emerged late
     double late_size =

@@ -18,6 +18,11 @@ void check_leaves(const Plant& plant, Report& report) {
     const Leaf* below = nullptr;
     for (const Leaf& leaf : plant.leaves) {
         const double& height = leaf.insertion_height;
+        if (Leaf line = leaf; !leaf.midrib.empty() && !measure_midrib(line))
+            report.add(&leaf.midrib,
+                       "leaf.midrib has no two points that differ (a line "
+                       "needs a direction); give the points from the base to "
+                       "the tip");
         if (report.usable({&leaf.length, &leaf.width}) &&
             leaf.width > leaf.length)
             report.add(&leaf.width,

@@ -93,14 +93,24 @@ Section organ_section(Organ& organ) {
 
 Section leaf_section(Leaf& leaf) {
     Section section{"leaf", measure_keys(leaf_measures, leaf)};
+    section.keys.push_back(
+        Key("midrib", &leaf.midrib,
+            "points of the digitised midrib from base to tip, out from the "
+            "stalk and up, in any unit; where it is told, insertion_angle and "
+            "curvature follow from it, and may be told to bend it further")
+            .set(&Key::range, "two points or more")
+            .set(&Key::initial, "from insertion_angle and curvature"));
     const auto examples = {"0.651", "0.073", "34", "90", "90", "0.09"};
     auto example = examples.begin();
-    for (Key& key : section.keys)
-        if (example != examples.end())
-            key.required(*example++);
-        else
-            key.is_written =
-                leaf.*(key.name == "roll" ? &Leaf::roll : &Leaf::twist) != 0;
+    for (std::size_t i = 0; i < section.keys.size(); ++i) {
+        Key& key = section.keys[i];
+        if (i < needed_leaf_measures) key.required(*example++);
+        if (key.name == "insertion_angle" || key.name == "curvature")
+            key.set(&Key::unless, "midrib");
+    }
+    // Blades that are neither rolled nor twisted need not say so.
+    section.keys[needed_leaf_measures].is_written = leaf.roll != 0;
+    section.keys[needed_leaf_measures + 1].is_written = leaf.twist != 0;
     return section;
 }
 

@@ -237,6 +237,9 @@ class DraftReader {
         const std::vector<Table> parts = plant_tables(draft_);
         tables.read(table, plant_file_section(plant), parts);
         for (const Table& part : parts) tables.read(table, part);
+        for (Leaf& leaf : plant.leaves)
+            if (leaf.insertion_angle == 0 && leaf.curvature == 0)
+                measure_midrib(leaf);
         draft_.is_crop_known = true;
     }
 

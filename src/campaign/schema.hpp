@@ -37,8 +37,9 @@ Choice choice(Enum& value) {
 using Target =
     std::variant<std::monostate, std::string*, std::uint64_t*, int*, long long*,
                  double*, std::optional<double>*, bool*, Date*,
-                 std::vector<Date>*, Range*, std::vector<double>*,
-                 std::vector<std::string>*, std::optional<Column>*, Choice>;
+                 std::vector<glm::dvec2>*, std::vector<Date>*, Range*,
+                 std::vector<double>*, std::vector<std::string>*,
+                 std::optional<Column>*, Choice>;
 
 //! The address behind a target, which identifies the value in a Report.
 const void* address(const Target& target);
@@ -116,6 +117,8 @@ struct Key {
     //! no matter of accuracy.
     std::vector<double> accuracy;
     std::string example;  //!< as TOML, shown in messages
+    //! A key of the same table beside which this one is not required.
+    std::string unless;
     //! Words for the documentation that can't be had from the above.
     std::string type;
     std::string range;

@@ -70,7 +70,7 @@ void TableReader::read(const toml::table& table, const Section& section,
             read_value(*node, section.name, key, report_);
         } else if (misspelt.count(key.name) != 0) {
             report_.spoil(id);
-        } else if (key.is_required) {
+        } else if (key.is_required && !table.contains(key.unless)) {
             report_.add(id, fmt::format("missing key '{}' {} (it has no "
                                         "default); add {} = {}",
                                         key.name, place(section.name), key.name,

@@ -60,6 +60,12 @@ struct Writer {
     std::string operator()(const Range* range) const {
         return fmt::format("[{}, {}]", range->lower, range->upper);
     }
+    std::string operator()(const std::vector<glm::dvec2>* points) const {
+        std::vector<std::string> texts;
+        for (const glm::dvec2& point : *points)
+            texts.push_back(fmt::format("[{}, {}]", point.x, point.y));
+        return fmt::format("[{}]", fmt::join(texts, ", "));
+    }
     std::string operator()(const std::vector<double>* numbers) const {
         if (key.count == any_count && numbers->size() == 1)
             return fmt::format("{}", numbers->front());
@@ -105,6 +111,9 @@ struct TypeName {
         return "local date, or list of them";
     }
     std::string operator()(const Range*) const { return "[lower, upper]"; }
+    std::string operator()(const std::vector<glm::dvec2>*) const {
+        return "list of [out, up]";
+    }
     std::string operator()(const std::vector<double>*) const {
         if (key.count == any_count) return "number or list by leaf";
         return key.count == 0 ? "list of numbers"

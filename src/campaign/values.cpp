@@ -306,6 +306,17 @@ struct Reader {
         *value = {lower, upper};
     }
 
+    void operator()(std::vector<glm::dvec2>* value) const {
+        const toml::array* array = node.as_array();
+        if (!array) return fail_type(node);
+        for (const toml::node& element : *array) {
+            const toml::array* pair = element.as_array();
+            if (!pair || pair->size() != 2) return fail_type(element);
+            const auto first = number((*pair)[0]), second = number((*pair)[1]);
+            if (first && second) value->emplace_back(*first, *second);
+        }
+    }
+
     void operator()(std::vector<double>* value) const {
         if (const auto found = numbers(key.count)) *value = *found;
     }

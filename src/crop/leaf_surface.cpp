@@ -84,7 +84,6 @@ std::vector<glm::dvec2> angles_of(const std::vector<glm::dvec2>& points) {
         angles.emplace_back(length + size / 2, angle);
         length += size;
     }
-    if (angles.empty()) throw Error("a midrib needs two points that differ");
     for (glm::dvec2& each : angles) each.x /= length;
     return angles;
 }
@@ -98,10 +97,12 @@ glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& axis, double angle) {
 
 }  // namespace
 
-void measure_midrib(Leaf& leaf) {
+bool measure_midrib(Leaf& leaf) {
     const std::vector<glm::dvec2> angles = angles_of(leaf.midrib);
+    if (angles.empty()) return false;
     leaf.insertion_angle = angles.front().y;
     leaf.curvature = angles.back().y - angles.front().y;
+    return true;
 }
 
 double LeafSurface::angle(double s) const {
@@ -139,6 +140,8 @@ LeafSurface::LeafSurface(const Leaf& leaf, const Blade& blade, double distance)
     glm::dvec2 end{distance, leaf.insertion_height};
     if (!leaf.midrib.empty()) {
         digitised_ = angles_of(leaf.midrib);
+        if (digitised_.empty())
+            throw Error("a midrib needs two points that differ");
         for (std::size_t i = 0; i < midrib_.size(); ++i) {
             midrib_[i] = end;
             const auto steps = static_cast<double>(midrib_.size() - 1);

@@ -338,4 +338,36 @@ TEST(Campaign, AnySingleNumberOfTheCanopyMayBeAnObjective) {
               std::string::npos);
 }
 
+//! The sample, whose leaf has these lines in the place of its angles.
+std::string with_leaf(const std::string& lines) {
+    std::string text = sample_text();
+    for (const char* key : {"insertion_angle = ", "curvature = "}) {
+        const std::size_t begin = text.find(key);
+        text.erase(begin, text.find('\n', begin) - begin + 1);
+    }
+    const std::string leaf = "[[plant.baseline.leaf]]\n";
+    return text.insert(text.find(leaf) + leaf.size(), lines);
+}
+
+TEST(Campaign, AnglesOfALeafFollowFromItsMidrib) {
+    const Campaign campaign = parse_campaign(
+        with_leaf("midrib = [[0, 0], [10, 10], [25, 10]]\n"), "a.toml");
+    const Leaf& leaf = campaign.crop.baseline.leaves[0];
+    EXPECT_NEAR(leaf.insertion_angle, 45, 1e-9);
+    EXPECT_NEAR(leaf.curvature, 45, 1e-9);
+    // The resolved text makes the same plant.
+    EXPECT_EQ(parse_campaign(campaign.resolved, "a.toml").resolved,
+              campaign.resolved);
+}
+
+TEST(Campaign, MidribsWithoutADirectionAreRefused) {
+    const auto tells = [](const std::string& lines, const char* words) {
+        const std::string told = problem_of(with_leaf(lines));
+        EXPECT_NE(told.find(words), told.npos) << told;
+    };
+    tells("midrib = [[1, 1], [1, 1]]\n", "no two points that differ");
+    tells("midrib = [[1, 1, 1], [2, 2, 2]]\n", "list of [out, up]");
+    tells("", "missing key 'insertion_angle'");
+}
+
 }  // namespace ideotype

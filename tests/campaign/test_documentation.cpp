@@ -126,7 +126,8 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
     std::string twisted =
         sample_text("", organ + hyperbola + sensitivity + variation);
     const std::string leaf = "[[plant.baseline.leaf]]\n";
-    twisted.insert(twisted.find(leaf) + leaf.size(), "roll = 9\ntwist = 9\n");
+    twisted.insert(twisted.find(leaf) + leaf.size(),
+                   "roll = 9\ntwist = 9\nmidrib = [[0, 0], [1, 2]]\n");
     auto lines = lines_of(parse_campaign(twisted, "sample.toml"));
     // A campaign has days or climates, one scenario or several, and one
     // objective or a front of them.

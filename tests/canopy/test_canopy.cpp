@@ -360,7 +360,8 @@ TEST_F(TwoLeaves, LightDoesNotDependOnWhetherLeavesAssimilate) {
 
 //! Plants that differ from each other, where even pieces of the same place do.
 TEST_F(TwoLeaves, PiecesOfPlantsThatDifferAssimilateAsExactly) {
-    request.scenario.field.variation = {.15, .15, {15}, {20}, .1};
+    request.scenario.field.variation = {.15,  .15,  {15}, {20}, .1,
+                                        {20}, {30}, {86}, .3,   .3};
     request.details.photosynthesis.emplace();
     request.accuracy = {1 << 14, 16};
     const CanopyReport report = evaluated();

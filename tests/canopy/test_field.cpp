@@ -35,6 +35,55 @@ TEST(Field, EveryPlantIsTurnedByItsOwnDraw) {
     EXPECT_NE(draw_plant_azimuths(form, {1, 0, 1}), turns);
 }
 
+TEST(Field, AFractionOfPlantsPointsAcrossTheRow) {
+    FieldForm many{50, 40, {0.762, 0.1524}, 10};
+    many.variation.across_row = 0.7;
+    int across = 0;
+    for (const double turn : draw_plant_azimuths(many, {1, 0, 0})) {
+        EXPECT_GE(turn, -45);
+        EXPECT_LT(turn, 135);
+        across += turn < 45;
+    }
+    // Within four standard errors.
+    EXPECT_NEAR(across / 2000., 0.7, 4 * std::sqrt(.7 * .3 / 2000));
+}
+
+TEST(Field, AFractionOfPlantsIsMissingOrLate) {
+    const Plant sample = sample_plant();
+    const Mesh plant = build_plant(sample, {});
+    FieldForm gaps = form;
+    gaps.variation.missing = 0.1;  // 2.4 of 24
+    gaps.variation.late = 0.25;
+    gaps.variation.late_size = 0.5;
+    std::set<std::size_t> numbers, places;
+    double plants = 0, area = 0;
+    constexpr int fields = 200;
+    for (std::uint32_t generation = 0; generation < fields; ++generation) {
+        const Field field =
+            draw_field(sample, plant, {}, gaps, {1, generation, 0});
+        const std::size_t present =
+            field.mesh.faces.size() / plant.faces.size();
+        numbers.insert(present);
+        EXPECT_EQ(field.face_plant.back() + 1, present);
+        places.insert(static_cast<std::size_t>(field.mesh.vertices.front().y /
+                                               form.spacing.plant));
+        plants += static_cast<double>(present) / fields;
+        area += leaf_area(field.mesh) / leaf_area(plant) / fields;
+    }
+    EXPECT_EQ(numbers, (std::set<std::size_t>{21, 22}));
+    EXPECT_GT(places.size(), 1u);  // the first plant is missing in some
+    EXPECT_NEAR(plants, 24 - 2.4, 4 * .5 / std::sqrt(fields));
+    EXPECT_NEAR(area, 24 - 2.4 - 6 * .75, .2);
+}
+
+TEST(Field, OfManyMissingPlantsOneStays) {
+    const Plant sample = sample_plant();
+    FieldForm two{2, 1, {0.762, 0.1524}, 10};
+    two.variation.missing = 1;
+    EXPECT_FALSE(draw_field(sample, build_plant(sample, {}), {}, two, {1, 0, 0})
+                     .mesh.faces.empty());
+}
+
 TEST(Field, TurningByAnAngleEqualsChangingTheLeafAzimuths) {
     Plant sample = sample_plant();
     const FieldForm single{1, 1, {0.76, 0.15}, 10};

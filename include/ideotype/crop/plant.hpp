@@ -33,7 +33,8 @@ struct Leaf {
 //! Sets insertion_angle and curvature of a leaf whose midrib is digitised: the
 //! angle of its first segment, and by how much that of its last one is larger
 //! [deg].
-void measure_midrib(Leaf& leaf);
+//! @return false, and nothing changes, if no two of its points differ
+bool measure_midrib(Leaf& leaf);
 
 //! The shape that all blades share.
 struct Blade {

@@ -15,6 +15,7 @@
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/range.hpp"
 #include "ideotype/crop/crop.hpp"
+#include "ideotype/crop/measured_lines.hpp"
 #include "ideotype/light/accuracy.hpp"
 #include "ideotype/light/optics.hpp"
 #include "ideotype/physiology/photosynthesis.hpp"
@@ -89,6 +90,14 @@ struct Constraints {
 double violation(const Constraints& constraints,
                  const std::vector<Trait>& traits, const Plant& plant,
                  double lai);
+
+//! What plants of the crop can be.
+struct Feasibility {
+    std::optional<MeasuredLines> lines;
+    //! Largest distance from the mean of the lines, see LineDistance; what is
+    //! beyond is a violation, relative to it. 0: none.
+    double limit = 0;
+};
 
 //! A numeric key of a campaign that a sensitivity study varies.
 struct KeyFactor {
@@ -171,6 +180,7 @@ struct Campaign {
     std::vector<std::string> over;
     Across across = Across::mean;
     Constraints constraints;
+    Feasibility feasibility;
     SearchSettings search;
     Variation varied;  //!< traits alone, but in a sensitivity study
     //! Each row has light of its own in the field of all; else those of a

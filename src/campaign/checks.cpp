@@ -325,6 +325,7 @@ void check_draft(Draft& draft, Report& report) {
         draft.is_crop_known ? campaign.crop.baseline.leaves.size() : 0, report);
     check_plant(draft, report);
     check_breeding(draft, report);
+    check_feasibility(draft, report);
     if (draft.is_crop_known && report.empty())
         check_leaf_area(campaign, report);
 }

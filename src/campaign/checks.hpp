@@ -25,6 +25,9 @@ void check_breeding(Draft& draft, Report& report);
 //! That part of it which concerns sites, days and the light of their cases.
 void check_sky(const Campaign& campaign, Report& report);
 
+//! Measured lines, and what is asked of the distance from them.
+void check_feasibility(Draft& draft, Report& report);
+
 //! Reports numbers of other models and lists that differ in length.
 //! @param leaves of the plant; 0: not known
 void check_photosynthesis(const PhotosynthesisTable& table, std::size_t leaves,

@@ -41,6 +41,7 @@ struct Draft {
     std::vector<Range> own_bounds;    //!< of each trait
     std::vector<std::string> organs;  //!< that plants have besides leaves
     PhotosynthesisTable photosynthesis;
+    MeasuredLines lines;
     bool has_photosynthesis = false;  //!< leaves assimilate
     bool is_crop_known = true;        //!< no file is missing
     bool has_climate = false;         //!< instead of days

@@ -74,6 +74,8 @@ class DraftReader {
         const std::vector<Table> tables = campaign_tables(draft_);
         tables_.read(top, top_section(campaign), tables);
         for (const Table& table : tables) tables_.read(top, table);
+        if (const auto lines = top["feasibility"]["lines"])
+            read_lines(*lines.node());
         draft_.has_photosynthesis =
             top.contains("photosynthesis") || asks_for_assimilation(campaign);
         draft_.has_population = top["search"]["population"].node() != nullptr;
@@ -185,23 +187,42 @@ class DraftReader {
                         "plant.baseline", tables_.where(baseline));
     }
 
+    //! The text of a file that a key names, unless it cannot be read.
+    std::optional<std::string> text_of(const std::string& file,
+                                       const std::string& named_by,
+                                       const Location& named_at) {
+        FileText read = read_file(file, most_input_bytes);
+        if (read.is_there) return std::move(read.text);
+        const std::string near = nearest_file(file);
+        report_.add(
+            named_at,
+            fmt::format("{} (named by {}); {}", read.refusal(file), named_by,
+                        near.empty() ? "give a path relative to this file"
+                                     : "did you mean '" + near + ".toml'?"));
+        return std::nullopt;
+    }
+
+    void read_lines(const toml::node& named) {
+        const std::string file =
+            path_from(file_, named.value_or<std::string>(""));
+        const auto text =
+            text_of(file, "feasibility.lines", tables_.where(named));
+        const auto top = text ? parse(*text, file, report_) : std::nullopt;
+        if (!top) return;
+        TableReader tables(file, report_);
+        const std::vector<Table> parts = lines_tables(draft_.lines);
+        tables.read(*top, lines_section(draft_.lines), parts);
+        for (const Table& part : parts) tables.read(*top, part);
+    }
+
     void read_plant_file(const std::string& file, const std::string& named_by,
                          const Location& named_at) {
-        const FileText read = read_file(file, most_input_bytes);
-        if (!read.is_there) {
-            const std::string near = nearest_file(file);
-            report_.add(named_at,
-                        fmt::format("{} (named by {}); {}", read.refusal(file),
-                                    named_by,
-                                    near.empty()
-                                        ? "give a path relative to this file"
-                                        : "did you mean '" + near + ".toml'?"));
-            return;
-        }
+        const auto text = text_of(file, named_by, named_at);
+        if (!text) return;
         if (is_measured(file))
-            read_measured(read.text, file);
+            read_measured(*text, file);
         else
-            read_crop(read.text, file);
+            read_crop(*text, file);
     }
 
     void read_crop_of_table(const std::string& file, const Location& named_at) {

@@ -278,7 +278,7 @@ Section variation_section(PlantVariation& variation) {
              "45 deg; left out, plants stand as the baseline does, but for "
              "`field.jitter`")
              .within(0, 1)
-                 .set(&Key::initial, "as the baseline"),
+             .set(&Key::initial, "as the baseline"),
          Key("missing", &variation.missing,
              "fraction of plants that there are not")
              .within(0, 0.5),
@@ -378,6 +378,7 @@ std::vector<Table> campaign_tables(Draft& draft) {
             one_table(objective_section(campaign)),
             photosynthesis_table(draft),
             constraints_table(campaign.constraints),
+            feasibility_table(draft),
             one_table(search_section(campaign.search)),
             sensitivity_table(draft),
             one_table(stop_section(campaign.stop)),

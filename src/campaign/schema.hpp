@@ -194,6 +194,12 @@ Table photosynthesis_table(Draft& draft);
 
 //! With a table for each trait that there are constraints of.
 Table constraints_table(Constraints& constraints);
+
+//! The keys of a file of measured lines, before its first table.
+Section lines_section(MeasuredLines& known);
+//! All tables of such a file.
+std::vector<Table> lines_tables(MeasuredLines& known);
+Table feasibility_table(Draft& draft);
 Section search_section(SearchSettings& search);
 //! With a table for each key that is varied.
 Table sensitivity_table(Draft& draft);

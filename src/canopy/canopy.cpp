@@ -142,6 +142,8 @@ class Evaluation {
     //! Fields of plants that are drawn at random, each with its part of the
     //! randomisations.
     void trace(const Plant& plant) {
+        if (request_.details.lines)
+            result_.lines = distance(*request_.details.lines, plant);
         const Mesh mesh = split(build_plant(plant, request_.tessellation));
         std::optional<Pieces> pieces;
         if (needs_pieces())

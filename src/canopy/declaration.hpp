@@ -33,6 +33,9 @@ std::vector<Declaration> light_quantities();
 //! Of reports with assimilation, after those of light.
 std::vector<Declaration> assimilation_quantities();
 
+//! Of reports with measured lines, after those of assimilation.
+std::vector<Declaration> line_quantities();
+
 inline Randomised scaled(Randomised x, double factor) {
     x.estimate = scaled(x.estimate, factor);
     for (double& value : x.by_randomisation) value *= factor;

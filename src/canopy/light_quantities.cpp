@@ -193,4 +193,31 @@ std::vector<Declaration> light_quantities() {
     };
 }
 
+std::vector<Declaration> line_quantities() {
+    using Report = CanopyReport;
+    return {
+        {{"distance_from_lines",
+          "1",
+          "Mahalanobis distance of the plant from the mean of measured lines",
+          {},
+          exact},
+         [](const Report& r) { return certain(r, r.lines->from_mean); }},
+        {{"distance_from_line",
+          "1",
+          "Mahalanobis distance of the plant from the nearest measured line",
+          {},
+          exact},
+         [](const Report& r) { return certain(r, r.lines->from_line); }},
+        {{"nearest_line",
+          "1",
+          "number of the nearest measured line, 1 is the first of the file; "
+          "0: no lines are told",
+          {},
+          exact},
+         [](const Report& r) {
+             return certain(r, static_cast<double>(r.lines->line));
+         },
+         true}};
+}
+
 }  // namespace ideotype

@@ -14,26 +14,40 @@ namespace ideotype {
 
 namespace {
 
-const std::vector<Declaration>& of_light() {
-    static const std::vector<Declaration> all = light_quantities();
+//! The quantities of one kind, which are made once.
+template <std::vector<Declaration> (*made)()>
+const std::vector<Declaration>& all_of() {
+    static const std::vector<Declaration> all = made();
     return all;
 }
 
-//! All that a report has.
-const std::vector<Declaration>& declared(bool with_assimilation) {
-    static const std::vector<Declaration> both = [] {
-        std::vector<Declaration> all = of_light();
-        for (Declaration& more : assimilation_quantities())
-            all.push_back(std::move(more));
-        return all;
-    }();
-    return with_assimilation ? both : of_light();
+//! All that a report may have, in the order of their columns.
+std::vector<const Declaration*> declared(bool with_assimilation,
+                                         bool with_lines) {
+    std::vector<const Declaration*> all;
+    const auto add = [&](const std::vector<Declaration>& more) {
+        for (const Declaration& each : more) all.push_back(&each);
+    };
+    add(all_of<light_quantities>());
+    if (with_assimilation) add(all_of<assimilation_quantities>());
+    if (with_lines) add(all_of<line_quantities>());
+    return all;
+}
+
+std::vector<const Declaration*> declared(const CanopyReport& report) {
+    return declared(report.assimilation.has_value(), report.lines.has_value());
+}
+
+bool is_in(const std::vector<Declaration>& all, const std::string& quantity) {
+    return std::any_of(all.begin(), all.end(), [&](const Declaration& each) {
+        return each.quantity.name == quantity;
+    });
 }
 
 //! The declaration of a quantity that any report may have; or null.
 const Declaration* find(const std::string& quantity) {
-    for (const Declaration& each : declared(true))
-        if (each.quantity.name == quantity) return &each;
+    for (const Declaration* each : declared(true, true))
+        if (each->quantity.name == quantity) return each;
     return nullptr;
 }
 
@@ -61,7 +75,7 @@ Axis day_axis(const LightSeries& series) {
 
 QuantitySet canopy_quantities(const Plant& plant, const Layers& layers,
                               const LightSeries& series, Boundary boundary,
-                              bool with_assimilation) {
+                              const Details& details) {
     using Names = std::vector<std::string>;
     QuantitySet set;
     Names organs = organ_names(plant);
@@ -77,25 +91,27 @@ QuantitySet canopy_quantities(const Plant& plant, const Layers& layers,
          Names{"adaxial", "abaxial"}}};
     const bool has_days = series.days > 1;
     if (has_days) set.axes.push_back(day_axis(series));
-    for (const Declaration& each : declared(with_assimilation))
-        if ((has_days || each.quantity.axes != Names{"day"}) &&
+    for (const Declaration* each : declared(details.photosynthesis.has_value(),
+                                            details.lines.has_value()))
+        if ((has_days || each->quantity.axes != Names{"day"}) &&
             (boundary == Boundary::periodic ||
-             each.quantity.name != extinction))
-            set.quantities.push_back(each.quantity);
+             each->quantity.name != extinction))
+            set.quantities.push_back(each->quantity);
     return set;
 }
 
 std::vector<Estimate> measure(const CanopyReport& report) {
     std::vector<Estimate> all;
-    for (const Declaration& each : declared(report.assimilation.has_value()))
-        if (const auto* number = std::get_if<TakeNumber>(&each.take)) {
+    for (const Declaration* each : declared(report))
+        if (const auto* number = std::get_if<TakeNumber>(&each->take)) {
             if (const auto found = (*number)(report))
                 all.push_back(found->estimate);
-        } else if (const auto* profile = std::get_if<TakeProfile>(&each.take)) {
+        } else if (const auto* profile =
+                       std::get_if<TakeProfile>(&each->take)) {
             for (const Randomised& x : (*profile)(report))
                 all.push_back(x.estimate);
         } else {
-            for (const Estimate& x : std::get<TakeNumbers>(each.take)(report))
+            for (const Estimate& x : std::get<TakeNumbers>(each->take)(report))
                 all.push_back(x);
         }
     return all;
@@ -103,28 +119,27 @@ std::vector<Estimate> measure(const CanopyReport& report) {
 
 std::vector<Measured> measure_numbers(const CanopyReport& report) {
     std::vector<Measured> all;
-    for (const Declaration& each : declared(report.assimilation.has_value()))
-        if (const auto* number = std::get_if<TakeNumber>(&each.take))
+    for (const Declaration* each : declared(report))
+        if (const auto* number = std::get_if<TakeNumber>(&each->take))
             if (const auto found = (*number)(report))
-                all.push_back({each.quantity, found->estimate});
+                all.push_back({each->quantity, found->estimate});
     return all;
 }
 
 std::vector<std::string> objective_names() {
     std::vector<std::string> names;
-    for (const Declaration& each : declared(true))
-        if (each.quantity.axes.empty() && !each.is_of_method)
-            names.push_back(each.quantity.name);
+    for (const Declaration* each : declared(true, true))
+        if (each->quantity.axes.empty() && !each->is_of_method)
+            names.push_back(each->quantity.name);
     return names;
 }
 
 bool is_of_assimilation(const std::string& quantity) {
-    const auto& light = of_light();
-    return find(quantity) &&
-           std::none_of(light.begin(), light.end(),
-                        [&](const Declaration& each) {
-                            return each.quantity.name == quantity;
-                        });
+    return is_in(all_of<assimilation_quantities>(), quantity);
+}
+
+bool is_of_lines(const std::string& quantity) {
+    return is_in(all_of<line_quantities>(), quantity);
 }
 
 std::string unit_of(const std::string& quantity) {
@@ -134,7 +149,9 @@ std::string unit_of(const std::string& quantity) {
 
 Randomised measure_objective(const std::string& name,
                              const CanopyReport& report) {
-    const bool is_missing = is_of_assimilation(name) && !report.assimilation;
+    const bool is_missing =
+        (is_of_assimilation(name) && !report.assimilation) ||
+        (is_of_lines(name) && !report.lines);
     const Declaration* found = is_missing ? nullptr : find(name);
     if (const auto* number =
             found ? std::get_if<TakeNumber>(&found->take) : nullptr)

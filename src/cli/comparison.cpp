@@ -96,11 +96,11 @@ std::vector<Figure> figures_of(const QuantitySet& measured,
 void choose_figures(Comparison& all) {
     const Case& first = all.cases.front().chosen;
     for (ComparedPlant& each : all.plants) {
-        each.figures = figures_of(
-            canopy_quantities(
-                each.plant, all.layers, light_of(all.under, first),
-                all.under.field.boundary, all.under.photosynthesis.has_value()),
-            aims(all.under));
+        each.figures =
+            figures_of(canopy_quantities(
+                           each.plant, all.layers, light_of(all.under, first),
+                           all.under.field.boundary, details_of(all.under)),
+                       aims(all.under));
         for (const Figure& figure : each.figures)
             each.schema.objectives.push_back(
                 {figure.quantity.name, figure.quantity.unit});

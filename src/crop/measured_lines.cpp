@@ -94,7 +94,7 @@ LineDistance distance(const MeasuredLines& known, const Plant& plant) {
             known.lines[l].values.data(), size));
         if (l > 0 && here >= found.from_line) continue;
         found.from_line = here;
-        found.line = l;
+        found.line = l + 1;
     }
     return found;
 }

@@ -45,8 +45,7 @@ double mean_of(const std::vector<double>& values) {
 QuantitySet measured_in(const Campaign& campaign, const Case& scenario) {
     return canopy_quantities(campaign.crop.baseline, canopy_layers(campaign),
                              light_of(campaign, scenario),
-                             campaign.field.boundary,
-                             campaign.photosynthesis.has_value());
+                             campaign.field.boundary, details_of(campaign));
 }
 
 AcrossScenarios::AcrossScenarios(const Campaign& campaign, const Case& chosen)

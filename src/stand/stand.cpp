@@ -37,13 +37,17 @@ Scenario scenario_of(const Campaign& campaign, const Case& chosen) {
             campaign.optics};
 }
 
+Details details_of(const Campaign& campaign) {
+    return {.photosynthesis = campaign.photosynthesis,
+            .lines = campaign.feasibility.lines};
+}
+
 CanopyRequest request_of(const Sampling& sampling, const Campaign& campaign,
                          const Scenario& scenario, Plant plant) {
-    return {
-        std::move(plant),        scenario,
-        canopy_layers(campaign), sampling.accuracy,
-        sampling.randomness,     {.photosynthesis = campaign.photosynthesis},
-        campaign.tessellation};
+    return {std::move(plant),        scenario,
+            canopy_layers(campaign), sampling.accuracy,
+            sampling.randomness,     details_of(campaign),
+            campaign.tessellation};
 }
 
 OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
@@ -87,6 +91,9 @@ Outcome to_outcome(const Campaign& campaign, const Plant& plant,
     }
     outcome.violation = violation(campaign.constraints, campaign.crop.traits,
                                   plant, lai_of_line(campaign, plant, report));
+    if (const double limit = campaign.feasibility.limit;
+        report.lines && limit > 0)
+        outcome.violation += std::max(0.0, report.lines->from_mean / limit - 1);
     outcome.quantities = measure(report);
     return outcome;
 }

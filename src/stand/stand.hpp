@@ -23,6 +23,9 @@ Layers canopy_layers(const Campaign& campaign);
 //! scenarios; worth keeping for all of them.
 Scenario scenario_of(const Campaign& campaign, const Case& chosen);
 
+//! What is found out about all plants of a campaign.
+Details details_of(const Campaign& campaign);
+
 //! How a plant is evaluated in a scenario of a campaign.
 CanopyRequest request_of(const Sampling& sampling, const Campaign& campaign,
                          const Scenario& scenario, Plant plant);

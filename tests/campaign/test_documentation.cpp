@@ -96,7 +96,7 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
     std::set<std::string> declared;
     for (const KeyInfo& key : campaign_keys()) {
         if (left_out.contains(key.section) || key.name == "baseline" ||
-            key.name == "scales" || key.name == "shifts")
+            key.name == "lines" || key.name == "scales" || key.name == "shifts")
             continue;
         std::string section = key.section + '.';
         if (section == "top.") section = "";
@@ -119,7 +119,13 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
         "[[sensitivity.keys]]\n"
         "key = \"field.jitter\"\nrange = [0, 20]\n";
     const std::string variation =
-        "[field.variation]\nlength = 0.1\nacross_row = 0.7\n";
+        "[field.variation]\nlength = 0.1\nacross_row = 0.7\n"
+        "[feasibility]\nlimit = 3\ncorrelations = "
+        "[0.5]\n[[feasibility.trait]]\n"
+        "measure = \"leaf.length\"\nleaf = \"top\"\nmean = 1\n"
+        "deviation = 1\n[[feasibility.trait]]\n"
+        "measure = \"stalk.height\"\nmean = 1\ndeviation = 1\n"
+        "[[feasibility.line]]\nname = \"B73\"\nvalues = [1, 2]\n";
     const auto lines_of = [](const Campaign& campaign) {
         return differences(campaign.resolved, "", cases(campaign).front());
     };

@@ -82,10 +82,12 @@ TEST_F(TwoLeaves, ProfilesAreKnownByRandomisation) {
 
 TEST_F(TwoLeaves, EveryNumberIsKnownByRandomisation) {
     request.details.photosynthesis.emplace();
+    request.details.lines = {{{"leaf.length", "top", 1, 0.1}}, {}};
     for (const auto fields : {Fields::one, Fields::each}) {
         const CanopyReport report = evaluated(fields);
-        // Paths, caps and the balance of energy are of the method.
-        ASSERT_EQ(measure_numbers(report).size(), objective_names().size() + 3);
+        // Paths, caps and the balance of energy are of the method, and the
+        // nearest line is a name.
+        ASSERT_EQ(measure_numbers(report).size(), objective_names().size() + 4);
         for (const auto& [quantity, estimated] : measure_numbers(report)) {
             const auto [same, values] =
                 measure_objective(quantity.name, report);

@@ -44,7 +44,7 @@ TEST(MeasuredLines, TheNearestLineIsFound) {
                    {"near", {angle + 5, height}},
                    {"wide", {angle - 10, height}}};
     const LineDistance found = distance(known, sample_plant());
-    EXPECT_EQ(found.line, 1u);
+    EXPECT_EQ(found.line, 2u);
     EXPECT_NEAR(found.from_line, 1, 1e-12);
 }
 

@@ -45,6 +45,7 @@ struct CanopyReport {
     //! pieces of leaves.
     std::optional<SunlitReport> hit_by_sun;
     std::optional<LightClassReport> light_classes;  //!< if asked for as well
+    std::optional<LineDistance> lines;              //!< if asked for
     std::uint64_t paths = 0;    //!< that the light is the mean of
     bool is_capped = false;     //!< more would be needed to meet the tolerance
     std::vector<Group> groups;  //!< that light was counted for

@@ -15,9 +15,10 @@ inline constexpr auto extinction = "extinction_coefficient";
 //! All that is measured of a canopy of plants with these leaves and organs,
 //! along leaf, organ, layer, hour, light_source and leaf_side, and, of several
 //! days, day.
+//! @param details that the canopy is evaluated with
 QuantitySet canopy_quantities(const Plant& plant, const Layers& layers,
                               const LightSeries& series, Boundary boundary,
-                              bool with_assimilation = false);
+                              const Details& details);
 
 //! Their numbers in a report on such a canopy, in the same order.
 std::vector<Estimate> measure(const CanopyReport& report);
@@ -37,6 +38,9 @@ std::vector<std::string> objective_names();
 
 //! Whether only reports with assimilation have it.
 bool is_of_assimilation(const std::string& quantity);
+
+//! Whether only reports with measured lines have it.
+bool is_of_lines(const std::string& quantity);
 
 //! The unit of a quantity.
 //! @throws std::out_of_range if there is none of this name.

@@ -8,6 +8,7 @@
 #include "ideotype/canopy/pieces.hpp"
 #include "ideotype/canopy/scenario.hpp"
 #include "ideotype/core/randomness.hpp"
+#include "ideotype/crop/measured_lines.hpp"
 #include "ideotype/crop/plant.hpp"
 #include "ideotype/light/accuracy.hpp"
 #include "ideotype/light/layers.hpp"
@@ -28,6 +29,8 @@ struct Details {
     //! Of a blade, over each of which diffuse light is taken as even.
     std::size_t pieces = pieces_of_blade;
     bool exact = false;  //!< that by assimilate_exactly(), for checks: slow
+    //! Lines that exist, to tell how far the plant is from them.
+    std::optional<MeasuredLines> lines{};
 };
 
 //! One evaluation of a canopy: all that its result is a function of.

@@ -21,7 +21,7 @@ struct LineTrait {
 };
 
 //! One line, by the means of its plants.
-struct Line {
+struct MeasuredLine {
     std::string name;
     std::vector<double> values;  //!< of the traits
 };
@@ -33,7 +33,7 @@ struct MeasuredLines {
     //! Correlation of each pair of traits: of the first with all later ones,
     //! then of the second with all later ones, and so on.
     std::vector<double> correlations;
-    std::vector<Line> lines{};  //!< none if only means are known
+    std::vector<MeasuredLine> lines{};  //!< none if only means are known
 };
 
 //! The distance of a plant from measured lines.
@@ -43,7 +43,7 @@ struct LineDistance {
     double from_mean = 0;
     //! Mahalanobis distance from the nearest line; 0 where no line is known.
     double from_line = 0;
-    std::size_t line = 0;  //!< place of the nearest line
+    std::size_t line = 0;  //!< the nearest one, from 1; 0: no line is known
 };
 
 //! Whether a text names a leaf as LineTrait does.

@@ -56,6 +56,14 @@ void BackwardLight::add_diffuse(const LeafPoint& point, RandomStream& random,
                light);
 }
 
+void BackwardLight::add_level(const glm::dvec3& place, RandomStream& random,
+                              std::vector<double>& light) const {
+    static constexpr glm::dvec3 up{0, 0, 1};
+    // It lets through all of a beam.
+    add_beams(scene_.placed(place), up, {1, 0}, light);
+    follow(scene_.placed(place), up, random, light);
+}
+
 void BackwardLight::follow(glm::dvec3 position, glm::dvec3 normal,
                            RandomStream& random,
                            std::vector<double>& light) const {

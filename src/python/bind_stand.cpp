@@ -129,6 +129,32 @@ nb::tuple mesh(const CaseStand& stand, const Input<double, 1>& genome) {
                           groups);
 }
 
+//! The clock hour of each instant [h], and the light on each sensor over that
+//! above the canopy with its standard error [sensor, instant].
+nb::tuple light_on_sensors(CaseStand& stand, const Input<double, 1>& genome,
+                           const std::vector<double>& heights,
+                           const std::vector<double>& positions, int fields,
+                           int points) {
+    std::vector<double> hours, means, errors;
+    for (const TimeStep& step : stand.light().steps) hours.push_back(step.hour);
+    {
+        const Genome numbers = to_vector(genome);
+        const nb::gil_scoped_release released;
+        std::vector<Sensor> sensors;
+        for (std::size_t i = 0; i < heights.size(); ++i)
+            sensors.push_back({heights[i], positions.at(i)});
+        for (const auto& sensor :
+             stand.light_on_sensors(numbers, sensors, fields, points))
+            for (const Estimate& each : sensor) {
+                means.push_back(each.mean);
+                errors.push_back(each.standard_error);
+            }
+    }
+    return nb::make_tuple(to_array(hours, {hours.size()}),
+                          to_array(means, {heights.size(), hours.size()}),
+                          to_array(errors, {heights.size(), hours.size()}));
+}
+
 std::vector<std::string> warnings(const CaseStand& stand) {
     std::vector<std::string> texts;
     const Campaign& campaign = stand.campaign();
@@ -163,6 +189,7 @@ void bind_stand(nb::module_& module) {
              nb::arg("is_final"), nb::arg("seed").none(),
              nb::arg("tolerance").none())
         .def("mesh", &mesh, nb::arg("genome"))
+        .def("light_on_sensors", &light_on_sensors)
         .def("crop_text",
              [](const CaseStand& x, const Input<double, 1>& genome) {
                  return crop_text(x.campaign(),

@@ -34,4 +34,22 @@ Mesh CaseStand::mesh(const Genome& genome) const {
     return build_plant(grow(campaign_.crop, genome), campaign_.tessellation);
 }
 
+std::vector<std::vector<Estimate>> CaseStand::light_on_sensors(
+    const Genome& genome, const std::vector<Sensor>& sensors, int fields,
+    int points) {
+    Sampling sampling;
+    sampling.accuracy = {1, fields};
+    sampling.randomness = {chosen_.seed};
+    const CanopyRequest request =
+        request_of(sampling, campaign_, scenario_of(campaign_, chosen_),
+                   grow(campaign_.crop, genome));
+    return devices_.with([&](const Device& device) {
+        return ideotype::light_on_sensors(request, device, sensors, points);
+    });
+}
+
+LightSeries CaseStand::light() const {
+    return light_of(campaign_, chosen_);
+}
+
 }  // namespace ideotype::python

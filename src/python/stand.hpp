@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ideotype/canopy/sensors.hpp"
 #include "ideotype/light/device.hpp"
 #include "stand/stand.hpp"
 
@@ -68,6 +69,15 @@ class CaseStand {
 
     //! At the origin, y along the row [m].
     Mesh mesh(const Genome& genome) const;
+
+    //! The light on sensors among plants of a genome by instant, see
+    //! light_on_sensors(), in as many fields.
+    std::vector<std::vector<Estimate>> light_on_sensors(
+        const Genome& genome, const std::vector<Sensor>& sensors, int fields,
+        int points);
+
+    //! The instants of the light of the case, or of its first scenario.
+    LightSeries light() const;
 
   private:
     Campaign campaign_;

@@ -246,6 +246,47 @@ class Stand:
         z up [m]."""
         return Mesh.of(*self._case.mesh(self._plants(genome)[0]))
 
+    def light_at(
+        self,
+        genome: ArrayLike,
+        height: ArrayLike,
+        position: ArrayLike,
+        *,
+        fields: int = 16,
+        points: int = 256,
+    ) -> xarray.Dataset:
+        """The light that level sensors among the plants receive from above, as
+        a ceptometer that is held along the rows.
+
+        height: of each sensor above the soil [m].
+        position: of each sensor across the rows, from a row [m].
+        fields: that are drawn; the light is their mean (2 or more).
+        points: on each sensor in each field.
+
+        Returns a Dataset over `sensor` and `instant`: `fraction` of the light
+        on level ground above the canopy, `fraction_standard_error`, and `hour`
+        on the clock of the site [h]."""
+        heights, positions = np.broadcast_arrays(
+            np.atleast_1d(real(height, "height")),
+            np.atleast_1d(real(position, "position")),
+        )
+        hours, means, errors = self._case.light_on_sensors(
+            self._plants(genome)[0],
+            heights.tolist(),
+            positions.tolist(),
+            fields,
+            points,
+        )
+        over = ("sensor", "instant")
+        return xarray.Dataset(
+            {"fraction": (over, means), "fraction_standard_error": (over, errors)},
+            {
+                "hour": ("instant", hours),
+                "height": ("sensor", heights),
+                "position": ("sensor", positions),
+            },
+        )
+
     def crop_file(self, genome: ArrayLike) -> str:
         """The text of a crop file with this plant as its baseline."""
         return self._case.crop_text(self._plants(genome)[0])

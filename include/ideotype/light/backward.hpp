@@ -34,6 +34,11 @@ class BackwardLight {
     void add_diffuse(const LeafPoint& point, RandomStream& random,
                      std::vector<double>& light) const;
 
+    //! Adds one sample of the light that comes from above to a level place, by
+    //! source, over what level ground receives from it above all plants.
+    void add_level(const glm::dvec3& place, RandomStream& random,
+                   std::vector<double>& light) const;
+
   private:
     const Lambertian& surface(std::uint32_t group) const {
         return group == Hit::soil ? soil_ : optics_.of(groups_[group].tissue);

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ideotype/canopy/sensors.hpp"
+
+#include <cmath>
+
+#include "ideotype/canopy/canopy.hpp"
+#include "ideotype/core/error.hpp"
+#include "ideotype/core/random.hpp"
+#include "ideotype/light/backward.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! The light on a point of each instant, over that above the canopy, for light
+//! of each source over that on level ground.
+void add_instants(const SeriesIllumination& light,
+                  const std::vector<double>& sources,
+                  std::vector<double>& sums) {
+    const auto of = [&](int source) {
+        return source < 0 ? 0 : sources[static_cast<std::size_t>(source)];
+    };
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const auto [beam, diffuse] = light.series.steps[i].par;
+        if (beam + diffuse > 0)
+            sums[i] +=
+                (beam * of(light.beam_of[i]) + diffuse * of(light.sky_of[i])) /
+                (beam + diffuse);
+    }
+}
+
+}  // namespace
+
+std::vector<std::vector<Estimate>> light_on_sensors(
+    const CanopyRequest& request, const Device& device,
+    std::span<const Sensor> sensors, int points) {
+    const auto* plant = std::get_if<Plant>(&request.stand);
+    const int fields = request.accuracy.randomisations;
+    if (!plant || fields < 2)
+        throw Error("sensors stand in two fields or more of plants");
+    const SeriesIllumination& light = request.scenario.light;
+    const FieldForm& form = request.scenario.field;
+    const std::size_t steps = light.series.steps.size();
+    const Mesh mesh = build_plant(*plant, request.tessellation);
+    // [sensor, instant, field]
+    std::vector found(sensors.size(),
+                      std::vector(steps, std::vector<double>()));
+    Randomness randomness = request.randomness;
+    for (int f = 0; f < fields; ++f, ++randomness.first_randomisation) {
+        const Field field =
+            draw_field(*plant, mesh, request.tessellation, form, randomness);
+        const Scene scene = build_scene(device, field);
+        const BackwardLight backward(scene, field.mesh.groups,
+                                     request.scenario.optics,
+                                     light.light.sources);
+        RandomStream random(randomness.seed, Purpose::backward,
+                            randomness.generation,
+                            randomness.first_randomisation);
+        for (std::size_t s = 0; s < sensors.size(); ++s) {
+            std::vector<double> sums(steps);
+            for (int i = 0; i < points; ++i) {
+                // A row stands half of the spacing inside of the field.
+                const double row =
+                    random.below(static_cast<std::uint32_t>(form.rows)) + 0.5;
+                // Both sides of the row are alike, or their mean is wanted.
+                const double side = random.bits() % 2 == 0 ? 1 : -1;
+                const glm::dvec3 place{
+                    row * form.spacing.row + side * sensors[s].position,
+                    random.uniform(0, field.period_y), sensors[s].height};
+                std::vector<double> sources(light.light.sources.size());
+                backward.add_level(place, random, sources);
+                add_instants(light, sources, sums);
+            }
+            for (std::size_t i = 0; i < steps; ++i)
+                found[s][i].push_back(sums[i] / points);
+        }
+    }
+    std::vector<std::vector<Estimate>> estimates(sensors.size());
+    for (std::size_t s = 0; s < sensors.size(); ++s)
+        for (const std::vector<double>& by_field : found[s])
+            estimates[s].push_back(estimate(by_field));
+    return estimates;
+}
+
+}  // namespace ideotype

@@ -64,8 +64,11 @@ std::vector<std::vector<Estimate>> light_on_sensors(
                     random.below(static_cast<std::uint32_t>(form.rows)) + 0.5;
                 // Both sides of the row are alike, or their mean is wanted.
                 const double side = random.bits() % 2 == 0 ? 1 : -1;
+                const double across = random.uniform(0, form.spacing.row);
+                const double position = sensors[s].position;
                 const glm::dvec3 place{
-                    row * form.spacing.row + side * sensors[s].position,
+                    row * form.spacing.row +
+                        side * (std::isnan(position) ? across : position),
                     random.uniform(0, field.period_y), sensors[s].height};
                 std::vector<double> sources(light.light.sources.size());
                 backward.add_level(place, random, sources);

@@ -35,6 +35,9 @@ constexpr std::array python_verbs{
     PythonVerb{"indices",
                "what each objective depends on, from the rows of a "
                "sensitivity study"},
+    PythonVerb{"ceptometer",
+               "put light that was measured among plants beside the light that "
+               "is found there"},
 };
 
 //! Its arguments are what to say if the package is missing, and the words. No

@@ -129,14 +129,18 @@ nb::tuple mesh(const CaseStand& stand, const Input<double, 1>& genome) {
                           groups);
 }
 
-//! The clock hour of each instant [h], and the light on each sensor over that
+//! The clock hour of each instant [h], the light above the canopy [W m-2], and
+//! the light on each sensor over that
 //! above the canopy with its standard error [sensor, instant].
 nb::tuple light_on_sensors(CaseStand& stand, const Input<double, 1>& genome,
                            const std::vector<double>& heights,
                            const std::vector<double>& positions, int fields,
                            int points) {
-    std::vector<double> hours, means, errors;
-    for (const TimeStep& step : stand.light().steps) hours.push_back(step.hour);
+    std::vector<double> hours, incident, means, errors;
+    for (const TimeStep& step : stand.light().steps) {
+        hours.push_back(step.hour);
+        incident.push_back(step.par.beam + step.par.diffuse);
+    }
     {
         const Genome numbers = to_vector(genome);
         const nb::gil_scoped_release released;
@@ -151,6 +155,7 @@ nb::tuple light_on_sensors(CaseStand& stand, const Input<double, 1>& genome,
             }
     }
     return nb::make_tuple(to_array(hours, {hours.size()}),
+                          to_array(incident, {hours.size()}),
                           to_array(means, {heights.size(), hours.size()}),
                           to_array(errors, {heights.size(), hours.size()}));
 }

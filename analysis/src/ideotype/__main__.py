@@ -16,6 +16,7 @@ VERBS = {
     "weather": "ideotype.weather:main",
     "fidelity": "ideotype.fidelity:main",
     "indices": "ideotype.analysis.indices:main",
+    "ceptometer": "ideotype.ceptometer:main",
 }
 """Where the function of each verb is, which takes the words after the verb
 and returns the exit code; `python_verbs.cpp` has the same names."""

@@ -250,7 +250,7 @@ class Stand:
         self,
         genome: ArrayLike,
         height: ArrayLike,
-        position: ArrayLike,
+        position: ArrayLike = np.nan,
         *,
         fields: int = 16,
         points: int = 256,
@@ -259,18 +259,20 @@ class Stand:
         a ceptometer that is held along the rows.
 
         height: of each sensor above the soil [m].
-        position: of each sensor across the rows, from a row [m].
+        position: of each sensor across the rows, from a row [m]; NaN: the mean
+            over all positions.
         fields: that are drawn; the light is their mean (2 or more).
         points: on each sensor in each field.
 
         Returns a Dataset over `sensor` and `instant`: `fraction` of the light
-        on level ground above the canopy, `fraction_standard_error`, and `hour`
-        on the clock of the site [h]."""
+        on level ground above the canopy, `fraction_standard_error`, that
+        light, `incident` [W m-2 of PAR], and `hour` on the clock of the site
+        [h]."""
         heights, positions = np.broadcast_arrays(
             np.atleast_1d(real(height, "height")),
             np.atleast_1d(real(position, "position")),
         )
-        hours, means, errors = self._case.light_on_sensors(
+        hours, incident, means, errors = self._case.light_on_sensors(
             self._plants(genome)[0],
             heights.tolist(),
             positions.tolist(),
@@ -279,7 +281,11 @@ class Stand:
         )
         over = ("sensor", "instant")
         return xarray.Dataset(
-            {"fraction": (over, means), "fraction_standard_error": (over, errors)},
+            {
+                "fraction": (over, means),
+                "fraction_standard_error": (over, errors),
+                "incident": ("instant", incident),
+            },
             {
                 "hour": ("instant", hours),
                 "height": ("sensor", heights),

@@ -14,7 +14,8 @@ namespace ideotype {
 //! comes from above, and is long in the direction of the rows.
 struct Sensor {
     double height = 0;    //!< above the soil [m]
-    double position = 0;  //!< across the rows, from a row [m]
+    //! Across the rows, from a row [m]; NaN: evenly all over the distance.
+    double position = 0;
 };
 
 //! The light on sensors by instant of the scenario, over that on level ground

@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`ideotype ceptometer CAMPAIGN TABLE`: light that was measured in a field
+beside the light that the program finds there."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import re
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from ._errors import Error, printable_lines
+from ._stand import Stand
+
+_UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001}
+
+
+def _column(table: pd.DataFrame, name: str) -> pd.Series | None:
+    """The column of this name with a unit of length at its end, in m."""
+    for unit, factor in _UNITS.items():
+        if f"{name}_{unit}" in table:
+            return table[f"{name}_{unit}"].astype(float) * factor
+    return None
+
+
+def _hour(text: object) -> float:
+    """The hour of `13.5` or `13:30`."""
+    if match := re.fullmatch(r"\s*(\d{1,2}):(\d\d)(?::\d\d)?\s*", str(text)):
+        return int(match[1]) + int(match[2]) / 60
+    return float(str(text))
+
+
+def read_table(path: Path) -> pd.DataFrame:
+    """What a ceptometer measured, with columns height [m], position [m, NaN:
+    mean across the row], hour [h, NaN: the whole day] and measured, the
+    fraction of the light above the canopy.
+
+    Raises Error with the line of what cannot be read."""
+    try:
+        table = pd.read_csv(path, comment="#", skipinitialspace=True)
+    except (OSError, ValueError) as error:
+        raise Error(f"{path}: {error}") from None
+    table.columns = table.columns.str.strip().str.lower()
+    found = pd.DataFrame(index=table.index)
+    try:
+        height = _column(table, "height")
+        if height is None:
+            raise Error(
+                f"{path}:1: there is no column of the height above the soil; "
+                "add height_cm or height_m"
+            )
+        found["height"] = height
+        position = _column(table, "position")
+        found["position"] = np.nan if position is None else position
+        found["hour"] = table["hour"].map(_hour) if "hour" in table else np.nan
+        if "fraction" in table:
+            found["measured"] = table["fraction"].astype(float)
+        elif "percent" in table:
+            found["measured"] = table["percent"].astype(float) / 100
+        elif {"below", "above"} <= set(table):
+            found["measured"] = table["below"] / table["above"]
+        else:
+            raise Error(
+                f"{path}:1: there is no column of the light; add fraction "
+                "or percent of the light above the canopy, or below and above"
+            )
+    except ValueError as error:
+        raise Error(f"{path}: a number cannot be read ({error})") from None
+    bad = found.index[
+        ~found.measured.between(0, 1.2) | ~found.height.between(0, 10)
+    ]
+    if len(bad):
+        raise Error(
+            f"{path}: row {bad[0] + 1} of the table has the height "
+            f"{found.height[bad[0]]:g} m and the fraction "
+            f"{found.measured[bad[0]]:g}; heights are 0 to 10 m, and "
+            "fractions at most 1.2 of the light above the canopy"
+        )
+    return found
+
+
+def compare(stand: Stand, table: pd.DataFrame) -> pd.DataFrame:
+    """The table with the light that the baseline of a stand lets through,
+    `ours`, and its standard error, `error`."""
+    sensors = table[["height", "position"]].drop_duplicates()
+    found = stand.light_at(stand.baseline, sensors.height, sensors.position)
+    hours = found.hour.to_numpy()
+    weights = found.incident.to_numpy()
+    ours: list[float] = []
+    errors: list[float] = []
+    for each in table.itertuples():
+        place = (sensors.height == each.height) & (
+            (sensors.position == each.position)
+            | (sensors.position.isna() & np.isnan(each.position))
+        )
+        here = found.isel(sensor=int(np.flatnonzero(place)[0]))
+        for to, name in (
+            (ours, "fraction"),
+            (errors, "fraction_standard_error"),
+        ):
+            by_hour = here[name].to_numpy()
+            if np.isnan(each.hour):
+                to.append(np.average(by_hour, weights=weights))
+            elif hours[0] <= each.hour <= hours[-1]:
+                to.append(np.interp(each.hour, hours, by_hour))
+            else:
+                raise Error(
+                    f"hour {each.hour:g} of the table is not in the day of the "
+                    f"campaign, {hours[0]:g} to {hours[-1]:g} h; see [[day]]"
+                )
+    return table.assign(ours=ours, error=errors)
+
+
+def agreement(found: pd.DataFrame) -> dict[str, float]:
+    """The mean difference between ours and measured and its standard error,
+    the root of the mean square of the differences, and the correlation."""
+    apart = found.ours - found.measured
+    several = len(apart) > 1
+    return {
+        "rows": len(apart),
+        "bias": float(apart.mean()),
+        "bias_standard_error": float(apart.sem()) if several else float("nan"),
+        "rms": float(np.sqrt((apart**2).mean())),
+        "correlation": float(found.ours.corr(found.measured))
+        if several
+        else float("nan"),
+    }
+
+
+def draw(found: pd.DataFrame, path: Path) -> None:
+    """Draws ours over measured, coloured by height."""
+    from .analysis.style import new_figure
+
+    figure = new_figure(6, 5)
+    axes = figure.add_subplot()
+    points = axes.scatter(
+        found.measured, found.ours, c=found.height, cmap="viridis", zorder=3
+    )
+    axes.errorbar(
+        found.measured, found.ours, 2 * found.error, fmt="none", color="0.6"
+    )
+    limit = 1.05 * max(found.measured.max(), found.ours.max())
+    axes.plot([0, limit], [0, limit], color="0.5", linewidth=1)
+    axes.set(
+        xlabel="measured fraction of the light above the canopy",
+        ylabel="the program's, with two standard errors",
+    )
+    figure.colorbar(points, label="height above the soil [m]")
+    figure.savefig(path)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Compares, prints and returns the exit code: 0, 1 if something failed, 2
+    for a wrong command line, 3 for a wrong campaign or table."""
+    parser = argparse.ArgumentParser(
+        prog="ideotype ceptometer",
+        description="Puts light that was measured in a field beside the light "
+        "that the baseline of a campaign lets through. The table has columns "
+        "height_cm (or height_m), position_cm across the row from a row, hour "
+        "on the clock of the site, and fraction (or percent, or below and "
+        "above); without position it is a mean across the row.",
+    )
+    add = parser.add_argument
+    add("campaign", type=Path, metavar="CAMPAIGN", help="a TOML file")
+    add("table", type=Path, metavar="TABLE", help="a CSV file")
+    add("--set", action="append", default=[], metavar="KEY=VALUE")
+    add("--case", type=int, default=0, metavar="N", help="of `check --cases`")
+    add("--json", action="store_true", help="print JSON instead of text")
+    add("--figure", type=Path, metavar="FILE", help="PNG, PDF or SVG to draw")
+    options = parser.parse_args(arguments)
+    try:
+        table = read_table(options.table)
+        stand = Stand.from_campaign(
+            options.campaign, case=options.case, settings=options.set
+        )
+        found = compare(stand, table)
+    except Error as error:
+        print(
+            printable_lines(f"ideotype ceptometer: {error}"), file=sys.stderr
+        )
+        return 3
+    told = agreement(found)
+    if options.json:
+        rows = json.loads(found.to_json(orient="records"))
+        print(json.dumps({**told, "table": rows}, indent=1))
+    else:
+        print(found.to_string(index=False, float_format="{:.3f}".format))
+        print(
+            "\nours less measured: {bias:+.3f} ± {bias_standard_error:.3f}, "
+            "rms {rms:.3f}, correlation {correlation:.2f}, "
+            "{rows} rows".format(**told)
+        )
+    if options.figure:
+        draw(found, options.figure)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -79,9 +79,15 @@ Section photosynthesis_section(PhotosynthesisTable& table) {
                  "C"),
          Key("profile", choice(table.profile),
              "how the capacity of leaves falls with depth: not, as exp(-kn L) "
-             "of the leaf area index L above, or by a fixed canopy nitrogen "
-             "that is spread in this way")
-             .one_of({"none", "exponential", "nitrogen"}),
+             "of the leaf area index L above, by a fixed canopy nitrogen "
+             "that is spread in this way, or as rank_capacity tells")
+             .one_of({"none", "exponential", "nitrogen", "rank"}),
+         Key("rank_capacity", &table.rank_capacity,
+             "of the profile by rank: capacity over the above at equal "
+             "distances from the lowest leaf to the highest, linear in between")
+             .within(0, 2)
+             .set(&Key::count, any_count)
+             .set(&Key::type, "number or list"),
          Key("kn", &table.kn, "of the profile, per leaf area index")
              .within(0, 5),
          Key("nitrogen", &table.nitrogen, "in leaves, per ground area")
@@ -158,6 +164,7 @@ Photosynthesis to_photosynthesis(const PhotosynthesisTable& table) {
     }
     result.profile = table.profile;
     result.nitrogen = {table.nitrogen, table.kn};
+    result.rank_capacity = table.rank_capacity;
     result.follows_weather = table.follows_weather;
     result.building_cost = leaf_building_cost(table.building_cost);
     result.building_days = table.building_days;

@@ -18,6 +18,7 @@ struct PhotosynthesisTable {
     CapacityProfile profile = CapacityProfile::exponential;
     double kn = CanopyNitrogen{}.kn;
     double nitrogen = CanopyNitrogen{}.total;
+    std::vector<double> rank_capacity{1};
     bool follows_weather = true;
     double building_days = Photosynthesis{}.building_days;
     double building_cost = 45;  //!< [g m-2 of leaf]

@@ -250,6 +250,14 @@ Section plant_file_section(Plant& plant) {
                  .required("\"b73\"")}};
 }
 
+std::vector<Table> crop_defaults(Draft& draft) {
+    std::vector<Table> tables{
+        one_table(plant_optics_section(draft.campaign.optics)),
+        one_table(photosynthesis_section(draft.photosynthesis))};
+    for (Table& table : tables) table.is_optional = true;
+    return tables;
+}
+
 std::vector<Table> plant_tables(Draft& draft) {
     Plant& plant = draft.campaign.crop.baseline;
     Table leaves = list_of_tables<Leaf>("leaf", leaf_section, plant.leaves);

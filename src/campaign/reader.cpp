@@ -255,7 +255,9 @@ class DraftReader {
         // The bounds of the usual traits are not those of others.
         if (table.contains("trait")) draft_.bounds.clear();
         Plant& plant = draft_.campaign.crop.baseline;
-        const std::vector<Table> parts = plant_tables(draft_);
+        std::vector<Table> parts = plant_tables(draft_);
+        for (Table& each : crop_defaults(draft_))
+            parts.push_back(std::move(each));
         tables.read(table, plant_file_section(plant), parts);
         for (const Table& part : parts) tables.read(table, part);
         for (Leaf& leaf : plant.leaves)

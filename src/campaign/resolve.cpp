@@ -90,6 +90,8 @@ std::vector<AccuracyKey> accuracy_keys(Draft& draft) {
 std::string resolved_plant_text(Draft& draft) {
     std::string text;
     append_plant(text, "", draft);
+    for (const Table& table : crop_defaults(draft))
+        append_table(text, "", table);
     return text;
 }
 

@@ -290,7 +290,18 @@ Section variation_section(PlantVariation& variation) {
 }
 
 Section optics_section(Campaign& campaign) {
-    Optics& optics = campaign.optics;
+    Section section = plant_optics_section(campaign.optics);
+    section.keys.push_back(fraction("soil_albedo", campaign.optics.soil_albedo,
+                                    "light that the soil sends back"));
+    section.keys.push_back(
+        Key("par_fraction", &campaign.par_fraction, "PAR over all solar energy")
+            .within(0.01, 1));
+    return section;
+}
+
+}  // namespace
+
+Section plant_optics_section(Optics& optics) {
     return {"optics",
             {fraction("leaf_reflectance", optics.leaf.reflectance,
                       "of both faces, in the PAR band"),
@@ -303,15 +314,8 @@ Section optics_section(Campaign& campaign) {
              fraction("sheath_reflectance", optics.sheath.reflectance,
                       "of the surface of sheaths"),
              fraction("sheath_transmittance", optics.sheath.transmittance,
-                      "reflectance + transmittance <= 1"),
-             fraction("soil_albedo", optics.soil_albedo,
-                      "light that the soil sends back"),
-             Key("par_fraction", &campaign.par_fraction,
-                 "PAR over all solar energy")
-                 .within(0.01, 1)}};
+                      "reflectance + transmittance <= 1")}};
 }
-
-}  // namespace
 
 Section top_section(Campaign& campaign) {
     return {"top",

@@ -184,6 +184,12 @@ std::vector<std::string> all_organs(const Plant& plant);
 //! All tables of a crop file.
 std::vector<Table> plant_tables(Draft& draft);
 
+//! The optics of plants, which soil has no part in.
+Section plant_optics_section(Optics& optics);
+
+//! The tables of a crop file that campaigns have too, which go before it.
+std::vector<Table> crop_defaults(Draft& draft);
+
 // Those of run_schema.cpp and plant_schema.cpp.
 Table plant_table(Draft& draft);
 Section light_section(Campaign& campaign);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ideotype/physiology/photosynthesis.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "ideotype/core/error.hpp"
@@ -8,6 +11,19 @@
 namespace ideotype {
 
 namespace {
+
+//! A number of a leaf, of points from the lowest leaf to the highest.
+double at_rank(const std::vector<double>& points, std::size_t leaf,
+               std::size_t leaves) {
+    const std::size_t last = points.size() - 1;
+    const double place = leaves < 2 ? 0
+                                    : static_cast<double>(leaf * last) /
+                                          static_cast<double>(leaves - 1);
+    const std::size_t below = std::min(static_cast<std::size_t>(place), last);
+    const std::size_t above = std::min(below + 1, last);
+    return std::lerp(points[below], points[above],
+                     place - static_cast<double>(below));
+}
 
 std::vector<double> capacities(const Photosynthesis& photosynthesis,
                                const std::vector<double>& leaf_area_index) {
@@ -19,6 +35,13 @@ std::vector<double> capacities(const Photosynthesis& photosynthesis,
             std::vector<double> all =
                 nitrogen_of_leaves(leaf_area_index, canopy);
             for (double& x : all) x = nitrogen_response(x);
+            return all;
+        }
+        case CapacityProfile::rank: {
+            std::vector<double> all;
+            for (std::size_t i = 0; i < leaf_area_index.size(); ++i)
+                all.push_back(at_rank(photosynthesis.rank_capacity, i,
+                                      leaf_area_index.size()));
             return all;
         }
         case CapacityProfile::none:

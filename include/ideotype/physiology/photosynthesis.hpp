@@ -13,6 +13,7 @@ enum class CapacityProfile {
     none,         //!< as the rates say
     exponential,  //!< exp(-kn L) of the leaf area index L above
     nitrogen,     //!< by a fixed canopy nitrogen, spread as exp(-kn L)
+    rank,         //!< by the place of the leaf between the lowest and highest
 };
 
 //! What the leaves of a canopy do with light.
@@ -21,6 +22,9 @@ struct Photosynthesis {
     std::vector<LeafRates> rates{HyperbolaLeaf{}};
     CapacityProfile profile = CapacityProfile::exponential;
     CanopyNitrogen nitrogen{};  //!< its kn is that of either profile
+    //! Capacity over that of the rates, at equal distances from the lowest leaf
+    //! to the highest and linear in between; for CapacityProfile::rank.
+    std::vector<double> rank_capacity{1};
     //! Whether leaves have the temperature and humidity of the weather; else
     //! their air is that of clear days.
     bool follows_weather = true;

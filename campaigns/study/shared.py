@@ -46,6 +46,20 @@ MEASURED_LINES = {
     "azimuth": 17.3,
     "height": 0.05,
 }
+#: [field.variation] of plants as they were measured; docs/campaign_files.md has the sources.
+FIELD_PLANTS = {
+    "length": 0.05,
+    "width": 0.06,
+    "insertion_angle": 11.0,
+    "curvature": 31.0,
+    "azimuth": [21.0, 18.0, 28.0],
+    "roll": [17.0, 17.0, 35.0],
+    "twist": 86.0,
+    "height": 0.04,
+    "across_row": 0.7,
+    "missing": 0.045,
+    "late": 0.04,
+}
 Numbers = NDArray[np.float64]
 Settings = Sequence[str]
 """As for --set: "search.optimizer=ga"."""

@@ -133,7 +133,7 @@ TEST(Campaign, PlantFilesHoldTheKnownPlants) {
     EXPECT_EQ(b73.name, "b73");
     EXPECT_EQ(b73.leaves[9].width, 0.0545);
     EXPECT_EQ(b73.leaves[1].insertion_angle, 31.4);
-    EXPECT_EQ(b73.leaves[0].curvature, 90);
+    EXPECT_EQ(b73.leaves[0].curvature, 125);
     EXPECT_EQ(b73.leaves[9].insertion_height, 1.61);
     // Leaf area index at 86,111 plants per hectare.
     double area = 0;
@@ -150,13 +150,44 @@ TEST(Campaign, ElitePlantIsLargerAndInsideThePaperBounds) {
     for (const Leaf& leaf : elite.leaves)
         area += 0.7455 * leaf.length * leaf.width;
     EXPECT_NEAR(area / (0.762 * 0.1524), 4.7, 0.05);
-    const Plant b73 = ames().crop.baseline;
+    // Its droops are those of version 0.2.
+    const Plant b73 = read_plant(IDEOTYPE_CAMPAIGNS "/plants/maize_v02.toml");
     for (std::size_t i = 0; i < 10; ++i) {
         EXPECT_EQ(elite.leaves[i].azimuth, b73.leaves[i].azimuth);
         EXPECT_EQ(elite.leaves[i].curvature, b73.leaves[i].curvature);
         EXPECT_EQ(elite.leaves[i].insertion_height,
                   b73.leaves[i].insertion_height);
     }
+}
+
+TEST(Campaign, EveryCropAndMeasuredPlantOfTheProjectIsAPlant) {
+    const std::map<std::string, std::size_t> leaves{
+        {"maize", 10},        {"maize_hybrid", 11}, {"sorghum", 16},
+        {"elite", 10},        {"maize_v02", 10},    {"Dea_2008", 11},
+        {"F331_S1", 11},      {"iowa_T8", 10},      {"iowa_JN3208-1", 9},
+        {"iowa_JN3801-1", 12}};
+    std::size_t found = 0;
+    for (const char* folder : {"/crops", "/plants"})
+        for (const auto& file : std::filesystem::directory_iterator(
+                 std::string(IDEOTYPE_CAMPAIGNS) + folder)) {
+            EXPECT_EQ(read_plant(file.path().string()).leaves.size(),
+                      leaves.at(file.path().stem().string()));
+            ++found;
+        }
+    EXPECT_EQ(found, leaves.size());
+}
+
+TEST(Campaign, CropsTellTheOpticsAndTheCapacityOfTheirLeaves) {
+    const Campaign campaign =
+        read_campaign(IDEOTYPE_CAMPAIGNS "/quickstart.toml");
+    EXPECT_EQ(campaign.optics.leaf.reflectance, .06);
+    EXPECT_EQ(campaign.optics.leaf.transmittance, .03);
+    ASSERT_TRUE(campaign.photosynthesis);
+    EXPECT_EQ(campaign.photosynthesis->profile, CapacityProfile::rank);
+    EXPECT_EQ(campaign.photosynthesis->rank_capacity.size(), 13u);
+    // The campaign goes before, and light alone needs no photosynthesis.
+    EXPECT_EQ(ames().optics.leaf.reflectance, .05);
+    EXPECT_FALSE(ames().photosynthesis);
 }
 
 TEST(Campaign, EveryCampaignOfTheProjectIsValidAndItsSize) {

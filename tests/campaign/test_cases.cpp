@@ -43,8 +43,9 @@ TEST(Cases, ARuleOfBoundsMayChooseTheTraitsThatAreBred) {
     EXPECT_EQ(bred("biological"),
               (TraitSet{"length", "width", "insertion_angle", "azimuth"}));
     EXPECT_EQ(bred("breedable"),
-              (TraitSet{"azimuth_deviation", "leaf_plane", "length_profile",
-                        "width_profile", "insertion_angle_profile"}));
+              (TraitSet{"azimuth_deviation", "leaf_plane", "height",
+                        "length_profile", "width_profile",
+                        "insertion_angle_profile", "curvature_profile"}));
 }
 
 TEST(Cases, ReplicatesVaryFastestThenTraitsThenSpacings) {

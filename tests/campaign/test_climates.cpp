@@ -102,7 +102,7 @@ TEST(Climates, SitesMayHaveFilesOfTheirOwn) {
         (folder / "weather/bondville_2011_0721_0920.csv").string();
     text = with(text, "file = \"weather/bondville_2011_0721_0920.csv\"\n", "");
     text = with(text, "elevation = 213", "weather = \"" + file + "\"");
-    text = with(text, "crops/", (folder / "crops/").string());
+    text = with(text, "\"crops/", (folder / "crops/").string().insert(0, "\""));
     std::ofstream(other) << text;
     const Campaign campaign = read_campaign(other);
     EXPECT_NE(campaign.resolved.find("weather = \"" + file), std::string::npos);

@@ -79,7 +79,7 @@ TEST(SkyChecks, StandsOfMoreLeavesThanFieldsHaveAreWarnedOf) {
     ASSERT_EQ(warnings("0.2").size(), 1u);
     EXPECT_EQ(warnings("0.2").front().what,
               "spacing.row is 0.2 m (with 0.1524 m between plants the baseline "
-              "has a leaf area index of 13.09, and fields hardly ever have "
+              "has a leaf area index of 13.10, and fields hardly ever have "
               "more than 8); check both distances");
 }
 

@@ -4,11 +4,8 @@
 
 plant_shapes.py FOLDER [--to FILE.png]
 
-Draws fields of the plants of campaigns/crops with FIELD_PLANTS of shared.py, in which
-each leaf rolls, twists and deviates, and prints by thirds of the leaves the inclination
-of their surface, how much of it is steeper than 70 deg, how far leaves reach, and leaf
-area by height, beside those of 11 plants of Iowa (measured/README.md). FOLDER keeps the
-fields.
+Draws fields of crops/maize.toml and crops/maize_hybrid.toml with FIELD_PLANTS of shared.py
+in FOLDER, and compares their leaves with those of 11 plants of Iowa (measured/README.md).
 """
 
 from __future__ import annotations
@@ -43,8 +40,7 @@ from ideotype.analysis.style import RC, new_figure
 MEASURED = Path(__file__).parent / "measured"
 V02 = CAMPAIGNS / "plants" / "maize_v02.toml"
 HYBRID = CAMPAIGNS / "crops" / "maize_hybrid.toml"
-ROWS = 10
-"""Of a field, and plants of each."""
+ROWS = 10  # of a field, and plants of each
 CELLS = 40
 """Faces along a leaf: about 2 cm, near the 2.5 cm of measured planes."""
 STEEP = 70
@@ -55,7 +51,6 @@ TITLES = {
     "reach": ("reach of leaves [m]", 2),
     "height": ("share of area by height", 2),
 }
-"""With the digits that they are printed with."""
 THIRDS = ("lower", "middle", "upper")
 HEIGHTS = np.array([0, 0.2, 0.4, 0.6, 0.8, 1, 1.2, 1.4])
 """Over that of the highest insertion."""

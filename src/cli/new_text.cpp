@@ -51,10 +51,9 @@ jitter
 # The plant that breeding begins with.
 [plant]
 baseline = {baseline:?} # crop file, from this folder{bounds}
-# Parts of the light, in the PAR band.
+# Parts of the light, in the PAR band; the plant tells its own.
 [optics]
-leaf_reflectance leaf_transmittance stalk_reflectance stalk_transmittance
-sheath_reflectance sheath_transmittance soil_albedo par_fraction
+soil_albedo par_fraction
 # How accurate an evaluation is.
 [light]
 tolerance = 0.008 # relative standard error of the light that leaves absorb

@@ -39,6 +39,7 @@ expect 0 "$ideotype" new own/second.toml "${place[@]}" "${field[@]}" \
     --plant maize --objective net_assimilation --name bread --utc-offset -5
 expect 0 "$ideotype" check own/second.toml
 says "^campaign  bread, "
+! grep -q leaf_reflectance own/my.toml || fail "optics of the plant are hidden"
 sed -i 's/^height = 1.61/height = 1.62/' own/maize.toml
 expect 4 "$ideotype" new own/third.toml "${place[@]}" "${field[@]}" --plant maize
 says "own/maize.toml: exists already .*--plant own/maize.toml"
@@ -61,7 +62,8 @@ expect 0 "$ideotype" new other/field.toml "${place[@]}" "${field[@]}" \
     --plant own/field.csv
 grep -q '^bounds = "breedable"' other/field.toml ||
     fail "not the bounds of maize: $(cat other/field.toml)"
-sed -e 's/maize/sorghum/' -e 's/^30,4/3,2/' own/field.csv >own/short.csv
+sed 's/"breedable"/"other"/' campaigns/crops/sorghum.toml >own/grass.toml
+sed -e 's/maize/grass.toml/' -e 's/^30,4/3,2/' own/field.csv >own/short.csv
 expect 0 "$ideotype" new other/short.toml "${place[@]}" "${field[@]}" \
     --plant own/short.csv
 grep -q '^length = \[0.03, ' other/short.toml ||

@@ -16,7 +16,8 @@ import tomli_w
 import xarray
 from numpy.typing import ArrayLike, NDArray
 
-from . import _core
+import ideotype._core as _core
+
 from ._arrays import real, unmasked
 from ._errors import Error, did_you_mean
 from ._geometry import Mesh

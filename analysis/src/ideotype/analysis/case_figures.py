@@ -9,19 +9,14 @@ from typing import NamedTuple
 from matplotlib.figure import Figure
 
 from .assimilation import draw_assimilation, draw_sunlit
+from .azimuths import draw_azimuths
 from .calendar import draw_calendar
 from .case import Case
 from .convergence import draw_convergence
 from .correlation import draw_correlation
 from .front_figures import draw_front, draw_hypervolume
-from .plan import draw_roses
 from .profiles import draw_hours, draw_layers, draw_leaves, draw_parts
-from .shape import (
-    draw_azimuths,
-    draw_plant_traits,
-    draw_profiles,
-    draw_traits,
-)
+from .shape import draw_plant_traits, draw_profiles, draw_traits
 
 
 class CaseFigure(NamedTuple):
@@ -65,11 +60,6 @@ CASE_FIGURES: dict[str, CaseFigure] = {
         draw_azimuths,
         "Where do the leaves of the fittest plants point?",
         "From above. Arcs are the circular standard deviation.",
-    ),
-    "roses": CaseFigure(
-        draw_roses,
-        "Which directions do the leaves prefer?",
-        "The area of a wedge is the share of leaves that point there.",
     ),
     "hours": CaseFigure(
         draw_hours,

@@ -26,7 +26,6 @@ from .indices import draw_indices
 from .maps import draw_gain_map, draw_set_map, two_sets
 from .page import render
 from .places import draw_latitudes, draw_spacings
-from .plan import draw_plan
 from .progress import Progress
 from .provenance import provenance
 from .scene import Plants, build_plants, scene_of
@@ -44,7 +43,6 @@ _ALONG = (
     "the first objective, from the side at one scale; objectives with standard "
     "errors."
 )
-_PLAN = "The plant among its neighbours, all turned alike; dashed: rows."
 _VIEW = (
     "Baseline (left) and {} (right). Leaves are coloured by what they "
     "absorb over the day; sheaths are dull green, stalks and other organs grey, "
@@ -302,12 +300,6 @@ def _shown(case: Case, plants: Plants | Note) -> list[Block]:
             "How does the bred field look, and which leaves get the light?",
             _FIELD,
             partial(draw_field, case, *pair),
-        ),
-        Drawing(
-            f"{case.name}_plan",
-            "How do plants fill the ground between their neighbours?",
-            _PLAN,
-            partial(draw_plan, case, *pair),
         ),
     ]
     if case.fronts:

@@ -13,10 +13,14 @@ from made_numbers import ERROR, HOURS, LAI, LEAVES, final_absorbed
 from test_figures import bars, horizontal_bars, labels
 
 from ideotype.analysis import HistoryError, open_study
-from ideotype.analysis.assimilation import draw_assimilation, draw_sunlit
 from ideotype.analysis.calendar import draw_calendar
 from ideotype.analysis.case import Case
-from ideotype.analysis.profiles import draw_hours, draw_leaves
+from ideotype.analysis.profiles import (
+    draw_assimilation,
+    draw_hours,
+    draw_leaves,
+    draw_sunlit,
+)
 
 DAYS = [f"2011-07-{day}" for day in range(28, 32)] + ["2011-08-01"]
 """From a Thursday to a Monday."""
@@ -73,7 +77,10 @@ def test_assimilation_is_drawn_by_hour_and_leaf(case: Case) -> None:
     assert leaves.get_xlim()[0] <= 0
     assert {
         *("baseline, gross", "best, net", "leaf rank (1 = lowest)"),
-        *("gross assimilation\n[µmol m⁻² s⁻¹ of ground]", "best"),
+        *(
+            "gross assimilation\n[µmol m⁻² s⁻¹ of ground]",
+            "best ± standard error",
+        ),
         "assimilation [mol m⁻² day⁻¹ of ground]",
     } <= labels(figure)
     # in its own figure alone

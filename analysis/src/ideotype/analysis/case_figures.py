@@ -8,14 +8,20 @@ from typing import NamedTuple
 
 from matplotlib.figure import Figure
 
-from .assimilation import draw_assimilation, draw_sunlit
 from .azimuths import draw_azimuths
 from .calendar import draw_calendar
 from .case import Case
 from .convergence import draw_convergence
 from .correlation import draw_correlation
 from .front_figures import draw_front, draw_hypervolume
-from .profiles import draw_hours, draw_layers, draw_leaves, draw_parts
+from .profiles import (
+    draw_assimilation,
+    draw_hours,
+    draw_layers,
+    draw_leaves,
+    draw_parts,
+    draw_sunlit,
+)
 from .shape import draw_plant_traits, draw_profiles, draw_traits
 
 

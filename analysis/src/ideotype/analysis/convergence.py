@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from . import style
 from .case import Case
 from .file import HistoryError
-from .photons import label_light
 from .state import Generations
+from .style import label_light
 
 
 def draw_convergence(case: Case) -> Figure:

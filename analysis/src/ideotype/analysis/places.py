@@ -15,7 +15,7 @@ from .case import Case
 from .comparison import intervals_of, known_cases
 from .file import HistoryError
 from .interval import Interval
-from .photons import label_light
+from .style import label_light
 
 
 def draw_latitudes(cases: Sequence[Case]) -> Figure:

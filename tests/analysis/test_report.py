@@ -31,7 +31,7 @@ from ideotype.analysis.tables import gains
 
 CASES = ("ames_0807_762x152_all", "edmonton_0807_762x152_all")
 DRAWN = CASE_FIGURES.keys() - {
-    *("profiles", "plant_traits", "sunlit", "assimilation", "calendar")
+    *("profiles", "plant_traits", "sunlit", "assimilation", "days")
 }
 """Of each case, which is bred in traits of leaves for the light of a day."""
 ELITE = 11.08

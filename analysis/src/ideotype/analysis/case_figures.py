@@ -9,13 +9,13 @@ from typing import NamedTuple
 from matplotlib.figure import Figure
 
 from .azimuths import draw_azimuths
-from .calendar import draw_calendar
 from .case import Case
 from .convergence import draw_convergence
 from .correlation import draw_correlation
 from .front_figures import draw_front, draw_hypervolume
 from .profiles import (
     draw_assimilation,
+    draw_days,
     draw_hours,
     draw_layers,
     draw_leaves,
@@ -85,11 +85,11 @@ CASE_FIGURES: dict[str, CaseFigure] = {
         "CO2 that leaves take up, gross by hour, and gross and net of their "
         f"respiration by leaf rank, per area of ground. {_BARS}",
     ),
-    "calendar": CaseFigure(
-        draw_calendar,
+    "days": CaseFigure(
+        draw_days,
         "On which days does the best plant do well, and on which better than "
         "the baseline?",
-        "A cell is a day, a line a week, with the date of its first day.",
+        f"Each day of the season. {_BARS}",
     ),
     "leaves": CaseFigure(
         draw_leaves,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where and when the leaves absorb and assimilate: by hour, leaf rank and
+"""Where and when the leaves absorb and assimilate: by hour, day, leaf rank and
 height; and how much of them the sun shines on."""
 
 from __future__ import annotations
@@ -43,26 +43,7 @@ def draw_hours(case: Case) -> Figure:
     """PAR absorbed by leaves at each hour, and best minus baseline. The error
     of the difference takes both as independent. Parts of the light have a
     panel each if the history tells them apart."""
-    names = _names(case, "hour", "hour")
-    figure = style.new_figure(max(6.4, 3.6 * len(names)), 5.2)
-    grid = figure.subplots(
-        2, len(names), sharex="col", height_ratios=(2, 1), squeeze=False
-    )
-    for (upper, lower), name in zip(grid.T, names):
-        baseline, best = case.baseline.profile(name), case.best.profile(name)
-        _draw_hours(upper, case, name)
-        lower.axhline(0, color=style.QUIET, linewidth=1)
-        lower.errorbar(
-            best.labels,
-            best.values - baseline.values,
-            np.hypot(best.standard_error, baseline.standard_error),
-            **_PLANTS["best"] | _SIZE | {"label": None},
-        )
-        label_light(upper, "y", _title(name), best.unit)
-        lower.set_ylabel(style.axis_label("best − baseline\n", best.unit))
-        lower.set_xlabel(upper.get_xlabel())
-        upper.set_xlabel("")
-        upper.legend()
+    figure = _draw_courses(case, "hour")
     span = "season" if case.best.row.with_axis("day") else "day"
     kind = "" if case.best_pair.is_final else "provisional "
     gain = case.best_pair.gain.number().replace("+-", "±")
@@ -73,38 +54,81 @@ def draw_hours(case: Case) -> Figure:
     return figure
 
 
+def draw_days(case: Case) -> Figure:
+    """What is known by day of a season, as draw_hours() does.
+
+    Raises HistoryError if there is nothing by day."""
+    figure = _draw_courses(case, "day")
+    figure.suptitle(case.name, fontsize=10)
+    return figure
+
+
+def _draw_courses(case: Case, axis: str) -> Figure:
+    names = _names(case, axis, axis)
+    figure = style.new_figure(max(6.4, 3.6 * len(names)), 5.2)
+    grid = figure.subplots(
+        2, len(names), sharex="col", height_ratios=(2, 1), squeeze=False
+    )
+    for (upper, lower), name in zip(grid.T, names):
+        baseline, best = case.baseline.profile(name), case.best.profile(name)
+        _draw_course(upper, case, name)
+        lower.axhline(0, color=style.QUIET, linewidth=1)
+        lower.errorbar(
+            _instants(best),
+            best.values - baseline.values,
+            np.hypot(best.standard_error, baseline.standard_error),
+            **_PLANTS["best"] | _SIZE | {"label": None},
+        )
+        label_light(upper, "y", _title(name), best.unit)
+        lower.set_ylabel(style.axis_label("best − baseline\n", best.unit))
+        lower.set_xlabel(upper.get_xlabel())
+        upper.set_xlabel("")
+        upper.legend()
+    return figure
+
+
 def draw_sunlit(case: Case) -> Figure:
     """Sunlit over all leaf area by hour [%], baseline and best.
 
     Raises HistoryError if the history does not tell it."""
     case.need_pairs()
     figure, (axes,) = _panels(case, 1, 3.2)
-    _draw_hours(axes, case, _SUNLIT, over="lai", factor=100)
+    _draw_course(axes, case, _SUNLIT, over="lai", factor=100)
     axes.set_ylabel("sunlit part of the leaf area [%]")
     axes.legend(fontsize=8)
     return figure
 
 
-def _draw_hours(
+def _draw_course(
     axes: Axes, case: Case, name: str, over: str = "", factor: float = 1
 ) -> None:
-    """Both plants by hour, over another quantity if that is wanted, on whole
-    hours, as many as there is room for, and their clock."""
+    """Both plants by day, or by whole hours, as many as there is room for, and
+    their clock; over another quantity if that is wanted."""
     for who, looks in _PLANTS.items():
         plant = getattr(case, who)
         found = plant.profile(name)
         scale = factor / plant.estimate(over).mean if over else factor
         axes.errorbar(
-            found.labels,
+            _instants(found),
             scale * found.values,
             scale * found.standard_error,
             **looks | _SIZE,
         )
+    axes.set_ylim(bottom=0)
+    if found.labels.dtype.kind == "U":
+        days = _instants(found)[:: -(-len(found.labels) // 8)]
+        axes.set_xticks(days, [f"{day:%-d %b}" for day in days.tolist()])
+        return
     axes.set_xlabel(f"{found.meaning} [h]")
     first, last = np.floor(found.labels.min()), np.ceil(found.labels.max())
     step = max(1, round((last - first) / 14))
     axes.set_xticks(np.arange(first, last + 1, step))
-    axes.set_ylim(bottom=0)
+
+
+def _instants(found: Profile) -> NDArray:
+    """The labels as hours, or as dates."""
+    is_date = found.labels.dtype.kind == "U"
+    return found.labels.astype("datetime64[D]") if is_date else found.labels
 
 
 def draw_leaves(case: Case) -> Figure:
@@ -190,7 +214,7 @@ def draw_assimilation(case: Case) -> Figure:
     panels = list(figure.subplots(count, 1, squeeze=False)[:, 0])
     if _BY_HOUR in known:
         axes = panels.pop(0)
-        _draw_hours(axes, case, _BY_HOUR)
+        _draw_course(axes, case, _BY_HOUR)
         unit = style.unit_label(known[_BY_HOUR].unit).replace("umol", "µmol")
         axes.set_ylabel(f"gross assimilation\n[{unit} of ground]")
         axes.legend(fontsize=8)

@@ -19,8 +19,7 @@ from real_program import CAMPAIGNS, executable, output_of, write_campaign
 
 from ideotype import fidelity
 from ideotype._survey import OWN, Draw, Setting, Survey, ladder, pareto, result
-from ideotype.analysis import HistoryError
-from ideotype.analysis.fidelity import draw_fidelity, read_fidelity
+from ideotype.analysis.fidelity import draw_fidelity
 
 KEYS = [
     {"key": "plant.cells", "value": 12, "values": [4, 8, 16]},
@@ -210,14 +209,6 @@ def test_what_is_wrong_is_told_once(
     monkeypatch.setenv("PATH", str(tmp_path))
     assert fidelity.main([str(campaign)]) == 1
     assert "no compiled program" in capsys.readouterr().err
-
-
-def test_other_files_are_refused_by_name(tmp_path: Path) -> None:
-    other = tmp_path / "other.json"
-    for text in ("{}", "[]", "not json", '{"keys": 1, "settings": [1]}'):
-        other.write_text(text)
-        with pytest.raises(HistoryError, match="other.json: not written by"):
-            read_fidelity(other)
 
 
 def test_both_panels_have_all_settings() -> None:

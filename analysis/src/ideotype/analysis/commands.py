@@ -66,12 +66,6 @@ def report(arguments: Sequence[str] | None = None) -> int:
         help="a cross-evaluation, .json or .csv",
     )
     parser.add_argument(
-        "--fidelity",
-        type=Path,
-        metavar="FILE",
-        help="what ideotype fidelity --json has written",
-    )
-    parser.add_argument(
         "--pdf",
         action="store_true",
         help="write each figure as PDF too, besides PNG",
@@ -146,18 +140,15 @@ def _report(options: argparse.Namespace, study: Study) -> None:
     # Here, so that summaries and wrong command lines need not wait for the
     # plotting library.
     from .cross import read_cross
-    from .fidelity import read_fidelity
     from .report import write_report
 
     # Processes use all cores; more threads in each would be in their way.
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     cross = read_cross(options.cross) if options.cross else None
-    fidelity = read_fidelity(options.fidelity) if options.fidelity else None
     written = write_report(
         study,
         options.output,
         cross=cross,
-        fidelity=fidelity,
         command=options.command,
         progress=Progress(),
         has_pdf=options.pdf,

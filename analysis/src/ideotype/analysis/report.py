@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 from .._errors import Error
 from . import tables
@@ -17,7 +16,6 @@ from .case import Case
 from .case_figures import figures_of
 from .comparison import draw_energy, draw_gains, intervals_of
 from .cross import Cross, draw_cross
-from .fidelity import draw_fidelity
 from .field import draw_field
 from .file import HistoryError
 from .front_plants import draw_front_plants
@@ -82,7 +80,6 @@ def write_report(
     folder: str | Path,
     *,
     cross: Cross | None = None,
-    fidelity: dict[str, Any] | None = None,
     command: str = "",
     progress: Progress | None = None,
     has_pdf: bool = False,
@@ -126,7 +123,6 @@ def write_report(
         sections = [
             *(searched if cases else ()),
             *map(_study, studies),
-            *_trade(fidelity),
             _provenance(every, command),
         ]
         figures = draw_all(
@@ -315,22 +311,6 @@ def _shown(case: Case, plants: Plants | Note) -> list[Block]:
             ),
         )
     return figures
-
-
-def _trade(fidelity: dict[str, Any] | None) -> list[Section]:
-    if fidelity is None:
-        return []
-    section = Section("Speed for accuracy")
-    section.blocks.append(
-        Drawing(
-            "fidelity",
-            "What does accuracy cost?",
-            f"Speed for accuracy in {fidelity['case']}, with standard errors: "
-            "bias and noise of one evaluation together.",
-            partial(draw_fidelity, fidelity),
-        )
-    )
-    return [section]
 
 
 def _provenance(cases: Sequence[Case], command: str) -> Section:

@@ -21,9 +21,14 @@ from .file import HistoryError
 from .front_plants import draw_front_plants
 from .gallery import draw_all
 from .indices import draw_indices
-from .maps import draw_gain_map, draw_set_map, two_sets
 from .page import render
-from .places import draw_latitudes, draw_spacings
+from .places import (
+    draw_gain_map,
+    draw_latitudes,
+    draw_set_map,
+    draw_spacings,
+    two_sets,
+)
 from .progress import Progress
 from .provenance import provenance
 from .scene import Plants, build_plants, scene_of

@@ -24,7 +24,6 @@ from ideotype.analysis import HistoryError
 from ideotype.analysis.case_figures import CASE_FIGURES
 from ideotype.analysis.commands import report
 from ideotype.analysis.cross import read_cross
-from ideotype.analysis.progress import Progress
 from ideotype.analysis.scene import build_plants
 from ideotype.analysis.study import open_study
 from ideotype.analysis.tables import gains
@@ -306,23 +305,6 @@ def test_an_unfinished_run_is_provisional(drained: Path) -> None:
         notes = [b.text for b in gains(study.cases(), None)[1:]]
     (note,) = [note for note in notes if note.startswith("Provisional")]
     assert note.endswith(": ames_0807_762x152_all.")
-
-
-def test_a_terminal_sees_one_live_line() -> None:
-    class Terminal(io.StringIO):
-        def isatty(self) -> bool:
-            return True
-
-    terminal = Terminal()
-    progress = Progress(terminal)
-    progress.start(2)
-    progress.part("ames")
-    progress.part("edmonton")
-    progress.done()
-    assert "\n" not in terminal.getvalue()
-    assert terminal.getvalue().split("\r\x1b[K")[1:] == [
-        *("[1/2] ames", "[2/2] edmonton", ""),
-    ]
 
 
 def test_a_cross_evaluation_is_json_or_csv(

@@ -10,9 +10,8 @@ import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from .._errors import printable_lines
+from .._errors import printable, printable_lines
 from .file import HistoryError
-from .progress import Progress
 from .study import Study, open_study
 from .summary import summarize
 
@@ -150,7 +149,7 @@ def _report(options: argparse.Namespace, study: Study) -> None:
         options.output,
         cross=cross,
         command=options.command,
-        progress=Progress(),
+        tell=lambda line: print(printable(line), file=sys.stderr, flush=True),
         has_pdf=options.pdf,
         jobs=options.jobs or len(os.sched_getaffinity(0)),
     )

@@ -15,7 +15,7 @@ from matplotlib.colors import LinearSegmentedColormap, Normalize, to_rgb
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from .._geometry import Mesh
+from .._geometry import Mesh, shaded
 from . import style
 from .case import Case
 from .file import HistoryError
@@ -63,8 +63,7 @@ def plant_field(
 ) -> Field:
     """So many rows and plants of each, each turned at random by up to
     `jitter` [deg]; `colors` are those of the mesh's faces."""
-    faces = np.array([(*face, face[-1])[:4] for face in mesh.faces])
-    x, y, z = mesh.vertices[faces].transpose(2, 0, 1)
+    x, y, z = mesh.corners.transpose(2, 0, 1)
     rows = tuple(row * (i - (size[0] - 1) / 2) for i in range(size[0]))
     places = [(at, plant * j) for at in rows for j in range(size[1])]
     turns = np.random.default_rng(1).uniform(-1, 1, len(places)) * jitter
@@ -74,12 +73,8 @@ def plant_field(
         moved = (c * x + s * y + across, c * y - s * x + along, z)
         copies.append(np.stack(moved, axis=-1))
     corners = np.concatenate(copies)
-    normals = np.cross(
-        corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1]
-    )
-    length = np.maximum(np.linalg.norm(normals, axis=1), 1e-12)
-    shade = 0.72 + 0.28 * np.abs(normals @ _LIGHT) / length
-    every = np.tile(colors, (len(places), 1)) * shade[:, None]
+    every = np.tile(colors, (len(places), 1))
+    every = shaded(every, corners, _LIGHT, 0.72)
     return Field(corners, every, rows, plant * (size[1] - 1))
 
 

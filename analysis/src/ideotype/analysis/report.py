@@ -3,8 +3,7 @@
 
 from __future__ import annotations
 
-import io
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -29,7 +28,6 @@ from .places import (
     draw_spacings,
     two_sets,
 )
-from .progress import Progress
 from .provenance import provenance
 from .scene import Plants, build_plants, scene_of
 from .study import Study
@@ -86,12 +84,13 @@ def write_report(
     *,
     cross: Cross | None = None,
     command: str = "",
-    progress: Progress | None = None,
+    tell: Callable[[str], object] = lambda line: None,
     has_pdf: bool = False,
     jobs: int = 1,
 ) -> Written:
     """Writes report.html and figures/ into the folder, over those of an
-    earlier report. `command` is what the page names as its origin. With
+    earlier report. `command` is what the page names as its origin; `tell`
+    gets a line for each part of the page. With
     `has_pdf` each figure is a PDF file too, besides PNG. `jobs` processes
     draw the figures; with several, a script needs
     `if __name__ == "__main__":`.
@@ -134,7 +133,7 @@ def write_report(
             sections,
             folder / "figures",
             run,
-            progress or Progress(io.StringIO()),
+            tell,
             has_pdf,
         )
     page = folder / "report.html"

@@ -50,33 +50,26 @@ def report(arguments: Sequence[str] | None = None) -> int:
         epilog=_EXIT_CODES,
     )
     _add_results(parser)
-    parser.add_argument(
-        "-o",
-        "--output",
-        type=Path,
-        default=Path("report"),
-        metavar="DIR",
+    add = parser.add_argument
+    add(
+        "-o", "--output", type=Path, default=Path("report"), metavar="DIR",
         help="gets report.html and figures/ (default: report)",
-    )
-    parser.add_argument(
+    )  # fmt: skip
+    add(
         "--cross",
         type=Path,
         metavar="FILE",
         help="a cross-evaluation, .json or .csv",
     )
-    parser.add_argument(
+    add(
         "--pdf",
         action="store_true",
         help="write each figure as PDF too, besides PNG",
     )
-    parser.add_argument(
-        "-j",
-        "--jobs",
-        type=int,
-        default=0,
-        metavar="N",
+    add(
+        "-j", "--jobs", type=int, default=0, metavar="N",
         help="processes that draw figures (default: one per core)",
-    )
+    )  # fmt: skip
     words = sys.argv[1:] if arguments is None else arguments
     parser.set_defaults(command=shlex.join(["ideotype", "report", *words]))
     return _guard(parser, arguments, _report)

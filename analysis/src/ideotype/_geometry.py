@@ -60,7 +60,7 @@ def shaded(
     light: NDArray[np.float64],
     least: float,
 ) -> NDArray[np.float64]:
-    """Colours [faces, 3] of faces with these corners, [faces, 4, 3], as far as
+    """Returns the colours [faces, 3] of faces with these corners, [faces, 4, 3], as far as
     they face the light, a direction of length 1; edge-on `least` of them."""
     normals = np.cross(
         corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1]

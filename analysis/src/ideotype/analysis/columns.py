@@ -28,7 +28,7 @@ class Column(NamedTuple):
 
 
 class Columns(dict[str, Column]):
-    """By name. Raises HistoryError where there is no such column."""
+    """Columns by name. Raises HistoryError where there is no such column."""
 
     def __init__(self, where: str) -> None:
         super().__init__()
@@ -82,8 +82,8 @@ def columns(
 
 
 def _clock(data: Datasets, meaning: str) -> tuple[str, float]:
-    """What the hours of a history are called, and what to add to those of an
-    old one to have them on the clock of the site [h]."""
+    """Returns how the hours of a history are called, and the shift of those of
+    an old one to the clock of the site [h]."""
     if meaning and meaning != _OLD:
         return meaning, 0.0
     try:

@@ -14,7 +14,7 @@ from .rows import join
 
 
 def columns_of(case: Case) -> pandas.DataFrame:
-    """The free genes that vary, of all evaluated plants: by the number of the
+    """Returns the free genes that vary, of all evaluated plants: by the number of the
     gene and its wave, in their unit, or of circular ones cos and sin, less the
     mean of their seed, so that differences between seeds correlate nothing.
 

@@ -44,7 +44,7 @@ def frame_of(histories: Sequence[History]) -> pandas.DataFrame:
 
 
 def _columns(history: History) -> dict[str, tuple[Any, str]]:
-    """Values and unit by name."""
+    """Returns values and unit by name."""
     rows, has = history.evaluations(), history.attributes
     found: dict[str, tuple[Any, str]] = {
         name: (np.repeat(has[name], len(rows)), unit)

@@ -290,16 +290,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         description="Tells what the objectives of a finished sensitivity study "
         "depend on, the factors that matter most first, with 95 % intervals.",
     )
-    parser.add_argument("file", help="history of `ideotype sensitivity`")
-    parser.add_argument(
-        "--quantity",
-        action="append",
-        default=[],
+    add = parser.add_argument
+    add("file", help="history of `ideotype sensitivity`")
+    add(
+        "--quantity", action="append", default=[],
         help="print the indices of this quantity too, such as lai",
-    )
-    parser.add_argument(
-        "--json", action="store_true", help="print all quantities as JSON"
-    )
+    )  # fmt: skip
+    add("--json", action="store_true", help="print all quantities as JSON")
     options = parser.parse_args(arguments)
     try:
         with open_history(options.file) as history:

@@ -102,7 +102,7 @@ def draw_sunlit(case: Case) -> Figure:
 def _draw_course(
     axes: Axes, case: Case, name: str, over: str = "", factor: float = 1
 ) -> None:
-    """Both plants by day, or by whole hours, as many as there is room for, and
+    """Draws both plants by day, or by whole hours, as many as there is room for, and
     their clock; over another quantity if that is wanted."""
     for who, looks in _PLANTS.items():
         plant = getattr(case, who)
@@ -126,7 +126,7 @@ def _draw_course(
 
 
 def _instants(found: Profile) -> NDArray:
-    """The labels as hours, or as dates."""
+    """Returns the labels as hours, or as dates."""
     is_date = found.labels.dtype.kind == "U"
     return found.labels.astype("datetime64[D]") if is_date else found.labels
 

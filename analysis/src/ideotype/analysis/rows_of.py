@@ -27,8 +27,8 @@ def rows_of(
     genes: Genes,
     goals: tuple[Objective, ...],
 ) -> Rows:
-    """Evaluations, with whatever quantities the columns have, of generations
-    that start with these rows; finalists if there are none.
+    """Returns evaluations, with whatever quantities the columns have, of
+    generations that start with these rows; finalists if there are none.
 
     Raises HistoryError if a column is missing."""
     (row_axis,) = found["status"].axes

@@ -201,8 +201,8 @@ def _draw_mean(
 
 
 def circular_mean_and_deviation(degrees: NDArray) -> tuple[NDArray, NDArray]:
-    """Circular mean, in [0, 360), and standard deviation, at most 180, of
-    each column [deg]."""
+    """Returns the circular mean, in [0, 360), and standard deviation, at most
+    180, of each column [deg]."""
     # Here, since it takes as long to load as all else together.
     from scipy.stats import circmean, circstd
 

@@ -48,8 +48,8 @@ def places(case: Case, plants: int = 1) -> list[NDArray[np.float64]]:
 def leaf_light(
     plant: Evaluation, mesh: Mesh, ground: float | None = None
 ) -> dict[str, float | None]:
-    """The light that each group of the plant's mesh absorbs, as the history
-    tells it per area of ground, or per area of leaf on so much ground of the
+    """Returns the light that each group of the plant's mesh absorbs, as the
+    history tells it per area of ground, or per area of leaf on so much ground of the
     plant [m2]; None of groups that are no leaves, and of all where the history
     does not tell leaves apart."""
     found: dict[str, float | None] = dict.fromkeys(mesh.groups)

@@ -23,7 +23,8 @@ struct PythonVerb {
 
 //! `ideotype.__main__.VERBS` of the package has the same names.
 constexpr std::array python_verbs{
-    PythonVerb{"summary", "the outcome of histories in words"},
+    PythonVerb{"summary",
+               "the gains of cases as a table, their seeds put together"},
     PythonVerb{"report", "one page about histories, with all figures"},
     PythonVerb{"weather",
                "make of weather files of many formats the one that campaigns "

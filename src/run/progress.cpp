@@ -202,12 +202,12 @@ class ProgressLog::CaseWatcher : public Watcher {
     long long& to_evaluate_;
 };
 
-std::string not_evaluated_again(double violation) {
-    return violation > 0 ? fmt::format(
-                               "(not evaluated again; fails its constraints by "
-                               "{:.3g})",
-                               violation)
-                         : "(not evaluated again)";
+std::string certainty(bool is_evaluated_again, double violation) {
+    return fmt::format(
+        "({}evaluated again{})", is_evaluated_again ? "" : "not ",
+        violation > 0
+            ? fmt::format("; fails its constraints by {:.3g}", violation)
+            : "");
 }
 
 ProgressLog::ProgressLog(const Campaign& campaign,
@@ -284,7 +284,7 @@ std::string ProgressLog::text(const Entry& entry) const {
         entry.name, entry.generation, entry.complete, progress.generations,
         progress.left ? format_duration(*progress.left) : "?",
         progress.evaluations_per_second, format(entry.best.value()),
-        progress.unit, not_evaluated_again(entry.violation));
+        progress.unit, certainty(false, entry.violation));
     if (entry.hypervolume)
         line += fmt::format(", hypervolume {}", format(*entry.hypervolume));
     return line;

@@ -108,10 +108,10 @@ class LiveLine {
     double shown_ = 0;
 };
 
-//! What is said of the best of a generation: it was chosen by the same figure,
-//! which is too high on average for that.
+//! Tells how sure the figure of a best plant is: one that was chosen by the
+//! same figure, and not evaluated again, is too high on average.
 //! @param violation of its constraints
-std::string not_evaluated_again(double violation);
+std::string certainty(bool is_evaluated_again, double violation);
 
 //! "12.345 +- 0.006": as many digits as the standard error allows; "0" of what
 //! differs from zero by rounding alone.

@@ -14,6 +14,7 @@
 #include "provenance.hpp"
 #include "sky_table.hpp"
 #include "start_plant.hpp"
+#include "summary.hpp"
 #include "sweep.hpp"
 #include "way_on.hpp"
 
@@ -125,12 +126,18 @@ ExitCode direct(const RunOptions& options, const Campaign& campaign,
     if (failure) throw Error(*failure);
     if (code == ExitCode::ok && crew.job.rank() == 0 &&
         options.level >= LogLevel::info) {
-        const std::string folder =
-            fs::path(path_of(options.out, campaign, crew.cases.front()))
-                .parent_path()
-                .string();
-        fmt::print("next: {}\n", quoted({"ideotype", "report", folder, "-o",
-                                         folder + "/report"}));
+        const std::string path =
+            path_of(options.out, campaign, crew.cases.front());
+        const std::string folder = fs::path(path).parent_path().string();
+        const bool is_study = options.read == read_study;
+        if (!is_study)
+            fmt::print("{}\n", campaign.replicates == 1
+                                   ? one_seed
+                                   : "ideotype summary tells how seeds differ");
+        fmt::print("next: {}\n", is_study
+                                     ? quoted({"ideotype", "indices", path})
+                                     : quoted({"ideotype", "report", folder,
+                                               "-o", folder + "/report"}));
     }
     return code;
 }

@@ -210,7 +210,9 @@ ExitCode check(const CheckOptions& options) try {
     campaign.warnings.insert(campaign.warnings.end(),
                              campaign.outside_bounds.begin(),
                              campaign.outside_bounds.end());
-    if (!options.is_json) print_warnings(campaign);
+    for (const Problem& warning : campaign.warnings)
+        if (!options.is_json)
+            fmt::print(stderr, "ideotype: warning: {}\n", to_string(warning));
     const std::vector<Case> all = cases(campaign);
     require_names_fit(campaign, all, options.out);
     const Findings found = look_at(campaign);

@@ -15,23 +15,6 @@
 
 namespace ideotype {
 
-//! The progress of a job, as the live line tells it.
-struct JobProgress {
-    int cases = 1;                                //!< of this job
-    int ended = 0;                                //!< cases
-    int in_flight = 1;                            //!< cases
-    std::string name;                             //!< of one in flight
-    std::uint32_t complete = 0, generations = 0;  //!< of that
-    std::optional<Estimate> best;                 //!< of that
-    std::string unit;                             //!< of best
-    std::optional<Estimate> hypervolume;          //!< of that
-    double evaluations_per_second = 0;            //!< of the job
-    std::optional<double> left;                   //!< of the job, at most [s]
-};
-
-//! One line of at most so many columns: the less important parts are left out.
-std::string progress_line(const JobProgress& progress, std::size_t columns);
-
 //! Tells how the cases of a job evolve: one live line on a terminal for all
 //! that are in flight, one line per generation and case in a log file.
 class ProgressLog {
@@ -69,13 +52,13 @@ class ProgressLog {
         std::uint32_t generation = 0;  //!< from 0, as in the history
         std::uint32_t complete = 0;    //!< generations
         std::optional<Estimate> best, hypervolume;
-        double violation = 0;  //!< of the best
     };
 
     //! Evaluations of a case from this generation on, if no rule ends it.
     long long all_after(std::uint32_t generation) const;
-    JobProgress progress_of(const Entry& entry) const;
-    std::string text(const Entry& entry) const;
+    double evaluations_per_second() const;
+    std::string time_left() const;
+    std::string best_of(const Entry& entry) const;
     void show_live();
 
     const Campaign& campaign_;

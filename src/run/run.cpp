@@ -155,13 +155,8 @@ Campaign read_with_start(const RunOptions& options) {
 
 }  // namespace
 
-ExitCode run(const RunOptions& options, const Session& session,
-             StopFlag& stop) {
-    return run_on(this_machine(), options, session, stop);
-}
-
-ExitCode run_on(const Machine& own, const RunOptions& options,
-                const Session& session, StopFlag& stop) {
+ExitCode run(const RunOptions& options, const Session& session, StopFlag& stop,
+             const Machine& own) {
     if (options.wall_time) stop.request_after(*options.wall_time);
     const std::vector<Machine> machines = gather_machines(session, own);
     const int threads = threads_per_rank(session, options.threads);

@@ -37,10 +37,8 @@ struct RunOptions {
 };
 
 //! Collective over all ranks of the session.
-ExitCode run(const RunOptions& options, const Session& session, StopFlag& stop);
-
-//! The same on a rank that is this machine.
-ExitCode run_on(const Machine& own, const RunOptions& options,
-                const Session& session, StopFlag& stop);
+//! @param own what this rank computes with
+ExitCode run(const RunOptions& options, const Session& session, StopFlag& stop,
+             const Machine& own = this_machine());
 
 }  // namespace ideotype

@@ -86,7 +86,11 @@ def test_a_report_without_results_is_refused(
 def test_a_full_disk_is_told(finished: Path, word: str) -> None:
     with open("/dev/full", "w") as full:
         done = subprocess.run(
-            [str(BIN / "ideotype"), "summary", word.replace("FILE", str(finished))],
+            [
+                str(BIN / "ideotype"),
+                "summary",
+                word.replace("FILE", str(finished)),
+            ],
             stdout=full,
             stderr=subprocess.PIPE,
             text=True,

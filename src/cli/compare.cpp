@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <deque>
 #include <filesystem>
-#include <list>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "comparison.hpp"
-#include "comparison_output.hpp"
 #include "ideotype/core/routine.hpp"
 #include "parallel/dispatcher.hpp"
 #include "ranks.hpp"
-#include "report_error.hpp"
 #include "run/machines.hpp"
 #include "run/progress.hpp"
+#include "verbs.hpp"
 
 namespace ideotype {
 
@@ -40,7 +38,7 @@ class CompareEvaluator : public Evaluator {
     Device device_;
 };
 
-//! Fills a comparison case by case.
+//! Fills a comparison.
 class Comparer : public Director {
   public:
     explicit Comparer(Comparison& comparison) : all_(comparison) {}
@@ -49,16 +47,16 @@ class Comparer : public Director {
     void fill(Dispatcher& dispatcher) {
         dispatcher_ = &dispatcher;
         dispatcher.run(*this);
-        for (auto& each : running_) each.result();
+        routine_->result();
         if (done_ < all_.size())
             throw Error(fmt::format("stopped; {} of {} evaluations were done",
                                     done_, all_.size()));
     }
 
     bool start_next() override {
-        if (running_.size() == all_.cases.size()) return false;
-        running_.push_back(fill_case(running_.size()));
-        running_.back().start();
+        if (routine_) return false;
+        routine_.emplace(fill_all());
+        routine_->start();
         return true;
     }
     void on_silence(const Task&, const std::string& what) override {
@@ -67,17 +65,16 @@ class Comparer : public Director {
     void on_stop(int) override {}
 
   private:
-    Routine<bool> fill_case(std::size_t c) {
+    Routine<bool> fill_all() {
         std::vector<Work> work;
-        for (std::size_t p = 0; p < all_.plants.size(); ++p) {
-            Task task;
-            task.case_index =
-                static_cast<std::uint32_t>(all_.cases[c].chosen.index);
-            task.generation = static_cast<std::uint32_t>(c);
-            task.slot = static_cast<std::uint32_t>(p);
-            task.is_final = true;
-            work.push_back({task, {}});
-        }
+        for (std::size_t c = 0; c < all_.cases.size(); ++c)
+            for (std::size_t p = 0; p < all_.plants.size(); ++p) {
+                Task task;
+                task.generation = static_cast<std::uint32_t>(c);
+                task.slot = static_cast<std::uint32_t>(p);
+                task.is_final = true;
+                work.push_back({task, {}});
+            }
         co_await dispatcher_->evaluate(
             std::move(work), [this](const Work& done, const Outcome& outcome) {
                 record(done.task, outcome);
@@ -98,7 +95,7 @@ class Comparer : public Director {
     std::size_t done_ = 0;
     LiveLine live_;
     Dispatcher* dispatcher_ = nullptr;  //!< while filling
-    std::list<Routine<bool>> running_;
+    std::optional<Routine<bool>> routine_;
 };
 
 void compare_and_tell(Comparison& comparison, Dispatcher& dispatcher,

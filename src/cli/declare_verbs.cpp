@@ -6,13 +6,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "campaign_argument.hpp"
-#include "light_command.hpp"
-#include "log_option.hpp"
-#include "python_verbs.hpp"
-#include "run_command.hpp"
+#include "options.hpp"
 #include "stand/mesh_options.hpp"
-#include "threads_option.hpp"
 #include "verbs.hpp"
 
 namespace ideotype {

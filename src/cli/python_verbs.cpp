@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "python_verbs.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -10,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "declare_verbs.hpp"
 #include "ideotype/core/error.hpp"
 
 namespace ideotype {

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "run_command.hpp"
-
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "campaign_argument.hpp"
+#include "declare_verbs.hpp"
 #include "ideotype/core/clock.hpp"
-#include "log_option.hpp"
-#include "report_error.hpp"
+#include "options.hpp"
 #include "run/way_on.hpp"
-#include "threads_option.hpp"
+#include "verbs.hpp"
 
 namespace ideotype {
 

@@ -6,10 +6,8 @@
 #include <fmt/format.h>
 
 #include "ideotype/core/routine.hpp"
-#include "line_reader.hpp"
-#include "line_writer.hpp"
+#include "lines.hpp"
 #include "ranks.hpp"
-#include "report_error.hpp"
 #include "request_evaluator.hpp"
 #include "run/machines.hpp"
 #include "run/progress.hpp"

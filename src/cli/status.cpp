@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "history/history.hpp"
+#include "history/verify.hpp"
 #include "ideotype/core/text.hpp"
 #include "json.hpp"
 #include "run/progress.hpp"
@@ -208,6 +209,22 @@ ExitCode status(const StatusOptions& options) {
         fmt::print("{}\n", to_text(json));
     else
         print_overview(reports, commands);
+    return worst;
+}
+
+ExitCode verify(const std::vector<std::string>& paths) {
+    ExitCode worst = ExitCode::ok;
+    for (const std::string& path : paths) try {
+            const Verified found = verify_file(path);
+            fmt::print(
+                "{}: header, {} generations and {} finalists have their "
+                "checksums\n",
+                path, found.generations, found.finalists);
+        } catch (const Error& error) {
+            // One that is damaged must not hide the others.
+            fmt::print(stderr, "{}\n", printable_lines(error.what()));
+            worst = std::max(worst, error.exit_code());
+        }
     return worst;
 }
 

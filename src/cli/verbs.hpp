@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <optional>
 #include <string>
 #include <vector>
@@ -117,6 +118,17 @@ ExitCode export_generations(const ExportOptions& options);
 
 //! `verify FILE...`: compares histories with their checksums.
 ExitCode verify(const std::vector<std::string>& paths);
+
+//! Tells the user, and returns the code for the shell.
+ExitCode report_error(const std::exception& error);
+
+//! The same, in a log.
+ExitCode report_error(const std::exception& error, const Log& log);
+
+//! Whether the program threw this itself, with a message for the user.
+inline bool is_told(const std::exception& error) {
+    return dynamic_cast<const Error*>(&error) != nullptr;
+}
 
 //! Parses the command line, runs the verb, reports errors.
 int run_command_line(int argc, char** argv);

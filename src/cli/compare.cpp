@@ -11,6 +11,7 @@
 #include "ranks.hpp"
 #include "run/machines.hpp"
 #include "run/progress.hpp"
+#include "run/run.hpp"
 #include "verbs.hpp"
 
 namespace ideotype {
@@ -98,14 +99,15 @@ class Comparer : public Director {
     std::optional<Routine<bool>> routine_;
 };
 
-void compare_and_tell(Comparison& comparison, Dispatcher& dispatcher,
-                      const CompareOptions& options) {
+ExitCode compare_and_tell(Comparison& comparison, Dispatcher& dispatcher,
+                          const CompareOptions& options) {
     Comparer(comparison).fill(dispatcher);
     if (!options.csv_path.empty()) write_csv(options.csv_path, comparison);
     if (options.is_json)
         fmt::print("{}\n", to_text(to_json(comparison)));
     else
         print(comparison);
+    return ExitCode::ok;
 }
 
 Comparison read(const CompareOptions& options) {
@@ -144,46 +146,27 @@ std::optional<Comparison> read_on_all(const Session& session,
 }
 
 //! Collective over all ranks, which share plants and cases.
-void share(const CompareOptions& options, const Session& session,
-           StopFlag& stop) {
+ExitCode share(const CompareOptions& options, const Session& session,
+               const StopFlag& stop) {
     auto comparison = read_on_all(session, options);
-    if (!comparison) return;
+    if (!comparison) return ExitCode::ok;
     const std::string isa = session.broadcast(Device::supported_isas().back());
     std::deque<CompareEvaluator> own_evaluators;
     Evaluators evaluators;
     for (int i = threads_per_rank(session, options.threads); i > 0; --i)
         evaluators.push_back(&own_evaluators.emplace_back(*comparison, isa));
-    if (session.rank() != 0) return serve(session, evaluators);
-    const Campaign& under = comparison->under;
-    const auto dispatcher =
-        make_dispatcher(session, evaluators, stop,
-                        {under.answer_limits.deadline,
-                         under.answer_limits.attempts, final_effort(under)});
-    std::exception_ptr failure;
-    try {
-        compare_and_tell(*comparison, *dispatcher, options);
-    } catch (...) {
-        failure = std::current_exception();
-    }
-    // A worker that hangs would keep the program from ending.
-    if (dispatcher->dismiss()) {
-        if (failure) std::rethrow_exception(failure);
-        return;
-    }
-    try {
-        if (failure) std::rethrow_exception(failure);
-    } catch (const std::exception& error) {
-        session.abort(static_cast<int>(report_error(error)));
-    }
-    session.abort(0);
+    return share_work(
+        session, evaluators, stop, answer_rules(comparison->under),
+        [&](Dispatcher& dispatcher) {
+            return compare_and_tell(*comparison, dispatcher, options);
+        });
 }
 
 }  // namespace
 
 ExitCode compare(const CompareOptions& options) {
-    StopFlag stop;
-    share(options, start_session(), stop);
-    return ExitCode::ok;
+    const StopFlag stop;
+    return share(options, start_session(), stop);
 }
 
 }  // namespace ideotype

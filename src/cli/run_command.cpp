@@ -21,21 +21,6 @@ double to_seconds(const std::string& text) {
                                    text));
 }
 
-//! Collective over all ranks.
-ExitCode run_on_ranks(const RunOptions& options, const Session& session,
-                      StopFlag& stop) {
-    try {
-        return run(options, session, stop);
-    } catch (const std::exception& error) {
-        const ExitCode code = report_error(error, Log(options.level));
-        // Rank 0 tells the others to leave before an Error of its own. Ranks
-        // would wait for ever for one that fails by itself.
-        if (session.rank() != 0 || (session.size() > 1 && !is_told(error)))
-            session.abort(static_cast<int>(code));
-        return code;
-    }
-}
-
 }  // namespace
 
 void declare_run(CLI::App& verb, RunCommand& command) {
@@ -80,7 +65,8 @@ ExitCode start_run(const RunCommand& command) {
     options.command = quoted(command.words);
     StopFlag stop;
     const Session session = start_session();
-    return run_on_ranks(options, session, stop);
+    return on_ranks(session, Log(options.level),
+                    [&] { return run(options, session, stop); });
 }
 
 }  // namespace ideotype

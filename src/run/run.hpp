@@ -9,6 +9,7 @@
 #include "ideotype/core/stop_flag.hpp"
 #include "log.hpp"
 #include "machines.hpp"
+#include "parallel/dispatcher.hpp"
 #include "parallel/session.hpp"
 
 namespace ideotype {
@@ -16,6 +17,9 @@ namespace ideotype {
 //! Where `run` keeps the history of a case.
 std::string path_of(const std::string& out, const Campaign& campaign,
                     const Case& chosen);
+
+//! How long a campaign waits for answers.
+AnswerRules answer_rules(const Campaign& campaign);
 
 //! `run CAMPAIGN`: evolves one case, or all of them in one job.
 struct RunOptions {

@@ -68,9 +68,6 @@ void declare_evaluate(CLI::App& verb, EvaluateOptions& options) {
     add_case(verb, options.case_index);
     declare_row(verb, options.row);
     add_json(verb, options.is_json);
-    verb.add_option("--tolerance", options.tolerance,
-                    "relative standard error of the leaves' total, for a "
-                    "second look at a row of a history, in the same field");
 }
 
 void declare_compare(CLI::App& verb, CompareOptions& options) {

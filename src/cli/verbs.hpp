@@ -47,14 +47,12 @@ struct RowChoice {
 };
 
 //! `evaluate CAMPAIGN`: the baseline's light.
-//! `evaluate FILE --generation G --slot S`: recomputes a row, or, with a
-//! tolerance, tells how far off it is.
+//! `evaluate FILE --generation G --slot S`: recomputes a row.
 struct EvaluateOptions {
     std::string path;                   //!< a campaign or a history
     std::vector<std::string> settings;  //!< of a campaign: "table.key=value"
     int case_index = 0;
     RowChoice row;
-    std::optional<double> tolerance;  //!< relative standard error
     bool is_json = false;
 };
 ExitCode evaluate(const EvaluateOptions& options);
@@ -124,11 +122,6 @@ ExitCode report_error(const std::exception& error);
 
 //! The same, in a log.
 ExitCode report_error(const std::exception& error, const Log& log);
-
-//! Whether the program threw this itself, with a message for the user.
-inline bool is_told(const std::exception& error) {
-    return dynamic_cast<const Error*>(&error) != nullptr;
-}
 
 //! Parses the command line, runs the verb, reports errors.
 int run_command_line(int argc, char** argv);

@@ -134,13 +134,6 @@ for slot in 0 3 5; do
 done
 expect 0 "$ideotype" evaluate "$history" --best
 says "agrees bit for bit"
-expect 0 "$ideotype" evaluate "$history" --generation 1 --slot 3 \
-    --tolerance 0.002
-says "of its standard errors off"
-expect 2 "$ideotype" evaluate "$history" --best --tolerance 0.002
-says "had many fields"
-expect 2 "$ideotype" evaluate campaigns/verbs.toml --tolerance 0.002
-says "light.tolerance"
 expect 2 "$ideotype" evaluate "$history" --generation 2 --slot 0
 expect 2 "$ideotype" evaluate "$history"
 says "--best"

@@ -2,6 +2,7 @@
 #include <deque>
 #include <filesystem>
 #include <optional>
+#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -43,6 +44,9 @@ class CompareEvaluator : public Evaluator {
 class Comparer : public Director {
   public:
     explicit Comparer(Comparison& comparison) : all_(comparison) {}
+    ~Comparer() override {
+        if (is_watched_) fmt::print(stderr, "\r\x1b[K");
+    }
 
     //! @throws Error if one cannot be evaluated, or a stop is requested.
     void fill(Dispatcher& dispatcher) {
@@ -89,12 +93,15 @@ class Comparer : public Director {
                                     all_.cases[task.generation].name,
                                     outcome.message));
         all_.outcomes[task.slot][task.generation] = outcome;
-        live_.show(fmt::format("{} of {} evaluated", ++done_, all_.size()));
+        ++done_;
+        if (is_watched_)
+            fmt::print(stderr, "\r\x1b[K{} of {} evaluated", done_,
+                       all_.size());
     }
 
     Comparison& all_;
     std::size_t done_ = 0;
-    LiveLine live_;
+    const bool is_watched_ = columns_of(STDERR_FILENO) > 0;
     Dispatcher* dispatcher_ = nullptr;  //!< while filling
     std::optional<Routine<bool>> routine_;
 };

@@ -16,13 +16,6 @@
 
 namespace ideotype {
 
-namespace {
-
-//! Between two live lines [s].
-constexpr double calm = 0.1;
-
-}  // namespace
-
 double now() {
     using SteadyClock = std::chrono::steady_clock;
     return std::chrono::duration<double>(SteadyClock::now().time_since_epoch())
@@ -58,19 +51,6 @@ std::string format_duration(double seconds) {
 std::string utc_now() {
     return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
                        fmt::gmtime(std::time(nullptr)));
-}
-
-LiveLine::LiveLine(LogLevel level)
-    : is_terminal_(level >= LogLevel::info && columns_of(STDERR_FILENO) > 0) {}
-
-LiveLine::~LiveLine() {
-    if (shown_ > 0) fmt::print(stderr, "\r\x1b[K");
-}
-
-void LiveLine::show(const std::string& text) {
-    if (!is_terminal_ || now() - shown_ < calm) return;
-    fmt::print(stderr, "\r\x1b[K{}", text);
-    shown_ = now();
 }
 
 //! Sees one case.
@@ -210,6 +190,7 @@ std::string ProgressLog::best_of(const Entry& entry) const {
 
 //! The case that comes first stands for those in flight.
 void ProgressLog::show_live() {
+    constexpr double calm = 0.1;  // between two lines [s]
     if (columns_ == 0 || level_ < LogLevel::info || in_flight_.empty() ||
         now() - shown_ < calm)
         return;

@@ -74,23 +74,6 @@ class ProgressLog {
     std::map<int, long long> to_evaluate_;  //!< at most, by index of the case
 };
 
-//! One line on standard error that is written over and over, if that is a
-//! terminal, and gone at the end.
-class LiveLine {
-  public:
-    explicit LiveLine(LogLevel level = LogLevel::info);
-    ~LiveLine();
-    LiveLine(const LiveLine&) = delete;
-    LiveLine& operator=(const LiveLine&) = delete;
-
-    //! Not more often than can be read.
-    void show(const std::string& text);
-
-  private:
-    bool is_terminal_;
-    double shown_ = 0;
-};
-
 //! Tells how sure the figure of a best plant is: one that was chosen by the
 //! same figure, and not evaluated again, is too high on average.
 //! @param violation of its constraints

@@ -145,8 +145,7 @@ Genome best_of_history(const GeneSpace& genes, Genome start,
     const History history = History::read(path);
     const HistoryHeader& header = history.header();
     const std::vector<Row> finalists = history.finalists();
-    const std::size_t best =
-        best_finalist(finalists, header.schema.objectives.front().sense);
+    const std::size_t best = best_finalist(history, finalists);
     if (best == 0)
         throw Error(path +
                     ": has no plant that was evaluated again; let its "

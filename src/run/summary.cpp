@@ -22,7 +22,9 @@ std::string format_daily(Estimate mj_per_m2) {
         format(scaled(mj_per_m2, mwh_per_acre_per_mj_per_m2)));
 }
 
-std::size_t best_finalist(const std::vector<Row>& finalists, Sense sense) {
+std::size_t best_finalist(const History& history,
+                          const std::vector<Row>& finalists) {
+    const Sense sense = history.header().schema.objectives.front().sense;
     Population population;
     for (const auto& [candidate, outcome, attempt] : finalists)
         population.push_back(
@@ -148,7 +150,7 @@ void add_finalists(const History& history, CaseResult& result) {
         if (row.outcome.status == Status::failed &&
             result.failed_finalists++ == 0)
             result.failure = row.outcome.message;
-    const std::size_t best = best_finalist(finalists, objectives.front().sense);
+    const std::size_t best = best_finalist(history, finalists);
     if (best == 0 || !result.reason) return;
     result.is_evaluated_again = true;
     result.best = finalists[best].outcome.objectives.front();
@@ -224,7 +226,7 @@ std::string to_text(const CaseResult& result, const std::string& path,
 std::string remarks(const History& history, const Campaign& campaign) {
     const std::vector<Row> finalists = history.finalists();
     const auto& objectives = history.header().schema.objectives;
-    const std::size_t best = best_finalist(finalists, objectives.front().sense);
+    const std::size_t best = best_finalist(history, finalists);
     if (best == 0) return "";
     return objectives.size() > 1
                ? front(history, campaign, finalists)

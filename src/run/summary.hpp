@@ -21,7 +21,8 @@ std::string format_daily(Estimate mj_per_m2);
 
 //! Slot in /final of the best finalist other than the baseline in slot 0, or
 //! 0 if nothing but the baseline has been evaluated.
-std::size_t best_finalist(const std::vector<Row>& finalists, Sense sense);
+std::size_t best_finalist(const History& history,
+                          const std::vector<Row>& finalists);
 
 //! What a history tells of the result of its case.
 struct CaseResult {

@@ -29,11 +29,6 @@ std::string place(const Site& site) {
 
 }  // namespace
 
-void print_warnings(const Campaign& campaign) {
-    for (const Problem& warning : campaign.warnings)
-        fmt::print(stderr, "ideotype: warning: {}\n", to_string(warning));
-}
-
 void print_warnings(const Campaign& campaign, const Log& log) {
     for (const Problem& warning : campaign.warnings)
         log.write(LogLevel::warning, to_string(warning));

@@ -30,20 +30,6 @@ def test_a_circular_mean_is_below_360() -> None:
     assert np.all((means >= 0) & (means < 360))
 
 
-def test_daily_par_comes_in_three_units() -> None:
-    units = Estimate(2.0, 0.5, "MJ m-2 day-1").in_common_units()
-    assert [u.unit for u in units] == [
-        "MJ m-2 day-1",
-        "MWh acre-1 day-1",
-        "mol m-2 day-1",
-    ]
-    assert [u.mean for u in units] == pytest.approx(
-        [2.0, 2 * 1.12413, 9.14], rel=1e-5
-    )
-    assert units[2].standard_error == pytest.approx(0.5 * 4.57)
-    assert len(Estimate(2.0, 0.5, "g m-2").in_common_units()) == 1
-
-
 @pytest.mark.parametrize(
     ("mean", "error", "text"),
     [

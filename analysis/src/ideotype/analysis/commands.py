@@ -13,7 +13,6 @@ from pathlib import Path
 from .._errors import printable, printable_lines
 from .file import HistoryError
 from .study import Study, open_study
-from .summary import summarize
 
 _EXIT_CODES = (
     "Exit codes: 0 ok, 1 failed, 2 wrong usage, 3 done without the histories "
@@ -22,21 +21,16 @@ _EXIT_CODES = (
 
 
 def summary(arguments: Sequence[str] | None = None) -> int:
-    """Prints summaries and returns the exit code: 0, 1 if no file can be
-    used, 2 for a wrong command line, 3 if only some files can be used."""
+    """Prints the table of gains and returns the exit code: 0, 1 if no file can
+    be used, 2 for a wrong command line, 3 if only some files can be used."""
     parser = argparse.ArgumentParser(
         prog="ideotype summary",
-        description="Prints a summary of each history, also while it is "
-        "being written.",
+        description="Prints the report's table of gains as Markdown, a line for "
+        "each case, its seeds put together; ideotype status tells the result of "
+        "each history.",
         epilog=_EXIT_CODES,
     )
     _add_results(parser)
-    parser.add_argument(
-        "--gains",
-        action="store_true",
-        help="print the report's table of gains instead, as Markdown: a line "
-        "for each case, its seeds put together",
-    )
     return _guard(parser, arguments, _summarize)
 
 
@@ -118,19 +112,15 @@ def _drop_output() -> None:
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
-def _summarize(options: argparse.Namespace, study: Study) -> None:
-    if options.gains:
-        # Here, so that summaries need not wait for the plotting library.
-        from .tables import gains, markdown
+def _summarize(_: argparse.Namespace, study: Study) -> None:
+    # Here, so that wrong command lines need not wait for the plotting library.
+    from .tables import gains, markdown
 
-        print(printable_lines(markdown(gains(study.cases(), cross=None))))
-    else:
-        print("\n\n".join(map(summarize, study)))
+    print(printable_lines(markdown(gains(study.cases(), cross=None))))
 
 
 def _report(options: argparse.Namespace, study: Study) -> None:
-    # Here, so that summaries and wrong command lines need not wait for the
-    # plotting library.
+    # Here, so that wrong command lines need not wait for the plotting library.
     from .cross import read_cross
     from .report import write_report
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "history/verify.hpp"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
+#include "history/history.hpp"
+#include "history/history.hpp"
 #include "ideotype/core/text.hpp"
 #include "verbs.hpp"
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <span>
 
+#include "attributes.hpp"
 #include "checksum.hpp"
 #include "number_columns.hpp"
-#include "types.hpp"
 
 namespace ideotype {
 

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include <fmt/format.h>
+#include <hdf5_hl.h>
 
 #include "attributes.hpp"
 #include "ideotype/core/text.hpp"
@@ -43,6 +44,10 @@ hsize_t Dataset::rows() const {
 
 std::string Dataset::text(const std::string& attribute) const {
     return text_attribute(id_, attribute);
+}
+
+bool Dataset::is_scale() const {
+    return checked(H5DSis_scale(id_), "find a scale") != 0;
 }
 
 hsize_t Dataset::rows_before(haddr_t end) const {
@@ -128,14 +133,27 @@ void Dataset::put(hsize_t first, const void* values, std::size_t count,
 void Dataset::get(hsize_t first, void* values, std::size_t count,
                   std::size_t value_size) const {
     check_value_size(value_size);
+    fetch(memory_type_, first, values, count);
+}
+
+std::vector<char> Dataset::bytes(hsize_t first, hsize_t count) const {
+    const Handle type(H5Dget_type(id_), H5Tclose, "read " + name_);
+    std::vector<char> bytes(count * width_ * H5Tget_size(type));
+    fetch(type, first, bytes.data(), count * width_);
+    return bytes;
+}
+
+//! Reads values of a type, which is that of the file where this is mapped.
+void Dataset::fetch(hid_t type, hsize_t first, void* values,
+                    std::size_t count) const {
     if (count == 0) return;
     if (mapped_) {
-        std::memcpy(values, at(first, count), count * value_size);
+        std::memcpy(values, at(first, count), count * value_size_);
         return;
     }
     const Selection selection = select(first, count);
-    checked(H5Dread(id_, memory_type_, selection.memory, selection.file,
-                    H5P_DEFAULT, values),
+    checked(H5Dread(id_, type, selection.memory, selection.file, H5P_DEFAULT,
+                    values),
             "read " + name_);
 }
 

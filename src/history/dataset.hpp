@@ -26,6 +26,9 @@ class Dataset {
     //! An attribute that is a text, "" if there is none.
     std::string text(const std::string& attribute) const;
 
+    //! Whether this is the scale of a dimension.
+    bool is_scale() const;
+
     //! Class of the type.
     H5T_class_t kind() const { return H5Tget_class(memory_type_); }
 
@@ -67,6 +70,9 @@ class Dataset {
         return values;
     }
 
+    //! Reads rows as the bytes that the file has.
+    std::vector<char> bytes(hsize_t first, hsize_t count) const;
+
     //! Writes and reads fixed-length strings; too long ones are cut.
     void write_text(hsize_t row, const std::string& text);
     std::vector<std::string> read_text(hsize_t first, hsize_t count) const;
@@ -83,6 +89,8 @@ class Dataset {
              std::size_t value_size);
     void get(hsize_t first, void* values, std::size_t count,
              std::size_t value_size) const;
+    void fetch(hid_t type, hsize_t first, void* values,
+               std::size_t count) const;
 
     //! Where a row is in memory. @throws Hdf5Error if it has no such rows.
     char* at(hsize_t first, std::size_t values) const;

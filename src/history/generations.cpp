@@ -6,9 +6,9 @@
 #include <limits>
 #include <span>
 
+#include "attributes.hpp"
 #include "checksum.hpp"
 #include "layout.hpp"
-#include "types.hpp"
 
 namespace ideotype {
 

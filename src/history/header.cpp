@@ -6,10 +6,8 @@
 
 #include "attributes.hpp"
 #include "columns.hpp"
-#include "contents.hpp"
 #include "dataset.hpp"
 #include "layout.hpp"
-#include "types.hpp"
 
 namespace ideotype {
 
@@ -128,6 +126,24 @@ void create_campaign_text(hid_t group, const std::string& name,
     Dataset(group, name).write_text(0, text);
 }
 
+//! Reads root attributes: texts, numbers and sizes.
+void read_attributes(hid_t file, HistoryHeader& header) {
+    for (const std::string& name : attributes_of(file)) {
+        const H5T_class_t kind = H5Tget_class(Attribute(file, name).type);
+        if (kind == H5T_STRING) header.text[name] = text_attribute(file, name);
+        if (kind == H5T_FLOAT)
+            header.numbers[name] =
+                number_attribute<double>(file, name, H5T_NATIVE_DOUBLE);
+    }
+    header.seed =
+        number_attribute<std::uint64_t>(file, "seed", H5T_NATIVE_UINT64);
+    for (const auto& [name, number] :
+         {std::pair{"population", &header.population},
+          {"generations", &header.generations},
+          {"finalists", &header.finalists}})
+        *number = number_attribute<int>(file, name, H5T_NATIVE_INT);
+}
+
 }  // namespace
 
 void write_header(hid_t file, const HistoryHeader& header) {
@@ -150,23 +166,6 @@ void write_header(hid_t file, const HistoryHeader& header) {
     create_campaign_text(campaign, "resolved", header.campaign_resolved);
     write_genes(file, header.genes);
     write_objectives(file, header.schema.objectives);
-}
-
-void read_attributes(hid_t file, HistoryHeader& header) {
-    for (const std::string& name : attributes_of(file)) {
-        const H5T_class_t kind = H5Tget_class(read_attribute(file, name).type);
-        if (kind == H5T_STRING) header.text[name] = text_attribute(file, name);
-        if (kind == H5T_FLOAT)
-            header.numbers[name] =
-                number_attribute<double>(file, name, H5T_NATIVE_DOUBLE);
-    }
-    header.seed =
-        number_attribute<std::uint64_t>(file, "seed", H5T_NATIVE_UINT64);
-    for (const auto& [name, number] :
-         {std::pair{"population", &header.population},
-          {"generations", &header.generations},
-          {"finalists", &header.finalists}})
-        *number = number_attribute<int>(file, name, H5T_NATIVE_INT);
 }
 
 HistoryHeader read_header(hid_t file) {

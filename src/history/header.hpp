@@ -12,9 +12,6 @@ inline constexpr const char* format_version = "2.0";
 //! Writes root attributes, /campaign, /genes and /objectives.
 void write_header(hid_t file, const HistoryHeader& header);
 
-//! Reads root attributes of any format version: texts, numbers and sizes.
-void read_attributes(hid_t file, HistoryHeader& header);
-
 //! Reads what write_header() wrote, and from the tables of rows what is
 //! measured.
 HistoryHeader read_header(hid_t file);

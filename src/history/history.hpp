@@ -100,8 +100,7 @@ class History {
     //! not have its checksum.
     static History resume(const std::string& path);
 
-    //! Opens to read only, also while another process writes. A file of format
-    //! 1.0 reads as if it were of this one.
+    //! Opens to read only, also while another process writes.
     //! @throws Error (refused) if something in it does not have its checksum.
     //! Rows of a generation that is not complete have none.
     static History read(const std::string& path);
@@ -218,5 +217,16 @@ class History {
     explicit History(std::unique_ptr<File> file);
     std::unique_ptr<File> file_;
 };
+
+//! The parts of a history that were compared with their checksums.
+struct Verified {
+    std::uint32_t generations = 0;
+    std::uint32_t finalists = 0;
+};
+
+//! Reads all of a history, also while it is written, and compares header,
+//! complete generations and finalists with their checksums.
+//! @throws Error (refused) that names what is damaged.
+Verified verify_file(const std::string& path);
 
 }  // namespace ideotype

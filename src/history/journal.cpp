@@ -5,8 +5,8 @@
 #include <array>
 #include <cstdint>
 
+#include "attributes.hpp"
 #include "layout.hpp"
-#include "types.hpp"
 
 namespace ideotype {
 

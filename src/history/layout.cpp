@@ -8,7 +8,6 @@
 
 #include "attributes.hpp"
 #include "dataset.hpp"
-#include "types.hpp"
 
 namespace ideotype {
 
@@ -132,10 +131,6 @@ void create_texts(hid_t group, DatasetForm form,
 bool exists(hid_t group, const std::string& name) {
     return checked(H5Lexists(group, name.c_str(), H5P_DEFAULT),
                    "look for " + name) != 0;
-}
-
-bool is_scale(hid_t dataset) {
-    return checked(H5DSis_scale(dataset), "find a scale") != 0;
 }
 
 Axis read_axis(hid_t group, const std::string& name) {

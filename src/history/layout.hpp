@@ -47,9 +47,6 @@ Handle create_group(hid_t parent, const std::string& name);
 //! Whether a group has an object of this name.
 bool exists(hid_t group, const std::string& name);
 
-//! Whether a dataset is the scale of a dimension.
-bool is_scale(hid_t dataset);
-
 //! The axis that a dimension scale describes.
 Axis read_axis(hid_t group, const std::string& name);
 

@@ -5,7 +5,6 @@
 
 #include "search/genome.hpp"
 #include "search/outcome.hpp"
-#include "search/task.hpp"
 
 namespace ideotype {
 

@@ -2,7 +2,10 @@
 #include "genome.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "population.hpp"
 
 namespace ideotype {
 
@@ -24,6 +27,13 @@ double difference(const Gene& gene, double a, double b) {
     if (!gene.is_circular) return b - a;
     const double range = gene.upper - gene.lower;
     return std::remainder(b - a, range);
+}
+
+const char* name_of(Origin origin) {
+    constexpr std::array names{"none",  "baseline", "random",
+                               "elite", "child",    "sample"};
+    const auto number = static_cast<std::size_t>(origin);
+    return number < names.size() ? names[number] : "unknown";
 }
 
 }  // namespace ideotype

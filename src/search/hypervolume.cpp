@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hypervolume.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "order.hpp"
-#include "pareto.hpp"
+#include "summary.hpp"
 
 namespace ideotype {
 

@@ -4,11 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "cma_es.hpp"
-#include "genetic_algorithm.hpp"
-#include "random_search.hpp"
 #include "sensitivity_design.hpp"
-#include "steady_state.hpp"
 
 namespace ideotype {
 
@@ -54,17 +50,18 @@ std::unique_ptr<Optimizer> make_optimizer(const SearchSettings& settings,
                                                    seed);
     switch (settings.optimizer) {
         case OptimizerKind::ga:
-            if (settings.window == 0) break;
-            return std::make_unique<SteadyState>(settings, space, seed);
+            if (settings.window > 0)
+                return make_steady_state(settings, space, seed);
+            break;
         case OptimizerKind::nsga2:
             break;
         case OptimizerKind::cma_es:
-            return std::make_unique<CmaEs>(settings, space, seed);
+            return make_cma_es(settings, space, seed);
         case OptimizerKind::random:
         case OptimizerKind::sobol:
-            return std::make_unique<RandomSearch>(settings, space, seed);
+            return make_random_search(settings, space, seed);
     }
-    return std::make_unique<GeneticAlgorithm>(settings, space, seed);
+    return make_genetic_algorithm(settings, space, seed);
 }
 
 }  // namespace ideotype

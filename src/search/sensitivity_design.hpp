@@ -8,7 +8,6 @@
 
 #include "genome.hpp"
 #include "optimizer.hpp"
-#include "sensitivity_settings.hpp"
 #include "sobol_sequence.hpp"
 
 namespace ideotype {

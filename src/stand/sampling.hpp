@@ -7,7 +7,7 @@
 #include "campaign/campaign.hpp"
 #include "ideotype/core/randomness.hpp"
 #include "ideotype/light/accuracy.hpp"
-#include "search/task.hpp"
+#include "search/outcome.hpp"
 
 namespace ideotype {
 

@@ -9,8 +9,8 @@
 
 #include "ideotype/canopy/field.hpp"
 #include "ideotype/climate/light_series.hpp"
-#include "ideotype/climate/radiance.hpp"
 #include "ideotype/climate/site.hpp"
+#include "ideotype/climate/sky_sampler.hpp"
 #include "ideotype/climate/weather.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/range.hpp"

@@ -2,7 +2,6 @@
 #include "ideotype/climate/clear_sky.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -17,12 +16,7 @@ constexpr double sea_level_pressure = 1013.25;  //!< [hPa]
 
 //! Days since 1 January of the same year.
 int day_of_year(const Date& date) {
-    using namespace std::chrono;
-    const sys_days today{year{date.year} /
-                         month{static_cast<unsigned>(date.month)} /
-                         day{static_cast<unsigned>(date.day)}};
-    const sys_days new_year{year{date.year} / January / day{1}};
-    return static_cast<int>((today - new_year).count());
+    return static_cast<int>((day_of(date) - day_of({date.year, 1, 1})).count());
 }
 
 //! Pressure in the standard atmosphere [hPa] at an elevation [m].
@@ -73,6 +67,17 @@ Irradiance clear_sky(const Site& site, const Date& date,
         std::min(beam_normal * cos_zenith,
                  global * std::clamp(largest_beam_share, 0.0, 1.0));
     return {beam, global - beam};
+}
+
+double diffuse_fraction(double global, double extraterrestrial_normal,
+                        double zenith) {
+    if (zenith > 87) return 1;
+    const double cosine = std::max(std::cos(zenith * degree), 0.065);
+    const double k =
+        std::clamp(global / (extraterrestrial_normal * cosine), 0.0, 1.0);
+    if (k <= 0.22) return 1 - 0.09 * k;
+    if (k > 0.8) return 0.165;
+    return 0.9511 + k * (-0.1604 + k * (4.388 + k * (-16.638 + k * 12.336)));
 }
 
 }  // namespace ideotype

@@ -2,7 +2,6 @@
 #include "ideotype/climate/sun.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -14,13 +13,8 @@ namespace {
 
 //! Days since noon of 1 January 2000, in universal time.
 double days_since_2000(const Date& date, double universal_hour) {
-    using namespace std::chrono;
-    const sys_days midnight{year{date.year} /
-                            month{static_cast<unsigned>(date.month)} /
-                            day{static_cast<unsigned>(date.day)}};
-    const sys_days origin{year{2000} / January / day{1}};
-    const auto whole_days = static_cast<double>((midnight - origin).count());
-    return whole_days - 0.5 + universal_hour / 24;
+    const auto whole_days = (day_of(date) - day_of({2000, 1, 1})).count();
+    return static_cast<double>(whole_days) - 0.5 + universal_hour / 24;
 }
 
 //! Direction on the celestial sphere [rad].

@@ -3,9 +3,10 @@
 
 #include <chrono>
 #include <optional>
-#include <string_view>
+#include <vector>
 
 #include "ideotype/climate/weather.hpp"
+#include "ideotype/core/csv.hpp"
 
 namespace ideotype {
 
@@ -18,8 +19,7 @@ struct WrittenTime {
     std::optional<double> utc_offset;  //!< [h]
 };
 
-//! The first instant of a date; nothing if there is no such date.
-std::optional<ClockTime> midnight(int year, int month, int day);
+//! The first instant of a date.
 ClockTime midnight(const Date& date);
 
 //! The date at an instant.
@@ -31,13 +31,12 @@ double hour_at(ClockTime time);
 //! The instant so many hours later, to the nearest second.
 ClockTime later(ClockTime time, double hours);
 
-//! 2011-07-21, or in another order; also with / or . or nothing between.
-std::optional<ClockTime> parse_date(std::string_view text, DateOrder order);
-
-//! The hours of 13:30, 13:30:00, 1330 or 24:00.
-std::optional<double> parse_clock(std::string_view text);
-
-//! A date, T or a blank, a clock time, and perhaps Z or an offset like -06:00.
-std::optional<WrittenTime> parse_time(std::string_view text, DateOrder order);
+//! Reads the columns of a time: one, a date, T or a blank, a clock time, and
+//! perhaps Z or an offset like -06:00; two, date and clock time; four or five,
+//! year, month, day, hour and minute. Dates are 2011-07-21, or in another
+//! order, also with / or . or nothing between, clock times 13:30, 13:30:00,
+//! 1330 or 24:00.
+std::optional<WrittenTime> parse_time(const std::vector<CsvField>& parts,
+                                      DateOrder order);
 
 }  // namespace ideotype

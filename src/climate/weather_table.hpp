@@ -53,12 +53,6 @@ struct WeatherTable {
                                         Findings& findings) const;
 };
 
-//! Takes the names of the columns from the first line that has that of the
-//! time.
-//! @throws InputError if the file is no such table.
-WeatherTable read_head(const std::vector<std::string_view>& lines,
-                       const WeatherRequest& request, Findings& findings);
-
 //! Reads head and rows of a period, without values.
 //! @throws InputError if the file is no such table, of stamps that cannot be
 //! read, of rows that are not in order, and if it does not have the period.
@@ -70,6 +64,18 @@ WeatherTable read_table(const std::vector<std::string_view>& lines,
 void read_values(WeatherTable& table,
                  const std::vector<std::string_view>& lines,
                  double par_fraction, Findings& findings);
+
+//! Returns all solar radiation on the ground [W m-2], of each step.
+//! @throws InputError if light is not known by day.
+std::vector<Irradiance> light_of(const std::vector<WeatherStep>& series,
+                                 Findings& findings);
+
+//! Stops or warns if the light is hardly that of a site, whose clock is that
+//! of the steps.
+//! @throws InputError
+void check_place(const std::vector<WeatherStep>& series,
+                 const std::vector<Irradiance>& light, const Site& site,
+                 Findings& findings);
 
 //! Returns the entry of a row; an empty one if the row is too short.
 inline CsvField entry(const std::vector<CsvField>& fields, std::size_t index) {

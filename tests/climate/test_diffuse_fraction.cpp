@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/climate/diffuse_fraction.hpp"
+#include "ideotype/climate/clear_sky.hpp"
 #include "ideotype/core/units.hpp"
 
 namespace ideotype {

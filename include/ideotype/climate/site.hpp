@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <chrono>
 #include <compare>
 #include <string>
 
@@ -25,6 +26,13 @@ struct Date {
 
     auto operator<=>(const Date&) const = default;
 };
+
+//! The day of a date.
+inline std::chrono::sys_days day_of(const Date& date) {
+    return std::chrono::year{date.year} /
+           std::chrono::month{static_cast<unsigned>(date.month)} /
+           std::chrono::day{static_cast<unsigned>(date.day)};
+}
 
 std::string to_string(const Date& date);  //!< such as 2025-08-07
 

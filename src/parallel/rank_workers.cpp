@@ -5,9 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "backoff.hpp"
 #include "ideotype/core/error.hpp"
-#include "mailbox.hpp"
+#include "messages.hpp"
 #include "workers.hpp"
 
 namespace ideotype {

@@ -6,7 +6,6 @@
 #include <thread>
 #include <utility>
 
-#include "guard.hpp"
 #include "workers.hpp"
 
 namespace ideotype {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "attributes.hpp"
-
 #include <algorithm>
 #include <cstdint>
 #include <initializer_list>
 #include <utility>
 
+#include "layout.hpp"
 #include "search/population.hpp"
 
 namespace ideotype {

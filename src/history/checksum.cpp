@@ -8,11 +8,11 @@
 
 #include <fmt/format.h>
 
-#include "attributes.hpp"
 #include "columns.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/hash.hpp"
 #include "journal.hpp"
+#include "layout.hpp"
 
 namespace ideotype {
 

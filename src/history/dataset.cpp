@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <hdf5_hl.h>
 
-#include "attributes.hpp"
 #include "ideotype/core/text.hpp"
+#include "layout.hpp"
 
 namespace ideotype {
 

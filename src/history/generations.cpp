@@ -6,7 +6,6 @@
 #include <limits>
 #include <span>
 
-#include "attributes.hpp"
 #include "checksum.hpp"
 #include "layout.hpp"
 

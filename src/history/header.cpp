@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "header.hpp"
-
 #include <cstdint>
 #include <utility>
 
-#include "attributes.hpp"
 #include "columns.hpp"
 #include "dataset.hpp"
 #include "layout.hpp"
+#include "open.hpp"
 
 namespace ideotype {
 

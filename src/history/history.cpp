@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "attributes.hpp"
 #include "history_file.hpp"
+#include "layout.hpp"
 #include "open.hpp"
 
 namespace ideotype {
@@ -20,7 +20,6 @@ History& History::operator=(History&&) noexcept = default;
 History::~History() = default;
 
 History History::create(const std::string& path, const HistoryHeader& header) {
-    initialize_hdf5();
     FileLock lock = FileLock::of_new(path);
     if (history_exists(path)) {
         const FileLock held(path);  // or another program begins it right now
@@ -35,7 +34,6 @@ History History::create(const std::string& path, const HistoryHeader& header) {
 }
 
 History History::resume(const std::string& path) {
-    initialize_hdf5();
     if (!history_exists(path)) throw Error(path + ": there is no such file");
     FileLock lock(path);
     return with_name_of(path, [&] {
@@ -47,17 +45,20 @@ History History::resume(const std::string& path) {
 }
 
 History History::read(const std::string& path) {
-    initialize_hdf5();
     return with_name_of(path, [&] {
+        Handle file = open_as_it_is(path);
+        require_intact(file, path);
         return History(
-            std::make_unique<File>(path, std::nullopt, open_to_read(path)));
+            std::make_unique<File>(path, std::nullopt, std::move(file)));
     });
 }
 
 HistoryHeader History::header_of(const std::string& path) {
-    initialize_hdf5();
-    return with_name_of(path,
-                        [&] { return read_header(open_to_read_header(path)); });
+    return with_name_of(path, [&] {
+        const Handle file = open_as_it_is(path);
+        require_header_intact(file, path);
+        return read_header(file);
+    });
 }
 
 Verified verify_file(const std::string& path) {
@@ -80,7 +81,6 @@ Verified verify_file(const std::string& path) {
 }
 
 History History::salvage(const std::string& path) {
-    initialize_hdf5();
     return with_name_of(path, [&] {
         Remains remains = open_remains(path);
         auto file =

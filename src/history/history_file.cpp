@@ -9,7 +9,6 @@
 
 #include "checksum.hpp"
 #include "open.hpp"
-#include "space.hpp"
 
 namespace ideotype {
 

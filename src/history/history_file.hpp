@@ -14,10 +14,10 @@
 #include "columns.hpp"
 #include "file_lock.hpp"
 #include "generations.hpp"
-#include "header.hpp"
 #include "history.hpp"
 #include "ideotype/core/error.hpp"
 #include "journal.hpp"
+#include "open.hpp"
 
 namespace ideotype {
 

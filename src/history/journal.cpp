@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdint>
 
-#include "attributes.hpp"
 #include "layout.hpp"
 
 namespace ideotype {

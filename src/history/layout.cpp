@@ -6,7 +6,6 @@
 
 #include <hdf5_hl.h>
 
-#include "attributes.hpp"
 #include "dataset.hpp"
 
 namespace ideotype {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mapping.hpp"
-
 #include <csignal>
 #include <string_view>
 #include <unistd.h>
@@ -8,9 +6,9 @@
 #include <sys/mman.h>
 #include <sys/stat.h>
 
+#include "dataset.hpp"
 #include "ideotype/core/error.hpp"
 #include "open.hpp"
-#include "space.hpp"
 
 namespace ideotype {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "time_stamp.hpp"
-
 #include <array>
 #include <cmath>
 #include <string>
 #include <string_view>
+
+#include "weather_table.hpp"
 
 namespace ideotype {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "campaign/campaign.hpp"
-#include "ideotype/core/randomness.hpp"
+#include "ideotype/core/random.hpp"
 #include "ideotype/light/accuracy.hpp"
 #include "search/outcome.hpp"
 

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "ideotype/climate/daylight.hpp"
+#include "ideotype/climate/light_series.hpp"
 
 namespace ideotype {
 

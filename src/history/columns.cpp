@@ -135,10 +135,6 @@ void Columns::cut(haddr_t end) {
         whole_rows_ = std::min(whole_rows_, column->rows_before(end));
 }
 
-std::vector<Status> Columns::statuses(hsize_t first, hsize_t count) const {
-    return status_.read<Status>(first, count);
-}
-
 std::vector<Candidate> Columns::candidates(hsize_t first, hsize_t count) const {
     const auto genes = genome_.read<double>(first, count);
     const auto origins = origin_.read<Origin>(first, count);
@@ -283,14 +279,6 @@ void Columns::set_statuses(hsize_t first, const std::vector<Status>& statuses) {
     // All that they vouch for is there before, for other processors too.
     std::atomic_thread_fence(std::memory_order_release);
     status_.write(first, statuses);
-}
-
-std::string Columns::checksum(hsize_t row) const {
-    return checksum_ ? checksum_->read_text(row, 1)[0] : "";
-}
-
-void Columns::set_checksum(hsize_t row, const std::string& checksum) {
-    if (checksum_) checksum_->write_text(row, checksum);
 }
 
 }  // namespace ideotype

@@ -79,7 +79,9 @@ class Columns {
     //! Leading rows of which all is there.
     hsize_t whole_rows() const { return whole_rows_; }
 
-    std::vector<Status> statuses(hsize_t first, hsize_t count) const;
+    std::vector<Status> statuses(hsize_t first, hsize_t count) const {
+        return status_.read<Status>(first, count);
+    }
 
     //! Of rows that are not empty.
     std::vector<Candidate> candidates(hsize_t first, hsize_t count) const;
@@ -99,9 +101,10 @@ class Columns {
 
     void set_statuses(hsize_t first, const std::vector<Status>& statuses);
 
-    //! Of one row each; "" if the table has none.
-    std::string checksum(hsize_t row) const;
-    void set_checksum(hsize_t row, const std::string& checksum);
+    //! Of one row; nothing happens if the table has none.
+    void set_checksum(hsize_t row, const std::string& checksum) {
+        if (checksum_) checksum_->write_text(row, checksum);
+    }
 
   private:
     std::vector<Outcome> outcomes(hsize_t first, hsize_t count) const;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <iterator>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -74,22 +74,18 @@ class Dataset {
     //! changes. The mapping must outlive it.
     void use(const Mapping& mapping);
 
-    //! Writes as many rows as there are values for. Value has the dataset's
+    //! Writes as many rows as there are values for, which have the dataset's
     //! type in memory.
-    template <class Value>
-    void write(hsize_t first, std::span<const Value> values) {
-        put(first, values.data(), values.size(), sizeof(Value));
-    }
-
-    template <class Value>
-    void write(hsize_t first, const std::vector<Value>& values) {
-        write(first, std::span<const Value>(values));
+    template <class Values>
+    void write(hsize_t first, const Values& values) {
+        put(first, std::data(values), std::size(values),
+            sizeof(*std::data(values)));
     }
 
     //! Writes one value of a dataset with one value per row.
     template <class Value>
     void write_one(hsize_t row, const Value& value) {
-        write(row, std::span<const Value>(&value, 1));
+        put(row, &value, 1, sizeof(Value));
     }
 
     //! Reads rows, one after the other.

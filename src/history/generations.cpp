@@ -169,17 +169,4 @@ void Generations::write(std::uint32_t generation,
         counts_[i].write_one(generation, summary.*count_columns[i].member);
 }
 
-std::string Generations::checksum(std::uint32_t generation) const {
-    return checksum_.read_text(generation, 1)[0];
-}
-
-void Generations::set_checksum(std::uint32_t generation,
-                               const std::string& checksum) {
-    checksum_.write_text(generation, checksum);
-}
-
-void Generations::set_committed(std::uint32_t generation) {
-    committed_.write_one(generation, std::int8_t{1});
-}
-
 }  // namespace ideotype

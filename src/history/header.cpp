@@ -19,44 +19,39 @@ std::vector<std::string> texts_of(const std::vector<Item>& items,
     return texts;
 }
 
-// A number of each gene; Stored is its type in the file and in memory.
-template <class Stored, class Member>
-void create_numbers(hid_t group, const DatasetForm& form,
-                    const GeneSpace& genes, Member Gene::*member) {
-    create_dataset(group, form);
-    std::vector<Stored> values;
-    for (const Gene& gene : genes)
-        values.push_back(static_cast<Stored>(gene.*member));
-    Dataset(group, form.name).write(0, values);
-}
-
 void write_genes(hid_t file, const GeneSpace& genes) {
     const Handle group = create_group(file, "genes");
     create_axis(group, gene_axis(genes));
-    const auto form = [](const std::string& name, const std::string& meaning,
-                         const std::string& unit = "1") {
-        return DatasetForm{
-            .name = name, .axes = {"gene"}, .unit = unit, .meaning = meaning};
-    };
-    create_texts(group, form("trait", "what is bred"),
+    create_texts(group,
+                 {.name = "trait", .axes = {"gene"}, .meaning = "what is bred"},
                  texts_of(genes, &Gene::trait));
-    create_texts(group, form("unit", "of the gene's values"),
-                 texts_of(genes, &Gene::unit));
-    const auto add = [&]<class Stored>(DatasetForm its, hid_t type, Stored,
-                                       auto member) {
-        its.type = type;
-        create_numbers<Stored>(group, its, genes, member);
+    create_texts(
+        group,
+        {.name = "unit", .axes = {"gene"}, .meaning = "of the gene's values"},
+        texts_of(genes, &Gene::unit));
+    // A number of each gene; the last argument has its type in the file.
+    const auto add = [&](const std::string& name, const std::string& meaning,
+                         const std::string& unit, hid_t type, auto member,
+                         auto stored) {
+        create_dataset(group, {.name = name,
+                               .type = type,
+                               .axes = {"gene"},
+                               .unit = unit,
+                               .meaning = meaning});
+        std::vector<decltype(stored)> values;
+        for (const Gene& gene : genes)
+            values.push_back(static_cast<decltype(stored)>(gene.*member));
+        Dataset(group, name).write(0, values);
     };
-    add(form("leaf", "leaf rank, 1 is the lowest, 0 the whole plant"),
-        H5T_STD_I32LE, std::int32_t{}, &Gene::leaf);
-    add(form("lower", "lower bound", "/genes/unit"), H5T_IEEE_F64LE, double{},
-        &Gene::lower);
-    add(form("upper", "upper bound", "/genes/unit"), H5T_IEEE_F64LE, double{},
-        &Gene::upper);
-    add(form("is_circular", "lower and upper are the same point"), bool_type(),
-        std::int8_t{}, &Gene::is_circular);
-    add(form("is_free", "bred; others keep the baseline's value"), bool_type(),
-        std::int8_t{}, &Gene::is_free);
+    const std::string own = "/genes/unit";
+    add("leaf", "leaf rank, 1 is the lowest, 0 the whole plant", "1",
+        H5T_STD_I32LE, &Gene::leaf, std::int32_t{});
+    add("lower", "lower bound", own, H5T_IEEE_F64LE, &Gene::lower, double{});
+    add("upper", "upper bound", own, H5T_IEEE_F64LE, &Gene::upper, double{});
+    add("is_circular", "lower and upper are the same point", "1", bool_type(),
+        &Gene::is_circular, std::int8_t{});
+    add("is_free", "bred; others keep the baseline's value", "1", bool_type(),
+        &Gene::is_free, std::int8_t{});
 }
 
 std::vector<std::string> read_texts(hid_t file, const std::string& name) {

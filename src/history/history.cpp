@@ -163,11 +163,6 @@ std::uint32_t History::next_generation() const {
     return count;
 }
 
-std::size_t History::propose(std::uint32_t generation,
-                             const std::vector<Candidate>& candidates) {
-    return propose(generation, candidates.size(), 0, candidates);
-}
-
 std::size_t History::propose(std::uint32_t generation, std::size_t size,
                              std::uint32_t slot,
                              const std::vector<Candidate>& candidates) {
@@ -201,11 +196,6 @@ bool History::has_room(std::uint32_t generation, std::size_t size) const {
     const hsize_t first =
         generation == 0 ? 0 : file_->span(generation - 1).end();
     return first + size <= file_->evaluations.rows();
-}
-
-std::vector<std::uint32_t> History::pending(std::uint32_t generation) const {
-    const Span rows = file_->span(generation);
-    return file_->pending(file_->evaluations, rows.first, rows.count);
 }
 
 void History::record(std::uint32_t generation, std::uint32_t slot,
@@ -289,7 +279,12 @@ void History::propose_final(const std::vector<Candidate>& candidates) {
 }
 
 std::vector<std::uint32_t> History::pending_final() const {
-    return file_->pending(file_->finals, 0, file_->finals.rows());
+    const auto statuses = file_->read(
+        [&] { return file_->finals.statuses(0, file_->finals.rows()); });
+    std::vector<std::uint32_t> slots;
+    for (std::uint32_t slot = 0; slot < statuses.size(); ++slot)
+        if (statuses[slot] == Status::proposed) slots.push_back(slot);
+    return slots;
 }
 
 void History::record_final(std::uint32_t slot, const Outcome& outcome) {

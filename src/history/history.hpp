@@ -145,25 +145,18 @@ class History {
     //! The next generation to breed or complete: 0 for a new file.
     std::uint32_t next_generation() const;
 
-    //! Writes the candidates of a generation before any is sent out, and
-    //! returns how many of them are there already: these are verified instead.
-    //! Generations may differ in size, and the next may be proposed before one
-    //! is complete.
+    //! Writes candidates from this slot of a generation of `size` rows on
+    //! before any is sent out, and returns how many of them are there already:
+    //! these are verified instead. Generations may differ in size, and the next
+    //! may be proposed before one is complete.
     //! @throws Error (refused) if a genome, origin or parent differs in any
     //! bit, naming the slot, or if there is no room for them.
-    std::size_t propose(std::uint32_t generation,
-                        const std::vector<Candidate>& candidates);
-
-    //! The same of some, from this slot of a generation of `size` rows on.
     std::size_t propose(std::uint32_t generation, std::size_t size,
                         std::uint32_t slot,
                         const std::vector<Candidate>& candidates);
 
     //! Whether the rows of one more generation can be written.
     bool has_room(std::uint32_t generation, std::size_t size) const;
-
-    //! Slots of a generation that are proposed, and not done or failed yet.
-    std::vector<std::uint32_t> pending(std::uint32_t generation) const;
 
     //! Stores an outcome, status last, and makes it durable.
     void record(std::uint32_t generation, std::uint32_t slot,
@@ -188,8 +181,8 @@ class History {
     //! Summaries of all committed generations.
     std::vector<GenerationSummary> summaries() const;
 
-    //! The finalists: as propose, pending, record and row, in /final. Slot 0
-    //! is the baseline.
+    //! The finalists: as propose, record and row, in /final, and slots that are
+    //! proposed, and not done or failed yet. Slot 0 is the baseline.
     void propose_final(const std::vector<Candidate>& candidates);
     std::vector<std::uint32_t> pending_final() const;
     void record_final(std::uint32_t slot, const Outcome& outcome);

@@ -114,16 +114,6 @@ std::size_t History::File::propose(Columns& columns, const std::string& label,
     return known;
 }
 
-std::vector<std::uint32_t> History::File::pending(const Columns& columns,
-                                                  hsize_t first,
-                                                  hsize_t count) const {
-    const auto statuses = read([&] { return columns.statuses(first, count); });
-    std::vector<std::uint32_t> slots;
-    for (std::uint32_t slot = 0; slot < statuses.size(); ++slot)
-        if (statuses[slot] == Status::proposed) slots.push_back(slot);
-    return slots;
-}
-
 void History::File::record(Columns& columns, const std::string& label,
                            hsize_t row, const Outcome& outcome,
                            std::uint32_t attempt) {

@@ -82,10 +82,6 @@ struct History::File {
                         std::uint32_t first_slot, hsize_t first,
                         const std::vector<Candidate>& candidates);
 
-    //! Slots from first that are proposed and not recorded.
-    std::vector<std::uint32_t> pending(const Columns& columns, hsize_t first,
-                                       hsize_t count) const;
-
     //! Stores an outcome of a proposed row; label names the row.
     void record(Columns& columns, const std::string& label, hsize_t row,
                 const Outcome& outcome, std::uint32_t attempt);

@@ -115,22 +115,6 @@ std::optional<SessionRecord> Journal::last_session() const {
     return last;
 }
 
-double Journal::wall_time() const {
-    return wall_time_.read<double>(0, 1)[0];
-}
-
-void Journal::set_wall_time(double seconds) {
-    wall_time_.write_one(0, seconds);
-}
-
-void Journal::set_reason(const std::string& reason) {
-    reason_.write_text(0, reason);
-}
-
-void Journal::set_finished() {
-    finished_.write_one(0, std::int8_t{1});
-}
-
 std::optional<std::string> Journal::finished() const {
     if (finished_.read<std::int8_t>(0, 1)[0] == 0) return std::nullopt;
     return reason_.read_text(0, 1)[0];

@@ -50,13 +50,18 @@ class RandomStream {
     std::uint32_t bits();
 
     //! 64 random bits.
-    std::uint64_t bits64();
+    std::uint64_t bits64() {
+        const std::uint64_t high = bits();
+        return high << 32 | bits();
+    }
 
     //! Uniform in [0, 1), with 53 random bits.
-    double uniform();
+    double uniform() { return static_cast<double>(bits64() >> 11) * 0x1p-53; }
 
     //! Uniform in [lower, upper).
-    double uniform(double lower, double upper);
+    double uniform(double lower, double upper) {
+        return lower + (upper - lower) * uniform();
+    }
 
     //! Two independent numbers of a standard normal distribution (Box and
     //! Muller 1958, doi:10.1214/aoms/1177706645).

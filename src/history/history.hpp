@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "ideotype/core/error.hpp"
-#include "search/genome.hpp"
 #include "search/outcome.hpp"
 #include "search/population.hpp"
 #include "search/summary.hpp"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <type_traits>
 
 #include <hdf5_hl.h>
 
@@ -79,12 +80,11 @@ Handle type_of(const std::vector<std::string>& texts) {
     return string_type(longest(texts));
 }
 
-Handle type_of(const std::vector<double>&) {
-    return {H5Tcopy(H5T_IEEE_F64LE), H5Tclose, "create a type"};
-}
-
-Handle type_of(const std::vector<std::int64_t>&) {
-    return {H5Tcopy(H5T_STD_I64LE), H5Tclose, "create a type"};
+template <class Number>
+Handle type_of(const std::vector<Number>&) {
+    const bool is_double = std::is_same_v<Number, double>;
+    return {H5Tcopy(is_double ? H5T_IEEE_F64LE : H5T_STD_I64LE), H5Tclose,
+            "create a type"};
 }
 
 }  // namespace

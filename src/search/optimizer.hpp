@@ -5,7 +5,6 @@
 #include <memory>
 #include <vector>
 
-#include "genome.hpp"
 #include "population.hpp"
 #include "settings.hpp"
 
@@ -96,9 +95,6 @@ std::unique_ptr<GenerationalOptimizer> make_cma_es(
 std::unique_ptr<Optimizer> make_steady_state(const SearchSettings& settings,
                                              SearchSpace space,
                                              std::uint64_t seed);
-std::unique_ptr<Optimizer> make_random_search(const SearchSettings& settings,
-                                              SearchSpace space,
-                                              std::uint64_t seed);
 
 //! The optimizer that the settings name, before the first row.
 std::unique_ptr<Optimizer> make_optimizer(const SearchSettings& settings,

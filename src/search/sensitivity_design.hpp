@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "genome.hpp"
 #include "optimizer.hpp"
+#include "population.hpp"
 #include "sobol_sequence.hpp"
 
 namespace ideotype {

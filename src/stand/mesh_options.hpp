@@ -6,7 +6,6 @@
 #include <string>
 
 #include "ideotype/canopy/field.hpp"
-#include "ideotype/climate/site.hpp"
 #include "ideotype/climate/sky_sampler.hpp"
 #include "ideotype/climate/sun.hpp"
 #include "ideotype/light/optics.hpp"

@@ -5,8 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "ideotype/climate/clear_sky.hpp"
-#include "ideotype/climate/site.hpp"
 #include "ideotype/climate/sun.hpp"
 
 namespace ideotype {

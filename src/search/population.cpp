@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "genome.hpp"
+#include "population.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "population.hpp"
 
 namespace ideotype {
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "history/history.hpp"
-#include "history/history.hpp"
 #include "ideotype/core/text.hpp"
 #include "verbs.hpp"
 

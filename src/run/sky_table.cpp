@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/climate/daylight.hpp"
+#include "ideotype/climate/light_series.hpp"
 #include "ideotype/core/clock.hpp"
 
 namespace ideotype {

@@ -9,9 +9,8 @@
 
 #include "ideotype/core/units.hpp"
 #include "progress.hpp"
-#include "search/hypervolume.hpp"
 #include "search/order.hpp"
-#include "search/pareto.hpp"
+#include "search/summary.hpp"
 
 namespace ideotype {
 

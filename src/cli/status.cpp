@@ -8,7 +8,6 @@
 #include <fmt/ranges.h>
 
 #include "history/history.hpp"
-#include "history/verify.hpp"
 #include "ideotype/core/text.hpp"
 #include "json.hpp"
 #include "run/progress.hpp"

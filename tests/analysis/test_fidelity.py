@@ -156,14 +156,14 @@ def of_a_season(folder: Path) -> Path:
 def test_keys_can_be_pasted_and_time_is_kept(made, tmp_path: Path) -> None:
     campaign, file = made(tmp_path), tmp_path / "fidelity.json"
     began = time.monotonic()
-    options = ("--seconds", 6, "--tolerance", 1e-4, "--json", file)
+    options = ("--seconds", 12, "--tolerance", 1e-4, "--json", file)
     told = measure(campaign, *options, "--figure", tmp_path / "fidelity.png")
-    assert time.monotonic() - began < 14  # with the start and the figure
+    assert time.monotonic() - began < 24  # with the start and the figure
     found = json.loads(file.read_text())
     rows = [row for rows in found["keys"] for row in rows]
     rows += found["settings"]
     unique = {str(r["settings"]): 2 * r["draws"] * r["seconds"] for r in rows}
-    assert 1 < sum(unique.values()) < 6.5
+    assert 1 < sum(unique.values()) < 12.5
     keys = {key for row in rows for key in row["settings"]}
     assert {"plant.cells_along", "field.rows", "light.paths"} <= keys
     assert ("light.dates" in keys) == (made is of_a_season)

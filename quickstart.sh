@@ -25,7 +25,7 @@ echo
 # Reports draw the shapes of plants, which the compiled module knows.
 install_python release
 echo
-"$ideotype" summary --gains "$out/quickstart"
+"$ideotype" summary "$out/quickstart"
 echo
 "$ideotype" report "$out/quickstart" -o "$out/quickstart/report"
 echo

@@ -9,8 +9,8 @@
 
 #include "ideotype/canopy/field.hpp"
 #include "ideotype/climate/light_series.hpp"
-#include "ideotype/climate/radiance.hpp"
-#include "ideotype/climate/site.hpp"
+#include "ideotype/climate/sky_sampler.hpp"
+#include "ideotype/climate/sun.hpp"
 #include "ideotype/climate/weather.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/range.hpp"
@@ -19,8 +19,8 @@
 #include "ideotype/light/accuracy.hpp"
 #include "ideotype/light/optics.hpp"
 #include "ideotype/physiology/photosynthesis.hpp"
-#include "search/genome.hpp"
 #include "search/outcome.hpp"
+#include "search/population.hpp"
 #include "search/settings.hpp"
 #include "search/stop_rules.hpp"
 

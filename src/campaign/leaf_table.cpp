@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "ideotype/core/csv.hpp"
+#include "ideotype/core/text.hpp"
 #include "leaf_columns.hpp"
 #include "schema.hpp"
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "checks.hpp"
-#include "ideotype/climate/daylight.hpp"
+#include "ideotype/climate/light_series.hpp"
 #include "ideotype/core/clock.hpp"
 #include "schema.hpp"
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "campaign_cost.hpp"
-#include "check_cases.hpp"
+#include "campaign_size.hpp"
+#include "history/history.hpp"
 #include "ideotype/light/scene.hpp"
 #include "json.hpp"
 #include "run/disk.hpp"
@@ -17,7 +17,6 @@
 #include "stand/across_scenarios.hpp"
 #include "stand/sampling.hpp"
 #include "stand/stand.hpp"
-#include "stand_ranges.hpp"
 #include "verbs.hpp"
 
 namespace ideotype {
@@ -60,6 +59,23 @@ Json to_json(const std::vector<Problem>& problems) {
                        {"column", where.column},
                        {"message", what}});
     return all;
+}
+
+//! Prints index and evaluations done of each case that is not finished in a
+//! folder, with a tab between them.
+//! @throws Error (refused) if a history is of another campaign.
+void list_left(const Campaign& campaign, const std::string& out) {
+    for (const Case& each : cases(campaign)) {
+        const std::string path = path_of(out, campaign, each);
+        std::uint64_t evaluated = 0;
+        if (history_exists(path)) {
+            const History history = History::read(path);
+            require_same_campaign(history.header(), campaign, each, path);
+            if (history.finished()) continue;
+            evaluated = history.evaluated();
+        }
+        fmt::print("{}\t{}\n", each.index, evaluated);
+    }
 }
 
 //! Prints the command that runs the campaign.
@@ -199,7 +215,11 @@ ExitCode check(const CheckOptions& options) try {
     Campaign campaign = read_campaign(options.campaign_path, options.settings);
     if (options.lists_cases || options.only_count || options.only_left) {
         if (options.lists_cases)
-            list_cases(campaign);
+            fmt::print("{:>5}  {:<40}  {:>20}\n", "index", "case", "seed");
+        if (options.lists_cases)
+            for (const Case& each : cases(campaign))
+                fmt::print("{:>5}  {:<40}  {:>20}\n", each.index, each.name,
+                           each.seed);
         else if (options.only_count)
             fmt::print("{}\n", cases(campaign).size());
         else
@@ -210,7 +230,9 @@ ExitCode check(const CheckOptions& options) try {
     campaign.warnings.insert(campaign.warnings.end(),
                              campaign.outside_bounds.begin(),
                              campaign.outside_bounds.end());
-    if (!options.is_json) print_warnings(campaign);
+    for (const Problem& warning : campaign.warnings)
+        if (!options.is_json)
+            fmt::print(stderr, "ideotype: warning: {}\n", to_string(warning));
     const std::vector<Case> all = cases(campaign);
     require_names_fit(campaign, all, options.out);
     const Findings found = look_at(campaign);

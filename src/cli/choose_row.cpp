@@ -23,9 +23,7 @@ Case case_of(const History& history, const Campaign& campaign) {
 
 Row best_row(const History& history, Task& task) {
     const std::vector<Row> finalists = history.finalists();
-    if (const std::size_t best = best_finalist(
-            finalists, history.header().schema.objectives.front().sense);
-        best > 0) {
+    if (const std::size_t best = best_finalist(history, finalists); best > 0) {
         task.is_final = true;
         task.slot = static_cast<std::uint32_t>(best);
         return finalists[best];

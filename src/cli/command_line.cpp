@@ -13,9 +13,7 @@
 
 #include "declare_verbs.hpp"
 #include "ideotype/core/text.hpp"
-#include "python_verbs.hpp"
 #include "ranks.hpp"
-#include "report_error.hpp"
 #include "run/provenance.hpp"
 #include "verbs.hpp"
 

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <deque>
 #include <filesystem>
-#include <list>
 #include <optional>
+#include <unistd.h>
 
 #include <fmt/format.h>
 
 #include "comparison.hpp"
-#include "comparison_output.hpp"
 #include "ideotype/core/routine.hpp"
 #include "parallel/dispatcher.hpp"
 #include "ranks.hpp"
-#include "report_error.hpp"
 #include "run/machines.hpp"
 #include "run/progress.hpp"
+#include "run/run.hpp"
+#include "verbs.hpp"
 
 namespace ideotype {
 
@@ -40,25 +40,28 @@ class CompareEvaluator : public Evaluator {
     Device device_;
 };
 
-//! Fills a comparison case by case.
+//! Fills a comparison.
 class Comparer : public Director {
   public:
     explicit Comparer(Comparison& comparison) : all_(comparison) {}
+    ~Comparer() override {
+        if (is_watched_) fmt::print(stderr, "\r\x1b[K");
+    }
 
     //! @throws Error if one cannot be evaluated, or a stop is requested.
     void fill(Dispatcher& dispatcher) {
         dispatcher_ = &dispatcher;
         dispatcher.run(*this);
-        for (auto& each : running_) each.result();
+        routine_->result();
         if (done_ < all_.size())
             throw Error(fmt::format("stopped; {} of {} evaluations were done",
                                     done_, all_.size()));
     }
 
     bool start_next() override {
-        if (running_.size() == all_.cases.size()) return false;
-        running_.push_back(fill_case(running_.size()));
-        running_.back().start();
+        if (routine_) return false;
+        routine_.emplace(fill_all());
+        routine_->start();
         return true;
     }
     void on_silence(const Task&, const std::string& what) override {
@@ -67,17 +70,16 @@ class Comparer : public Director {
     void on_stop(int) override {}
 
   private:
-    Routine<bool> fill_case(std::size_t c) {
+    Routine<bool> fill_all() {
         std::vector<Work> work;
-        for (std::size_t p = 0; p < all_.plants.size(); ++p) {
-            Task task;
-            task.case_index =
-                static_cast<std::uint32_t>(all_.cases[c].chosen.index);
-            task.generation = static_cast<std::uint32_t>(c);
-            task.slot = static_cast<std::uint32_t>(p);
-            task.is_final = true;
-            work.push_back({task, {}});
-        }
+        for (std::size_t c = 0; c < all_.cases.size(); ++c)
+            for (std::size_t p = 0; p < all_.plants.size(); ++p) {
+                Task task;
+                task.generation = static_cast<std::uint32_t>(c);
+                task.slot = static_cast<std::uint32_t>(p);
+                task.is_final = true;
+                work.push_back({task, {}});
+            }
         co_await dispatcher_->evaluate(
             std::move(work), [this](const Work& done, const Outcome& outcome) {
                 record(done.task, outcome);
@@ -91,24 +93,28 @@ class Comparer : public Director {
                                     all_.cases[task.generation].name,
                                     outcome.message));
         all_.outcomes[task.slot][task.generation] = outcome;
-        live_.show(fmt::format("{} of {} evaluated", ++done_, all_.size()));
+        ++done_;
+        if (is_watched_)
+            fmt::print(stderr, "\r\x1b[K{} of {} evaluated", done_,
+                       all_.size());
     }
 
     Comparison& all_;
     std::size_t done_ = 0;
-    LiveLine live_;
+    const bool is_watched_ = columns_of(STDERR_FILENO) > 0;
     Dispatcher* dispatcher_ = nullptr;  //!< while filling
-    std::list<Routine<bool>> running_;
+    std::optional<Routine<bool>> routine_;
 };
 
-void compare_and_tell(Comparison& comparison, Dispatcher& dispatcher,
-                      const CompareOptions& options) {
+ExitCode compare_and_tell(Comparison& comparison, Dispatcher& dispatcher,
+                          const CompareOptions& options) {
     Comparer(comparison).fill(dispatcher);
     if (!options.csv_path.empty()) write_csv(options.csv_path, comparison);
     if (options.is_json)
         fmt::print("{}\n", to_text(to_json(comparison)));
     else
         print(comparison);
+    return ExitCode::ok;
 }
 
 Comparison read(const CompareOptions& options) {
@@ -147,46 +153,27 @@ std::optional<Comparison> read_on_all(const Session& session,
 }
 
 //! Collective over all ranks, which share plants and cases.
-void share(const CompareOptions& options, const Session& session,
-           StopFlag& stop) {
+ExitCode share(const CompareOptions& options, const Session& session,
+               const StopFlag& stop) {
     auto comparison = read_on_all(session, options);
-    if (!comparison) return;
+    if (!comparison) return ExitCode::ok;
     const std::string isa = session.broadcast(Device::supported_isas().back());
     std::deque<CompareEvaluator> own_evaluators;
     Evaluators evaluators;
     for (int i = threads_per_rank(session, options.threads); i > 0; --i)
         evaluators.push_back(&own_evaluators.emplace_back(*comparison, isa));
-    if (session.rank() != 0) return serve(session, evaluators);
-    const Campaign& under = comparison->under;
-    const auto dispatcher =
-        make_dispatcher(session, evaluators, stop,
-                        {under.answer_limits.deadline,
-                         under.answer_limits.attempts, final_effort(under)});
-    std::exception_ptr failure;
-    try {
-        compare_and_tell(*comparison, *dispatcher, options);
-    } catch (...) {
-        failure = std::current_exception();
-    }
-    // A worker that hangs would keep the program from ending.
-    if (dispatcher->dismiss()) {
-        if (failure) std::rethrow_exception(failure);
-        return;
-    }
-    try {
-        if (failure) std::rethrow_exception(failure);
-    } catch (const std::exception& error) {
-        session.abort(static_cast<int>(report_error(error)));
-    }
-    session.abort(0);
+    return share_work(
+        session, evaluators, stop, answer_rules(comparison->under),
+        [&](Dispatcher& dispatcher) {
+            return compare_and_tell(*comparison, dispatcher, options);
+        });
 }
 
 }  // namespace
 
 ExitCode compare(const CompareOptions& options) {
-    StopFlag stop;
-    share(options, start_session(), stop);
-    return ExitCode::ok;
+    const StopFlag stop;
+    return share(options, start_session(), stop);
 }
 
 }  // namespace ideotype

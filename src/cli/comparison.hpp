@@ -7,6 +7,7 @@
 
 #include "campaign/campaign.hpp"
 #include "ideotype/canopy/scenario.hpp"
+#include "json.hpp"
 #include "search/outcome.hpp"
 #include "stand/stand.hpp"
 #include "verbs.hpp"
@@ -76,5 +77,18 @@ Comparison read_comparison(const CompareOptions& options);
 //! One evaluation. All plants of a case share their random numbers.
 Outcome evaluate(const Comparison& comparison, std::size_t plant,
                  std::size_t chosen, const Device& device);
+
+//! Matrices with a row per plant and a column per case: of the first objective
+//! `mean`, `standard_error`, `difference` and `by_randomisation`, the same of
+//! all single numbers in `quantities`, and lists of them in `profiles`; null
+//! where a plant has no such leaf.
+Json to_json(const Comparison& comparison);
+
+//! A line per plant, case and figure.
+//! @throws Error if the file cannot be written.
+void write_csv(const std::string& path, const Comparison& comparison);
+
+//! Tables: the first objective in all cases, then all that is measured.
+void print(const Comparison& comparison);
 
 }  // namespace ideotype

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "comparison_output.hpp"
-
 #include <map>
 
 #include <fmt/format.h>
 
+#include "comparison.hpp"
 #include "output_file.hpp"
 #include "run/progress.hpp"
 

@@ -6,13 +6,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "campaign_argument.hpp"
-#include "light_command.hpp"
-#include "log_option.hpp"
-#include "python_verbs.hpp"
-#include "run_command.hpp"
+#include "options.hpp"
 #include "stand/mesh_options.hpp"
-#include "threads_option.hpp"
 #include "verbs.hpp"
 
 namespace ideotype {
@@ -73,9 +68,6 @@ void declare_evaluate(CLI::App& verb, EvaluateOptions& options) {
     add_case(verb, options.case_index);
     declare_row(verb, options.row);
     add_json(verb, options.is_json);
-    verb.add_option("--tolerance", options.tolerance,
-                    "relative standard error of the leaves' total, for a "
-                    "second look at a row of a history, in the same field");
 }
 
 void declare_compare(CLI::App& verb, CompareOptions& options) {

@@ -73,11 +73,9 @@ struct Study {
 };
 
 //! Of a plant in each scenario of a case.
-//! @param accuracy that of the task without one
 std::vector<Study> studies(const Task& task, const Campaign& campaign,
                            const Case& chosen, const Plant& plant,
-                           const std::string& isa,
-                           const std::optional<Accuracy>& accuracy = {}) {
+                           const std::string& isa) {
     const Device device(isa);
     std::vector<Study> all;
     for (const Case& each : scenarios(chosen)) {
@@ -85,7 +83,6 @@ std::vector<Study> studies(const Task& task, const Campaign& campaign,
             request_of(sampling_of(task, campaign, each), campaign,
                        scenario_of(campaign, each), plant);
         request.details.sunlit = true;
-        if (accuracy) request.accuracy = *accuracy;
         const double began = now();
         CanopyReport report = evaluate(request, device);
         all.push_back({each, std::move(report), now() - began});
@@ -107,21 +104,12 @@ void print_studies(const std::vector<Study>& all) {
     }
 }
 
-Plant plant_of(const ChosenRow& row) {
-    return grow(row.campaign.crop, row.row.candidate.genome);
-}
-
-std::vector<Study> studies(const ChosenRow& row,
-                           const std::optional<Accuracy>& accuracy = {}) {
-    return studies(row.task, row.campaign, row.chosen, plant_of(row), row.isa,
-                   accuracy);
-}
-
 //! What a row would have in its history.
-Outcome outcome_of(const ChosenRow& row, const std::vector<Study>& all) {
+Outcome outcome_of(const ChosenRow& row, const Plant& plant,
+                   const std::vector<Study>& all) {
     std::vector<Outcome> each;
     for (const Study& study : all)
-        each.push_back(to_outcome(row.campaign, plant_of(row), study.report));
+        each.push_back(to_outcome(row.campaign, plant, study.report));
     return each.size() == 1
                ? each.front()
                : AcrossScenarios(row.campaign, row.chosen).combine(each);
@@ -129,11 +117,6 @@ Outcome outcome_of(const ChosenRow& row, const std::vector<Study>& all) {
 
 ExitCode evaluate_baseline(const EvaluateOptions& options) {
     const Campaign campaign = read_campaign(options.path, options.settings);
-    if (options.tolerance)
-        throw Error(
-            "evaluate: --tolerance is for rows of a history; that of a "
-            "campaign is its light.tolerance",
-            ExitCode::usage);
     const Case chosen = case_at(campaign, options.case_index, options.path);
     Task task;
     task.case_index = static_cast<std::uint32_t>(chosen.index);
@@ -154,24 +137,21 @@ std::string name_of(const Task& task) {
                                        task.slot);
 }
 
-Json to_json(const Task& task, const Row& row) {
-    return {{"is_final", task.is_final},
-            {"generation", task.generation},
-            {"slot", task.slot},
-            {"is_done", row.outcome.status == Status::done}};
-}
-
 //! Recomputes a row, and compares every bit.
 ExitCode repeat_row(const ChosenRow& which, bool is_json) {
     const auto& [campaign, chosen, task, row, schema, isa] = which;
-    const std::vector<Study> all = studies(which);
-    const Outcome again = outcome_of(which, all);
+    const Plant plant = grow(campaign.crop, row.candidate.genome);
+    const std::vector<Study> all = studies(task, campaign, chosen, plant, isa);
+    const Outcome again = outcome_of(which, plant, all);
     const bool is_done = row.outcome.status == Status::done;
     const bool agrees = agrees_with(which, again);
     if (is_json) {
         Json json = to_json(all);
-        json["row"] = to_json(task, row);
-        json["row"]["agrees_bit_for_bit"] = agrees;
+        json["row"] = {{"is_final", task.is_final},
+                       {"generation", task.generation},
+                       {"slot", task.slot},
+                       {"is_done", is_done},
+                       {"agrees_bit_for_bit", agrees}};
         fmt::print("{}\n", to_text(json));
     } else {
         print_studies(all);
@@ -183,50 +163,6 @@ ExitCode repeat_row(const ChosenRow& which, bool is_json) {
     return agrees || !is_done ? ExitCode::ok : ExitCode::runtime;
 }
 
-//! Evaluates a row in its own field with as many paths as a tolerance needs,
-//! to tell what its error was.
-ExitCode evaluate_row_again(const ChosenRow& which, double tolerance,
-                            bool is_json) {
-    const auto& [campaign, chosen, task, row, schema, isa] = which;
-    if (task.is_final || row.outcome.status != Status::done)
-        throw Error(
-            fmt::format("evaluate: {} {}; --tolerance is for rows "
-                        "that evolution evaluated",
-                        name_of(task),
-                        task.is_final ? "had many fields" : "has no result"),
-            ExitCode::usage);
-    constexpr int most_paths = 1 << 26;
-    const std::vector<Study> all =
-        studies(which, Accuracy{most_paths, 16, tolerance});
-    const Estimate was = row.outcome.objectives.front();
-    const Estimate is = outcome_of(which, all).objectives.front();
-    const double deviation = (was.mean - is.mean) / was.standard_error;
-    if (is_json) {
-        Json json = to_json(all);
-        json["row"] = to_json(task, row);
-        json["row"].update({{"was", to_json(was)},
-                            {"is", to_json(is)},
-                            {"deviation_in_standard_errors", deviation}});
-        fmt::print("{}\n", to_text(json));
-    } else {
-        print_studies(all);
-        std::uint64_t paths = 0;
-        for (const Study& study : all) paths += study.report.paths;
-        fmt::print(
-            "\n{}: {} in the history, {} with {} paths: {:.2f} of its "
-            "standard errors off\n",
-            name_of(task), format(was), format(is), paths, deviation);
-    }
-    return ExitCode::ok;
-}
-
-ExitCode evaluate_row(const EvaluateOptions& options) {
-    const ChosenRow which = choose_row(options.path, options.row);
-    return options.tolerance
-               ? evaluate_row_again(which, *options.tolerance, options.is_json)
-               : repeat_row(which, options.is_json);
-}
-
 }  // namespace
 
 ExitCode evaluate(const EvaluateOptions& options) {
@@ -235,8 +171,10 @@ ExitCode evaluate(const EvaluateOptions& options) {
             "evaluate: --set is for campaigns; a row of a history is "
             "evaluated as it was",
             ExitCode::usage);
-    return is_history(options.path) ? evaluate_row(options)
-                                    : evaluate_baseline(options);
+    return is_history(options.path)
+               ? repeat_row(choose_row(options.path, options.row),
+                            options.is_json)
+               : evaluate_baseline(options);
 }
 
 }  // namespace ideotype

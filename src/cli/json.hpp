@@ -14,12 +14,18 @@ using Json = nlohmann::ordered_json;
 
 //! {"mean": x, "standard_error": s}; null for a standard error that is
 //! unknown.
-Json to_json(Estimate x);
+inline Json to_json(Estimate x) {
+    return {{"mean", x.mean}, {"standard_error", x.standard_error}};
+}
 
 //! Indented text; bytes of names that are no UTF-8 are replaced.
-std::string to_text(const Json& json);
+inline std::string to_text(const Json& json) {
+    return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
 
-//! The same without spaces and ends of lines.
-std::string to_line(const Json& json);
+//! Text without spaces and ends of lines.
+inline std::string to_line(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
 
 }  // namespace ideotype

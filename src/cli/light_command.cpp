@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "light_command.hpp"
-
 #include <cstdio>
 #include <map>
 #include <tuple>
 
 #include <CLI/CLI.hpp>
 
+#include "declare_verbs.hpp"
 #include "stand/mesh_options.hpp"
 
 namespace ideotype {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "campaign/keys.hpp"
-#include "ideotype/climate/daylight.hpp"
+#include "ideotype/climate/light_series.hpp"
 #include "ideotype/core/error.hpp"
 
 namespace ideotype {

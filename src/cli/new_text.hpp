@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "ideotype/climate/site.hpp"
+#include "ideotype/climate/sun.hpp"
 
 namespace ideotype {
 

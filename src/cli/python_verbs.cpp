@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "python_verbs.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -10,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "declare_verbs.hpp"
 #include "ideotype/core/error.hpp"
 
 namespace ideotype {
@@ -23,7 +22,8 @@ struct PythonVerb {
 
 //! `ideotype.__main__.VERBS` of the package has the same names.
 constexpr std::array python_verbs{
-    PythonVerb{"summary", "the outcome of histories in words"},
+    PythonVerb{"summary",
+               "the gains of cases as a table, their seeds put together"},
     PythonVerb{"report", "one page about histories, with all figures"},
     PythonVerb{"weather",
                "make of weather files of many formats the one that campaigns "

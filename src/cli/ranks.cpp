@@ -9,6 +9,7 @@
 
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/host.hpp"
+#include "verbs.hpp"
 
 namespace ideotype {
 
@@ -73,6 +74,46 @@ Session start_session() {
     Session session;
     require_all_ranks(session.size(), launch.size);
     return session;
+}
+
+ExitCode on_ranks(const Session& session, const Log& log,
+                  const std::function<ExitCode()>& action) {
+    try {
+        return action();
+    } catch (const std::exception& error) {
+        const ExitCode code = report_error(error, log);
+        const bool is_told = dynamic_cast<const Error*>(&error) != nullptr;
+        if (session.rank() != 0 || (session.size() > 1 && !is_told))
+            session.abort(static_cast<int>(code));
+        return code;
+    }
+}
+
+ExitCode share_work(const Session& session, const Evaluators& evaluators,
+                    const StopFlag& stop, const AnswerRules& rules,
+                    const std::function<ExitCode(Dispatcher&)>& direct) {
+    if (session.rank() != 0) {
+        serve(session, evaluators);
+        return ExitCode::ok;
+    }
+    const auto dispatcher = make_dispatcher(session, evaluators, stop, rules);
+    ExitCode code = ExitCode::ok;
+    std::exception_ptr failure;
+    try {
+        code = direct(*dispatcher);
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    // A worker that hangs would keep the program from ending.
+    const bool all_answer = dispatcher->dismiss();
+    try {
+        if (failure) std::rethrow_exception(failure);
+    } catch (const std::exception& error) {
+        if (all_answer) throw;
+        code = report_error(error);
+    }
+    if (!all_answer) session.abort(static_cast<int>(code));
+    return code;
 }
 
 }  // namespace ideotype

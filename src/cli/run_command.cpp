@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "run_command.hpp"
-
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "campaign_argument.hpp"
+#include "declare_verbs.hpp"
 #include "ideotype/core/clock.hpp"
-#include "log_option.hpp"
-#include "report_error.hpp"
+#include "options.hpp"
 #include "run/way_on.hpp"
-#include "threads_option.hpp"
+#include "verbs.hpp"
 
 namespace ideotype {
 
@@ -22,21 +19,6 @@ double to_seconds(const std::string& text) {
         "--wall-time", fmt::format("'{}' is no time; write for example 90, "
                                    "90s, 30m, 2h, 1h30m or 01:30:00",
                                    text));
-}
-
-//! Collective over all ranks.
-ExitCode run_on_ranks(const RunOptions& options, const Session& session,
-                      StopFlag& stop) {
-    try {
-        return run(options, session, stop);
-    } catch (const std::exception& error) {
-        const ExitCode code = report_error(error, Log(options.level));
-        // Rank 0 tells the others to leave before an Error of its own. Ranks
-        // would wait for ever for one that fails by itself.
-        if (session.rank() != 0 || (session.size() > 1 && !is_told(error)))
-            session.abort(static_cast<int>(code));
-        return code;
-    }
 }
 
 }  // namespace
@@ -83,7 +65,8 @@ ExitCode start_run(const RunCommand& command) {
     options.command = quoted(command.words);
     StopFlag stop;
     const Session session = start_session();
-    return run_on_ranks(options, session, stop);
+    return on_ranks(session, Log(options.level),
+                    [&] { return run(options, session, stop); });
 }
 
 }  // namespace ideotype

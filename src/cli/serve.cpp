@@ -6,13 +6,12 @@
 #include <fmt/format.h>
 
 #include "ideotype/core/routine.hpp"
-#include "line_reader.hpp"
-#include "line_writer.hpp"
+#include "lines.hpp"
 #include "ranks.hpp"
-#include "report_error.hpp"
 #include "request_evaluator.hpp"
 #include "run/machines.hpp"
 #include "run/progress.hpp"
+#include "run/run.hpp"
 #include "run/sky_table.hpp"
 #include "verbs.hpp"
 
@@ -188,30 +187,12 @@ ExitCode serve_on(const Session& session, const ServeOptions& options,
     Evaluators evaluators;
     for (int i = threads_per_rank(session, options.threads); i > 0; --i)
         evaluators.push_back(&own_evaluators.emplace_back(served, isa));
-    if (session.rank() != 0) {
-        serve(session, evaluators);
-        return ExitCode::ok;
-    }
-    const auto dispatcher = make_dispatcher(
-        session, evaluators, stop,
-        {campaign.answer_limits.deadline, campaign.answer_limits.attempts,
-         final_effort(campaign), attention});
-    Service service(served, stop, log);
-    ExitCode code = ExitCode::ok;
-    std::optional<Error> failure;
-    try {
-        code = service.run(*dispatcher);
-    } catch (const Error& error) {
-        failure = error;
-        code = error.exit_code();
-    }
-    // A worker that hangs would keep the program from ending.
-    if (!dispatcher->dismiss()) {
-        if (failure) log.write(LogLevel::error, failure->what());
-        session.abort(static_cast<int>(code));
-    }
-    if (failure) throw Error(*failure);
-    return code;
+    AnswerRules rules = answer_rules(campaign);
+    rules.attention = attention;
+    return share_work(session, evaluators, stop, rules,
+                      [&](Dispatcher& dispatcher) {
+                          return Service(served, stop, log).run(dispatcher);
+                      });
 }
 
 }  // namespace
@@ -220,16 +201,8 @@ ExitCode serve(const ServeOptions& options) {
     StopFlag stop;
     const Log log(options.level);
     const Session session = start_session();
-    try {
-        return serve_on(session, options, stop, log);
-    } catch (const std::exception& error) {
-        const ExitCode code = report_error(error, log);
-        // Rank 0 tells the others to leave before an Error of its own. Ranks
-        // would wait for ever for one that fails by itself.
-        if (session.rank() != 0 || (session.size() > 1 && !is_told(error)))
-            session.abort(static_cast<int>(code));
-        return code;
-    }
+    return on_ranks(session, log,
+                    [&] { return serve_on(session, options, stop, log); });
 }
 
 }  // namespace ideotype

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <optional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "history/history.hpp"
 #include "ideotype/core/text.hpp"
@@ -43,35 +43,12 @@ std::vector<std::string> histories_in(const std::vector<std::string>& paths) {
     return files;
 }
 
-enum class State { finished, running, drained, dead };
-
 //! The writer is to be looked at before the reason is read: a case that ends
 //! in between is finished, not drained.
-State state_of(Writer writer, const std::optional<std::string>& reason) {
-    if (reason) return State::finished;
-    switch (writer) {
-        case Writer::alive:
-            return State::running;
-        case Writer::closed:
-            return State::drained;
-        case Writer::killed:
-            break;
-    }
-    return State::dead;
-}
-
-std::string name_of(State state) {
-    switch (state) {
-        case State::finished:
-            return "finished";
-        case State::running:
-            return "running";
-        case State::drained:
-            return "drained";
-        case State::dead:
-            break;
-    }
-    return "dead";
+std::string state_of(Writer writer, const std::optional<std::string>& reason) {
+    if (reason) return "finished";
+    if (writer == Writer::alive) return "running";
+    return writer == Writer::closed ? "drained" : "dead";
 }
 
 //! How the last start of a case would be repeated; empty if it is not known
@@ -84,173 +61,62 @@ std::string way_on_with(const History& history) {
     return way_on(last->command, last->ranks);
 }
 
-//! Sums over all files.
-class Overview {
-  public:
-    void add(State state, double rate, const std::string& command) {
-        ++cases_[state];
-        if (state == State::running) rate_ += rate;
-        if (!command.empty() && !contains(command))
-            commands_.push_back(command);
-    }
-
-    //! A gain has been told that one search alone has found.
-    void note_one_seed() { is_of_one_seed_ = true; }
-
-    void print() const {
-        int count = 0;
-        std::string states;
-        for (const auto& [state, cases] : cases_) {
-            count += cases;
-            states += fmt::format("{}{} {}", states.empty() ? "" : ", ", cases,
-                                  name_of(state));
-        }
-        if (count > 1) {
-            fmt::print("{} cases: {}", count, states);
-            if (rate_ > 0) fmt::print("; {:.1f} evaluations/s", rate_);
-            fmt::print("\n");
-        }
-        if (is_of_one_seed_) fmt::print("{}\n", one_seed);
-        if (commands_.empty()) return;
-        fmt::print("go on with\n");
-        for (const std::string& command : commands_)
-            fmt::print("  {}\n", command);
-    }
-
-    const std::vector<std::string>& commands() const { return commands_; }
-
-  private:
-    bool contains(const std::string& command) const {
-        return std::find(commands_.begin(), commands_.end(), command) !=
-               commands_.end();
-    }
-
-    std::map<State, int> cases_;
-    bool is_of_one_seed_ = false;
-    double rate_ = 0;                    //!< of what runs [evaluations/s]
-    std::vector<std::string> commands_;  //!< cases of one job share one
-};
-
 //! What is told of a case; not all of it is known of each.
 struct Report {
     std::string path, case_name, state;
-    ExitCode code = ExitCode::ok;
     std::uint64_t missing_bytes = 0;
-    std::optional<std::string> reason;  //!< of the end
-    double complete = 0, generations = 0, evaluations = 0, failures = 0;
-    std::size_t finalists = 0, failed_finalists = 0;
-    std::string objective, unit;
-    std::optional<Estimate> best, hypervolume;
-    bool is_evaluated_again = false;
-    double violation = 0;              //!< of the best
-    std::string doubt;                 //!< of the leaf area of the best
+    CaseResult result;
     std::optional<double> rate, left;  //!< [evaluations/s], [s]
+    std::string way_on;                //!< if it has stopped
+    bool has_one_seed = false;         //!< with a gain, which that alone found
 };
 
-//! Of the final evaluation, or of the last generation.
-void add_best(const History& history, Report& report) {
-    const Objective& objective = history.header().schema.objectives.front();
-    report.objective = objective.name;
-    report.unit = objective.unit;
-    const std::vector<Row> finalists = history.finalists();
-    report.finalists = finalists.size();
-    report.failed_finalists = failed_finalists(finalists);
-    const std::size_t slot = best_finalist(finalists, objective.sense);
-    report.is_evaluated_again = slot > 0 && history.finished();
-    const auto take = [&](const Outcome& outcome) {
-        report.violation = outcome.violation;
-        if (const auto lai = find(history.header().schema, outcome, "lai"))
-            report.doubt = doubt_of_lai(lai->mean);
-    };
-    if (report.is_evaluated_again) {
-        report.best = finalists[slot].outcome.objectives.front();
-        return take(finalists[slot].outcome);
-    }
-    const auto summaries = history.summaries();
-    const GenerationSummary& last = summaries.back();
-    const auto generation = static_cast<std::uint32_t>(summaries.size() - 1);
-    report.best = {last.best, last.best_standard_error};
-    take(history.row(generation, last.best_slot).outcome);
-}
-
-Report report_on(const std::string& path, Overview& overview) {
+Report report_on(const std::string& path) {
     const History history = History::salvage(path);
     const HistoryHeader& header = history.header();
     Report report;
     report.path = path;
     report.case_name = header.text.at("case");
-    report.generations = header.generations;
     report.missing_bytes = history.missing_bytes();
     if (report.missing_bytes > 0) {
         report.state = "truncated";
-        report.code = ExitCode::refused;
-        report.complete = history.next_generation();
-        report.generations = static_cast<double>(history.summaries().size());
+        report.result.complete = history.next_generation();
+        report.result.generations =
+            static_cast<double>(history.summaries().size());
         return report;
     }
     const Writer writer = writer_of(path);
-    report.reason = history.finished();
-    const State state = state_of(writer, report.reason);
-    report.state = name_of(state);
-    const auto summaries = history.summaries();
-    report.complete = static_cast<double>(summaries.size());
-    for (const GenerationSummary& s : summaries) {
-        report.failures += s.failures;
-        report.evaluations += s.evaluations;
-    }
-    const double wall_time = summaries.empty() ? 0 : summaries.back().wall_time;
-    if (wall_time > 0) report.rate = report.evaluations / wall_time;
-    const bool is_stopped = state == State::drained || state == State::dead;
-    overview.add(state, report.rate.value_or(0),
-                 is_stopped ? way_on_with(history) : "");
-    if (summaries.empty()) return report;
-    add_best(history, report);
-    if (report.is_evaluated_again &&
-        header.campaign_resolved.find("\nreplicates = 1\n") !=
-            std::string::npos)
-        overview.note_one_seed();
-    const GenerationSummary& last = summaries.back();
-    if (!std::isnan(last.hypervolume))
-        report.hypervolume = {last.hypervolume,
-                              last.hypervolume_standard_error};
-    if (!report.reason)
-        report.left = (report.generations - report.complete) * wall_time /
-                      report.complete;
+    report.result = result_of(history);
+    const CaseResult& result = report.result;
+    report.state = state_of(writer, result.reason);
+    if (!result.reason && writer != Writer::alive)
+        report.way_on = way_on_with(history);
+    if (result.wall_time > 0)
+        report.rate = result.evaluations / result.wall_time;
+    if (!result.reason && result.complete > 0)
+        report.left = (result.generations - result.complete) *
+                      result.wall_time / result.complete;
+    report.has_one_seed = result.is_evaluated_again &&
+                          header.campaign_resolved.find("\nreplicates = 1\n") !=
+                              std::string::npos;
     return report;
 }
 
-std::string text_of_remains(const Report& report) {
-    std::string line = fmt::format(
-        "{}: truncated, {} bytes are missing at its end, {} of {} "
-        "complete generations can be read; copy it again",
-        report.path, report.missing_bytes, report.complete, report.generations);
-    if (report.complete > 0)
-        line += fmt::format(
-            ", or save these with: ideotype export {} --generations --to "
-            "NEW.csv",
-            report.path);
-    return line;
-}
-
 std::string to_text(const Report& report) {
-    if (report.missing_bytes > 0) return text_of_remains(report);
-    std::string line =
-        fmt::format("{}: {}{}, {} of {} generations", report.path, report.state,
-                    report.reason ? " by " + *report.reason : "",
-                    report.complete, report.generations);
-    if (report.best)
-        line += fmt::format(
-            ", best {} {} {}, {} failed", format(*report.best), report.unit,
-            report.is_evaluated_again ? "(evaluated again)"
-                                      : not_evaluated_again(report.violation),
-            report.failures);
-    if (!report.doubt.empty()) line += "; this plant " + report.doubt;
-    if (report.failed_finalists > 0)
-        line += fmt::format(", {} of {} finalists failed",
-                            report.failed_finalists, report.finalists);
-    if (report.hypervolume)
-        line += fmt::format(", hypervolume {}", format(*report.hypervolume));
-    if (report.rate)
+    const CaseResult& result = report.result;
+    if (report.missing_bytes > 0)
+        return fmt::format(
+            "{}: truncated, {} bytes are missing at its end, {} of {} "
+            "complete generations can be read; copy it again{}",
+            report.path, report.missing_bytes, result.complete,
+            result.generations,
+            result.complete > 0
+                ? fmt::format(", or save these with: ideotype export {} "
+                              "--generations --to NEW.csv",
+                              report.path)
+                : "");
+    std::string line = to_text(result, report.path, report.state);
+    if (report.rate && !result.reason)
         line += fmt::format(", {:.1f} evaluations/s", *report.rate);
     if (report.left)
         line += fmt::format(", {} left", format_duration(*report.left));
@@ -263,51 +129,73 @@ Json optional_json(const auto& value) {
 }
 
 Json to_json(const Report& report) {
+    const CaseResult& result = report.result;
     Json best;
-    if (report.best) {
-        best = {{"objective", report.objective}, {"unit", report.unit}};
-        best.update(to_json(*report.best));
-        best["violation"] = report.violation;
-        best["is_evaluated_again"] = report.is_evaluated_again;
+    if (result.best) {
+        best = {{"objective", result.objective}, {"unit", result.unit}};
+        best.update(to_json(*result.best));
+        best["violation"] = result.violation;
+        best["is_evaluated_again"] = result.is_evaluated_again;
     }
     return {{"path", report.path},
             {"case", report.case_name},
             {"state", report.state},
-            {"ended_by", optional_json(report.reason)},
+            {"ended_by", optional_json(result.reason)},
             {"missing_bytes", report.missing_bytes},
-            {"complete_generations", report.complete},
-            {"generations", report.generations},
-            {"evaluations", report.evaluations},
-            {"failed", report.failures},
-            {"finalists", report.finalists},
-            {"failed_finalists", report.failed_finalists},
+            {"complete_generations", result.complete},
+            {"generations", result.generations},
+            {"evaluations", result.evaluations},
+            {"failed", result.failures},
+            {"finalists", result.finalists},
+            {"failed_finalists", result.failed_finalists},
             {"best", best},
             {"hypervolume",
-             report.hypervolume ? to_json(*report.hypervolume) : Json()},
+             result.hypervolume ? to_json(*result.hypervolume) : Json()},
             {"evaluations_per_second", optional_json(report.rate)},
             {"left_s", optional_json(report.left)}};
 }
 
-//! One file; adds it to the histories if these are told as JSON.
-ExitCode show(const std::string& path, const StatusOptions& options,
-              Overview& overview, Json& histories) {
-    const Report report = report_on(path, overview);
-    if (options.is_json)
-        histories.push_back(to_json(report));
-    else
-        fmt::print("{}\n", printable(to_text(report)));
-    return report.code;
+//! Prints sums over all files, and how to go on with what stopped.
+void print_overview(const std::vector<Report>& reports,
+                    const std::vector<std::string>& commands) {
+    std::map<std::string, int> states;
+    double rate = 0;  // of what runs [evaluations/s]
+    for (const Report& each : reports) {
+        ++states[each.state];
+        if (each.state == "running") rate += each.rate.value_or(0);
+    }
+    if (reports.size() > 1) {
+        std::vector<std::string> parts;
+        for (const auto& [state, count] : states)
+            parts.push_back(fmt::format("{} {}", count, state));
+        fmt::print("{} cases: {}", reports.size(), fmt::join(parts, ", "));
+        if (rate > 0) fmt::print("; {:.1f} evaluations/s", rate);
+        fmt::print("\n");
+    }
+    if (std::ranges::any_of(reports, &Report::has_one_seed))
+        fmt::print("{}\n", one_seed);
+    if (!commands.empty())
+        fmt::print("go on with\n  {}\n", fmt::join(commands, "\n  "));
 }
 
 }  // namespace
 
 ExitCode status(const StatusOptions& options) {
     ExitCode worst = ExitCode::ok;
-    Overview overview;
+    std::vector<Report> reports;
+    std::vector<std::string> commands;  // cases of one job share one
     Json json{{"histories", Json::array()}, {"unreadable", Json::array()}};
     for (const std::string& path : histories_in(options.paths)) try {
-            worst = std::max(worst,
-                             show(path, options, overview, json["histories"]));
+            const Report& report = reports.emplace_back(report_on(path));
+            if (!report.way_on.empty() &&
+                std::ranges::count(commands, report.way_on) == 0)
+                commands.push_back(report.way_on);
+            if (options.is_json)
+                json["histories"].push_back(to_json(report));
+            else
+                fmt::print("{}\n", printable(to_text(report)));
+            if (report.missing_bytes > 0)
+                worst = std::max(worst, ExitCode::refused);
         } catch (const Error& error) {
             // One unreadable file must not hide the others.
             fmt::print(stderr, "{}\n", printable_lines(error.what()));
@@ -315,11 +203,27 @@ ExitCode status(const StatusOptions& options) {
             json["unreadable"].push_back(
                 {{"path", path}, {"message", error.what()}});
         }
-    json["go_on_with"] = overview.commands();
+    json["go_on_with"] = commands;
     if (options.is_json)
         fmt::print("{}\n", to_text(json));
     else
-        overview.print();
+        print_overview(reports, commands);
+    return worst;
+}
+
+ExitCode verify(const std::vector<std::string>& paths) {
+    ExitCode worst = ExitCode::ok;
+    for (const std::string& path : paths) try {
+            const Verified found = verify_file(path);
+            fmt::print(
+                "{}: header, {} generations and {} finalists have their "
+                "checksums\n",
+                path, found.generations, found.finalists);
+        } catch (const Error& error) {
+            // One that is damaged must not hide the others.
+            fmt::print(stderr, "{}\n", printable_lines(error.what()));
+            worst = std::max(worst, error.exit_code());
+        }
     return worst;
 }
 

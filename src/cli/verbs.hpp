@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,14 +47,12 @@ struct RowChoice {
 };
 
 //! `evaluate CAMPAIGN`: the baseline's light.
-//! `evaluate FILE --generation G --slot S`: recomputes a row, or, with a
-//! tolerance, tells how far off it is.
+//! `evaluate FILE --generation G --slot S`: recomputes a row.
 struct EvaluateOptions {
     std::string path;                   //!< a campaign or a history
     std::vector<std::string> settings;  //!< of a campaign: "table.key=value"
     int case_index = 0;
     RowChoice row;
-    std::optional<double> tolerance;  //!< relative standard error
     bool is_json = false;
 };
 ExitCode evaluate(const EvaluateOptions& options);
@@ -117,6 +116,12 @@ ExitCode export_generations(const ExportOptions& options);
 
 //! `verify FILE...`: compares histories with their checksums.
 ExitCode verify(const std::vector<std::string>& paths);
+
+//! Tells the user, and returns the code for the shell.
+ExitCode report_error(const std::exception& error);
+
+//! The same, in a log.
+ExitCode report_error(const std::exception& error, const Log& log);
 
 //! Parses the command line, runs the verb, reports errors.
 int run_command_line(int argc, char** argv);

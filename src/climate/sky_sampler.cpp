@@ -5,7 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "clear_radiance.hpp"
+#include <glm/geometric.hpp>
+
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/units.hpp"
 #include "piecewise_density.hpp"
@@ -15,6 +16,19 @@ namespace ideotype {
 namespace {
 
 using std::numbers::pi;
+
+//! The two factors of the CIE clear sky, see relative_radiance().
+
+//! Scattering at an angle from the sun [rad].
+double indicatrix(double to_sun) {
+    const double c = std::cos(to_sun);
+    return 0.91 + 10 * std::exp(-3 * to_sun) + 0.45 * c * c;
+}
+
+//! Brightening from the zenith to the horizon.
+double gradation(double cos_zenith) {
+    return cos_zenith > 0 ? 1 - std::exp(-0.32 / cos_zenith) : 1;
+}
 
 //! A direction of travel from a place at an angle from the zenith.
 glm::dvec3 travel_from(double cos_zenith, double sin_zenith, double azimuth) {
@@ -33,6 +47,22 @@ double overcast_cos_zenith(double share) {
 }
 
 }  // namespace
+
+double relative_radiance(const SkyRadiance& sky, const glm::dvec3& travel) {
+    const double cos_zenith = -travel.z;
+    if (cos_zenith < 0) return 0;
+    switch (sky.model) {
+        case SkyModel::uniform:
+            return 1;
+        case SkyModel::overcast:
+            return (1 + 2 * cos_zenith) / 3;
+        case SkyModel::clear:
+            break;
+    }
+    const glm::dvec3 sun = beam_direction(sky.sun);
+    const double cos_to_sun = std::clamp(glm::dot(travel, sun), -1.0, 1.0);
+    return indicatrix(std::acos(cos_to_sun)) * gradation(cos_zenith);
+}
 
 //! In polar coordinates about the sun, where nothing is singular: one factor
 //! of the radiance depends on the angle to the sun only, the other changes

@@ -2,7 +2,6 @@
 #include "ideotype/climate/sun.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -14,13 +13,8 @@ namespace {
 
 //! Days since noon of 1 January 2000, in universal time.
 double days_since_2000(const Date& date, double universal_hour) {
-    using namespace std::chrono;
-    const sys_days midnight{year{date.year} /
-                            month{static_cast<unsigned>(date.month)} /
-                            day{static_cast<unsigned>(date.day)}};
-    const sys_days origin{year{2000} / January / day{1}};
-    const auto whole_days = static_cast<double>((midnight - origin).count());
-    return whole_days - 0.5 + universal_hour / 24;
+    const auto whole_days = (day_of(date) - day_of({2000, 1, 1})).count();
+    return static_cast<double>(whole_days) - 0.5 + universal_hour / 24;
 }
 
 //! Direction on the celestial sphere [rad].
@@ -44,6 +38,28 @@ Equatorial apparent_sun(double days) {
                    std::cos(longitude)),
         std::asin(std::sin(obliquity) * std::sin(longitude)),
     };
+}
+
+constexpr double solar_constant = 1361.1;       //!< [W m-2]
+constexpr double sea_level_pressure = 1013.25;  //!< [hPa]
+
+//! Days since 1 January of the same year.
+int day_of_year(const Date& date) {
+    return static_cast<int>((day_of(date) - day_of({date.year, 1, 1})).count());
+}
+
+//! Pressure in the standard atmosphere [hPa] at an elevation [m].
+double standard_pressure(double elevation) {
+    return std::pow((44331.514 - elevation) / 11880.516, 1 / 0.1902632);
+}
+
+//! Optical path through the air over that of a zenith sun at sea level
+//! (Kasten and Young 1989, doi:10.1364/AO.28.004735).
+double air_mass(double zenith, double elevation) {
+    const double relative =
+        1 / (std::cos(zenith * degree) +
+             0.50572 * std::pow(96.07995 - zenith, -1.6364));
+    return relative * standard_pressure(elevation) / sea_level_pressure;
 }
 
 }  // namespace
@@ -85,6 +101,51 @@ glm::dvec3 beam_direction(const SunPosition& sun) {
         -std::sin(zenith) * std::cos(azimuth),
         -std::cos(zenith),
     };
+}
+
+double extraterrestrial_normal(const Date& date) {
+    const double b = 2 * std::numbers::pi * day_of_year(date) / 365;
+    return solar_constant *
+           (1.00011 + 0.034221 * std::cos(b) + 0.00128 * std::sin(b) +
+            0.000719 * std::cos(2 * b) + 0.000077 * std::sin(2 * b));
+}
+
+Irradiance clear_sky(const Site& site, const Date& date,
+                     const SunPosition& sun) {
+    if (sun.zenith >= 90) return {};
+    const double extraterrestrial = extraterrestrial_normal(date);
+    const double cos_zenith = std::cos(sun.zenith * degree);
+    const double mass = air_mass(sun.zenith, site.elevation);
+    const double turbidity = site.linke_turbidity;
+
+    const double fh1 = std::exp(-site.elevation / 8000);
+    const double fh2 = std::exp(-site.elevation / 1250);
+    const double cg1 = 5.09e-5 * site.elevation + 0.868;
+    const double cg2 = 3.92e-5 * site.elevation + 0.0387;
+    const double global = cg1 * extraterrestrial * cos_zenith *
+                          std::exp(-cg2 * mass * (fh1 + fh2 * (turbidity - 1)));
+
+    const double b = 0.664 + 0.163 / fh1;
+    const double beam_normal =
+        b * extraterrestrial * std::exp(-0.09 * mass * (turbidity - 1));
+    // Some light is always scattered, whatever the beam equation says.
+    const double largest_beam_share =
+        1 - (0.1 - 0.2 * std::exp(-turbidity)) / (0.1 + 0.882 / fh1);
+    const double beam =
+        std::min(beam_normal * cos_zenith,
+                 global * std::clamp(largest_beam_share, 0.0, 1.0));
+    return {beam, global - beam};
+}
+
+double diffuse_fraction(double global, double extraterrestrial_normal,
+                        double zenith) {
+    if (zenith > 87) return 1;
+    const double cosine = std::max(std::cos(zenith * degree), 0.065);
+    const double k =
+        std::clamp(global / (extraterrestrial_normal * cosine), 0.0, 1.0);
+    if (k <= 0.22) return 1 - 0.09 * k;
+    if (k > 0.8) return 0.165;
+    return 0.9511 + k * (-0.1604 + k * (4.388 + k * (-16.638 + k * 12.336)));
 }
 
 }  // namespace ideotype

@@ -1,17 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "time_stamp.hpp"
-
+#include <array>
 #include <cmath>
 #include <string>
-#include <vector>
+#include <string_view>
 
-#include "ideotype/core/csv.hpp"
+#include "weather_table.hpp"
 
 namespace ideotype {
 
+using namespace std::chrono;
+
+ClockTime midnight(const Date& date) {
+    return ClockTime{day_of(date).time_since_epoch()};
+}
+
+Date date_at(ClockTime time) {
+    const year_month_day date{floor<days>(time)};
+    return {static_cast<int>(date.year()),
+            static_cast<int>(static_cast<unsigned>(date.month())),
+            static_cast<int>(static_cast<unsigned>(date.day()))};
+}
+
+double hour_at(ClockTime time) {
+    return static_cast<double>((time - floor<days>(time)).count()) / 3600;
+}
+
+ClockTime later(ClockTime time, double hours) {
+    return time + seconds{std::llround(hours * 3600)};
+}
+
 namespace {
 
-using namespace std::chrono;
+//! The first instant of a date; nothing if there is no such date.
+std::optional<ClockTime> midnight(int year, int month, int day) {
+    if (month < 1 || month > 12 || day < 1 || day > 31) return std::nullopt;
+    const Date date{year, month, day};
+    if (date_at(midnight(date)) != date) return std::nullopt;
+    return midnight(date);
+}
 
 //! Returns the whole numbers, of up to four digits, between separators of one
 //! kind; nothing if the text is anything else.
@@ -29,48 +55,6 @@ std::vector<int> numbers(std::string_view text, std::string_view separators) {
         if (end == text.npos) return all;
         text.remove_prefix(end + 1);
     }
-}
-
-//! The hours of an offset from UTC, such as -06:00, +0530 or Z.
-std::optional<double> parse_offset(std::string_view text) {
-    if (text == "Z" || text == "z") return 0;
-    if (text.size() < 2) return std::nullopt;
-    const double sign = text.front() == '-' ? -1 : 1;
-    text.remove_prefix(1);
-    const std::optional<double> hours =
-        text.size() == 2 ? number_of(text) : parse_clock(text);
-    if (!hours) return std::nullopt;
-    return sign * *hours;
-}
-
-}  // namespace
-
-std::optional<ClockTime> midnight(int year, int month, int day) {
-    if (month < 1 || month > 12 || day < 1 || day > 31) return std::nullopt;
-    const year_month_day date{std::chrono::year{year},
-                              std::chrono::month(static_cast<unsigned>(month)),
-                              std::chrono::day(static_cast<unsigned>(day))};
-    if (!date.ok()) return std::nullopt;
-    return ClockTime{local_days{date}};
-}
-
-ClockTime midnight(const Date& date) {
-    return midnight(date.year, date.month, date.day).value();
-}
-
-Date date_at(ClockTime time) {
-    const year_month_day date{floor<days>(time)};
-    return {static_cast<int>(date.year()),
-            static_cast<int>(static_cast<unsigned>(date.month())),
-            static_cast<int>(static_cast<unsigned>(date.day()))};
-}
-
-double hour_at(ClockTime time) {
-    return static_cast<double>((time - floor<days>(time)).count()) / 3600;
-}
-
-ClockTime later(ClockTime time, double hours) {
-    return time + seconds{std::llround(hours * 3600)};
 }
 
 std::optional<ClockTime> parse_date(std::string_view text, DateOrder order) {
@@ -99,7 +83,19 @@ std::optional<double> parse_clock(std::string_view text) {
     return hours;
 }
 
-std::optional<WrittenTime> parse_time(std::string_view text, DateOrder order) {
+//! The hours of an offset from UTC, such as -06:00, +0530 or Z.
+std::optional<double> parse_offset(std::string_view text) {
+    if (text == "Z" || text == "z") return 0;
+    if (text.size() < 2) return std::nullopt;
+    const double sign = text.front() == '-' ? -1 : 1;
+    text.remove_prefix(1);
+    const std::optional<double> hours =
+        text.size() == 2 ? number_of(text) : parse_clock(text);
+    if (!hours) return std::nullopt;
+    return sign * *hours;
+}
+
+std::optional<WrittenTime> parse_text(std::string_view text, DateOrder order) {
     const std::size_t between = text.find_first_of("Tt ");
     if (between == text.npos) return std::nullopt;
     const std::optional<ClockTime> date =
@@ -116,6 +112,36 @@ std::optional<WrittenTime> parse_time(std::string_view text, DateOrder order) {
     if (!date || !hours) return std::nullopt;
     written.time = later(*date, *hours);
     return written;
+}
+
+}  // namespace
+
+std::optional<WrittenTime> parse_time(const std::vector<CsvField>& parts,
+                                      DateOrder order) {
+    if (parts.size() == 1) return parse_text(parts[0].text, order);
+    const auto sum = [](std::optional<ClockTime> date,
+                        std::optional<double> hours) {
+        return date && hours
+                   ? std::optional(WrittenTime{later(*date, *hours), {}})
+                   : std::nullopt;
+    };
+    if (parts.size() == 2)
+        return sum(parse_date(parts[0].text, order),
+                   parse_clock(parts[1].text));
+    std::array<double, 5> numbers{};
+    for (std::size_t i = 0; i < parts.size() && i < numbers.size(); ++i) {
+        const auto number = number_of(parts[i].text);
+        if (!number || !(std::abs(*number) <= 9999) ||
+            (i < 3 && *number != std::trunc(*number)))
+            return std::nullopt;
+        numbers[i] = *number;
+    }
+    const auto whole = [&](std::size_t i) {
+        return static_cast<int>(numbers[i]);
+    };
+    const double hours = numbers[3] + numbers[4] / 60;
+    if (hours < 0 || hours > 24) return std::nullopt;
+    return sum(midnight(whole(0), whole(1), whole(2)), hours);
 }
 
 }  // namespace ideotype

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "weather_light.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "ideotype/climate/diffuse_fraction.hpp"
 #include "ideotype/core/clock.hpp"
 #include "ideotype/core/units.hpp"
+#include "weather_table.hpp"
 
 namespace ideotype {
 

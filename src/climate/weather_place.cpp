@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "ideotype/core/units.hpp"
-#include "weather_light.hpp"
+#include "weather_table.hpp"
 
 namespace ideotype {
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "weather_light.hpp"
+#include "weather_table.hpp"
 
 namespace ideotype {
 

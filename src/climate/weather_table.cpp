@@ -2,14 +2,13 @@
 #include "weather_table.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <filesystem>
 #include <map>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "ideotype/climate/daylight.hpp"
+#include "ideotype/climate/light_series.hpp"
 
 namespace ideotype {
 
@@ -17,32 +16,65 @@ namespace {
 
 using namespace std::chrono;
 
-std::optional<WrittenTime> time_of(const std::vector<CsvField>& parts,
-                                   DateOrder order) {
-    if (parts.size() == 1) return parse_time(parts[0].text, order);
-    const auto sum = [](std::optional<ClockTime> date,
-                        std::optional<double> hours) {
-        return date && hours
-                   ? std::optional(WrittenTime{later(*date, *hours), {}})
-                   : std::nullopt;
+bool has(const std::vector<CsvField>& header, std::string_view name) {
+    return std::any_of(header.begin(), header.end(),
+                       [&](const CsvField& each) { return each.text == name; });
+}
+
+//! Returns the columns that `ideotype weather` writes, of those that are there.
+ColumnMap native_columns(ColumnMap columns,
+                         const std::vector<CsvField>& header) {
+    columns.time = {"time"};
+    columns.stamp = columns.stamp.value_or(Stamp::middle);
+    const auto find = [&](std::optional<Column>& column, const char* name,
+                          const char* unit) {
+        if (has(header, name)) column = Column{name, unit};
     };
-    if (parts.size() == 2)
-        return sum(parse_date(parts[0].text, order),
-                   parse_clock(parts[1].text));
-    std::array<double, 5> numbers{};
-    for (std::size_t i = 0; i < parts.size() && i < numbers.size(); ++i) {
-        const auto number = number_of(parts[i].text);
-        if (!number || !(std::abs(*number) <= 9999) ||
-            (i < 3 && *number != std::trunc(*number)))
-            return std::nullopt;
-        numbers[i] = *number;
+    find(columns.global, "global", "W/m2");
+    find(columns.beam_normal, "beam_normal", "W/m2");
+    find(columns.diffuse, "diffuse", "W/m2");
+    find(columns.temperature, "temperature", "C");
+    find(columns.humidity, "humidity", "%");
+    return columns;
+}
+
+//! Says how a file of another format becomes one that can be read.
+std::string way_to_convert(const WeatherRequest& request) {
+    const std::string& file = request.file;
+    std::string command = fmt::format(
+        "ideotype weather '{}' --to '{}_weather.csv' --latitude {} --longitude "
+        "{} --utc-offset {}",
+        file, std::filesystem::path(file).replace_extension().string(),
+        request.site.latitude, request.site.longitude, request.site.utc_offset);
+    if (request.period)
+        command += fmt::format(" --from {} --until {}",
+                               to_string(request.period->from),
+                               to_string(request.period->to));
+    return "this is no table with columns time and global; say which columns "
+           "hold what, or convert it and name what this writes: " +
+           command;
+}
+
+//! Takes the names of the columns from the first line that has that of the
+//! time.
+WeatherTable read_head(const std::vector<std::string_view>& lines,
+                       const WeatherRequest& request, Findings& findings) {
+    WeatherTable table{request.columns, {}};
+    const bool is_native = request.columns.time.empty();
+    const std::string time = is_native ? "time" : request.columns.time.front();
+    for (std::size_t i = 0; i < std::min<std::size_t>(lines.size(), 100); ++i) {
+        table.header = fields_of(lines[i]);
+        table.header_line = i + 1;
+        if (!has(table.header, time)) continue;
+        if (!is_native) return table;
+        table.columns = native_columns(request.columns, table.header);
+        if (!table.columns.global && !table.columns.beam_normal) break;
+        return table;
     }
-    const auto whole = [&](std::size_t i) {
-        return static_cast<int>(numbers[i]);
-    };
-    const double hours = numbers[3] + numbers[4] / 60;
-    if (hours < 0 || hours > 24) return std::nullopt;
-    return sum(midnight(whole(0), whole(1), whole(2)), hours);
+    if (is_native) findings.stop(1, 1, "{}", way_to_convert(request));
+    findings.stop(
+        1, 1, "no line has a column \"{}\" (the header must name the columns)",
+        time);
 }
 
 void read_stamps(WeatherTable& table,
@@ -62,7 +94,7 @@ void read_stamps(WeatherTable& table,
         for (const std::size_t index : columns)
             parts.push_back(entry(fields, index));
         const int line = static_cast<int>(i) + 1;
-        auto written = time_of(parts, table.columns.date_order);
+        auto written = parse_time(parts, table.columns.date_order);
         if (!written) {
             std::vector<std::string_view> texts;
             for (const CsvField& each : parts) texts.push_back(each.text);
@@ -162,6 +194,26 @@ void select_period(WeatherTable& table, const std::optional<Period>& period,
 }
 
 }  // namespace
+
+std::optional<std::size_t> WeatherTable::index_of(const std::string& name,
+                                                  Findings& findings) const {
+    const auto is_it = [&](const CsvField& each) { return each.text == name; };
+    const auto found = std::find_if(header.begin(), header.end(), is_it);
+    const int line = static_cast<int>(header_line);
+    if (found == header.end()) {
+        std::vector<std::string> names;
+        for (const CsvField& each : header) names.emplace_back(each.text);
+        const std::string near = nearest_name(name, names);
+        findings.add(line, 1, "there is no column \"{}\"{}", name,
+                     near.empty() ? "" : "; is it \"" + near + "\"?");
+        return std::nullopt;
+    }
+    if (std::find_if(found + 1, header.end(), is_it) != header.end())
+        findings.add(line, found->column,
+                     "two columns have the name \"{}\"; rename one of them",
+                     name);
+    return static_cast<std::size_t>(found - header.begin());
+}
 
 WeatherTable read_table(const std::vector<std::string_view>& lines,
                         const WeatherRequest& request, Findings& findings) {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/core/scanner.hpp"
+#include "ideotype/core/text.hpp"
 
 namespace ideotype {
 

@@ -6,28 +6,15 @@
 
 namespace ideotype {
 
-namespace {
-
-struct Product {
-    std::uint32_t high;
-    std::uint32_t low;
-};
-
-Product multiply(std::uint32_t a, std::uint32_t b) {
-    const std::uint64_t product = std::uint64_t{a} * b;
-    return {static_cast<std::uint32_t>(product >> 32),
-            static_cast<std::uint32_t>(product)};
-}
-
-}  // namespace
-
 std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
                                         std::array<std::uint32_t, 2> key) {
     for (int round = 0; round < 10; ++round) {
-        const Product p = multiply(0xD2511F53u, counter[0]);
-        const Product q = multiply(0xCD9E8D57u, counter[2]);
-        counter = {q.high ^ counter[1] ^ key[0], q.low,
-                   p.high ^ counter[3] ^ key[1], p.low};
+        const std::uint64_t p = std::uint64_t{0xD2511F53u} * counter[0];
+        const std::uint64_t q = std::uint64_t{0xCD9E8D57u} * counter[2];
+        counter = {static_cast<std::uint32_t>(q >> 32) ^ counter[1] ^ key[0],
+                   static_cast<std::uint32_t>(q),
+                   static_cast<std::uint32_t>(p >> 32) ^ counter[3] ^ key[1],
+                   static_cast<std::uint32_t>(p)};
         key = {key[0] + 0x9E3779B9u, key[1] + 0xBB67AE85u};
     }
     return counter;
@@ -46,19 +33,6 @@ std::uint32_t RandomStream::bits() {
         used_ = 0;
     }
     return block_[used_++];
-}
-
-std::uint64_t RandomStream::bits64() {
-    const std::uint64_t high = bits();
-    return high << 32 | bits();
-}
-
-double RandomStream::uniform() {
-    return static_cast<double>(bits64() >> 11) * 0x1p-53;
-}
-
-double RandomStream::uniform(double lower, double upper) {
-    return lower + (upper - lower) * uniform();
 }
 
 std::array<double, 2> RandomStream::normal() {

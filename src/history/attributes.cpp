@@ -1,11 +1,69 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "attributes.hpp"
-
 #include <algorithm>
+#include <cstdint>
+#include <initializer_list>
+#include <utility>
 
-#include "types.hpp"
+#include "layout.hpp"
+#include "search/population.hpp"
 
 namespace ideotype {
+
+namespace {
+
+template <class Value>
+Handle enumeration(
+    hid_t base, std::initializer_list<std::pair<const char*, Value>> members) {
+    Handle type(H5Tenum_create(base), H5Tclose, "create an enumeration");
+    for (const auto& [name, value] : members)
+        checked(H5Tenum_insert(type, name, &value), "fill an enumeration");
+    return type;
+}
+
+// Exceptions must not pass through C; running out of memory is not foreseen.
+herr_t keep_dataset(hid_t, const char* name, const H5O_info_t* info,
+                    void* target) {
+    if (info->type == H5O_TYPE_DATASET)
+        static_cast<std::vector<std::string>*>(target)->emplace_back(name);
+    return 0;
+}
+
+herr_t keep_name(hid_t, const char* name, const H5A_info_t*, void* target) {
+    static_cast<std::vector<std::string>*>(target)->emplace_back(name);
+    return 0;
+}
+
+}  // namespace
+
+Handle string_type(std::size_t size) {
+    Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "create a string type");
+    // HDF5 has no strings of no bytes.
+    checked(H5Tset_size(type, size == 0 ? 1 : size), "size a string type");
+    checked(H5Tset_cset(type, H5T_CSET_UTF8), "encode a string type");
+    checked(H5Tset_strpad(type, H5T_STR_NULLPAD), "pad a string type");
+    return type;
+}
+
+Handle status_type() {
+    return enumeration<Status>(H5T_STD_U8LE, {{"empty", Status::empty},
+                                              {"proposed", Status::proposed},
+                                              {"done", Status::done},
+                                              {"failed", Status::failed}});
+}
+
+Handle origin_type() {
+    return enumeration<Origin>(H5T_STD_U8LE, {{"none", Origin::none},
+                                              {"baseline", Origin::baseline},
+                                              {"random", Origin::random},
+                                              {"elite", Origin::elite},
+                                              {"child", Origin::child},
+                                              {"sample", Origin::sample}});
+}
+
+Handle bool_type() {
+    return enumeration<std::int8_t>(
+        H5T_STD_I8LE, {{"FALSE", std::int8_t{0}}, {"TRUE", std::int8_t{1}}});
+}
 
 void create_attribute(hid_t object, const std::string& name,
                       const std::string& text) {
@@ -21,18 +79,41 @@ void create_attribute(hid_t object, const std::string& name, hid_t type,
     checked(H5Awrite(attribute, type, value), "write " + name);
 }
 
-std::string text_attribute(hid_t object, const std::string& name) {
-    if (checked(H5Aexists(object, name.c_str()), "find attribute " + name) == 0)
-        return "";
+std::vector<std::string> attributes_of(hid_t object) {
+    std::vector<std::string> names;
+    checked(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, keep_name,
+                        &names),
+            "list the attributes");
+    std::erase_if(names, [](const std::string& name) {
+        return name == "CLASS" || name == "NAME" || name == "DIMENSION_LIST" ||
+               name == "REFERENCE_LIST" || name == "DIMENSION_LABELS";
+    });
+    return names;
+}
+
+Attribute::Attribute(hid_t object, const std::string& name) {
     const std::string action = "read attribute " + name;
     const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose,
                            action);
-    const Handle type(H5Aget_type(attribute), H5Tclose, action);
+    type = Handle(H5Aget_type(attribute), H5Tclose, action);
+    bytes.resize(H5Tget_size(type));
+    checked(H5Aread(attribute, type, bytes.data()), action);
+}
+
+std::string text_attribute(hid_t object, const std::string& name) {
+    if (checked(H5Aexists(object, name.c_str()), "find attribute " + name) == 0)
+        return "";
+    const auto [type, bytes] = Attribute(object, name);
     if (H5Tget_class(type) != H5T_STRING) return "";
-    std::string text(H5Tget_size(type), '\0');
-    checked(H5Aread(attribute, type, text.data()), action);
-    text.resize(std::min(text.find('\0'), text.size()));
-    return text;
+    return {bytes.begin(), std::find(bytes.begin(), bytes.end(), '\0')};
+}
+
+std::vector<std::string> datasets_of(hid_t location) {
+    std::vector<std::string> paths;
+    checked(H5Ovisit2(location, H5_INDEX_NAME, H5_ITER_INC, keep_dataset,
+                      &paths, H5O_INFO_BASIC),
+            "list the datasets");
+    return paths;
 }
 
 }  // namespace ideotype

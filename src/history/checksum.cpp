@@ -8,9 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "attributes.hpp"
 #include "columns.hpp"
-#include "contents.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/hash.hpp"
 #include "journal.hpp"
@@ -24,14 +22,10 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-void add(Sha256& sum, const std::string& name, std::string_view bytes) {
+void add(Sha256& sum, const std::string& name, const std::vector<char>& bytes) {
     sum.add(name);
     sum.add(std::string_view("\0", 1));
-    sum.add(bytes);
-}
-
-void add(Sha256& sum, const std::string& name, const std::vector<char>& bytes) {
-    add(sum, name, std::string_view(bytes.data(), bytes.size()));
+    sum.add({bytes.data(), bytes.size()});
 }
 
 }  // namespace
@@ -45,40 +39,27 @@ class HashedTable {
                 const Mapping* mapping = nullptr) {
         const Handle group(H5Gopen2(file, name.c_str(), H5P_DEFAULT), H5Gclose,
                            "open " + name);
-        for (const Object& each : objects_of(group)) {
-            if (!each.is_dataset || contains(left_out, each.path)) continue;
-            Handle data = open_object(group, each);
-            if (is_scale(data)) continue;
-            Blocks blocks(data);
-            const char* memory = mapping ? mapping->find(data) : nullptr;
-            columns_.push_back(
-                {each.path, std::move(data), std::move(blocks), memory});
+        for (const std::string& each : datasets_of(group)) {
+            if (contains(left_out, each)) continue;
+            Dataset column(group, each);
+            if (column.is_scale()) continue;
+            if (mapping) column.use(*mapping);
+            columns_.emplace_back(each, std::move(column));
         }
     }
 
     //! @param status stands in for that in the file
     void add_rows(Sha256& sum, const Span& rows,
                   std::optional<Status> status = {}) const {
-        for (const auto& [name, data, blocks, memory] : columns_)
+        for (const auto& [name, column] : columns_)
             if (status && name == "status")
-                add(sum, name, std::vector<char>{static_cast<char>(*status)});
-            else if (memory)
-                add(sum, name,
-                    std::string_view(memory + rows.first * blocks.row_bytes,
-                                     rows.count * blocks.row_bytes));
+                add(sum, name, {static_cast<char>(*status)});
             else
-                add(sum, name,
-                    read_block(data, blocks, rows.first, rows.count));
+                add(sum, name, column.bytes(rows.first, rows.count));
     }
 
   private:
-    struct Column {
-        std::string name;
-        Handle data;
-        Blocks blocks;
-        const char* memory;  //!< all rows; null: HDF5 reads them
-    };
-    std::vector<Column> columns_;
+    std::vector<std::pair<std::string, Dataset>> columns_;
 };
 
 namespace {
@@ -95,20 +76,17 @@ namespace {
 std::string header_checksum(hid_t file) {
     Sha256 sum;
     for (const std::string& name : attributes_of(file))
-        if (name != "checksum")
-            add(sum, name, read_attribute(file, name).values);
-    for (const Object& each : objects_of(file)) {
-        if (!each.is_dataset) continue;
-        const Handle data = open_object(file, each);
-        const std::string group = each.path.substr(0, each.path.find('/'));
+        if (name != "checksum") add(sum, name, Attribute(file, name).bytes);
+    for (const std::string& path : datasets_of(file)) {
+        const Dataset data(file, path);
+        const std::string group = path.substr(0, path.find('/'));
         const bool is_description =
             contains({"campaign", "genes", "objectives"}, group);
         // Studies of version 0.2.0 have the indices themselves.
         const bool is_table =
             contains({"evaluations", "final", "sensitivity"}, group);
-        if (!is_description && !(is_table && is_scale(data))) continue;
-        const Blocks blocks(data);
-        add(sum, "/" + each.path, read_block(data, blocks, 0, blocks.rows));
+        if (is_description || (is_table && data.is_scale()))
+            add(sum, "/" + path, data.bytes(0, data.rows()));
     }
     return sum.finish();
 }

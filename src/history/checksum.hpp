@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
+#include "dataset.hpp"
 #include "generations.hpp"
 #include "handle.hpp"
-#include "mapping.hpp"
 #include "search/outcome.hpp"
 
 namespace ideotype {

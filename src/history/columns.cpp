@@ -7,8 +7,7 @@
 #include <span>
 
 #include "checksum.hpp"
-#include "number_columns.hpp"
-#include "types.hpp"
+#include "layout.hpp"
 
 namespace ideotype {
 
@@ -136,10 +135,6 @@ void Columns::cut(haddr_t end) {
         whole_rows_ = std::min(whole_rows_, column->rows_before(end));
 }
 
-std::vector<Status> Columns::statuses(hsize_t first, hsize_t count) const {
-    return status_.read<Status>(first, count);
-}
-
 std::vector<Candidate> Columns::candidates(hsize_t first, hsize_t count) const {
     const auto genes = genome_.read<double>(first, count);
     const auto origins = origin_.read<Origin>(first, count);
@@ -158,7 +153,7 @@ std::vector<Candidate> Columns::candidates(hsize_t first, hsize_t count) const {
 }
 
 std::vector<Outcome> Columns::outcomes(hsize_t first, hsize_t count) const {
-    Numbers columns;
+    std::vector<std::vector<double>> columns;
     for (std::size_t c = 0; c < numbers_.size(); ++c) {
         columns.push_back(numbers_[c].read<double>(first, count));
         const hsize_t there =
@@ -167,14 +162,12 @@ std::vector<Outcome> Columns::outcomes(hsize_t first, hsize_t count) const {
                       static_cast<std::ptrdiff_t>(there * numbers_[c].width()),
                   columns[c].end(), nan);
     }
-    std::vector<Outcome> outcomes;
+    std::vector<Outcome> outcomes(count, unknown_outcome(schema_));
     for (std::size_t i = 0; i < count; ++i) {
-        std::size_t c = 0;
-        outcomes.push_back(outcome_of(schema_, [&] {
-            const std::size_t width = numbers_[c].width();
-            return std::span<const double>(columns[c++])
-                .subspan(i * width, width);
-        }));
+        const auto own = columns_of(schema_, outcomes[i]);
+        for (std::size_t c = 0; c < own.size(); ++c)
+            for (std::size_t k = 0; k < own[c].size(); ++k)
+                *own[c][k] = columns[c][i * own[c].size() + k];
     }
     return outcomes;
 }
@@ -259,17 +252,17 @@ void Columns::write(hsize_t first, const std::vector<Candidate>& candidates) {
 }
 
 void Columns::write_outcomes(hsize_t first, const std::vector<Row>& rows) {
-    Numbers columns(numbers_.size());
+    std::vector<std::vector<double>> columns(numbers_.size());
     std::vector<std::uint32_t> attempts;
     std::vector<double> seconds;
     std::vector<std::int32_t> workers;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Outcome& outcome = rows[i].outcome;
-        const Numbers own = numbers_of(schema_, outcome.status == Status::done
-                                                    ? outcome
-                                                    : unknown_outcome(schema_));
+        Outcome known =
+            outcome.status == Status::done ? outcome : unknown_outcome(schema_);
+        const auto own = columns_of(schema_, known);
         for (std::size_t c = 0; c < columns.size(); ++c)
-            columns[c].insert(columns[c].end(), own[c].begin(), own[c].end());
+            for (const double* x : own[c]) columns[c].push_back(*x);
         attempts.push_back(rows[i].attempt);
         seconds.push_back(outcome.seconds);
         workers.push_back(static_cast<std::int32_t>(outcome.worker));
@@ -286,14 +279,6 @@ void Columns::set_statuses(hsize_t first, const std::vector<Status>& statuses) {
     // All that they vouch for is there before, for other processors too.
     std::atomic_thread_fence(std::memory_order_release);
     status_.write(first, statuses);
-}
-
-std::string Columns::checksum(hsize_t row) const {
-    return checksum_ ? checksum_->read_text(row, 1)[0] : "";
-}
-
-void Columns::set_checksum(hsize_t row, const std::string& checksum) {
-    if (checksum_) checksum_->write_text(row, checksum);
 }
 
 }  // namespace ideotype

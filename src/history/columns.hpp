@@ -19,6 +19,28 @@ inline bool is_recorded(Status status) {
 Axis gene_axis(const GeneSpace& genes);
 Axis objective_axis(const std::vector<Objective>& objectives);
 
+//! The end of the name of a column of standard errors.
+inline constexpr const char* error_suffix = "_standard_error";
+
+//! Of the columns, the first ones, all that selection needs is made.
+inline constexpr std::size_t essential_numbers = 4;
+
+//! The columns of an outcome's numbers.
+//! @param rows name of their first axis
+std::vector<DatasetForm> number_forms(const OutcomeSchema& schema,
+                                      const std::string& rows);
+
+//! The numbers of an outcome of this form for each of number_forms(),
+//! row-major. Standard errors that have no column become 0.
+std::vector<std::vector<double*>> columns_of(const OutcomeSchema& schema,
+                                             Outcome& outcome);
+
+//! Writes what is measured as an attribute of a group, and its axes.
+void write_measured(hid_t group, const QuantitySet& measured);
+
+//! Reads it again, also from a file that is cut short.
+QuantitySet read_measured(hid_t group);
+
 //! The shape of a table of rows.
 struct TableForm {
     std::string group;  //!< "evaluations" or "final"
@@ -57,7 +79,9 @@ class Columns {
     //! Leading rows of which all is there.
     hsize_t whole_rows() const { return whole_rows_; }
 
-    std::vector<Status> statuses(hsize_t first, hsize_t count) const;
+    std::vector<Status> statuses(hsize_t first, hsize_t count) const {
+        return status_.read<Status>(first, count);
+    }
 
     //! Of rows that are not empty.
     std::vector<Candidate> candidates(hsize_t first, hsize_t count) const;
@@ -77,9 +101,10 @@ class Columns {
 
     void set_statuses(hsize_t first, const std::vector<Status>& statuses);
 
-    //! Of one row each; "" if the table has none.
-    std::string checksum(hsize_t row) const;
-    void set_checksum(hsize_t row, const std::string& checksum);
+    //! Of one row; nothing happens if the table has none.
+    void set_checksum(hsize_t row, const std::string& checksum) {
+        if (checksum_) checksum_->write_text(row, checksum);
+    }
 
   private:
     std::vector<Outcome> outcomes(hsize_t first, hsize_t count) const;

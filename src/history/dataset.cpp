@@ -2,12 +2,20 @@
 #include "dataset.hpp"
 
 #include <algorithm>
+#include <csignal>
 #include <cstring>
+#include <string_view>
+#include <unistd.h>
 
 #include <fmt/format.h>
+#include <hdf5_hl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
 
-#include "attributes.hpp"
+#include "ideotype/core/error.hpp"
 #include "ideotype/core/text.hpp"
+#include "layout.hpp"
+#include "open.hpp"
 
 namespace ideotype {
 
@@ -21,7 +29,54 @@ std::vector<hsize_t> extents(hid_t space) {
     return sizes;
 }
 
+std::size_t size_of(int descriptor) {
+    struct stat status {};
+    return fstat(descriptor, &status) == 0
+               ? static_cast<std::size_t>(status.st_size)
+               : 0;
+}
+
+//! The file was cut short at the very moment of an access, or its disk fails:
+//! says so, and ends the program as where it notices by itself.
+extern "C" void end_without_file(int) {
+    constexpr std::string_view text =
+        "ideotype: a history was cut short while it was written, or its disk "
+        "fails (nothing more can be saved in it); look at it with ideotype "
+        "status, and begin again in another folder with --out\n";
+    static_cast<void>(!write(STDERR_FILENO, text.data(), text.size()));
+    _exit(static_cast<int>(ExitCode::refused));
+}
+
 }  // namespace
+
+std::unique_ptr<Mapping> Mapping::of(hid_t file) {
+    if (!has_all_room(file)) return nullptr;
+    const int descriptor = descriptor_of(file);
+    // HDF5 1.14 cuts off what is behind the last block when it flushes.
+    haddr_t size = 0;
+    checked(H5Fget_eoa(file, &size), "map the file");
+    void* begin =
+        mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
+    if (begin == MAP_FAILED) return nullptr;
+    std::signal(SIGBUS, end_without_file);  // MPI has its own until here
+    return std::unique_ptr<Mapping>(
+        new Mapping(descriptor, static_cast<char*>(begin), size));
+}
+
+char* Mapping::find(hid_t dataset) const {
+    const haddr_t begin = H5Dget_offset(dataset);
+    const bool is_block =
+        begin != HADDR_UNDEF && begin + H5Dget_storage_size(dataset) <= size_;
+    return is_block ? begin_ + begin : nullptr;
+}
+
+bool Mapping::is_whole() const {
+    return size_of(descriptor_) >= size_;
+}
+
+Mapping::~Mapping() {
+    munmap(begin_, size_);
+}
 
 Dataset::Dataset(hid_t location, const std::string& name) : name_(name) {
     id_ = Handle(H5Dopen2(location, name.c_str(), H5P_DEFAULT), H5Dclose,
@@ -43,6 +98,10 @@ hsize_t Dataset::rows() const {
 
 std::string Dataset::text(const std::string& attribute) const {
     return text_attribute(id_, attribute);
+}
+
+bool Dataset::is_scale() const {
+    return checked(H5DSis_scale(id_), "find a scale") != 0;
 }
 
 hsize_t Dataset::rows_before(haddr_t end) const {
@@ -128,14 +187,27 @@ void Dataset::put(hsize_t first, const void* values, std::size_t count,
 void Dataset::get(hsize_t first, void* values, std::size_t count,
                   std::size_t value_size) const {
     check_value_size(value_size);
+    fetch(memory_type_, first, values, count);
+}
+
+std::vector<char> Dataset::bytes(hsize_t first, hsize_t count) const {
+    const Handle type(H5Dget_type(id_), H5Tclose, "read " + name_);
+    std::vector<char> bytes(count * width_ * H5Tget_size(type));
+    fetch(type, first, bytes.data(), count * width_);
+    return bytes;
+}
+
+//! Reads values of a type, which is that of the file where this is mapped.
+void Dataset::fetch(hid_t type, hsize_t first, void* values,
+                    std::size_t count) const {
     if (count == 0) return;
     if (mapped_) {
-        std::memcpy(values, at(first, count), count * value_size);
+        std::memcpy(values, at(first, count), count * value_size_);
         return;
     }
     const Selection selection = select(first, count);
-    checked(H5Dread(id_, memory_type_, selection.memory, selection.file,
-                    H5P_DEFAULT, values),
+    checked(H5Dread(id_, type, selection.memory, selection.file, H5P_DEFAULT,
+                    values),
             "read " + name_);
 }
 

@@ -2,14 +2,44 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
+#include <iterator>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "handle.hpp"
-#include "mapping.hpp"
 
 namespace ideotype {
+
+//! An open file as memory. What is stored there is in the system's hands at
+//! once, as after a write, for a hundredth of its price: it outlives a kill of
+//! this process, and other processes read it.
+class Mapping {
+  public:
+    //! None where the system has not reserved the room for the whole file: a
+    //! full disk would end the process instead of failing a write. From then on
+    //! SIGBUS, which tells of a file cut short, ends it with a message.
+    static std::unique_ptr<Mapping> of(hid_t file);
+
+    ~Mapping();
+    Mapping(const Mapping&) = delete;
+    Mapping& operator=(const Mapping&) = delete;
+
+    //! Where the first value of a dataset is, as it is in the file; null unless
+    //! it is one block.
+    char* find(hid_t dataset) const;
+
+    //! False once somebody cut the file short: what is lost may not be touched.
+    bool is_whole() const;
+
+  private:
+    Mapping(int descriptor, char* begin, std::size_t size)
+        : descriptor_(descriptor), begin_(begin), size_(size) {}
+
+    int descriptor_;  //!< of HDF5
+    char* begin_;
+    std::size_t size_;
+};
 
 //! An open dataset, read and written by whole rows of its first dimension. A
 //! scalar has one row.
@@ -26,6 +56,9 @@ class Dataset {
     //! An attribute that is a text, "" if there is none.
     std::string text(const std::string& attribute) const;
 
+    //! Whether this is the scale of a dimension.
+    bool is_scale() const;
+
     //! Class of the type.
     H5T_class_t kind() const { return H5Tget_class(memory_type_); }
 
@@ -41,22 +74,18 @@ class Dataset {
     //! changes. The mapping must outlive it.
     void use(const Mapping& mapping);
 
-    //! Writes as many rows as there are values for. Value has the dataset's
+    //! Writes as many rows as there are values for, which have the dataset's
     //! type in memory.
-    template <class Value>
-    void write(hsize_t first, std::span<const Value> values) {
-        put(first, values.data(), values.size(), sizeof(Value));
-    }
-
-    template <class Value>
-    void write(hsize_t first, const std::vector<Value>& values) {
-        write(first, std::span<const Value>(values));
+    template <class Values>
+    void write(hsize_t first, const Values& values) {
+        put(first, std::data(values), std::size(values),
+            sizeof(*std::data(values)));
     }
 
     //! Writes one value of a dataset with one value per row.
     template <class Value>
     void write_one(hsize_t row, const Value& value) {
-        write(row, std::span<const Value>(&value, 1));
+        put(row, &value, 1, sizeof(Value));
     }
 
     //! Reads rows, one after the other.
@@ -66,6 +95,9 @@ class Dataset {
         get(first, values.data(), values.size(), sizeof(Value));
         return values;
     }
+
+    //! Reads rows as the bytes that the file has.
+    std::vector<char> bytes(hsize_t first, hsize_t count) const;
 
     //! Writes and reads fixed-length strings; too long ones are cut.
     void write_text(hsize_t row, const std::string& text);
@@ -83,6 +115,8 @@ class Dataset {
              std::size_t value_size);
     void get(hsize_t first, void* values, std::size_t count,
              std::size_t value_size) const;
+    void fetch(hid_t type, hsize_t first, void* values,
+               std::size_t count) const;
 
     //! Where a row is in memory. @throws Hdf5Error if it has no such rows.
     char* at(hsize_t first, std::size_t values) const;

@@ -5,6 +5,9 @@
 
 namespace ideotype {
 
+//! Is this open file the one at this path?
+bool is_at(const std::string& path, int descriptor);
+
 //! The right to write a file, held by one process at a time on all hosts that
 //! share the file system. It is the system's lock on the file itself, of the
 //! kind that does not meet HDF5's own, so that it keeps no reader out. A killed

@@ -8,7 +8,6 @@
 
 #include "checksum.hpp"
 #include "layout.hpp"
-#include "types.hpp"
 
 namespace ideotype {
 
@@ -168,19 +167,6 @@ void Generations::write(std::uint32_t generation,
         numbers_[i].write_one(generation, summary.*number_columns[i].member);
     for (std::size_t i = 0; i < counts_.size(); ++i)
         counts_[i].write_one(generation, summary.*count_columns[i].member);
-}
-
-std::string Generations::checksum(std::uint32_t generation) const {
-    return checksum_.read_text(generation, 1)[0];
-}
-
-void Generations::set_checksum(std::uint32_t generation,
-                               const std::string& checksum) {
-    checksum_.write_text(generation, checksum);
-}
-
-void Generations::set_committed(std::uint32_t generation) {
-    committed_.write_one(generation, std::int8_t{1});
 }
 
 }  // namespace ideotype

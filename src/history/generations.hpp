@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -41,10 +42,16 @@ class Generations {
     //! Best slots become rows.
     void write(std::uint32_t generation, const GenerationSummary& summary);
 
-    std::string checksum(std::uint32_t generation) const;
-    void set_checksum(std::uint32_t generation, const std::string& checksum);
+    std::string checksum(std::uint32_t generation) const {
+        return checksum_.read_text(generation, 1)[0];
+    }
+    void set_checksum(std::uint32_t generation, const std::string& checksum) {
+        checksum_.write_text(generation, checksum);
+    }
 
-    void set_committed(std::uint32_t generation);
+    void set_committed(std::uint32_t generation) {
+        committed_.write_one(generation, std::int8_t{1});
+    }
 
   private:
     Dataset committed_;

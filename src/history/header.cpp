@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "header.hpp"
-
 #include <cstdint>
 #include <utility>
 
-#include "attributes.hpp"
 #include "columns.hpp"
-#include "contents.hpp"
 #include "dataset.hpp"
 #include "layout.hpp"
-#include "types.hpp"
+#include "open.hpp"
 
 namespace ideotype {
 
@@ -23,44 +19,39 @@ std::vector<std::string> texts_of(const std::vector<Item>& items,
     return texts;
 }
 
-// A number of each gene; Stored is its type in the file and in memory.
-template <class Stored, class Member>
-void create_numbers(hid_t group, const DatasetForm& form,
-                    const GeneSpace& genes, Member Gene::*member) {
-    create_dataset(group, form);
-    std::vector<Stored> values;
-    for (const Gene& gene : genes)
-        values.push_back(static_cast<Stored>(gene.*member));
-    Dataset(group, form.name).write(0, values);
-}
-
 void write_genes(hid_t file, const GeneSpace& genes) {
     const Handle group = create_group(file, "genes");
     create_axis(group, gene_axis(genes));
-    const auto form = [](const std::string& name, const std::string& meaning,
-                         const std::string& unit = "1") {
-        return DatasetForm{
-            .name = name, .axes = {"gene"}, .unit = unit, .meaning = meaning};
-    };
-    create_texts(group, form("trait", "what is bred"),
+    create_texts(group,
+                 {.name = "trait", .axes = {"gene"}, .meaning = "what is bred"},
                  texts_of(genes, &Gene::trait));
-    create_texts(group, form("unit", "of the gene's values"),
-                 texts_of(genes, &Gene::unit));
-    const auto add = [&]<class Stored>(DatasetForm its, hid_t type, Stored,
-                                       auto member) {
-        its.type = type;
-        create_numbers<Stored>(group, its, genes, member);
+    create_texts(
+        group,
+        {.name = "unit", .axes = {"gene"}, .meaning = "of the gene's values"},
+        texts_of(genes, &Gene::unit));
+    // A number of each gene; the last argument has its type in the file.
+    const auto add = [&](const std::string& name, const std::string& meaning,
+                         const std::string& unit, hid_t type, auto member,
+                         auto stored) {
+        create_dataset(group, {.name = name,
+                               .type = type,
+                               .axes = {"gene"},
+                               .unit = unit,
+                               .meaning = meaning});
+        std::vector<decltype(stored)> values;
+        for (const Gene& gene : genes)
+            values.push_back(static_cast<decltype(stored)>(gene.*member));
+        Dataset(group, name).write(0, values);
     };
-    add(form("leaf", "leaf rank, 1 is the lowest, 0 the whole plant"),
-        H5T_STD_I32LE, std::int32_t{}, &Gene::leaf);
-    add(form("lower", "lower bound", "/genes/unit"), H5T_IEEE_F64LE, double{},
-        &Gene::lower);
-    add(form("upper", "upper bound", "/genes/unit"), H5T_IEEE_F64LE, double{},
-        &Gene::upper);
-    add(form("is_circular", "lower and upper are the same point"), bool_type(),
-        std::int8_t{}, &Gene::is_circular);
-    add(form("is_free", "bred; others keep the baseline's value"), bool_type(),
-        std::int8_t{}, &Gene::is_free);
+    const std::string own = "/genes/unit";
+    add("leaf", "leaf rank, 1 is the lowest, 0 the whole plant", "1",
+        H5T_STD_I32LE, &Gene::leaf, std::int32_t{});
+    add("lower", "lower bound", own, H5T_IEEE_F64LE, &Gene::lower, double{});
+    add("upper", "upper bound", own, H5T_IEEE_F64LE, &Gene::upper, double{});
+    add("is_circular", "lower and upper are the same point", "1", bool_type(),
+        &Gene::is_circular, std::int8_t{});
+    add("is_free", "bred; others keep the baseline's value", "1", bool_type(),
+        &Gene::is_free, std::int8_t{});
 }
 
 std::vector<std::string> read_texts(hid_t file, const std::string& name) {
@@ -128,6 +119,24 @@ void create_campaign_text(hid_t group, const std::string& name,
     Dataset(group, name).write_text(0, text);
 }
 
+//! Reads root attributes: texts, numbers and sizes.
+void read_attributes(hid_t file, HistoryHeader& header) {
+    for (const std::string& name : attributes_of(file)) {
+        const H5T_class_t kind = H5Tget_class(Attribute(file, name).type);
+        if (kind == H5T_STRING) header.text[name] = text_attribute(file, name);
+        if (kind == H5T_FLOAT)
+            header.numbers[name] =
+                number_attribute<double>(file, name, H5T_NATIVE_DOUBLE);
+    }
+    header.seed =
+        number_attribute<std::uint64_t>(file, "seed", H5T_NATIVE_UINT64);
+    for (const auto& [name, number] :
+         {std::pair{"population", &header.population},
+          {"generations", &header.generations},
+          {"finalists", &header.finalists}})
+        *number = number_attribute<int>(file, name, H5T_NATIVE_INT);
+}
+
 }  // namespace
 
 void write_header(hid_t file, const HistoryHeader& header) {
@@ -150,23 +159,6 @@ void write_header(hid_t file, const HistoryHeader& header) {
     create_campaign_text(campaign, "resolved", header.campaign_resolved);
     write_genes(file, header.genes);
     write_objectives(file, header.schema.objectives);
-}
-
-void read_attributes(hid_t file, HistoryHeader& header) {
-    for (const std::string& name : attributes_of(file)) {
-        const H5T_class_t kind = H5Tget_class(read_attribute(file, name).type);
-        if (kind == H5T_STRING) header.text[name] = text_attribute(file, name);
-        if (kind == H5T_FLOAT)
-            header.numbers[name] =
-                number_attribute<double>(file, name, H5T_NATIVE_DOUBLE);
-    }
-    header.seed =
-        number_attribute<std::uint64_t>(file, "seed", H5T_NATIVE_UINT64);
-    for (const auto& [name, number] :
-         {std::pair{"population", &header.population},
-          {"generations", &header.generations},
-          {"finalists", &header.finalists}})
-        *number = number_attribute<int>(file, name, H5T_NATIVE_INT);
 }
 
 HistoryHeader read_header(hid_t file) {

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "checksum.hpp"
 #include "history_file.hpp"
+#include "layout.hpp"
 #include "open.hpp"
 
 namespace ideotype {
@@ -20,7 +20,6 @@ History& History::operator=(History&&) noexcept = default;
 History::~History() = default;
 
 History History::create(const std::string& path, const HistoryHeader& header) {
-    initialize_hdf5();
     FileLock lock = FileLock::of_new(path);
     if (history_exists(path)) {
         const FileLock held(path);  // or another program begins it right now
@@ -35,7 +34,6 @@ History History::create(const std::string& path, const HistoryHeader& header) {
 }
 
 History History::resume(const std::string& path) {
-    initialize_hdf5();
     if (!history_exists(path)) throw Error(path + ": there is no such file");
     FileLock lock(path);
     return with_name_of(path, [&] {
@@ -47,21 +45,42 @@ History History::resume(const std::string& path) {
 }
 
 History History::read(const std::string& path) {
-    initialize_hdf5();
     return with_name_of(path, [&] {
+        Handle file = open_as_it_is(path);
+        require_intact(file, path);
         return History(
-            std::make_unique<File>(path, std::nullopt, open_to_read(path)));
+            std::make_unique<File>(path, std::nullopt, std::move(file)));
     });
 }
 
 HistoryHeader History::header_of(const std::string& path) {
-    initialize_hdf5();
-    return with_name_of(path,
-                        [&] { return read_header(open_to_read_header(path)); });
+    return with_name_of(path, [&] {
+        const Handle file = open_as_it_is(path);
+        require_header_intact(file, path);
+        return read_header(file);
+    });
+}
+
+Verified verify_file(const std::string& path) {
+    const History history = History::read(path);
+    // Compressed blocks have checksums of their own, which reading looks at.
+    with_name_of(path, [&] {
+        constexpr hsize_t most = 1000;
+        const Handle file = open_as_it_is(path);
+        for (const std::string& each : datasets_of(file)) {
+            const Dataset data(file, each);
+            const hsize_t rows = data.rows();
+            for (hsize_t first = 0; first < rows; first += most)
+                data.bytes(first, std::min(most, rows - first));
+        }
+    });
+    Verified verified{history.next_generation()};
+    for (const Row& row : history.finalists())
+        verified.finalists += is_recorded(row.outcome.status) ? 1 : 0;
+    return verified;
 }
 
 History History::salvage(const std::string& path) {
-    initialize_hdf5();
     return with_name_of(path, [&] {
         Remains remains = open_remains(path);
         auto file =
@@ -144,11 +163,6 @@ std::uint32_t History::next_generation() const {
     return count;
 }
 
-std::size_t History::propose(std::uint32_t generation,
-                             const std::vector<Candidate>& candidates) {
-    return propose(generation, candidates.size(), 0, candidates);
-}
-
 std::size_t History::propose(std::uint32_t generation, std::size_t size,
                              std::uint32_t slot,
                              const std::vector<Candidate>& candidates) {
@@ -182,11 +196,6 @@ bool History::has_room(std::uint32_t generation, std::size_t size) const {
     const hsize_t first =
         generation == 0 ? 0 : file_->span(generation - 1).end();
     return first + size <= file_->evaluations.rows();
-}
-
-std::vector<std::uint32_t> History::pending(std::uint32_t generation) const {
-    const Span rows = file_->span(generation);
-    return file_->pending(file_->evaluations, rows.first, rows.count);
 }
 
 void History::record(std::uint32_t generation, std::uint32_t slot,
@@ -270,7 +279,12 @@ void History::propose_final(const std::vector<Candidate>& candidates) {
 }
 
 std::vector<std::uint32_t> History::pending_final() const {
-    return file_->pending(file_->finals, 0, file_->finals.rows());
+    const auto statuses = file_->read(
+        [&] { return file_->finals.statuses(0, file_->finals.rows()); });
+    std::vector<std::uint32_t> slots;
+    for (std::uint32_t slot = 0; slot < statuses.size(); ++slot)
+        if (statuses[slot] == Status::proposed) slots.push_back(slot);
+    return slots;
 }
 
 void History::record_final(std::uint32_t slot, const Outcome& outcome) {

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "ideotype/core/error.hpp"
-#include "search/genome.hpp"
 #include "search/outcome.hpp"
 #include "search/population.hpp"
 #include "search/summary.hpp"
@@ -100,8 +99,7 @@ class History {
     //! not have its checksum.
     static History resume(const std::string& path);
 
-    //! Opens to read only, also while another process writes. A file of format
-    //! 1.0 reads as if it were of this one.
+    //! Opens to read only, also while another process writes.
     //! @throws Error (refused) if something in it does not have its checksum.
     //! Rows of a generation that is not complete have none.
     static History read(const std::string& path);
@@ -146,25 +144,18 @@ class History {
     //! The next generation to breed or complete: 0 for a new file.
     std::uint32_t next_generation() const;
 
-    //! Writes the candidates of a generation before any is sent out, and
-    //! returns how many of them are there already: these are verified instead.
-    //! Generations may differ in size, and the next may be proposed before one
-    //! is complete.
+    //! Writes candidates from this slot of a generation of `size` rows on
+    //! before any is sent out, and returns how many of them are there already:
+    //! these are verified instead. Generations may differ in size, and the next
+    //! may be proposed before one is complete.
     //! @throws Error (refused) if a genome, origin or parent differs in any
     //! bit, naming the slot, or if there is no room for them.
-    std::size_t propose(std::uint32_t generation,
-                        const std::vector<Candidate>& candidates);
-
-    //! The same of some, from this slot of a generation of `size` rows on.
     std::size_t propose(std::uint32_t generation, std::size_t size,
                         std::uint32_t slot,
                         const std::vector<Candidate>& candidates);
 
     //! Whether the rows of one more generation can be written.
     bool has_room(std::uint32_t generation, std::size_t size) const;
-
-    //! Slots of a generation that are proposed, and not done or failed yet.
-    std::vector<std::uint32_t> pending(std::uint32_t generation) const;
 
     //! Stores an outcome, status last, and makes it durable.
     void record(std::uint32_t generation, std::uint32_t slot,
@@ -189,8 +180,8 @@ class History {
     //! Summaries of all committed generations.
     std::vector<GenerationSummary> summaries() const;
 
-    //! The finalists: as propose, pending, record and row, in /final. Slot 0
-    //! is the baseline.
+    //! The finalists: as propose, record and row, in /final, and slots that are
+    //! proposed, and not done or failed yet. Slot 0 is the baseline.
     void propose_final(const std::vector<Candidate>& candidates);
     std::vector<std::uint32_t> pending_final() const;
     void record_final(std::uint32_t slot, const Outcome& outcome);
@@ -218,5 +209,16 @@ class History {
     explicit History(std::unique_ptr<File> file);
     std::unique_ptr<File> file_;
 };
+
+//! The parts of a history that were compared with their checksums.
+struct Verified {
+    std::uint32_t generations = 0;
+    std::uint32_t finalists = 0;
+};
+
+//! Reads all of a history, also while it is written, and compares header,
+//! complete generations and finalists with their checksums.
+//! @throws Error (refused) that names what is damaged.
+Verified verify_file(const std::string& path);
 
 }  // namespace ideotype

@@ -2,16 +2,42 @@
 #include "history_file.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 
 #include <fmt/format.h>
 
 #include "checksum.hpp"
-#include "difference.hpp"
 #include "open.hpp"
-#include "place.hpp"
-#include "space.hpp"
 
 namespace ideotype {
+
+namespace {
+
+// Bits, because two zeros compare equal and two NaN do not.
+bool is_same(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+//! The first gene, origin or parent in which two candidates differ in any
+//! bit, with both values; empty if they are the same.
+std::string first_difference(const GeneSpace& genes, const Candidate& was,
+                             const Candidate& is) {
+    for (std::size_t i = 0; i < genes.size(); ++i)
+        if (!is_same(was.genome[i], is.genome[i]))
+            return fmt::format("gene {} was {}, is {} [{}]", genes[i].name,
+                               was.genome[i], is.genome[i], genes[i].unit);
+    if (was.origin != is.origin)
+        return fmt::format("its origin was {}, is {}", name_of(was.origin),
+                           name_of(is.origin));
+    if (was.parents != is.parents)
+        return fmt::format("its parents were {} and {}, are {} and {}",
+                           was.parents[0], was.parents[1], is.parents[0],
+                           is.parents[1]);
+    return "";
+}
+
+}  // namespace
 
 History::File::File(std::string name, std::optional<FileLock> held,
                     Handle opened)
@@ -86,16 +112,6 @@ std::size_t History::File::propose(Columns& columns, const std::string& label,
         columns.set_statuses(first + known, proposed);
     });
     return known;
-}
-
-std::vector<std::uint32_t> History::File::pending(const Columns& columns,
-                                                  hsize_t first,
-                                                  hsize_t count) const {
-    const auto statuses = read([&] { return columns.statuses(first, count); });
-    std::vector<std::uint32_t> slots;
-    for (std::uint32_t slot = 0; slot < statuses.size(); ++slot)
-        if (statuses[slot] == Status::proposed) slots.push_back(slot);
-    return slots;
 }
 
 void History::File::record(Columns& columns, const std::string& label,

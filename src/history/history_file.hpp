@@ -14,10 +14,10 @@
 #include "columns.hpp"
 #include "file_lock.hpp"
 #include "generations.hpp"
-#include "header.hpp"
 #include "history.hpp"
 #include "ideotype/core/error.hpp"
 #include "journal.hpp"
+#include "open.hpp"
 
 namespace ideotype {
 
@@ -81,10 +81,6 @@ struct History::File {
     std::size_t propose(Columns& columns, const std::string& label,
                         std::uint32_t first_slot, hsize_t first,
                         const std::vector<Candidate>& candidates);
-
-    //! Slots from first that are proposed and not recorded.
-    std::vector<std::uint32_t> pending(const Columns& columns, hsize_t first,
-                                       hsize_t count) const;
 
     //! Stores an outcome of a proposed row; label names the row.
     void record(Columns& columns, const std::string& label, hsize_t row,

@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include "layout.hpp"
-#include "types.hpp"
 
 namespace ideotype {
 
@@ -114,22 +113,6 @@ std::optional<SessionRecord> Journal::last_session() const {
             sessions_[i].read_text(sessions_used_ - 1, 1)[0];
     last.ranks = ranks_.read<std::int32_t>(sessions_used_ - 1, 1)[0];
     return last;
-}
-
-double Journal::wall_time() const {
-    return wall_time_.read<double>(0, 1)[0];
-}
-
-void Journal::set_wall_time(double seconds) {
-    wall_time_.write_one(0, seconds);
-}
-
-void Journal::set_reason(const std::string& reason) {
-    reason_.write_text(0, reason);
-}
-
-void Journal::set_finished() {
-    finished_.write_one(0, std::int8_t{1});
 }
 
 std::optional<std::string> Journal::finished() const {

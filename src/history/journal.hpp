@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,12 +26,14 @@ class Journal {
     //! None if there was none yet.
     std::optional<SessionRecord> last_session() const;
 
-    double wall_time() const;
-    void set_wall_time(double seconds);
+    double wall_time() const { return wall_time_.read<double>(0, 1)[0]; }
+    void set_wall_time(double seconds) { wall_time_.write_one(0, seconds); }
 
     //! To be written before set_finished().
-    void set_reason(const std::string& reason);
-    void set_finished();
+    void set_reason(const std::string& reason) {
+        reason_.write_text(0, reason);
+    }
+    void set_finished() { finished_.write_one(0, std::int8_t{1}); }
     std::optional<std::string> finished() const;
 
   private:

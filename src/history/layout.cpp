@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <type_traits>
 
 #include <hdf5_hl.h>
 
-#include "attributes.hpp"
 #include "dataset.hpp"
-#include "types.hpp"
 
 namespace ideotype {
 
@@ -81,12 +80,11 @@ Handle type_of(const std::vector<std::string>& texts) {
     return string_type(longest(texts));
 }
 
-Handle type_of(const std::vector<double>&) {
-    return {H5Tcopy(H5T_IEEE_F64LE), H5Tclose, "create a type"};
-}
-
-Handle type_of(const std::vector<std::int64_t>&) {
-    return {H5Tcopy(H5T_STD_I64LE), H5Tclose, "create a type"};
+template <class Number>
+Handle type_of(const std::vector<Number>&) {
+    const bool is_double = std::is_same_v<Number, double>;
+    return {H5Tcopy(is_double ? H5T_IEEE_F64LE : H5T_STD_I64LE), H5Tclose,
+            "create a type"};
 }
 
 }  // namespace
@@ -132,10 +130,6 @@ void create_texts(hid_t group, DatasetForm form,
 bool exists(hid_t group, const std::string& name) {
     return checked(H5Lexists(group, name.c_str(), H5P_DEFAULT),
                    "look for " + name) != 0;
-}
-
-bool is_scale(hid_t dataset) {
-    return checked(H5DSis_scale(dataset), "find a scale") != 0;
 }
 
 Axis read_axis(hid_t group, const std::string& name) {

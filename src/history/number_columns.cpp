@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "number_columns.hpp"
-
 #include <algorithm>
 #include <limits>
 #include <sstream>
@@ -8,21 +6,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "attributes.hpp"
-#include "dataset.hpp"
+#include "columns.hpp"
+#include "layout.hpp"
 
 namespace ideotype {
 
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-std::vector<double> part(std::span<const Estimate> estimates,
-                         double Estimate::*member) {
-    std::vector<double> values;
-    for (const Estimate& x : estimates) values.push_back(x.*member);
-    return values;
-}
 
 // "lai absorbed_by_leaf[leaf]": names and axes in the order of a schema. In
 // a file that is cut short this is there when the scales' references are not.
@@ -91,47 +82,30 @@ std::vector<DatasetForm> number_forms(const OutcomeSchema& schema,
     return forms;
 }
 
-Numbers numbers_of(const OutcomeSchema& schema, const Outcome& outcome) {
-    Numbers numbers{part(outcome.objectives, &Estimate::mean),
-                    part(outcome.objectives, &Estimate::standard_error),
-                    outcome.randomisations,
-                    {outcome.violation}};
-    std::span<const Estimate> left(outcome.quantities);
-    for (const Quantity& each : schema.measured.quantities) {
-        const std::size_t size = schema.measured.size(each);
-        const auto own = left.first(size);
-        left = left.subspan(size);
-        numbers.push_back(part(own, &Estimate::mean));
-        if (each.certainty == Certainty::estimated)
-            numbers.push_back(part(own, &Estimate::standard_error));
-    }
-    return numbers;
-}
-
-Outcome outcome_of(const OutcomeSchema& schema, const NextColumn& next) {
-    Outcome outcome = unknown_outcome(schema);
-    const auto fill = [&](std::span<Estimate> target, double Estimate::*member,
-                          std::span<const double> values) {
-        for (std::size_t i = 0; i < target.size(); ++i)
-            target[i].*member = values[i];
+std::vector<std::vector<double*>> columns_of(const OutcomeSchema& schema,
+                                             Outcome& outcome) {
+    std::vector<std::vector<double*>> columns;
+    const auto add = [&](std::span<Estimate> estimates,
+                         double Estimate::*member) {
+        columns.emplace_back();
+        for (Estimate& x : estimates) columns.back().push_back(&(x.*member));
     };
-    fill(outcome.objectives, &Estimate::mean, next());
-    fill(outcome.objectives, &Estimate::standard_error, next());
-    const std::span<const double> randomisations = next();
-    outcome.randomisations.assign(randomisations.begin(), randomisations.end());
-    outcome.violation = next()[0];
+    add(outcome.objectives, &Estimate::mean);
+    add(outcome.objectives, &Estimate::standard_error);
+    columns.emplace_back();
+    for (double& x : outcome.randomisations) columns.back().push_back(&x);
+    columns.push_back({&outcome.violation});
     std::span<Estimate> left(outcome.quantities);
     for (const Quantity& each : schema.measured.quantities) {
-        const std::size_t size = schema.measured.size(each);
-        const auto own = left.first(size);
-        left = left.subspan(size);
-        fill(own, &Estimate::mean, next());
+        const auto own = left.first(schema.measured.size(each));
+        left = left.subspan(own.size());
+        add(own, &Estimate::mean);
         if (each.certainty == Certainty::estimated)
-            fill(own, &Estimate::standard_error, next());
+            add(own, &Estimate::standard_error);
         else
             for (Estimate& x : own) x.standard_error = 0;
     }
-    return outcome;
+    return columns;
 }
 
 void write_measured(hid_t group, const QuantitySet& measured) {

@@ -14,14 +14,12 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
-#include "attributes.hpp"
 #include "checksum.hpp"
 #include "columns.hpp"
 #include "generations.hpp"
-#include "header.hpp"
 #include "ideotype/core/error.hpp"
 #include "journal.hpp"
-#include "space.hpp"
+#include "layout.hpp"
 
 namespace ideotype {
 
@@ -36,6 +34,7 @@ std::string system_reason() {
 }
 
 Handle access_properties() {
+    initialize_hdf5();
     const std::string action = "prepare the file access";
     Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, action);
     checked(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110),
@@ -172,6 +171,7 @@ void place_objects(hid_t access) {
 
 // A history without rows, in memory.
 Handle create_in_memory(const HistoryHeader& header) {
+    initialize_hdf5();
     const std::string action = "create a file in memory";
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, action);
     checked(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110),
@@ -194,10 +194,26 @@ std::uint64_t bytes_with(HistoryHeader header, int generations) {
         checked(H5Fget_file_image(file, nullptr, 0), action));
 }
 
+//! Waits until the disk has a closed file or folder.
+void synchronize_path(const std::filesystem::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) throw Error(path.string() + ": " + system_reason());
+    fsync(descriptor);
+    ::close(descriptor);
+}
+
+//! Gives a complete file the name of another, which it replaces if it exists;
+//! at no time is there neither.
+void put_in_place(const std::string& from, const std::string& to) {
+    std::error_code failure;
+    std::filesystem::rename(from, to, failure);
+    if (failure) throw Error(to + ": " + failure.message());
+    synchronize_path(std::filesystem::absolute(to).parent_path());
+}
+
 }  // namespace
 
 std::uint64_t history_bytes(const HistoryHeader& header) {
-    initialize_hdf5();
     // Every dataset is one block, at a multiple of 8 bytes: 8 more generations
     // take the same room each time.
     constexpr int step = 8;
@@ -229,20 +245,6 @@ void create_file(const std::string& path, const HistoryHeader& header,
     put_in_place(path + ".new", path);
     if (!lock.is_of(path))
         refuse(path, "was replaced while it was created; begin again");
-}
-
-void synchronize_path(const std::filesystem::path& path) {
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) throw Error(path.string() + ": " + system_reason());
-    fsync(descriptor);
-    ::close(descriptor);
-}
-
-void put_in_place(const std::string& from, const std::string& to) {
-    std::error_code failure;
-    std::filesystem::rename(from, to, failure);
-    if (failure) throw Error(to + ": " + failure.message());
-    synchronize_path(std::filesystem::absolute(to).parent_path());
 }
 
 Handle open_to_write(const std::string& path) {
@@ -277,22 +279,13 @@ Handle open_as_it_is(const std::string& path) {
     return file;
 }
 
-Handle open_to_read(const std::string& path) {
-    Handle file = open_as_it_is(path);
-    require_intact(file, path);
-    return file;
-}
-
-Handle open_to_read_header(const std::string& path) {
-    Handle file = open_as_it_is(path);
-    require_header_intact(file, path);
-    return file;
-}
-
 Remains open_remains(const std::string& path) {
     const Length length = length_of(path);
-    if (length.present >= length.expected)
-        return {open_to_read(path), length.present, 0};
+    if (length.present >= length.expected) {
+        Handle file = open_as_it_is(path);
+        require_intact(file, path);
+        return {std::move(file), length.present, 0};
+    }
     try {
         const Handle access = access_properties();
         const hbool_t yes = true;

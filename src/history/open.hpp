@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 
 #include "file_lock.hpp"
@@ -11,18 +10,21 @@
 
 namespace ideotype {
 
+inline constexpr const char* format_name = "ideotype-history";
+inline constexpr const char* format_version = "2.0";
+
+//! Writes root attributes, /campaign, /genes and /objectives.
+void write_header(hid_t file, const HistoryHeader& header);
+
+//! Reads what write_header() wrote, and from the tables of rows what is
+//! measured.
+HistoryHeader read_header(hid_t file);
+
 //! Creates a history with everything that it will ever contain. Under its own
 //! name it is complete or does not exist. @throws Error, Hdf5Error
 //! @param lock FileLock::of_new() of this path
 void create_file(const std::string& path, const HistoryHeader& header,
                  const FileLock& lock);
-
-//! Waits until the disk has a closed file or folder.
-void synchronize_path(const std::filesystem::path& path);
-
-//! Gives a complete file the name of another, which it replaces if it exists;
-//! at no time is there neither.
-void put_in_place(const std::string& from, const std::string& to);
 
 //! Opens as the only writer, whatever a killed writer left behind. The caller
 //! holds the FileLock. @throws Error (refused) if it is not a history.
@@ -31,12 +33,6 @@ Handle open_to_write(const std::string& path);
 //! Opens a live, closed or killed history. @throws Error (refused) if it is not
 //! a history, or of another major format version.
 Handle open_as_it_is(const std::string& path);
-
-//! Does the same if all that is recorded has its checksum.
-Handle open_to_read(const std::string& path);
-
-//! Does the same, but compares only the checksum of the header.
-Handle open_to_read_header(const std::string& path);
 
 //! A file that may be shorter than it was.
 struct Remains {
@@ -57,5 +53,23 @@ void synchronize(hid_t file);
 
 //! The system's descriptor of an open file.
 int descriptor_of(hid_t file);
+
+//! Takes room on the disk for the whole file, so that no later write can meet
+//! a full one. Where the file system can't do that, looks whether there is
+//! enough. path names the file to the user. @throws Error saying how much is
+//! needed and how much is free, with this advice.
+void reserve_space(hid_t file, const std::string& path,
+                   const std::string& advice);
+
+//! @throws Error as above if there is less room than for so many bytes.
+void require_room(const std::string& path, std::uint64_t bytes,
+                  const std::string& advice);
+
+//! Whether the file has all the room that it will ever need, and lacks no byte.
+bool has_all_room(hid_t file);
+
+//! "12.3 MiB are needed and 0.5 MiB are free", or empty if the file has all
+//! the room that it will ever need.
+std::string lacking_space(const std::string& path);
 
 }  // namespace ideotype

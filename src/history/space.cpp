@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "space.hpp"
-
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>

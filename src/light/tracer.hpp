@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "first_hits.hpp"
-#include "ideotype/core/randomness.hpp"
+#include "ideotype/core/random.hpp"
 #include "ideotype/light/optics.hpp"
 #include "ledger.hpp"
 

@@ -288,24 +288,19 @@ void Dispatcher::give_up(int worker, Director& director) {
         workers_->number(worker), given.deadline - given.began,
         name_of(given.task), given.task.attempt);
     const auto found = by_number_.find(given.batch);
-    if (found == by_number_.end() ||
-        !found->second->unanswered_.contains(given.item)) {
-        director.on_silence(given.task, what);
-        return;
-    }
-    if (is_ending()) {
-        director.on_silence(given.task, what + "; left for the next start");
-        return;
-    }
+    const bool is_needed = found != by_number_.end() &&
+                           found->second->unanswered_.contains(given.item);
     // With nobody left, the fault is hardly the candidate's: it stays pending.
-    if (idle_.empty() && busy_in_time() == 0) {
-        director.on_silence(given.task, what);
-        return;
-    }
+    const bool is_alone = idle_.empty() && busy_in_time() == 0;
     const bool is_last =
         given.task.attempt >= static_cast<std::uint32_t>(rules_.attempts);
-    director.on_silence(
-        given.task, what + (is_last ? "; it has failed" : "; trying again"));
+    const bool ends = is_ending();
+    if (is_needed && ends)
+        what += "; left for the next start";
+    else if (is_needed && !is_alone)
+        what += is_last ? "; it has failed" : "; trying again";
+    director.on_silence(given.task, what);
+    if (!is_needed || ends || is_alone) return;
     if (is_last) {
         const std::string reason =
             fmt::format("no answer within {:.3g} s in {} attempts",

@@ -82,7 +82,7 @@ class Dispatcher {
   public:
     Dispatcher(std::unique_ptr<Workers> workers, const StopFlag& stop,
                const AnswerRules& rules = {},
-               const RankClock& clock = machine_clock());
+               const RankClock& clock = machine_clock);
     //! Dismisses the workers, and waits for ever for those that are late.
     ~Dispatcher();
     Dispatcher(const Dispatcher&) = delete;
@@ -168,15 +168,26 @@ class Dispatcher {
 //! Work that a routine awaits; see Dispatcher::evaluate().
 class [[nodiscard]] Batch {
   public:
-    Batch(Dispatcher& dispatcher, NextWork source, Record record);
-    ~Batch();
+    Batch(Dispatcher& dispatcher, NextWork source, Record record)
+        : dispatcher_(dispatcher),
+          source_(std::move(source)),
+          record_(std::move(record)),
+          number_(dispatcher.batches_++) {}
+    ~Batch() { dispatcher_.remove(*this); }
     Batch(const Batch&) = delete;
     Batch& operator=(const Batch&) = delete;
 
     // What co_await asks for.
-    bool await_ready();
-    void await_suspend(std::coroutine_handle<> awaiting);
-    void await_resume() const;
+    bool await_ready() {
+        return dispatcher_.stop_.requested() || !dispatcher_.fetch(*this);
+    }
+    void await_suspend(std::coroutine_handle<> awaiting) {
+        awaiting_ = awaiting;
+        dispatcher_.add(*this);
+    }
+    void await_resume() const {
+        if (failure_) std::rethrow_exception(failure_);
+    }
 
   private:
     friend Dispatcher;

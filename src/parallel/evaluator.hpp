@@ -3,9 +3,8 @@
 
 #include <vector>
 
-#include "search/genome.hpp"
 #include "search/outcome.hpp"
-#include "search/task.hpp"
+#include "search/population.hpp"
 
 namespace ideotype {
 

@@ -21,25 +21,17 @@ enum class Mark : std::uint64_t {
     reply = 0x594c50524f454449,  // "IDEORPLY"
 };
 
-struct WireTask {
-    std::uint32_t case_index;
-    std::uint32_t generation;
-    std::uint32_t slot;
-    std::uint32_t attempt;
-    std::uint32_t is_final;
-};
-
 struct WorkHeader {
     Mark mark;
-    WireTask task;
+    Task task;
     std::uint32_t gene_count;
 };
 static_assert(sizeof(WorkHeader) == 32);
-static_assert(std::has_unique_object_representations_v<WorkHeader>);
+static_assert(std::is_trivially_copyable_v<WorkHeader>);
 
 struct ReplyHeader {
     Mark mark;
-    WireTask task;
+    Task task;
     std::uint32_t status;
     double seconds;
     std::uint32_t worker;
@@ -48,16 +40,6 @@ struct ReplyHeader {
 };
 static_assert(sizeof(ReplyHeader) == 208);
 static_assert(std::is_trivially_copyable_v<ReplyHeader>);
-
-WireTask to_wire(const Task& task) {
-    return {task.case_index, task.generation, task.slot, task.attempt,
-            task.is_final ? 1u : 0u};
-}
-
-Task from_wire(const WireTask& task) {
-    return {task.case_index, task.generation, task.slot, task.attempt,
-            task.is_final != 0};
-}
 
 //! The header, followed by room for the doubles.
 template <class Header>
@@ -93,7 +75,7 @@ void check_size(std::span<const std::byte> bytes, std::size_t expected,
 }  // namespace
 
 Bytes encode_work(const Work& work) {
-    const WorkHeader header{Mark::work, to_wire(work.task),
+    const WorkHeader header{Mark::work, work.task,
                             static_cast<std::uint32_t>(work.genome.size())};
     Bytes bytes = with_room(header, work.genome.size());
     std::copy_n(reinterpret_cast<const std::byte*>(work.genome.data()),
@@ -106,7 +88,7 @@ Work decode_work(std::span<const std::byte> bytes) {
     const auto header = read_header<WorkHeader>(bytes, Mark::work, "work");
     const std::size_t size = header.gene_count * sizeof(double);
     check_size(bytes, sizeof(WorkHeader) + size, "work");
-    Work work{from_wire(header.task), Genome(header.gene_count)};
+    Work work{header.task, Genome(header.gene_count)};
     std::copy_n(bytes.begin() + sizeof(WorkHeader), size,
                 reinterpret_cast<std::byte*>(work.genome.data()));
     return work;
@@ -116,7 +98,7 @@ Bytes encode_reply(const Reply& reply) {
     Outcome outcome = reply.outcome;
     ReplyHeader header{};
     header.mark = Mark::reply;
-    header.task = to_wire(reply.task);
+    header.task = reply.task;
     header.status = static_cast<std::uint32_t>(outcome.status);
     header.seconds = outcome.seconds;
     header.worker = outcome.worker;
@@ -134,8 +116,7 @@ Bytes encode_reply(const Reply& reply) {
 }
 
 Task task_of_reply(std::span<const std::byte> bytes) {
-    return from_wire(
-        read_header<ReplyHeader>(bytes, Mark::reply, "a reply").task);
+    return read_header<ReplyHeader>(bytes, Mark::reply, "a reply").task;
 }
 
 Reply decode_reply(std::span<const std::byte> bytes,
@@ -158,7 +139,7 @@ Reply decode_reply(std::span<const std::byte> bytes,
         std::memcpy(&x, from, sizeof(double));
         from += sizeof(double);
     });
-    return {from_wire(header.task), std::move(outcome)};
+    return {header.task, std::move(outcome)};
 }
 
 }  // namespace ideotype

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
+
 namespace ideotype {
 
 //! Time as the ranks of a job know it. That of a simulated machine is another.
@@ -15,7 +20,35 @@ class RankClock {
     virtual void nap(double seconds) const = 0;
 };
 
-//! That of this machine.
-const RankClock& machine_clock();
+//! The time of this machine.
+class MachineClock : public RankClock {
+  public:
+    double now() const override {
+        using Steady = std::chrono::steady_clock;
+        return std::chrono::duration<double>(Steady::now().time_since_epoch())
+            .count();
+    }
+
+    void nap(double seconds) const override {
+        std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+    }
+};
+
+inline const MachineClock machine_clock;
+
+//! Rests of who waits for MPI, of which a call that blocks would burn a core.
+//! They grow with the time waited so far, so that what is waited for is noticed
+//! within a few percent of the time that it took.
+class Backoff {
+  public:
+    //! Tells the next rest [s].
+    double next() {
+        return std::exchange(rest_, std::min(rest_ + rest_ / 32, longest));
+    }
+
+  private:
+    static constexpr double longest = 1e-3;
+    double rest_ = 50e-6;
+};
 
 }  // namespace ideotype

@@ -20,7 +20,7 @@ class Session {
     static Session alone();
 
     //! @param clock what ranks wait by
-    explicit Session(const RankClock& clock = machine_clock());
+    explicit Session(const RankClock& clock = machine_clock);
     ~Session();
     Session(Session&& other) noexcept;
     Session& operator=(Session&&) = delete;

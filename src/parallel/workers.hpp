@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "dispatcher.hpp"
+#include "rank_clock.hpp"
 
 namespace ideotype {
 
@@ -38,6 +39,11 @@ class Workers {
     //! Tells all workers that there will be no more work.
     virtual void dismiss() = 0;
 };
+
+//! Evaluates; whatever goes wrong becomes a failed outcome. Fills in the wall
+//! time and the worker.
+Outcome evaluate_guarded(Evaluator& evaluator, const Work& work, int rank,
+                         const RankClock& clock);
 
 //! Threads of this process. Their end is awaited: who is not sure that all
 //! answer must end the process instead.

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "evolve_case.hpp"
-#include "search/hypervolume.hpp"
 #include "search/stop_rules.hpp"
+#include "search/summary.hpp"
 
 namespace ideotype {
 

@@ -10,26 +10,36 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 
 #include "ideotype/core/text.hpp"
 #include "progress.hpp"
 
 namespace ideotype {
 
-bool is_watched(int file) {
-    if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr)
-        return isatty(file) == 1;
+int columns_of(int file) {
+    const auto width_of = [](int terminal) {
+        if (isatty(terminal) != 1) return 0;
+        struct winsize size {};
+        const bool is_known =
+            ioctl(terminal, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+        return is_known ? static_cast<int>(size.ws_col) : 80;
+    };
+    if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) return width_of(file);
     // Open MPI gives its ranks terminals and pipes of its own, so there
     // mpirun's streams are what counts.
     const int starter =
         open(fmt::format("/proc/{}/fd/{}", getppid(), file).c_str(),
              O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-    if (starter < 0) return false;
-    const bool is_terminal = isatty(starter) == 1;
+    if (starter < 0) return 0;
+    const int width = width_of(starter);
     close(starter);
-    return is_terminal;
+    return width;
 }
 
+namespace {
+
+//! Each line of a text with the time before it (UTC, ISO 8601).
 std::string with_time(const std::string& text) {
     const std::string time = utc_now() + "  ";
     std::istringstream lines(text);
@@ -39,8 +49,10 @@ std::string with_time(const std::string& text) {
     return all;
 }
 
+}  // namespace
+
 Log::Log(LogLevel least)
-    : least_(least), is_on_terminal_(is_watched(STDERR_FILENO)) {}
+    : least_(least), is_on_terminal_(columns_of(STDERR_FILENO) > 0) {}
 
 void Log::write(LogLevel level, const std::string& text) const {
     if (!tells(level)) return;

@@ -8,12 +8,9 @@ namespace ideotype {
 //! What a line of a log is about; what comes first is more urgent.
 enum class LogLevel { error, warning, info, debug };
 
-//! Whether somebody looks at this standard stream (1 or 2) of the program on a
-//! terminal; if not, it is a log.
-bool is_watched(int file);
-
-//! Each line of a text with the time before it (UTC, ISO 8601).
-std::string with_time(const std::string& text);
+//! Width of the terminal on which somebody looks at this standard stream (1 or
+//! 2) of the program; 0: it is a log.
+int columns_of(int file);
 
 //! What a verb tells of its work on the standard error, in a log file with the
 //! time before each line.

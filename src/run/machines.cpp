@@ -9,7 +9,6 @@
 
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/host.hpp"
-#include "ideotype/core/maths.hpp"
 #include "ideotype/core/version.hpp"
 #include "ideotype/light/device.hpp"
 

@@ -5,26 +5,16 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
-#include <fcntl.h>
 #include <unistd.h>
 #include <utility>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 
 #include "ideotype/canopy/quantities.hpp"
 
 namespace ideotype {
-
-namespace {
-
-//! Between two live lines [s].
-constexpr double calm = 0.1;
-
-}  // namespace
 
 double now() {
     using SteadyClock = std::chrono::steady_clock;
@@ -58,93 +48,10 @@ std::string format_duration(double seconds) {
     return fmt::format("{}:{:02}", s / 60, s % 60);
 }
 
-std::string progress_line(const JobProgress& progress, std::size_t columns) {
-    // In the order of the line; the higher the rank, the sooner it is left
-    // out.
-    struct Part {
-        std::string text;
-        int rank;
-    };
-    std::vector<Part> parts;
-    const auto add = [&](int rank, std::string text) {
-        parts.push_back({std::move(text), rank});
-    };
-    if (progress.cases > 1)
-        add(0,
-            fmt::format("{} of {} cases done", progress.ended, progress.cases));
-    if (progress.in_flight > 1)
-        add(8, fmt::format(", {} in flight", progress.in_flight));
-    if (progress.left)
-        add(1, fmt::format(", {} left", format_duration(*progress.left)));
-    add(6,
-        fmt::format(", {:.1f} evaluations/s", progress.evaluations_per_second));
-    add(5, ", " + progress.name);
-    add(3, fmt::format(", {} of {} generations", progress.complete,
-                       progress.generations));
-    if (progress.best) {
-        const std::string best = format(*progress.best);
-        const std::size_t end = std::min(best.find(" +- "), best.size());
-        add(0, ", best " + best.substr(0, end));
-        add(4, best.substr(end));
-        add(2, " " + progress.unit);
-    }
-    if (progress.hypervolume)
-        add(7, ", hypervolume " + format(*progress.hypervolume));
-    const auto line = [&] {
-        std::string all;
-        for (const Part& each : parts) all += each.text;
-        return all.starts_with(", ") ? all.substr(2) : all;
-    };
-    while (line().size() > columns && parts.size() > 1)
-        parts.erase(std::ranges::max_element(parts, {}, &Part::rank));
-    return line().substr(0, columns);
-}
-
 std::string utc_now() {
     return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
                        fmt::gmtime(std::time(nullptr)));
 }
-
-LiveLine::LiveLine(LogLevel level)
-    : is_terminal_(level >= LogLevel::info && isatty(STDERR_FILENO) == 1) {}
-
-LiveLine::~LiveLine() {
-    if (shown_ > 0) fmt::print(stderr, "\r\x1b[K");
-}
-
-void LiveLine::show(const std::string& text) {
-    if (!is_terminal_ || now() - shown_ < calm) return;
-    fmt::print(stderr, "\r\x1b[K{}", text);
-    shown_ = now();
-}
-
-namespace {
-
-//! Width of this terminal, 0 if it is none.
-int columns_of(int file) {
-    if (isatty(file) != 1) return 0;
-    struct winsize size {};
-    const bool is_known =
-        ioctl(file, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-    return is_known ? size.ws_col : 80;
-}
-
-//! Width of the terminal on which somebody watches standard output, 0 if there
-//! is none. Open MPI gives its ranks a terminal whatever its own output is, so
-//! there mpirun's is what counts.
-int watched_columns() {
-    const int columns = columns_of(STDOUT_FILENO);
-    if (columns == 0 || std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr)
-        return columns;
-    const int starter = open(fmt::format("/proc/{}/fd/1", getppid()).c_str(),
-                             O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-    if (starter < 0) return 0;
-    const int width = columns_of(starter);
-    close(starter);
-    return width;
-}
-
-}  // namespace
 
 //! Sees one case.
 class ProgressLog::CaseWatcher : public Watcher {
@@ -177,12 +84,17 @@ class ProgressLog::CaseWatcher : public Watcher {
         entry_.generation = generation;
         ++entry_.complete;
         entry_.best = {summary.best, summary.best_standard_error};
-        entry_.violation = summary.violation;
         if (!std::isnan(summary.hypervolume))
             entry_.hypervolume = {summary.hypervolume,
                                   summary.hypervolume_standard_error};
         to_evaluate_ = log_.all_after(generation + 1);
-        std::string line = log_.text(entry_);
+        std::string line = fmt::format(
+            "{}  generation {}, {} of {} complete, {} left, {:.1f} "
+            "evaluations/s, {} {}",
+            entry_.name, generation, entry_.complete,
+            log_.campaign_.stop.generations, log_.time_left(),
+            log_.evaluations_per_second(), log_.best_of(entry_),
+            certainty(false, summary.violation));
         if (summary.failures > 0)
             line += fmt::format("  {} failed", summary.failures);
         if (log_.columns_ == 0) log_.print(line);
@@ -202,19 +114,19 @@ class ProgressLog::CaseWatcher : public Watcher {
     long long& to_evaluate_;
 };
 
-std::string not_evaluated_again(double violation) {
-    return violation > 0 ? fmt::format(
-                               "(not evaluated again; fails its constraints by "
-                               "{:.3g})",
-                               violation)
-                         : "(not evaluated again)";
+std::string certainty(bool is_evaluated_again, double violation) {
+    return fmt::format(
+        "({}evaluated again{})", is_evaluated_again ? "" : "not ",
+        violation > 0
+            ? fmt::format("; fails its constraints by {:.3g}", violation)
+            : "");
 }
 
 ProgressLog::ProgressLog(const Campaign& campaign,
                          const std::vector<Case>& chosen, LogLevel level)
     : campaign_(campaign),
       level_(level),
-      columns_(watched_columns()),
+      columns_(columns_of(STDOUT_FILENO)),
       started_(now()),
       cases_(static_cast<int>(chosen.size())) {
     for (const Case& each : chosen) to_evaluate_[each.index] = all_after(0);
@@ -255,50 +167,44 @@ long long ProgressLog::all_after(std::uint32_t generation) const {
            campaign_.search.population;
 }
 
-JobProgress ProgressLog::progress_of(const Entry& entry) const {
-    const double seconds = std::max(now() - started_, 1e-3);
-    long long left = 0;
-    for (const auto& [index, count] : to_evaluate_) left += count;
-    JobProgress progress{cases_,
-                         ended_,
-                         static_cast<int>(in_flight_.size()),
-                         entry.name,
-                         entry.complete,
-                         static_cast<std::uint32_t>(campaign_.stop.generations),
-                         entry.best,
-                         unit_of(aims(campaign_).front().quantity),
-                         entry.hypervolume,
-                         evaluations_ / seconds,
-                         {}};
-    if (evaluations_ > 0)
-        progress.left = static_cast<double>(left) * seconds / evaluations_;
-    return progress;
+//! In this session.
+double ProgressLog::evaluations_per_second() const {
+    return evaluations_ / std::max(now() - started_, 1e-3);
 }
 
-//! A line of a log file.
-std::string ProgressLog::text(const Entry& entry) const {
-    const JobProgress progress = progress_of(entry);
-    std::string line = fmt::format(
-        "{}  generation {}, {} of {} complete, {} left, {:.1f} evaluations/s, "
-        "best {} {} {}",
-        entry.name, entry.generation, entry.complete, progress.generations,
-        progress.left ? format_duration(*progress.left) : "?",
-        progress.evaluations_per_second, format(entry.best.value()),
-        progress.unit, not_evaluated_again(entry.violation));
-    if (entry.hypervolume)
-        line += fmt::format(", hypervolume {}", format(*entry.hypervolume));
-    return line;
+//! At most.
+std::string ProgressLog::time_left() const {
+    long long left = 0;
+    for (const auto& [index, count] : to_evaluate_) left += count;
+    return evaluations_ > 0 ? format_duration(static_cast<double>(left) /
+                                              evaluations_per_second())
+                            : "?";
+}
+
+std::string ProgressLog::best_of(const Entry& entry) const {
+    return fmt::format(
+        "best {} {}{}", format(entry.best.value()),
+        unit_of(aims(campaign_).front().quantity),
+        entry.hypervolume ? ", hypervolume " + format(*entry.hypervolume) : "");
 }
 
 //! The case that comes first stands for those in flight.
 void ProgressLog::show_live() {
+    constexpr double calm = 0.1;  // between two lines [s]
     if (columns_ == 0 || level_ < LogLevel::info || in_flight_.empty() ||
         now() - shown_ < calm)
         return;
+    const Entry& entry = in_flight_.begin()->second;
+    std::string line =
+        cases_ > 1 ? fmt::format("{} of {} cases done, ", ended_, cases_) : "";
+    line += fmt::format("{} left, {} of {} generations, ", time_left(),
+                        entry.complete, campaign_.stop.generations);
+    if (entry.best) line += best_of(entry) + ", ";
+    line += fmt::format("{:.1f} evaluations/s, {}", evaluations_per_second(),
+                        entry.name);
     // A line that wraps could not be written over.
-    fmt::print("\r\x1b[K{}",
-               progress_line(progress_of(in_flight_.begin()->second),
-                             static_cast<std::size_t>(columns_ - 1)));
+    line.resize(std::min(line.size(), static_cast<std::size_t>(columns_ - 1)));
+    fmt::print("\r\x1b[K{}", line);
     std::fflush(stdout);
     shown_ = now();
     is_live_ = true;

@@ -15,23 +15,6 @@
 
 namespace ideotype {
 
-//! The progress of a job, as the live line tells it.
-struct JobProgress {
-    int cases = 1;                                //!< of this job
-    int ended = 0;                                //!< cases
-    int in_flight = 1;                            //!< cases
-    std::string name;                             //!< of one in flight
-    std::uint32_t complete = 0, generations = 0;  //!< of that
-    std::optional<Estimate> best;                 //!< of that
-    std::string unit;                             //!< of best
-    std::optional<Estimate> hypervolume;          //!< of that
-    double evaluations_per_second = 0;            //!< of the job
-    std::optional<double> left;                   //!< of the job, at most [s]
-};
-
-//! One line of at most so many columns: the less important parts are left out.
-std::string progress_line(const JobProgress& progress, std::size_t columns);
-
 //! Tells how the cases of a job evolve: one live line on a terminal for all
 //! that are in flight, one line per generation and case in a log file.
 class ProgressLog {
@@ -69,13 +52,13 @@ class ProgressLog {
         std::uint32_t generation = 0;  //!< from 0, as in the history
         std::uint32_t complete = 0;    //!< generations
         std::optional<Estimate> best, hypervolume;
-        double violation = 0;  //!< of the best
     };
 
     //! Evaluations of a case from this generation on, if no rule ends it.
     long long all_after(std::uint32_t generation) const;
-    JobProgress progress_of(const Entry& entry) const;
-    std::string text(const Entry& entry) const;
+    double evaluations_per_second() const;
+    std::string time_left() const;
+    std::string best_of(const Entry& entry) const;
     void show_live();
 
     const Campaign& campaign_;
@@ -91,27 +74,10 @@ class ProgressLog {
     std::map<int, long long> to_evaluate_;  //!< at most, by index of the case
 };
 
-//! One line on standard error that is written over and over, if that is a
-//! terminal, and gone at the end.
-class LiveLine {
-  public:
-    explicit LiveLine(LogLevel level = LogLevel::info);
-    ~LiveLine();
-    LiveLine(const LiveLine&) = delete;
-    LiveLine& operator=(const LiveLine&) = delete;
-
-    //! Not more often than can be read.
-    void show(const std::string& text);
-
-  private:
-    bool is_terminal_;
-    double shown_ = 0;
-};
-
-//! What is said of the best of a generation: it was chosen by the same figure,
-//! which is too high on average for that.
+//! Tells how sure the figure of a best plant is: one that was chosen by the
+//! same figure, and not evaluated again, is too high on average.
 //! @param violation of its constraints
-std::string not_evaluated_again(double violation);
+std::string certainty(bool is_evaluated_again, double violation);
 
 //! "12.345 +- 0.006": as many digits as the standard error allows; "0" of what
 //! differs from zero by rounding alone.

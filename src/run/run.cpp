@@ -6,6 +6,7 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "disk.hpp"
 #include "evaluator.hpp"
@@ -13,7 +14,7 @@
 #include "masters.hpp"
 #include "provenance.hpp"
 #include "sky_table.hpp"
-#include "start_plant.hpp"
+#include "summary.hpp"
 #include "sweep.hpp"
 #include "way_on.hpp"
 
@@ -99,10 +100,8 @@ struct Crew {
 ExitCode direct(const RunOptions& options, const Campaign& campaign,
                 const std::string& isa, const Evaluators& evaluators,
                 const Crew& crew, StopFlag& stop) {
-    const auto dispatcher = make_dispatcher(
-        crew.own, evaluators, stop,
-        {campaign.answer_limits.deadline, campaign.answer_limits.attempts,
-         final_effort(campaign)});
+    const auto dispatcher =
+        make_dispatcher(crew.own, evaluators, stop, answer_rules(campaign));
     std::optional<Error> failure;
     ExitCode code = ExitCode::ok;
     {
@@ -125,14 +124,61 @@ ExitCode direct(const RunOptions& options, const Campaign& campaign,
     if (failure) throw Error(*failure);
     if (code == ExitCode::ok && crew.job.rank() == 0 &&
         options.level >= LogLevel::info) {
-        const std::string folder =
-            fs::path(path_of(options.out, campaign, crew.cases.front()))
-                .parent_path()
-                .string();
-        fmt::print("next: {}\n", quoted({"ideotype", "report", folder, "-o",
-                                         folder + "/report"}));
+        const std::string path =
+            path_of(options.out, campaign, crew.cases.front());
+        const std::string folder = fs::path(path).parent_path().string();
+        const bool is_study = options.read == read_study;
+        if (!is_study)
+            fmt::print("{}\n", campaign.replicates == 1
+                                   ? one_seed
+                                   : "ideotype summary tells how seeds differ");
+        fmt::print("next: {}\n", is_study
+                                     ? quoted({"ideotype", "indices", path})
+                                     : quoted({"ideotype", "report", folder,
+                                               "-o", folder + "/report"}));
     }
     return code;
+}
+
+Genome best_of_history(const GeneSpace& genes, Genome start,
+                       const std::string& path) {
+    const History history = History::read(path);
+    const HistoryHeader& header = history.header();
+    const std::vector<Row> finalists = history.finalists();
+    const std::size_t best = best_finalist(history, finalists);
+    if (best == 0)
+        throw Error(path +
+                    ": has no plant that was evaluated again; let its "
+                    "run end, or begin with a plant file");
+    const Genome& found = finalists[best].candidate.genome;
+    for (std::size_t i = 0; i < genes.size(); ++i)
+        for (std::size_t j = 0; j < header.genes.size(); ++j)
+            if (header.genes[j].name == genes[i].name) start[i] = found[j];
+    return start;
+}
+
+//! Makes the setting "search.start=[...]" of a plant: of a crop file what
+//! traits set, of a history the genes of its best finalist, by name. What is
+//! not known of it is as in the baseline.
+//! @throws Error if the file cannot be read or has no finalist.
+//! @throws InputError with all problems of a crop file.
+std::string start_setting(const Campaign& campaign, const std::string& path) {
+    Genome start = baseline_numbers(campaign.crop);
+    if (std::filesystem::path(path).extension() == ".h5") {
+        const GeneSpace genes = gene_space(campaign, cases(campaign).front());
+        start = best_of_history(genes, std::move(start), path);
+    } else {
+        Crop crop = campaign.crop;
+        crop.baseline = read_plant(path);
+        if (crop.baseline.leaves.size() != campaign.crop.baseline.leaves.size())
+            throw Error(fmt::format(
+                "{}: has {} leaves (the campaign's baseline has {}); begin "
+                "with another plant",
+                path, crop.baseline.leaves.size(),
+                campaign.crop.baseline.leaves.size()));
+        start = baseline_numbers(crop);
+    }
+    return fmt::format("search.start=[{}]", fmt::join(start, ", "));
 }
 
 Campaign read_with_start(const RunOptions& options) {
@@ -148,13 +194,13 @@ Campaign read_with_start(const RunOptions& options) {
 
 }  // namespace
 
-ExitCode run(const RunOptions& options, const Session& session,
-             StopFlag& stop) {
-    return run_on(this_machine(), options, session, stop);
+AnswerRules answer_rules(const Campaign& campaign) {
+    return {campaign.answer_limits.deadline, campaign.answer_limits.attempts,
+            final_effort(campaign)};
 }
 
-ExitCode run_on(const Machine& own, const RunOptions& options,
-                const Session& session, StopFlag& stop) {
+ExitCode run(const RunOptions& options, const Session& session, StopFlag& stop,
+             const Machine& own) {
     if (options.wall_time) stop.request_after(*options.wall_time);
     const std::vector<Machine> machines = gather_machines(session, own);
     const int threads = threads_per_rank(session, options.threads);

@@ -9,6 +9,7 @@
 #include "ideotype/core/stop_flag.hpp"
 #include "log.hpp"
 #include "machines.hpp"
+#include "parallel/dispatcher.hpp"
 #include "parallel/session.hpp"
 
 namespace ideotype {
@@ -16,6 +17,9 @@ namespace ideotype {
 //! Where `run` keeps the history of a case.
 std::string path_of(const std::string& out, const Campaign& campaign,
                     const Case& chosen);
+
+//! How long a campaign waits for answers.
+AnswerRules answer_rules(const Campaign& campaign);
 
 //! `run CAMPAIGN`: evolves one case, or all of them in one job.
 struct RunOptions {
@@ -37,10 +41,8 @@ struct RunOptions {
 };
 
 //! Collective over all ranks of the session.
-ExitCode run(const RunOptions& options, const Session& session, StopFlag& stop);
-
-//! The same on a rank that is this machine.
-ExitCode run_on(const Machine& own, const RunOptions& options,
-                const Session& session, StopFlag& stop);
+//! @param own what this rank computes with
+ExitCode run(const RunOptions& options, const Session& session, StopFlag& stop,
+             const Machine& own = this_machine());
 
 }  // namespace ideotype

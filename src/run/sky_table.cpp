@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/climate/daylight.hpp"
+#include "ideotype/climate/light_series.hpp"
 #include "ideotype/core/clock.hpp"
 
 namespace ideotype {
@@ -28,11 +28,6 @@ std::string place(const Site& site) {
 }
 
 }  // namespace
-
-void print_warnings(const Campaign& campaign) {
-    for (const Problem& warning : campaign.warnings)
-        fmt::print(stderr, "ideotype: warning: {}\n", to_string(warning));
-}
 
 void print_warnings(const Campaign& campaign, const Log& log) {
     for (const Problem& warning : campaign.warnings)

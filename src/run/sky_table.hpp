@@ -8,10 +8,7 @@
 
 namespace ideotype {
 
-//! Prints what may be wrong with a campaign to the standard error.
-void print_warnings(const Campaign& campaign);
-
-//! The same in a log.
+//! Tells what may be wrong with a campaign.
 void print_warnings(const Campaign& campaign, const Log& log);
 
 //! A line for each site and day of a campaign: when the sun is up by the local

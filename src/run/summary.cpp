@@ -9,9 +9,8 @@
 
 #include "ideotype/core/units.hpp"
 #include "progress.hpp"
-#include "search/hypervolume.hpp"
 #include "search/order.hpp"
-#include "search/pareto.hpp"
+#include "search/summary.hpp"
 
 namespace ideotype {
 
@@ -22,7 +21,9 @@ std::string format_daily(Estimate mj_per_m2) {
         format(scaled(mj_per_m2, mwh_per_acre_per_mj_per_m2)));
 }
 
-std::size_t best_finalist(const std::vector<Row>& finalists, Sense sense) {
+std::size_t best_finalist(const History& history,
+                          const std::vector<Row>& finalists) {
+    const Sense sense = history.header().schema.objectives.front().sense;
     Population population;
     for (const auto& [candidate, outcome, attempt] : finalists)
         population.push_back(
@@ -33,22 +34,6 @@ std::size_t best_finalist(const std::vector<Row>& finalists, Sense sense) {
             (best == 0 || is_better(population[i], population[best], sense)))
             best = i;
     return best;
-}
-
-std::size_t failed_finalists(const std::vector<Row>& finalists) {
-    return static_cast<std::size_t>(
-        std::ranges::count(finalists, Status::failed,
-                           [](const Row& row) { return row.outcome.status; }));
-}
-
-std::string failures_of(const std::vector<Row>& finalists) {
-    const auto first =
-        std::ranges::find(finalists, Status::failed,
-                          [](const Row& row) { return row.outcome.status; });
-    if (first == finalists.end()) return "";
-    return fmt::format("{} of {} finalists failed; the first reason: {}",
-                       failed_finalists(finalists), finalists.size(),
-                       first->outcome.message);
 }
 
 namespace {
@@ -64,16 +49,6 @@ double lai_of(const History& history, const Row& row) {
     return quantity(history, row, "lai").mean;
 }
 
-std::string described(const History& history, const Row& row) {
-    const double violation = row.outcome.violation;
-    return fmt::format(
-        "{} {}{}", format(row.outcome.objectives.front()),
-        history.header().schema.objectives.front().unit,
-        violation > 0
-            ? fmt::format("; FAILS ITS CONSTRAINTS by {:.3g}", violation)
-            : "");
-}
-
 //! The mean of b - a over randomisations that both plants share, with units
 //! and relative to a.
 std::string gain(const Outcome& a, const Outcome& b, const std::string& unit) {
@@ -84,36 +59,24 @@ std::string gain(const Outcome& a, const Outcome& b, const std::string& unit) {
         format(relative_gain(randomisations_of(a), randomisations_of(b))));
 }
 
-std::string gain_line(const History& history, const Row& baseline,
-                      const Row& best) {
+//! Much of a gain may be leaf area, which therefore stands beside it.
+std::string gain_with_lai(const History& history, const Row& baseline,
+                          const Row& best) {
     const Objective& objective = history.header().schema.objectives.front();
-    return fmt::format("{}, with LAI {:.2f} instead of {:.2f}",
+    return fmt::format("gain {}, with LAI {:.2f} instead of {:.2f}",
                        gain(baseline.outcome, best.outcome, objective.unit),
                        lai_of(history, best), lai_of(history, baseline));
 }
 
 //! A warning of plants that no field has so densely, or "".
-std::string too_dense(const std::string& what, double lai) {
+std::string doubt_of(const std::string& what, double lai) {
     const std::string doubt = doubt_of_lai(lai);
     return doubt.empty()
                ? ""
                : fmt::format(
-                     "  warning   {} {}; limit [constraints] lai, or breed for "
-                     "carbon_balance, in which leaf area has its price\n",
+                     "{} {}; limit [constraints] lai, or breed for "
+                     "carbon_balance, in which leaf area has its price",
                      what, doubt);
-}
-
-//! Much of a gain may be leaf area, which therefore stands beside it.
-std::string gains(const History& history, const Campaign& campaign,
-                  const Row& baseline, const Row& best) {
-    return fmt::format(
-        "  gain      {}\n            {}\n{}",
-        gain_line(history, baseline, best),
-        campaign.replicates == 1
-            ? one_seed
-            : "how seeds differ is told by ideotype summary --gains, "
-              "not by this interval",
-        too_dense("the best plant", lai_of(history, best)));
 }
 
 //! Plain absorption in an endless stand has a ceiling: a word of warning.
@@ -130,7 +93,7 @@ std::string left_to_gain(const History& history, const Campaign& campaign,
         left.mean <=
         quantity(history, best, "absorbed_fraction").standard_error;
     return fmt::format(
-        "  left      at most {} of the incident light{}\n", format(left),
+        "\nat most {} of the incident light is left to gain{}", format(left),
         is_saturated ? ", within the standard error: leaves cannot take more, "
                        "and what evolved beyond is luck; see [objective] and "
                        "[constraints]"
@@ -143,7 +106,7 @@ std::string left_to_gain(const History& history, const Campaign& campaign,
 std::string front(const History& history, const Campaign& campaign,
                   const std::vector<Row>& finalists) {
     std::vector<Sense> senses;
-    std::string text = "  plant";
+    std::string text = "\n  plant";
     for (const Objective& each : history.header().schema.objectives) {
         senses.push_back(each.sense);
         text += fmt::format("  {:>28}", each.name + " [" + each.unit + "]");
@@ -166,69 +129,107 @@ std::string front(const History& history, const Campaign& campaign,
         else
             text += "  not in the front any more";
     }
-    text += fmt::format("\n  {} of {} are still in the front\n", left,
+    text += fmt::format("\n  {} of {} are still in the front", left,
                         members.size());
     std::vector<double> reference = campaign.search.reference;
     if (reference.empty()) reference = worst_of(history.generation(0), senses);
     if (!reference.empty())
-        text += fmt::format("  hypervolume {}, relative to {:.6g}\n",
+        text += fmt::format("\n  hypervolume {}, relative to {:.6g}",
                             format(hypervolume(members, reference, senses)),
                             fmt::join(reference, ", "));
-    double lai = 0;
-    for (std::size_t i = 1; i < finalists.size(); ++i)
-        lai = std::max(lai, lai_of(history, finalists[i]));
-    return text + too_dense("a plant of the front", lai);
+    return text;
 }
 
-constexpr const char* only_the_baseline =
-    "nothing but the baseline was evaluated again";
+//! Adds what the finalists tell.
+void add_finalists(const History& history, CaseResult& result) {
+    const auto& objectives = history.header().schema.objectives;
+    const std::vector<Row> finalists = history.finalists();
+    result.finalists = finalists.size();
+    for (const Row& row : finalists)
+        if (row.outcome.status == Status::failed &&
+            result.failed_finalists++ == 0)
+            result.failure = row.outcome.message;
+    const std::size_t best = best_finalist(history, finalists);
+    if (best == 0 || !result.reason) return;
+    result.is_evaluated_again = true;
+    result.best = finalists[best].outcome.objectives.front();
+    result.violation = finalists[best].outcome.violation;
+    double lai = lai_of(history, finalists[best]);
+    const bool has_front = objectives.size() > 1;
+    if (has_front) {
+        for (std::size_t i = 1; i < finalists.size(); ++i)
+            lai = std::max(lai, lai_of(history, finalists[i]));
+        result.gain = fmt::format("front of {}", finalists.size() - 1);
+    } else if (finalists[0].outcome.status == Status::done) {
+        result.gain = gain_with_lai(history, finalists[0], finalists[best]);
+    }
+    result.doubt =
+        doubt_of(has_front ? "a plant of the front" : "this plant", lai);
+}
 
 }  // namespace
 
-std::string final_summary(const History& history, const Campaign& campaign) {
-    const std::vector<Row> finalists = history.finalists();
-    const auto& objectives = history.header().schema.objectives;
-    const std::size_t best = best_finalist(finalists, objectives.front().sense);
-    std::string failures = failures_of(finalists);
-    if (!failures.empty()) failures += '\n';
-    if (finalists.size() == 1) return failures + only_the_baseline + '\n';
-    if (finalists.empty() || finalists[0].outcome.status != Status::done ||
-        best == 0)
-        return failures +
-               "without the baseline and another finalist there is "
-               "no gain\n";
-    const Accuracy& sampling = campaign.final_rule.sampling;
-    const std::string how =
-        fmt::format("{} of {} paths with a new field each",
-                    sampling.randomisations, sampling.paths);
-    if (objectives.size() > 1)
-        return failures + fmt::format("front, {}:\n{}", how,
-                                      front(history, campaign, finalists));
-    const std::string& name = objectives.front().name;
-    return failures +
-           fmt::format(
-               "{}, {}:\n"
-               "  baseline  {}\n"
-               "  best      {}\n"
-               "{}{}",
-               name == "absorbed_par" ? "absorbed by leaves" : name, how,
-               described(history, finalists[0]),
-               described(history, finalists[best]),
-               gains(history, campaign, finalists[0], finalists[best]),
-               left_to_gain(history, campaign, finalists[best]));
+CaseResult result_of(const History& history) {
+    const HistoryHeader& header = history.header();
+    CaseResult result;
+    result.reason = history.finished();
+    result.generations = header.generations;
+    result.objective = header.schema.objectives.front().name;
+    result.unit = header.schema.objectives.front().unit;
+    const auto summaries = history.summaries();
+    result.complete = static_cast<double>(summaries.size());
+    for (const GenerationSummary& each : summaries) {
+        result.failures += each.failures;
+        result.evaluations += each.evaluations;
+    }
+    add_finalists(history, result);
+    if (summaries.empty()) return result;
+    const GenerationSummary& last = summaries.back();
+    result.wall_time = last.wall_time;
+    if (!std::isnan(last.hypervolume))
+        result.hypervolume = {last.hypervolume,
+                              last.hypervolume_standard_error};
+    if (result.is_evaluated_again) return result;
+    const Row best = history.row(
+        static_cast<std::uint32_t>(summaries.size() - 1), last.best_slot);
+    result.best = {last.best, last.best_standard_error};
+    result.violation = best.outcome.violation;
+    result.doubt = doubt_of("this plant", lai_of(history, best));
+    return result;
 }
 
-std::string final_line(const History& history) {
+std::string to_text(const CaseResult& result, const std::string& path,
+                    const std::string& state) {
+    std::string line =
+        fmt::format("{}: {}{}, {} of {} generations", path, state,
+                    result.reason ? " by " + *result.reason : "",
+                    result.complete, result.generations);
+    if (result.best)
+        line +=
+            fmt::format(", best {} {} {}", format(*result.best), result.unit,
+                        certainty(result.is_evaluated_again, result.violation));
+    if (!result.gain.empty()) line += ", " + result.gain;
+    if (result.complete > 0)
+        line +=
+            fmt::format(", {} evaluations in {}, {} failed", result.evaluations,
+                        format_duration(result.wall_time), result.failures);
+    if (result.failed_finalists > 0)
+        line += fmt::format(", {} of {} finalists failed ({})",
+                            result.failed_finalists, result.finalists,
+                            result.failure);
+    if (result.hypervolume)
+        line += fmt::format(", hypervolume {}", format(*result.hypervolume));
+    return line + (result.doubt.empty() ? "" : "; " + result.doubt);
+}
+
+std::string remarks(const History& history, const Campaign& campaign) {
     const std::vector<Row> finalists = history.finalists();
     const auto& objectives = history.header().schema.objectives;
-    const std::size_t best = best_finalist(finalists, objectives.front().sense);
-    if (finalists.size() == 1) return only_the_baseline;
-    if (finalists.empty() || finalists[0].outcome.status != Status::done ||
-        best == 0)
-        return "no finalist could be evaluated";
-    if (objectives.size() > 1)
-        return fmt::format("front of {}", finalists.size() - 1);
-    return "gain " + gain_line(history, finalists[0], finalists[best]);
+    const std::size_t best = best_finalist(history, finalists);
+    if (best == 0) return "";
+    return objectives.size() > 1
+               ? front(history, campaign, finalists)
+               : left_to_gain(history, campaign, finalists[best]);
 }
 
 }  // namespace ideotype

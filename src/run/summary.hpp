@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "campaign/campaign.hpp"
@@ -20,19 +21,36 @@ std::string format_daily(Estimate mj_per_m2);
 
 //! Slot in /final of the best finalist other than the baseline in slot 0, or
 //! 0 if nothing but the baseline has been evaluated.
-std::size_t best_finalist(const std::vector<Row>& finalists, Sense sense);
+std::size_t best_finalist(const History& history,
+                          const std::vector<Row>& finalists);
 
-//! Counts the finalists that could not be evaluated.
-std::size_t failed_finalists(const std::vector<Row>& finalists);
+//! What a history tells of the result of its case.
+struct CaseResult {
+    std::optional<std::string> reason;  //!< of the end
+    double complete = 0, generations = 0;
+    double evaluations = 0, failures = 0;
+    double wall_time = 0;  //!< of all sessions [s]
+    std::string objective, unit;
+    //! Of the final evaluation, or of the last generation.
+    std::optional<Estimate> best;
+    std::optional<Estimate> hypervolume;
+    bool is_evaluated_again = false;
+    double violation = 0;  //!< of the best
+    std::string gain;      //!< over the baseline; "" if it is not known
+    std::string doubt;     //!< of the leaf area of the best
+    std::size_t finalists = 0, failed_finalists = 0;
+    std::string failure;  //!< the first reason of finalists that failed
+};
 
-//! Tells how many finalists could not be evaluated and why, or "".
-std::string failures_of(const std::vector<Row>& finalists);
+CaseResult result_of(const History& history);
 
-//! Best plant against the baseline after a finished evolution, both evaluated
-//! again under the same fresh random numbers.
-std::string final_summary(const History& history, const Campaign& campaign);
+//! Tells a result in one line without its end.
+//! @param state such as "finished"
+std::string to_text(const CaseResult& result, const std::string& path,
+                    const std::string& state);
 
-//! Tells the result of a case in one line without its end.
-std::string final_line(const History& history);
+//! Tells lines about the finalists that do not fit into the line of a result:
+//! each member of a front, or how much light is left to gain.
+std::string remarks(const History& history, const Campaign& campaign);
 
 }  // namespace ideotype

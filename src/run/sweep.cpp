@@ -114,14 +114,15 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
     }
     progress_.end(chosen);
     const std::string path = path_of(options_.out, campaign_, chosen);
-    const std::vector<Row> finalists = history.finalists();
-    if (failed_finalists(finalists) == finalists.size())
-        throw CaseError(fmt::format("{}: {}", path, failures_of(finalists)));
-    progress_.print_result(
-        was_finished
-            ? fmt::format("finished before: {}, {}", path, final_line(history))
-            : fmt::format("{}history: {}", final_summary(history, campaign_),
-                          path));
+    const CaseResult result = result_of(history);
+    if (result.failed_finalists == result.finalists)
+        throw CaseError(fmt::format(
+            "{}: {} of {} finalists failed; the first reason: {}", path,
+            result.failed_finalists, result.finalists, result.failure));
+    progress_.print_result(was_finished
+                               ? to_text(result, path, "finished before")
+                               : to_text(result, path, "finished") +
+                                     remarks(history, campaign_));
     co_return Ending::finished;
 }
 

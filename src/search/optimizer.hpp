@@ -5,7 +5,6 @@
 #include <memory>
 #include <vector>
 
-#include "genome.hpp"
 #include "population.hpp"
 #include "settings.hpp"
 
@@ -83,6 +82,19 @@ class GenerationalOptimizer : public Optimizer {
     mutable std::vector<Candidate> asked_;  //!< that generation, once asked
     Population learnt_;                     //!< so far, of the same
 };
+
+//! The baseline with free genes uniform within their bounds.
+Genome random_genome(const SearchSpace& space, std::uint64_t seed,
+                     std::uint32_t generation, std::uint32_t slot);
+
+//! Each kind of optimizer, before the first row; see their sources.
+std::unique_ptr<GenerationalOptimizer> make_genetic_algorithm(
+    const SearchSettings& settings, SearchSpace space, std::uint64_t seed);
+std::unique_ptr<GenerationalOptimizer> make_cma_es(
+    const SearchSettings& settings, SearchSpace space, std::uint64_t seed);
+std::unique_ptr<Optimizer> make_steady_state(const SearchSettings& settings,
+                                             SearchSpace space,
+                                             std::uint64_t seed);
 
 //! The optimizer that the settings name, before the first row.
 std::unique_ptr<Optimizer> make_optimizer(const SearchSettings& settings,

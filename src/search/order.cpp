@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "order.hpp"
 
+#include <algorithm>
+#include <limits>
+#include <numeric>
 #include <set>
-
-#include "pareto.hpp"
 
 namespace ideotype {
 
@@ -17,6 +18,122 @@ bool is_better(const Individual& a, const Individual& b, Sense sense) {
     if (a.violation > 0 || b.violation > 0) return a.violation < b.violation;
     return is_better(a.objectives.front().mean, b.objectives.front().mean,
                      sense);
+}
+
+namespace {
+
+bool dominates(const Individual& a, const Individual& b,
+               const std::vector<Sense>& senses) {
+    const bool is_told_apart = a.status == Status::failed ||
+                               b.status == Status::failed || a.violation > 0 ||
+                               b.violation > 0;
+    if (is_told_apart) return is_better(a, b, senses.front());
+    bool is_better_in_one = false;
+    for (std::size_t k = 0; k < senses.size(); ++k) {
+        const double x = a.objectives[k].mean, y = b.objectives[k].mean;
+        if (is_better(y, x, senses[k])) return false;
+        is_better_in_one |= is_better(x, y, senses[k]);
+    }
+    return is_better_in_one;
+}
+
+//! Places of keys that can be compared, in their order.
+template <class Less>
+std::vector<std::size_t> placed(std::size_t size, Less less) {
+    std::vector<std::size_t> order(size), place(size);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), less);
+    for (std::size_t i = 1; i < size; ++i)
+        place[order[i]] =
+            less(order[i - 1], order[i]) ? i : place[order[i - 1]];
+    return place;
+}
+
+}  // namespace
+
+std::vector<std::size_t> fronts(const Population& population,
+                                const std::vector<Sense>& senses) {
+    const std::size_t size = population.size();
+    std::vector<std::size_t> front(size), dominators(size);
+    std::vector<std::vector<std::size_t>> dominated(size);
+    for (std::size_t i = 0; i < size; ++i)
+        for (std::size_t j = 0; j < size; ++j)
+            if (i != j && dominates(population[i], population[j], senses)) {
+                dominated[i].push_back(j);
+                ++dominators[j];
+            }
+    std::vector<std::size_t> present;
+    for (std::size_t i = 0; i < size; ++i)
+        if (dominators[i] == 0) present.push_back(i);
+    for (std::size_t level = 0; !present.empty(); ++level) {
+        std::vector<std::size_t> next;
+        for (const std::size_t i : present) {
+            front[i] = level;
+            for (const std::size_t j : dominated[i])
+                if (--dominators[j] == 0) next.push_back(j);
+        }
+        present = std::move(next);
+    }
+    return front;
+}
+
+std::vector<double> crowding(const Population& population,
+                             const std::vector<std::size_t>& front,
+                             std::size_t objectives) {
+    constexpr double endless = std::numeric_limits<double>::infinity();
+    std::vector<double> distance(front.size());
+    std::vector<std::size_t> order(front.size());
+    for (std::size_t k = 0; k < objectives; ++k) {
+        const auto value = [&](std::size_t i) {
+            return population[front[i]].objectives[k].mean;
+        };
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::stable_sort(
+            order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return value(a) < value(b); });
+        const double range = value(order.back()) - value(order.front());
+        distance[order.front()] = distance[order.back()] = endless;
+        if (!(range > 0)) continue;
+        for (std::size_t i = 1; i + 1 < order.size(); ++i)
+            distance[order[i]] += (value(order[i + 1]) - value(order[i - 1])) /
+                                  range / static_cast<double>(objectives);
+    }
+    return distance;
+}
+
+std::vector<std::size_t> places(const Population& population,
+                                const std::vector<Sense>& senses) {
+    if (senses.size() == 1)
+        return placed(population.size(), [&](std::size_t a, std::size_t b) {
+            return is_better(population[a], population[b], senses.front());
+        });
+    const std::vector<std::size_t> front = fronts(population, senses);
+    std::vector<double> distance(population.size());
+    std::vector<std::vector<std::size_t>> members(population.size());
+    for (std::size_t i = 0; i < population.size(); ++i)
+        if (population[i].status != Status::failed)
+            members[front[i]].push_back(i);
+    for (const std::vector<std::size_t>& each : members) {
+        if (each.empty()) continue;
+        const auto found = crowding(population, each, senses.size());
+        for (std::size_t i = 0; i < each.size(); ++i)
+            distance[each[i]] = found[i];
+    }
+    return placed(population.size(), [&](std::size_t a, std::size_t b) {
+        return front[a] != front[b] ? front[a] < front[b]
+                                    : distance[a] > distance[b];
+    });
+}
+
+std::vector<std::uint32_t> ranking(const Population& population,
+                                   const std::vector<Sense>& senses) {
+    const std::vector<std::size_t> place = places(population, senses);
+    std::vector<std::uint32_t> order(population.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(
+        order.begin(), order.end(),
+        [&](std::uint32_t a, std::uint32_t b) { return place[a] < place[b]; });
+    return order;
 }
 
 std::vector<std::uint32_t> best_distinct(const Population& population,

@@ -1,24 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "population.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace ideotype {
 
+std::size_t count_free(const GeneSpace& genes) {
+    return static_cast<std::size_t>(
+        std::count_if(genes.begin(), genes.end(),
+                      [](const Gene& gene) { return gene.is_free; }));
+}
+
+double wrapped(const Gene& gene, double value) {
+    const double range = gene.upper - gene.lower;
+    const double turns = std::floor((value - gene.lower) / range);
+    const double result = value - turns * range;
+    // Rounding can put a tiny negative value onto the upper end.
+    return result < gene.upper ? std::max(result, gene.lower) : gene.lower;
+}
+
+double difference(const Gene& gene, double a, double b) {
+    if (!gene.is_circular) return b - a;
+    const double range = gene.upper - gene.lower;
+    return std::remainder(b - a, range);
+}
+
 const char* name_of(Origin origin) {
-    switch (origin) {
-        case Origin::none:
-            return "none";
-        case Origin::baseline:
-            return "baseline";
-        case Origin::random:
-            return "random";
-        case Origin::elite:
-            return "elite";
-        case Origin::child:
-            return "child";
-        case Origin::sample:
-            return "sample";
-    }
-    return "unknown";
+    constexpr std::array names{"none",  "baseline", "random",
+                               "elite", "child",    "sample"};
+    const auto number = static_cast<std::size_t>(origin);
+    return number < names.size() ? names[number] : "unknown";
 }
 
 }  // namespace ideotype

@@ -9,6 +9,8 @@
 
 namespace ideotype {
 
+namespace {
+
 std::vector<Factor> factors_of(const GeneSpace& genes, Grouping groups) {
     std::vector<Factor> factors;
     for (std::size_t i = 0; i < genes.size(); ++i) {
@@ -25,12 +27,7 @@ std::vector<Factor> factors_of(const GeneSpace& genes, Grouping groups) {
     return factors;
 }
 
-//! A path by Morris: where genes begin, as levels, and how they step.
-struct SensitivityDesign::Path {
-    std::vector<double> start;  //!< of all genes
-    std::vector<double> steps;  //!< of all genes
-    std::vector<std::size_t> order;
-};
+}  // namespace
 
 SensitivityDesign::SensitivityDesign(const SensitivitySettings& settings,
                                      SearchSpace space, std::uint64_t seed)
@@ -43,49 +40,37 @@ SensitivityDesign::SensitivityDesign(const SensitivitySettings& settings,
         if (space_.genes[i].is_free) free_.push_back(i);
 }
 
-std::size_t SensitivityDesign::samples() const {
-    return static_cast<std::size_t>(settings_.samples);
-}
-
-std::size_t SensitivityDesign::rows_per_sample() const {
-    const bool is_morris = settings_.method == SensitivityMethod::morris;
-    return factors_.size() + (is_morris ? 1 : 2);
-}
-
-SensitivityDesign::Path SensitivityDesign::path(std::uint32_t sample) const {
-    Path path;
-    path.start.resize(space_.genes.size());
-    path.steps.resize(space_.genes.size());
-    path.order.resize(factors_.size());
+//! Returns a place of a path by Morris, relative to the ranges of genes.
+std::vector<double> SensitivityDesign::on_path(std::uint32_t sample,
+                                               std::size_t place) const {
+    std::vector<double> point(space_.genes.size()), steps = point;
     RandomStream stream(seed_, Purpose::sample, 0, sample);
     const auto half = static_cast<std::uint32_t>(settings_.levels / 2);
     for (const std::size_t gene : free_) {
         const double level = stream.below(half);
         const bool is_up = stream.below(2) == 0;
-        path.start[gene] = is_up ? level : level + half;
-        path.steps[gene] = is_up ? half : -static_cast<double>(half);
+        point[gene] = is_up ? level : level + half;
+        steps[gene] = is_up ? half : -static_cast<double>(half);
     }
-    std::iota(path.order.begin(), path.order.end(), std::size_t{0});
-    for (std::size_t i = path.order.size(); i > 1; --i)
-        std::swap(path.order[i - 1],
-                  path.order[stream.below(static_cast<std::uint32_t>(i))]);
-    return path;
+    std::vector<std::size_t> order(factors_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    for (std::size_t i = order.size(); i > 1; --i)
+        std::swap(order[i - 1],
+                  order[stream.below(static_cast<std::uint32_t>(i))]);
+    for (std::size_t i = 0; i < place; ++i)
+        for (const std::size_t gene : factors_[order[i]].genes)
+            point[gene] += steps[gene];
+    for (const std::size_t gene : free_)
+        // Both ends of a circle are one point.
+        point[gene] /=
+            settings_.levels - (space_.genes[gene].is_circular ? 0 : 1);
+    return point;
 }
 
-Genome SensitivityDesign::row(std::uint32_t sample, std::size_t place) const {
+//! Returns A, A with one factor from B, or B.
+std::vector<double> SensitivityDesign::in_cube(std::uint32_t sample,
+                                               std::size_t place) const {
     std::vector<double> point(space_.genes.size());
-    if (settings_.method == SensitivityMethod::morris) {
-        const Path path = this->path(sample);
-        point = path.start;
-        for (std::size_t i = 0; i < place; ++i)
-            for (const std::size_t gene : factors_[path.order[i]].genes)
-                point[gene] += path.steps[gene];
-        for (const std::size_t gene : free_)
-            // Both ends of a circle are one point.
-            point[gene] /=
-                settings_.levels - (space_.genes[gene].is_circular ? 0 : 1);
-        return genome(point);
-    }
     const bool is_last = place == factors_.size() + 1;
     const auto is_of_b = [&](std::size_t gene) {
         if (is_last || place == 0) return is_last;
@@ -95,10 +80,13 @@ Genome SensitivityDesign::row(std::uint32_t sample, std::size_t place) const {
     for (std::size_t i = 0; i < free_.size(); ++i)
         point[free_[i]] =
             sequence_.at(sample, is_of_b(free_[i]) ? free_.size() + i : i);
-    return genome(point);
+    return point;
 }
 
-Genome SensitivityDesign::genome(const std::vector<double>& point) const {
+Genome SensitivityDesign::row(std::uint32_t sample, std::size_t place) const {
+    const std::vector<double> point =
+        settings_.method == SensitivityMethod::morris ? on_path(sample, place)
+                                                      : in_cube(sample, place);
     Genome genome = space_.baseline;
     for (const std::size_t i : free_) {
         const Gene& gene = space_.genes[i];
@@ -137,10 +125,6 @@ Candidate SensitivityDesign::propose(std::uint32_t generation,
     const auto rows = static_cast<std::uint32_t>(rows_per_sample());
     return {row(generation * samples_per_generation + slot / rows, slot % rows),
             Origin::random};
-}
-
-std::vector<Candidate> SensitivityDesign::best(std::size_t) const {
-    return {};
 }
 
 }  // namespace ideotype

@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "genome.hpp"
 #include "optimizer.hpp"
-#include "sensitivity_settings.hpp"
+#include "population.hpp"
 #include "sobol_sequence.hpp"
 
 namespace ideotype {
@@ -18,8 +17,6 @@ struct Factor {
     std::string name;                //!< of a gene, or what its genes are of
     std::vector<std::size_t> genes;  //!< that are free
 };
-
-std::vector<Factor> factors_of(const GeneSpace& genes, Grouping groups);
 
 //! The rows of a sensitivity study, which are known before any is evaluated:
 //! samples of as many rows each, all genes uniform within their bounds.
@@ -40,8 +37,13 @@ class SensitivityDesign : public Optimizer {
                       std::uint64_t seed);
 
     const std::vector<Factor>& factors() const { return factors_; }
-    std::size_t samples() const;
-    std::size_t rows_per_sample() const;
+    std::size_t samples() const {
+        return static_cast<std::size_t>(settings_.samples);
+    }
+    std::size_t rows_per_sample() const {
+        const bool is_morris = settings_.method == SensitivityMethod::morris;
+        return factors_.size() + (is_morris ? 1 : 2);
+    }
 
     //! @param place from 0 to rows_per_sample()
     Genome row(std::uint32_t sample, std::size_t place) const;
@@ -53,12 +55,11 @@ class SensitivityDesign : public Optimizer {
     Candidate propose(std::uint32_t generation, std::uint32_t slot) override;
     void learn(Individual) override {}
     //! Nothing: no plant is better than others.
-    std::vector<Candidate> best(std::size_t count) const override;
+    std::vector<Candidate> best(std::size_t) const override { return {}; }
 
   private:
-    struct Path;
-    Path path(std::uint32_t sample) const;
-    Genome genome(const std::vector<double>& point) const;
+    std::vector<double> on_path(std::uint32_t sample, std::size_t place) const;
+    std::vector<double> in_cube(std::uint32_t sample, std::size_t place) const;
 
     SensitivitySettings settings_;
     SearchSpace space_;

@@ -4,8 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "sensitivity_settings.hpp"
-
 namespace ideotype {
 
 //! Which optimizer searches.
@@ -34,6 +32,25 @@ struct CmaSettings {
     int restarts = 0;
     //! Whether learning rates follow the signal in its steps.
     bool adapts_learning_rates = false;
+};
+
+enum class SensitivityMethod {
+    sobol,  //!< indices of variance
+    morris  //!< elementary effects
+};
+
+//! What is one factor of a sensitivity study.
+enum class Grouping {
+    trait,  //!< all free genes of a trait together
+    gene,
+};
+
+//! How the rows of a sensitivity study are chosen.
+struct SensitivitySettings {
+    SensitivityMethod method = SensitivityMethod::sobol;
+    int samples = 1024;  //!< base samples, or trajectories of Morris
+    int levels = 4;      //!< of Morris: values of each factor
+    Grouping groups = Grouping::trait;
 };
 
 //! How a case is searched.

@@ -22,10 +22,4 @@ double SobolSequence::at(std::uint32_t point, std::size_t dimension) const {
            0x1p-32;
 }
 
-std::vector<double> SobolSequence::point(std::uint32_t index) const {
-    std::vector<double> x;
-    while (x.size() < scramble_seeds_.size()) x.push_back(at(index, x.size()));
-    return x;
-}
-
 }  // namespace ideotype

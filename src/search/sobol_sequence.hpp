@@ -18,9 +18,6 @@ class SobolSequence {
     //! One coordinate of a point, uniform in [0, 1).
     double at(std::uint32_t point, std::size_t dimension) const;
 
-    //! All coordinates of a point.
-    std::vector<double> point(std::uint32_t index) const;
-
   private:
     std::uint64_t seed_;
     std::vector<std::uint32_t> scramble_seeds_;  //!< of each dimension

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "order.hpp"
 
@@ -41,6 +42,36 @@ double relative_spread(const Gene& gene, std::vector<double> values) {
         return standard_deviation(values, 0) / range;
     }
     return standard_deviation(values, mean_of(values)) / range;
+}
+
+using Point = std::vector<double>;
+
+//! Of points below a reference in their first coordinates. They are sorted by
+//! the last of these: between two of them the slice has those below it.
+double volume_below(std::vector<Point> points, const Point& reference,
+                    std::size_t coordinates) {
+    const std::size_t last = coordinates - 1;
+    std::sort(
+        points.begin(), points.end(),
+        [&](const Point& a, const Point& b) { return a[last] < b[last]; });
+    if (last == 0) return reference[0] - points.front()[0];
+    double sum = 0, lowest = std::numeric_limits<double>::infinity();
+    std::vector<Point> below;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        below.push_back(points[i]);
+        lowest = std::min(lowest, points[i][0]);
+        const double top =
+            i + 1 < points.size() ? points[i + 1][last] : reference[last];
+        const double height = top - points[i][last];
+        if (!(height > 0)) continue;
+        sum += height * (last == 1 ? reference[0] - lowest
+                                   : volume_below(below, reference, last));
+    }
+    return sum;
+}
+
+bool is_feasible(const Individual& each) {
+    return each.status == Status::done && !(each.violation > 0);
 }
 
 }  // namespace
@@ -83,6 +114,92 @@ GenerationSummary summarize(const Population& population,
         spreads.push_back(relative_spread(genes[g], std::move(of_gene)));
     }
     summary.diversity = spreads.empty() ? 0 : mean_of(spreads);
+    return summary;
+}
+
+double hypervolume(std::vector<Point> points, Point reference,
+                   const std::vector<Sense>& senses) {
+    const auto minimise = [&](Point& point) {
+        for (std::size_t k = 0; k < senses.size(); ++k)
+            if (senses[k] == Sense::maximise) point[k] = -point[k];
+    };
+    minimise(reference);
+    for (Point& point : points) minimise(point);
+    std::erase_if(points, [&](const Point& point) {
+        for (std::size_t k = 0; k < point.size(); ++k)
+            if (!(point[k] < reference[k])) return true;
+        return false;
+    });
+    if (points.empty()) return 0;
+    return volume_below(std::move(points), reference, senses.size());
+}
+
+Estimate hypervolume(const Population& population, const Point& reference,
+                     const std::vector<Sense>& senses) {
+    const std::size_t objectives = senses.size();
+    // Without one randomisation, or without none.
+    const auto volume = [&](std::size_t left_out, std::size_t count) {
+        std::vector<Point> points;
+        for (const Individual& each : population) {
+            if (!is_feasible(each)) continue;
+            Point& point = points.emplace_back();
+            for (std::size_t k = 0; k < objectives; ++k) {
+                const double mean = each.objectives[k].mean;
+                point.push_back(
+                    left_out < count
+                        ? mean - (each.randomisations[k * count + left_out] -
+                                  mean) /
+                                     static_cast<double>(count - 1)
+                        : mean);
+            }
+        }
+        return hypervolume(std::move(points), reference, senses);
+    };
+    std::size_t count = 0;
+    for (const Individual& each : population)
+        if (is_feasible(each)) count = each.randomisations.size() / objectives;
+    const double whole = volume(0, 0);
+    if (count < 2) return {whole, std::numeric_limits<double>::quiet_NaN()};
+    std::vector<double> pseudo;
+    const auto n = static_cast<double>(count);
+    for (std::size_t r = 0; r < count; ++r)
+        pseudo.push_back(n * whole - (n - 1) * volume(r, count));
+    return {whole, estimate(pseudo).standard_error};
+}
+
+Point worst_of(const Population& population, const std::vector<Sense>& senses) {
+    Point worst;
+    for (const Individual& each : population) {
+        if (each.status != Status::done) continue;
+        for (std::size_t k = 0; k < senses.size(); ++k) {
+            const double value = each.objectives[k].mean;
+            if (worst.size() == k)
+                worst.push_back(value);
+            else if (is_better(worst[k], value, senses[k]))
+                worst[k] = value;
+        }
+    }
+    return worst;
+}
+
+Summarizer::Summarizer(GeneSpace genes, std::vector<Sense> senses,
+                       std::vector<double> reference)
+    : genes_(std::move(genes)),
+      senses_(std::move(senses)),
+      reference_(std::move(reference)) {}
+
+GenerationSummary Summarizer::operator()(const Population& generation) {
+    GenerationSummary summary = summarize(generation, genes_, senses_.front());
+    if (senses_.size() == 1) return summary;
+    if (reference_.empty()) reference_ = worst_of(generation, senses_);
+    if (reference_.empty()) return summary;
+    front_.insert(front_.end(), generation.begin(), generation.end());
+    const std::vector<std::size_t> level = fronts(front_, senses_);
+    std::size_t i = 0;
+    std::erase_if(front_, [&](const Individual&) { return level[i++] > 0; });
+    const auto [mean, error] = hypervolume(front_, reference_, senses_);
+    summary.hypervolume = mean;
+    summary.hypervolume_standard_error = error;
     return summary;
 }
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "genome.hpp"
+#include "population.hpp"
 
 namespace ideotype {
 

@@ -6,8 +6,7 @@
 #include <string>
 
 #include "ideotype/canopy/field.hpp"
-#include "ideotype/climate/radiance.hpp"
-#include "ideotype/climate/site.hpp"
+#include "ideotype/climate/sky_sampler.hpp"
 #include "ideotype/climate/sun.hpp"
 #include "ideotype/light/optics.hpp"
 #include "ideotype/light/scene.hpp"

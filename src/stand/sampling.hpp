@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "campaign/campaign.hpp"
-#include "ideotype/core/randomness.hpp"
+#include "ideotype/core/random.hpp"
 #include "ideotype/light/accuracy.hpp"
-#include "search/task.hpp"
+#include "search/outcome.hpp"
 
 namespace ideotype {
 

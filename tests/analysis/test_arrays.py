@@ -12,7 +12,6 @@ import pytest
 from real_program import CAMPAIGNS
 
 import ideotype
-from ideotype.analysis.circle import circular_mean, signed_difference
 from ideotype.analysis.front import non_dominated
 
 SPOILED: dict[str, tuple[Callable[[np.ndarray], Any], str]] = {
@@ -77,15 +76,13 @@ def test_faces(faces: Any, words: str) -> None:
         ideotype.mesh(np.eye(4)[:, :3], faces)
 
 
-def test_fronts_and_angles(spoiled: tuple[Any, str]) -> None:
+def test_fronts(spoiled: tuple[Any, str]) -> None:
     spoil, words = spoiled
     values = spoil(np.array([1.0, 2.0, 3.0]))
     for take in (
         lambda: non_dominated(values, [1]),
         lambda: non_dominated(np.eye(3), values),
         lambda: non_dominated(np.eye(3), [1, 1, 1], values),
-        lambda: circular_mean(values),
-        lambda: signed_difference(1.0, values),
     ):
         with pytest.raises(ideotype.Error, match=words):
             take()

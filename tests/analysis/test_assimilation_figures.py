@@ -13,10 +13,14 @@ from made_numbers import ERROR, HOURS, LAI, LEAVES, final_absorbed
 from test_figures import bars, horizontal_bars, labels
 
 from ideotype.analysis import HistoryError, open_study
-from ideotype.analysis.assimilation import draw_assimilation, draw_sunlit
-from ideotype.analysis.calendar import draw_calendar
 from ideotype.analysis.case import Case
-from ideotype.analysis.profiles import draw_hours, draw_leaves
+from ideotype.analysis.profiles import (
+    draw_assimilation,
+    draw_days,
+    draw_hours,
+    draw_leaves,
+    draw_sunlit,
+)
 
 DAYS = [f"2011-07-{day}" for day in range(28, 32)] + ["2011-08-01"]
 """From a Thursday to a Monday."""
@@ -73,7 +77,10 @@ def test_assimilation_is_drawn_by_hour_and_leaf(case: Case) -> None:
     assert leaves.get_xlim()[0] <= 0
     assert {
         *("baseline, gross", "best, net", "leaf rank (1 = lowest)"),
-        *("gross assimilation\n[µmol m⁻² s⁻¹ of ground]", "best"),
+        *(
+            "gross assimilation\n[µmol m⁻² s⁻¹ of ground]",
+            "best ± standard error",
+        ),
         "assimilation [mol m⁻² day⁻¹ of ground]",
     } <= labels(figure)
     # in its own figure alone
@@ -90,28 +97,19 @@ def test_sunlit_leaves_are_a_part_of_all(case: Case) -> None:
     assert "sunlit part of the leaf area [%]" in labels(figure)
 
 
-def test_a_season_is_a_calendar_of_days(case: Case) -> None:
-    figure = draw_calendar(case)
-    best, change = figure.axes[:2]
+def test_a_season_is_drawn_by_day(case: Case) -> None:
+    figure = draw_days(case)
+    upper, lower = figure.axes
     parts = PARTS["absorbed_by_day"][1]
-    for axes, total in (
-        (best, final_absorbed(2)),
-        (change, final_absorbed(2) - final_absorbed(0)),
-    ):
-        (image,) = axes.images
-        shown = image.get_array().filled(np.nan)
-        assert shown.shape == (2, 7)
-        # Thursday to Sunday, then Monday
-        assert shown[0, 3:] == pytest.approx(total * parts[:4])
-        assert shown[1, 0] == pytest.approx(total * parts[4])
-        assert np.isnan(shown).sum() == 14 - len(DAYS)
-        weeks = [label.get_text() for label in axes.get_yticklabels()]
-        assert weeks == ["28 Jul", "1 Aug"]
-    low, high = change.images[0].get_clim()
-    assert low == -high
-    assert best.get_title() == "absorbed PAR, best\n[MJ m⁻² day⁻¹]"
-    told = f"standard errors at most {1.5 * ERROR / 4:.2g}"
-    assert told in labels(figure)
+    best, error = bars(upper, "best")
+    assert best == pytest.approx(final_absorbed(2) * parts)
+    assert error == pytest.approx(ERROR / 4 * parts)
+    change, _ = bars(lower, "_")
+    gain = final_absorbed(2) - final_absorbed(0)
+    assert change == pytest.approx(gain * parts)
+    days = [label.get_text() for label in lower.get_xticklabels()]
+    assert days == ["28 Jul", "29 Jul", "30 Jul", "31 Jul", "1 Aug"]
+    assert "absorbed PAR [MJ m⁻² day⁻¹ of ground]" in labels(figure)
 
 
 def test_older_histories_are_told_what_they_lack(finished: Path) -> None:
@@ -120,7 +118,7 @@ def test_older_histories_are_told_what_they_lack(finished: Path) -> None:
         for draw, told in (
             (draw_assimilation, "no assimilation by leaf or hour"),
             (draw_sunlit, "no sunlit_lai_by_hour"),
-            (draw_calendar, "no figures by day"),
+            (draw_days, "no figures by day"),
         ):
             with pytest.raises(HistoryError, match=told):
                 draw(old)

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 
 import h5py
@@ -19,7 +18,6 @@ from ideotype.analysis.cross import Cross, draw_cross
 from ideotype.analysis.interval import ONE_SEED, interval
 from ideotype.analysis.places import draw_latitudes, draw_spacings
 from ideotype.analysis.study import open_study
-from ideotype.analysis.summary import summarize
 from ideotype.analysis.tables import gains
 
 INCH = 0.0254
@@ -80,7 +78,6 @@ def test_leaf_area_stands_beside_every_gain(tmp_path: Path) -> None:
         pair = case.pairs[0]
         table, *_ = gains([case], None)
         (tick,) = draw_gains([case]).axes[0].get_yticklabels()
-        words = summarize(study[0])
     ratio = 1.015 * 3.44 / np.array(lais)
     assert pair.gain_per_leaf_area.mean == pytest.approx(100 * (ratio[0] - 1))
     # the leaf area is exact: the error is that of the light
@@ -93,24 +90,6 @@ def test_leaf_area_stands_beside_every_gain(tmp_path: Path) -> None:
     assert mean == pytest.approx(100 * (ratio.mean() - 1))
     assert found["gain per leaf area [%]"].startswith(f"{mean:.0f}\u00a0±")
     assert tick.get_text() == "a\nLAI 3.44 → 5.50"
-    assert re.search(r"LAI +3\.440 +6\.000\n", words)
-    assert re.search(r"\n  gain +-41\.81 \+- 0\.01 %\n", words)
-
-
-@pytest.mark.parametrize("lai", [8.0, 8.5])
-def test_more_leaves_than_fields_have_are_doubted(
-    tmp_path: Path, lai: float
-) -> None:
-    path = tmp_path / "dense.h5"
-    make(path)
-    with h5py.File(path, "r+") as file:
-        file["final/lai"][2] = lai
-        seal(file)
-    with open_study(tmp_path) as study:
-        words = summarize(study[0])
-    assert ("warning: the best plant has a leaf area index" in words) == (
-        lai > 8
-    )
 
 
 @pytest.mark.parametrize("seeds", [(1, 1), (2, 2), (1, 2)])
@@ -144,15 +123,12 @@ def test_one_seed_does_not_tell_the_noise_of_the_search(
             "table": table.caption,
         }
         printed = {len(c.pairs): str(c.relative_gain()) for c in cases}
-        words = summarize(study[0])
     for name, text in told.items():
         said = " ".join(text.split())
         assert (ONE_SEED in said) == (1 in seeds), name
         assert ("95 %" in said) == (2 in seeds), name
     for count, text in printed.items():
         assert text.endswith(f" % ({ONE_SEED})") == (count == 1)
-    # A history is one seed.
-    assert ONE_SEED[1:] in words and "95 %" not in words
 
 
 def test_the_interval_of_several_seeds_is_that_between_them() -> None:
@@ -202,7 +178,6 @@ def test_histories_without_leaf_area_say_so(tmp_path: Path) -> None:
         seal(file)
     with open_study(tmp_path) as study:
         table, *_ = gains(study.cases(), None)
-        assert "leaf area" not in summarize(study[0])
         with pytest.raises(HistoryError, match="has no absorbed_par_per"):
             study.cases()[0].gain_per_leaf_area()
     found = dict(zip(table.header, table.rows[0]))

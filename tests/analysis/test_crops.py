@@ -14,7 +14,7 @@ from ideotype.analysis import HistoryError
 from ideotype.analysis.azimuths import azimuths
 from ideotype.analysis.case import Case
 from ideotype.analysis.correlation import draw_correlation
-from ideotype.analysis.profile_curve import curve
+from ideotype.analysis.genes import curve
 from ideotype.analysis.shape import (
     draw_plant_traits,
     draw_profiles,

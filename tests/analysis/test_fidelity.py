@@ -19,8 +19,7 @@ from real_program import CAMPAIGNS, executable, output_of, write_campaign
 
 from ideotype import fidelity
 from ideotype._survey import OWN, Draw, Setting, Survey, ladder, pareto, result
-from ideotype.analysis import HistoryError
-from ideotype.analysis.fidelity import draw_fidelity, read_fidelity
+from ideotype.analysis.fidelity import draw_fidelity
 
 KEYS = [
     {"key": "plant.cells", "value": 12, "values": [4, 8, 16]},
@@ -157,14 +156,14 @@ def of_a_season(folder: Path) -> Path:
 def test_keys_can_be_pasted_and_time_is_kept(made, tmp_path: Path) -> None:
     campaign, file = made(tmp_path), tmp_path / "fidelity.json"
     began = time.monotonic()
-    options = ("--seconds", 6, "--tolerance", 1e-4, "--json", file)
+    options = ("--seconds", 12, "--tolerance", 1e-4, "--json", file)
     told = measure(campaign, *options, "--figure", tmp_path / "fidelity.png")
-    assert time.monotonic() - began < 14  # with the start and the figure
+    assert time.monotonic() - began < 24  # with the start and the figure
     found = json.loads(file.read_text())
     rows = [row for rows in found["keys"] for row in rows]
     rows += found["settings"]
     unique = {str(r["settings"]): 2 * r["draws"] * r["seconds"] for r in rows}
-    assert 1 < sum(unique.values()) < 6.5
+    assert 1 < sum(unique.values()) < 12.5
     keys = {key for row in rows for key in row["settings"]}
     assert {"plant.cells_along", "field.rows", "light.paths"} <= keys
     assert ("light.dates" in keys) == (made is of_a_season)
@@ -210,14 +209,6 @@ def test_what_is_wrong_is_told_once(
     monkeypatch.setenv("PATH", str(tmp_path))
     assert fidelity.main([str(campaign)]) == 1
     assert "no compiled program" in capsys.readouterr().err
-
-
-def test_other_files_are_refused_by_name(tmp_path: Path) -> None:
-    other = tmp_path / "other.json"
-    for text in ("{}", "[]", "not json", '{"keys": 1, "settings": [1]}'):
-        other.write_text(text)
-        with pytest.raises(HistoryError, match="other.json: not written by"):
-            read_fidelity(other)
 
 
 def test_both_panels_have_all_settings() -> None:

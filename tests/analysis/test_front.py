@@ -44,7 +44,6 @@ from ideotype.analysis.front_plants import draw_front_plants
 from ideotype.analysis.page import render
 from ideotype.analysis.scene import build_plants, scene_of
 from ideotype.analysis.style import BEST
-from ideotype.analysis.summary import summarize
 
 LIGHT, AREA = ("absorbed_par", "maximise"), ("lai", "minimise")
 LEAVES = ("absorbed_par_per_leaf_area", "maximise")
@@ -108,11 +107,6 @@ def test_constraints_come_before_objectives() -> None:
 def test_members_that_fall_off_are_told(history: Path) -> None:
     with open_history(history) as opened:
         front = opened.front()
-        said = summarize(opened)
-    assert (
-        "\nfront        2 of 3 plants are still in it, evaluated again\n"
-        in said
-    )
     assert front is not None and front.is_final
     assert front.is_kept.tolist() == KEPT
     assert [front.number(i) for i in range(3)] == [1, 2, 3]

@@ -9,8 +9,9 @@ import numpy as np
 from matplotlib.figure import Figure
 from PIL import Image
 
-from ideotype.analysis.blocks import Drawing, Picture
-from ideotype.analysis.gallery import draw
+from ideotype.analysis import HistoryError
+from ideotype.analysis.blocks import Drawing, Picture, Section
+from ideotype.analysis.gallery import draw, draw_all
 
 
 def test_figures_for_documents_are_small(tmp_path: Path) -> None:
@@ -46,3 +47,16 @@ def test_a_figure_of_any_width_is_painted_upright(tmp_path: Path) -> None:
     middle = image.width // 2
     assert np.all(grey[60:-4, 4 : middle - 4] == 0)
     assert np.all(grey[60:, middle + 4 :] > 250)
+
+
+def test_each_part_with_figures_is_told(tmp_path: Path) -> None:
+    def missing() -> Figure:
+        raise HistoryError("no light")
+
+    parts = [Section("ames"), Section("words alone"), Section("oslo")]
+    for part in parts[::2]:
+        part.draw("gain", "How much?", "", missing)
+    lines: list[str] = []
+    assert draw_all(parts, tmp_path, map, lines.append, False) == []
+    assert lines == ["[1/2] ames", "[2/2] oslo"]
+    assert "Not drawn: no light." in parts[0].blocks[0].text

@@ -10,7 +10,7 @@ from made_numbers import BASELINE, final_absorbed
 
 from ideotype.analysis import HistoryError, Study, open_study
 from ideotype.analysis.interval import ONE_SEED
-from ideotype.analysis.maps import draw_gain_map, draw_set_map, two_sets
+from ideotype.analysis.places import draw_gain_map, draw_set_map, two_sets
 
 LATITUDES, PLANTS = (10.0, 50.0), (0.1, 0.2)
 SETS = ("erect", "flat")

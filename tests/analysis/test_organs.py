@@ -45,7 +45,7 @@ def test_a_report_of_sorghum_is_complete(
     assert report([str(argument) for argument in arguments]) == 0
     figures = {path.stem for path in (tmp_path / "figures").glob("*.png")}
     for case, own in (("all", "traits"), ("angle_profile", "profiles")):
-        for name in (own, "plan", "leaves", "azimuths", "parts"):
+        for name in (own, "field", "leaves", "azimuths", "parts"):
             assert f"ames_0807_700x143_{case}_{name}" in figures
     text = (tmp_path / "report.html").read_text()
     assert ">panicle</th>" in text

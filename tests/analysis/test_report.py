@@ -24,14 +24,13 @@ from ideotype.analysis import HistoryError
 from ideotype.analysis.case_figures import CASE_FIGURES
 from ideotype.analysis.commands import report
 from ideotype.analysis.cross import read_cross
-from ideotype.analysis.progress import Progress
 from ideotype.analysis.scene import build_plants
 from ideotype.analysis.study import open_study
 from ideotype.analysis.tables import gains
 
 CASES = ("ames_0807_762x152_all", "edmonton_0807_762x152_all")
 DRAWN = CASE_FIGURES.keys() - {
-    *("profiles", "plant_traits", "sunlit", "assimilation", "calendar")
+    *("profiles", "plant_traits", "sunlit", "assimilation", "days")
 }
 """Of each case, which is bred in traits of leaves for the light of a day."""
 ELITE = 11.08
@@ -94,7 +93,7 @@ def plain(text: str) -> str:
 def test_every_figure_is_a_file_and_in_the_page(made: Made) -> None:
     names = {"gains", "energy", "latitudes", "cross"}
     names |= {f"{case}_{name}" for case in CASES for name in DRAWN}
-    names |= {f"{case}_{view}" for case in CASES for view in ("plan", "field")}
+    names |= {f"{case}_field" for case in CASES}
     files = {path.name for path in (made.folder / "figures").iterdir()}
     assert files == {f"{name}.png" for name in names}
     for path in (made.folder / "figures").iterdir():
@@ -306,23 +305,6 @@ def test_an_unfinished_run_is_provisional(drained: Path) -> None:
         notes = [b.text for b in gains(study.cases(), None)[1:]]
     (note,) = [note for note in notes if note.startswith("Provisional")]
     assert note.endswith(": ames_0807_762x152_all.")
-
-
-def test_a_terminal_sees_one_live_line() -> None:
-    class Terminal(io.StringIO):
-        def isatty(self) -> bool:
-            return True
-
-    terminal = Terminal()
-    progress = Progress(terminal)
-    progress.start(2)
-    progress.part("ames")
-    progress.part("edmonton")
-    progress.done()
-    assert "\n" not in terminal.getvalue()
-    assert terminal.getvalue().split("\r\x1b[K")[1:] == [
-        *("[1/2] ames", "[2/2] edmonton", ""),
-    ]
 
 
 def test_a_cross_evaluation_is_json_or_csv(

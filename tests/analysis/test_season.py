@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 from made_layout import header_checksum
 from real_program import CAMPAIGNS, executable, output_of, write_campaign
+from test_figures import bars
 
 import ideotype
 from ideotype.analysis import open_arrays, open_history, open_study
-from ideotype.analysis.calendar import draw_calendar
-from ideotype.analysis.profiles import draw_hours, draw_parts
+from ideotype.analysis.profiles import draw_days, draw_hours, draw_parts
 
 _CLIMATE = Path(__file__).parents[1] / "data" / "campaign" / "july.toml"
 _WEATHER = "weather/bondville_2011_0721_0920.csv"
@@ -110,11 +110,11 @@ def test_hours_are_told_on_the_clock_of_the_site(
 def test_a_season_is_drawn_by_hour_and_by_day(season: Path) -> None:
     with open_study(season) as study:
         (case,) = study.cases()
-        hours, days = draw_hours(case), draw_calendar(case)
+        hours, days = draw_hours(case), draw_days(case)
         parts = draw_parts(case)
     assert "gain over the season" in hours.get_suptitle()
-    shown = days.axes[0].images[0].get_array()
-    assert shown.count() == 10
+    shown, _ = bars(days.axes[0], "best")
+    assert len(shown) == 10
     assert shown.mean() == pytest.approx(case.best.objective.mean)
     assert len(parts.axes[0].get_yticks()) == 5
 

@@ -358,20 +358,6 @@ def test_what_only_reads_is_a_wheel_for_any_system(tmp_path: Path) -> None:
     assert not [name for name in names if name.endswith(".so")]
 
 
-def test_the_stub_is_that_of_the_module(tmp_path: Path) -> None:
-    own = tmp_path / "_core.pyi"
-    subprocess.run(
-        [
-            *(sys.executable, "-m", "nanobind.stubgen"),
-            *("-m", "ideotype._core", "-o", own),
-        ],
-        check=True,
-        capture_output=True,
-    )
-    kept = Path(ideotype.__file__).with_name("_core.pyi").read_text()
-    assert kept.endswith(own.read_text())
-
-
 STARVED = """
 import resource, sys
 import ideotype

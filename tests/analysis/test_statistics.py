@@ -10,52 +10,24 @@ import numpy as np
 import pytest
 
 from ideotype.analysis import Estimate
-from ideotype.analysis.circle import circular_deviation, circular_mean
 from ideotype.analysis.estimate import difference, relative_gain
+from ideotype.analysis.shape import circular_mean_and_deviation
 
 
-def test_359_and_1_are_neighbours() -> None:
-    assert circular_mean([359.0, 1.0]) in (
-        pytest.approx(0.0, abs=1e-9),
-        pytest.approx(360.0, abs=1e-9),
-    )
-    assert circular_deviation([359.0, 1.0]) == pytest.approx(1.0, rel=1e-3)
-    assert circular_mean([350.0, 20.0]) == pytest.approx(5.0)
+def test_angles_are_averaged_on_the_circle() -> None:
+    angles = np.array([[359.0, 350.0, 77.0], [1.0, 20.0, 77.0]])
+    mean, deviation = circular_mean_and_deviation(angles)
+    assert (mean + 180) % 360 == pytest.approx([180.0, 185.0, 257.0])
+    assert deviation[0] == pytest.approx(1.0, rel=1e-3)
+    assert deviation[2] < 1e-5
+    opposite = np.array([[90.0], [270.0]])
+    assert circular_mean_and_deviation(opposite)[1] == 180.0
 
 
-def test_means_turn_with_their_angles() -> None:
-    angles = np.array([10.0, 35.0, 300.0, 20.0])
-    mean, deviation = circular_mean(angles), circular_deviation(angles)
-    for turn in range(0, 360, 7):
-        turned = (angles + turn) % 360
-        difference = (circular_mean(turned) - mean - turn + 180) % 360 - 180
-        assert difference == pytest.approx(0.0, abs=1e-9)
-        assert circular_deviation(turned) == pytest.approx(float(deviation))
-
-
-def test_opposite_angles_have_no_mean() -> None:
-    assert np.isnan(circular_mean([90.0, 270.0]))
-    assert np.isinf(circular_deviation([90.0, 270.0]))
-
-
-def test_a_mean_is_below_360() -> None:
-    means = circular_mean(np.full((3, 4), 360.0 - 1e-14))
+def test_a_circular_mean_is_below_360() -> None:
+    angles = np.full((3, 4), 360.0 - 1e-14)
+    means, _ = circular_mean_and_deviation(angles)
     assert np.all((means >= 0) & (means < 360))
-    assert np.all(circular_deviation(np.full((3, 4), 77.0)) < 1e-5)
-
-
-def test_daily_par_comes_in_three_units() -> None:
-    units = Estimate(2.0, 0.5, "MJ m-2 day-1").in_common_units()
-    assert [u.unit for u in units] == [
-        "MJ m-2 day-1",
-        "MWh acre-1 day-1",
-        "mol m-2 day-1",
-    ]
-    assert [u.mean for u in units] == pytest.approx(
-        [2.0, 2 * 1.12413, 9.14], rel=1e-5
-    )
-    assert units[2].standard_error == pytest.approx(0.5 * 4.57)
-    assert len(Estimate(2.0, 0.5, "g m-2").in_common_units()) == 1
 
 
 @pytest.mark.parametrize(

@@ -12,10 +12,9 @@
 
 #include "run/evaluator.hpp"
 #include "run/evolve_case.hpp"
-#include "search/genetic_algorithm.hpp"
-#include "search/hypervolume.hpp"
+#include "search/optimizer.hpp"
 #include "search/order.hpp"
-#include "search/pareto.hpp"
+#include "search/summary.hpp"
 
 namespace {
 
@@ -65,7 +64,8 @@ class Search {
     }
 
     Population last_front() {
-        GeneticAlgorithm search(campaign_.search, space_, chosen_.seed);
+        const auto search =
+            make_genetic_algorithm(campaign_.search, space_, chosen_.seed);
         std::map<Genome, Individual> known;
         Population rows;
         std::size_t evaluations = 0;
@@ -74,7 +74,7 @@ class Search {
             rows.clear();
             Task task;
             task.generation = generations_;
-            for (const Candidate& each : search.ask()) {
+            for (const Candidate& each : search->ask()) {
                 Individual row;
                 const bool is_kept = keeps_ && known.contains(each.genome);
                 if (is_kept) row = known.at(each.genome);
@@ -84,7 +84,7 @@ class Search {
                 rows.push_back(row);
             }
             known = now;
-            search.tell(rows);
+            search->tell(rows);
         }
         const auto level = fronts(rows, space_.senses);
         Population front;

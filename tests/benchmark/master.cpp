@@ -69,7 +69,7 @@ Parts measure(Campaign campaign, int population, int generations,
         for (std::uint32_t slot = 0; slot < size; ++slot)
             candidates.push_back(optimizer->propose(g, slot));
         parts.ask += watch.lap();
-        history.propose(g, candidates);
+        history.propose(g, candidates.size(), 0, candidates);
         parts.propose += watch.lap();
         for (std::uint32_t slot = 0; slot < size; ++slot) {
             Task task;

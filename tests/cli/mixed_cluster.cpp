@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
         own.isas.resize(std::strtoul(argv[3], nullptr, 10));
     }
     try {
-        return static_cast<int>(run_on(own, options, session, stop));
+        return static_cast<int>(run(options, session, stop, own));
     } catch (const Error& error) {
         fmt::print(stderr, "{}\n", error.what());
         return static_cast<int>(error.exit_code());

@@ -52,9 +52,9 @@ says "period 0.6 .. 2.286 x 0.4572 m, LAI 3.44 .. 13.10, "
 says "warning: campaigns/dense.toml:14:7: spacing.row is 0.2 m (with 0.1524 m between plants the baseline has a leaf area index of 13.10, and fields hardly ever have more than 8); check both distances"
 expect 0 "$ideotype" run campaigns/dense.toml --case 0 --out dense
 says "warning: campaigns/dense.toml:14:7: spacing.row is 0.2 m"
-says "^  warning   the best plant has a leaf area index of 1[0-9.]*, and fields hardly ever have more than 8; limit .constraints. lai, or breed for carbon_balance"
+says "; this plant has a leaf area index of 1[0-9.]*, and fields hardly ever have more than 8; limit .constraints. lai, or breed for carbon_balance"
 expect 0 "$ideotype" status dense
-says "(evaluated again), 0 failed; this plant has a leaf area index of 1"
+says "(evaluated again), gain .*, 0 failed; this plant has a leaf area index of 1"
 expect 0 "$ideotype" check campaigns/verbs.toml --set seed=3
 says "^next: ideotype run campaigns/verbs.toml --set seed=3$"
 says "^ *128  *[0-9:]* *$"
@@ -102,8 +102,8 @@ says '"leaf_by_layer"'
 expect 2 "$ideotype" evaluate campaigns/verbs.toml --case 1
 
 expect 0 "$ideotype" run campaigns/verbs.toml
-says "gain"
-says "with LAI .* instead of 3.44"
+says "finished by generations, 2 of 2 .*, gain .* %, with LAI .* instead of 3.44, 12 evaluations in 0:0[0-9], 0 failed$"
+told=$(grep -o "2 of 2 generations, best .*" out.log)
 # A log file has the time (UTC); its generations are counted as in the history.
 says "^20[0-9-]*T[0-9:]*Z  ames.*  generation 1, 2 of 2 complete, "
 says "best .* MJ m-2 day-1 (not evaluated again)$"
@@ -122,7 +122,7 @@ done
 history=$(history_of results verbs)
 expect 0 "$ideotype" status "$history"
 says "2 of 2 generations, best .* MJ m-2 day-1 (evaluated again)"
-says "finished by generations"
+says "finished by generations, $told$"
 says "^one seed: the interval holds the noise of the light, not that of the search$"
 expect 0 "$ideotype" check campaigns/verbs.toml --left
 [ ! -s out.log ] || fail "a finished case is not left"
@@ -134,13 +134,6 @@ for slot in 0 3 5; do
 done
 expect 0 "$ideotype" evaluate "$history" --best
 says "agrees bit for bit"
-expect 0 "$ideotype" evaluate "$history" --generation 1 --slot 3 \
-    --tolerance 0.002
-says "of its standard errors off"
-expect 2 "$ideotype" evaluate "$history" --best --tolerance 0.002
-says "had many fields"
-expect 2 "$ideotype" evaluate campaigns/verbs.toml --tolerance 0.002
-says "light.tolerance"
 expect 2 "$ideotype" evaluate "$history" --generation 2 --slot 0
 expect 2 "$ideotype" evaluate "$history"
 says "--best"
@@ -205,8 +198,8 @@ expect 2 "$ideotype" export "$history" --best --to plant.doc
 
 # A second look at a finished case repeats its summary and evaluates nothing.
 expect 0 "$ideotype" run campaigns/verbs.toml --resume
-says "finished before: $history, gain .* %, with LAI .* instead of 3.44$"
-[ "$(grep -vc "^next: " out.log)" -eq 1 ] || fail "not one line a case: $(cat out.log)"
+says "$history: finished before by generations, $told$"
+[ "$(grep -vc "^next: \|^one seed: " out.log)" -eq 1 ] || fail "not one line a case: $(cat out.log)"
 
 # A time limit of this start stops cleanly.
 write_campaign limited 12 400

@@ -46,7 +46,7 @@ await_end() {
 
 start one
 freeze 2
-await_end "^history: "
+await_end ": finished by "
 grep -q "no answer from worker 2 within .*trying again" "$log" || fail "$(cat "$log")"
 same_results "$(history_of whole hang)" "$(history_of one hang)"
 

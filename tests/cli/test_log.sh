@@ -20,8 +20,8 @@ told debug --log-level debug
 # A result is told at any level.
 told quiet --quiet
 [ ! -s err.log ] || fail "--quiet tells $(cat err.log)"
-grep -q "  baseline  " out.log || fail "no result: $(cat out.log)"
-! grep -q "generation" out.log || fail "--quiet tells $(cat out.log)"
+grep -q "finished by generations, .*gain " out.log || fail "no result: $(cat out.log)"
+! grep -q "generation [0-9]" out.log || fail "--quiet tells $(cat out.log)"
 
 # Errors are told too, with the time.
 expect 4 "$ideotype" run campaigns/told.toml --out quiet --log-level error

@@ -22,7 +22,7 @@ for ranks in 1 3 12; do
     mpirun -n $ranks "$ideotype" run campaigns/sweep.toml --out ranks$ranks \
         >ranks$ranks.log
     same_as_alone ranks$ranks
-    [ "$(grep -c '^history: ' ranks$ranks.log)" -eq 3 ] ||
+    [ "$(grep -c ': finished by ' ranks$ranks.log)" -eq 3 ] ||
         fail "not three summaries: $(cat ranks$ranks.log)"
 done
 
@@ -32,7 +32,7 @@ done
 mpirun -n 6 "$ideotype" run campaigns/sweep.toml --out shared --masters 2 \
     >shared.log
 same_as_alone shared
-[ "$(grep -c '^history: ' shared.log)" -eq 3 ] ||
+[ "$(grep -c ': finished by ' shared.log)" -eq 3 ] ||
     fail "not three summaries: $(cat shared.log)"
 workers=$(h5dump -y -w 1 -d /evaluations/worker \
         shared/sweep/ames_0807_762x152_all_r3.h5 |

@@ -45,10 +45,11 @@ says "exists already"
 
 # Starts a run and waits for its first generation; $1 its folder.
 start() {
+    rm -f out.log # of an earlier run
     "$ideotype" run campaigns/long.toml --out "$1" --threads 2 >out.log 2>&1 &
     job=$!
     for _ in $(seq 300); do
-        ! grep -q "1 of 100 complete" out.log || return 0
+        ! grep -qs "1 of 100 complete" out.log || return 0
         sleep 0.02
     done
     fail "it does not begin: $(cat out.log)"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/climate/clear_sky.hpp"
+#include "ideotype/climate/sun.hpp"
 #include "ideotype/core/units.hpp"
 
 namespace ideotype {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/climate/daylight.hpp"
+#include "ideotype/climate/light_series.hpp"
 
 namespace ideotype {
 

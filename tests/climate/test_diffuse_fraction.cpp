@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/climate/diffuse_fraction.hpp"
+#include "ideotype/climate/sun.hpp"
 #include "ideotype/core/units.hpp"
 
 namespace ideotype {

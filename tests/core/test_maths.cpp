@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ideotype/core/maths.hpp"
+#include "ideotype/core/host.hpp"
 
 namespace ideotype {
 namespace {

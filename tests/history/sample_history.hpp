@@ -73,15 +73,31 @@ inline Outcome sample_outcome(std::uint32_t generation, std::uint32_t slot,
     return outcome;
 }
 
+//! Proposes all candidates of a generation.
+inline std::size_t propose(History& history, std::uint32_t generation,
+                           const std::vector<Candidate>& candidates) {
+    return history.propose(generation, candidates.size(), 0, candidates);
+}
+
+//! Slots of a generation that are proposed, and not done or failed yet.
+inline std::vector<std::uint32_t> pending(const History& history,
+                                          std::uint32_t generation) {
+    std::vector<std::uint32_t> slots;
+    for (std::uint32_t slot = 0; slot < history.size(generation); ++slot)
+        if (history.row(generation, slot).outcome.status == Status::proposed)
+            slots.push_back(slot);
+    return slots;
+}
+
 //! Records all that is pending of a generation.
 inline void record_pending(History& history, std::uint32_t generation) {
-    for (const std::uint32_t slot : history.pending(generation))
+    for (const std::uint32_t slot : pending(history, generation))
         history.record(generation, slot, sample_outcome(generation, slot), 1);
 }
 
 //! Proposes, records and commits a generation.
 inline void complete(History& history, std::uint32_t generation) {
-    history.propose(generation, sample_candidates(generation));
+    propose(history, generation, sample_candidates(generation));
     record_pending(history, generation);
     history.commit(generation, {.best_slot = 3, .best = generation + 0.5});
 }

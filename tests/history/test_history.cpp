@@ -80,7 +80,7 @@ TEST_F(HistoryTest, HeaderComesBack) {
 }
 
 TEST_F(HistoryTest, RowsComeBackBitForBit) {
-    history->propose(0, sample_candidates(0));
+    propose(*history, 0, sample_candidates(0));
     record_pending(*history, 0);
     reopen();
     for (std::uint32_t slot = 0; slot < 4; ++slot) {
@@ -108,7 +108,7 @@ TEST_F(HistoryTest, RowsComeBackBitForBit) {
 }
 
 TEST_F(HistoryTest, WhatIsNotKnownIsNaN) {
-    history->propose(0, sample_candidates(0));
+    propose(*history, 0, sample_candidates(0));
     const Row proposed = history->row(0, 2);
     EXPECT_EQ(proposed.outcome.status, Status::proposed);
     EXPECT_EQ(proposed.candidate.genome, sample_candidate(0, 2).genome);
@@ -122,7 +122,7 @@ TEST_F(HistoryTest, WhatIsNotKnownIsNaN) {
 }
 
 TEST_F(HistoryTest, FailedRowKeepsItsReasonAndNoNumbers) {
-    history->propose(0, sample_candidates(0));
+    propose(*history, 0, sample_candidates(0));
     Outcome outcome = sample_outcome(0, 1);
     outcome.status = Status::failed;
     // 159 bytes and a character of two: it would end in its middle.
@@ -139,20 +139,20 @@ TEST_F(HistoryTest, FailedRowKeepsItsReasonAndNoNumbers) {
 }
 
 TEST_F(HistoryTest, PendingIsWhatIsNotRecorded) {
-    EXPECT_TRUE(history->pending(0).empty());
-    history->propose(0, sample_candidates(0));
+    EXPECT_TRUE(pending(*history, 0).empty());
+    propose(*history, 0, sample_candidates(0));
     const Outcome outcome = sample_outcome(0, 2);
     history->record(0, 2, outcome, 1);
-    EXPECT_EQ(history->pending(0), (std::vector<std::uint32_t>{0, 1, 3}));
+    EXPECT_EQ(pending(*history, 0), (std::vector<std::uint32_t>{0, 1, 3}));
     reopen();
-    EXPECT_EQ(history->pending(0), (std::vector<std::uint32_t>{0, 1, 3}));
+    EXPECT_EQ(pending(*history, 0), (std::vector<std::uint32_t>{0, 1, 3}));
     EXPECT_EQ(history->next_generation(), 0U);
 }
 
 TEST_F(HistoryTest, CommitMovesToTheNextGeneration) {
     complete(*history, 0);
     complete(*history, 1);
-    history->propose(2, sample_candidates(2));
+    propose(*history, 2, sample_candidates(2));
     reopen();
     EXPECT_EQ(history->next_generation(), 2U);
     const Population population = history->generation(1);
@@ -170,7 +170,7 @@ TEST_F(HistoryTest, CommitMovesToTheNextGeneration) {
 
 TEST_F(HistoryTest, SummaryComesBack) {
     const GenerationSummary was{3, 1.5, 0.25, 1.25, 0.125, 0.5, 2, 4, 60.5};
-    history->propose(0, sample_candidates(0));
+    propose(*history, 0, sample_candidates(0));
     record_pending(*history, 0);
     history->commit(0, was);
     reopen();
@@ -187,10 +187,10 @@ TEST_F(HistoryTest, SummaryComesBack) {
 }
 
 TEST_F(HistoryTest, IncompleteGenerationIsNotCommitted) {
-    history->propose(0, sample_candidates(0));
+    propose(*history, 0, sample_candidates(0));
     EXPECT_THROW(history->commit(0, {}), Error);
     EXPECT_THROW(history->generation(0), Error);
-    EXPECT_THROW(history->propose(2, sample_candidates(2)), Error);
+    EXPECT_THROW(propose(*history, 2, sample_candidates(2)), Error);
     record_pending(*history, 0);
     EXPECT_EQ(history->generation(0).size(), 4U);
     history->commit(0, {});
@@ -199,14 +199,14 @@ TEST_F(HistoryTest, IncompleteGenerationIsNotCommitted) {
 }
 
 TEST_F(HistoryTest, TheNextGenerationMayBeginInPartsBeforeOneIsComplete) {
-    history->propose(0, sample_candidates(0));
+    propose(*history, 0, sample_candidates(0));
     const auto all = sample_candidates(1);
     EXPECT_EQ(history->propose(1, 4, 0, {all[0]}), 0U);
     EXPECT_EQ(history->propose(1, 4, 1, {all[1], all[2]}), 0U);
-    EXPECT_EQ(history->pending(1), (std::vector<std::uint32_t>{0, 1, 2}));
+    EXPECT_EQ(pending(*history, 1), (std::vector<std::uint32_t>{0, 1, 2}));
     history->record(1, 1, sample_outcome(1, 1), 1);
     EXPECT_EQ(history->propose(1, 4, 1, {all[1], all[2], all[3]}), 2U);
-    EXPECT_EQ(history->pending(1), (std::vector<std::uint32_t>{0, 2, 3}));
+    EXPECT_EQ(pending(*history, 1), (std::vector<std::uint32_t>{0, 2, 3}));
     record_pending(*history, 1);
     EXPECT_THROW(history->commit(1, {}), Error);
     record_pending(*history, 0);
@@ -216,19 +216,19 @@ TEST_F(HistoryTest, TheNextGenerationMayBeginInPartsBeforeOneIsComplete) {
 }
 
 TEST_F(HistoryTest, SameProposalIsVerifiedAndKeepsWhatIsRecorded) {
-    history->propose(0, sample_candidates(0));
+    propose(*history, 0, sample_candidates(0));
     history->record(0, 0, sample_outcome(0, 0), 1);
     reopen();
-    history->propose(0, sample_candidates(0));
-    EXPECT_EQ(history->pending(0), (std::vector<std::uint32_t>{1, 2, 3}));
+    propose(*history, 0, sample_candidates(0));
+    EXPECT_EQ(pending(*history, 0), (std::vector<std::uint32_t>{1, 2, 3}));
 }
 
 TEST_F(HistoryTest, ChangedProposalIsRefusedByName) {
-    history->propose(0, sample_candidates(0));
+    propose(*history, 0, sample_candidates(0));
     reopen();
     auto candidates = sample_candidates(0);
     candidates[2].genome[1] = std::nextafter(candidates[2].genome[1], 100);
-    std::string message = refusal([&] { history->propose(0, candidates); });
+    std::string message = refusal([&] { propose(*history, 0, candidates); });
     EXPECT_NE(message.find("generation 0 slot 2"), std::string::npos)
         << message;
     EXPECT_NE(message.find("leaf01_insertion_angle"), std::string::npos)
@@ -236,23 +236,23 @@ TEST_F(HistoryTest, ChangedProposalIsRefusedByName) {
 
     candidates = sample_candidates(0);
     candidates[3].genome[2] = 0.0;  // was -0.0
-    message = refusal([&] { history->propose(0, candidates); });
+    message = refusal([&] { propose(*history, 0, candidates); });
     EXPECT_NE(message.find("slot 3"), std::string::npos) << message;
 
     candidates = sample_candidates(0);
     candidates[1].origin = Origin::child;
-    message = refusal([&] { history->propose(0, candidates); });
+    message = refusal([&] { propose(*history, 0, candidates); });
     EXPECT_NE(message.find("origin"), std::string::npos) << message;
 
     candidates = sample_candidates(0);
     candidates[1].parents[1] = 2;
-    message = refusal([&] { history->propose(0, candidates); });
+    message = refusal([&] { propose(*history, 0, candidates); });
     EXPECT_NE(message.find("parents"), std::string::npos) << message;
-    history->propose(0, sample_candidates(0));
+    propose(*history, 0, sample_candidates(0));
 }
 
 TEST_F(HistoryTest, RecordedRowNeverChanges) {
-    history->propose(0, sample_candidates(0));
+    propose(*history, 0, sample_candidates(0));
     history->record(0, 0, sample_outcome(0, 0), 1);
     const auto again = [&] { history->record(0, 0, sample_outcome(0, 1), 2); };
     EXPECT_NE(refusal(again).find("generation 0 slot 0 is recorded already"),
@@ -263,13 +263,13 @@ TEST_F(HistoryTest, RecordedRowNeverChanges) {
 }
 
 TEST_F(HistoryTest, WrongShapesAreRejectedAndDoNoHarm) {
-    EXPECT_THROW(history->propose(0, sample_candidates(0, 21)), Error);
+    EXPECT_THROW(propose(*history, 0, sample_candidates(0, 21)), Error);
     auto candidates = sample_candidates(0);
     candidates[0].genome.pop_back();
-    EXPECT_THROW(history->propose(0, candidates), Error);
-    EXPECT_THROW(history->propose(5, sample_candidates(5)), Error);
+    EXPECT_THROW(propose(*history, 0, candidates), Error);
+    EXPECT_THROW(propose(*history, 5, sample_candidates(5)), Error);
     complete(*history, 0);
-    history->propose(1, sample_candidates(1));
+    propose(*history, 1, sample_candidates(1));
     Outcome outcome = sample_outcome(1, 0);
     outcome.quantities.pop_back();
     EXPECT_THROW(history->record(1, 0, outcome, 1), Error);
@@ -315,12 +315,12 @@ TEST_F(HistoryTest, StateSurvivesReopening) {
 }
 
 TEST_F(HistoryTest, ReaderDoesNotWrite) {
-    history->propose(0, sample_candidates(0));
+    propose(*history, 0, sample_candidates(0));
     close();
     History reader = History::read(path);
     EXPECT_THROW(reader.record(0, 0, sample_outcome(0, 0), 1), Error);
     EXPECT_THROW(reader.finish("generations"), Error);
-    EXPECT_EQ(reader.pending(0).size(), 4U);
+    EXPECT_EQ(pending(reader, 0).size(), 4U);
 }
 
 TEST_F(HistoryTest, ClockThatJumpsDoesNoHarm) {
@@ -360,7 +360,7 @@ TEST(History, WorksWithoutQuantitiesAndFinalists) {
     header.schema.measured = {};
     header.finalists = 0;
     History history = History::create(folder / "bare.h5", header);
-    history.propose(0, sample_candidates(0));
+    propose(history, 0, sample_candidates(0));
     Outcome outcome = sample_outcome(0, 0);
     outcome.quantities.clear();
     history.record(0, 0, outcome, 1);
@@ -371,7 +371,7 @@ TEST(History, WorksWithoutQuantitiesAndFinalists) {
 
 TEST_F(HistoryTest, GenerationsMayDifferInSize) {
     const auto go_through = [&](std::uint32_t generation, std::uint32_t size) {
-        history->propose(generation, sample_candidates(generation, size));
+        propose(*history, generation, sample_candidates(generation, size));
         record_pending(*history, generation);
         history->commit(generation, {.best_slot = size - 1});
     };
@@ -385,15 +385,15 @@ TEST_F(HistoryTest, GenerationsMayDifferInSize) {
               sample_candidate(1, 5).parents);
     EXPECT_EQ(history->summaries()[1].best_slot, 5U);
     // 20 rows are the room of this history.
-    EXPECT_THROW(history->propose(3, sample_candidates(3, 11)), Error);
+    EXPECT_THROW(propose(*history, 3, sample_candidates(3, 11)), Error);
     go_through(3, 10);
 }
 
 TEST_F(HistoryTest, AnotherNumberOfCandidatesIsNoticed) {
-    history->propose(0, sample_candidates(0));
+    propose(*history, 0, sample_candidates(0));
     reopen();
     EXPECT_NE(refusal([&] {
-                  history->propose(0, sample_candidates(0, 3));
+                  propose(*history, 0, sample_candidates(0, 3));
               }).find("generation 0 had 4 candidates before, not 3"),
               std::string::npos);
 }

@@ -40,8 +40,8 @@ struct Report {
                               : History::create(path, long_header());
         history.begin_session({"2025-08-07T12:00:00Z", "node", "run", 1});
         for (auto g = history.next_generation(); g < generations; ++g) {
-            history.propose(g, sample_candidates(g, population));
-            for (const std::uint32_t slot : history.pending(g)) {
+            propose(history, g, sample_candidates(g, population));
+            for (const std::uint32_t slot : pending(history, g)) {
                 history.record(g, slot, sample_outcome(g, slot), 1);
                 report({g, static_cast<std::int32_t>(slot)});
             }

@@ -76,13 +76,13 @@ TEST(Live, FileIsReadWhileItIsWritten) {
     Writer writer(path, {[](History& history) {
                       history.begin_session({"now", "node", "run", 1});
                       complete(history, 0);
-                      history.propose(1, sample_candidates(1));
+                      propose(history, 1, sample_candidates(1));
                       history.record(1, 3, sample_outcome(1, 3), 1);
                   }});
     writer.step();
     const History live = History::read(path);
     EXPECT_EQ(live.next_generation(), 1U);
-    EXPECT_EQ(live.pending(1), (std::vector<std::uint32_t>{0, 1, 2}));
+    EXPECT_EQ(pending(live, 1), (std::vector<std::uint32_t>{0, 1, 2}));
     expect_row(live.row(1, 3), 1, 3);
     expect_row(live.row(0, 2), 0, 2);
     EXPECT_EQ(live.generation(0).size(), 4U);

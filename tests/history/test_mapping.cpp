@@ -86,7 +86,7 @@ TEST_F(MappingTest, RowSurvivesAKillRightAfterItsRecord) {
     const pid_t child = fork();
     if (child == 0) {
         History history = History::resume(path_);
-        history.propose(0, sample_candidates(0));
+        propose(history, 0, sample_candidates(0));
         history.record(0, 2, sample_outcome(0, 2), 1);
         kill(getpid(), SIGKILL);
     }

@@ -114,7 +114,7 @@ TEST(Open, GenerationsBeforeTheCutAreSalvaged) {
     {
         History history = History::create(path, header);
         for (std::uint32_t g = 0; g < 4; ++g) {
-            history.propose(g, sample_candidates(g, 500));
+            propose(history, g, sample_candidates(g, 500));
             record_pending(history, g);
             history.commit(g, {});
         }
@@ -262,17 +262,17 @@ TEST(Open, KilledFileIsReadAndResumed) {
     EXPECT_EQ(in_other_process([&] {
                   History history = History::create(path, sample_header());
                   complete(history, 0);
-                  history.propose(1, sample_candidates(1));
+                  propose(history, 1, sample_candidates(1));
                   history.record(1, 2, sample_outcome(1, 2), 1);
                   return raise(SIGKILL);
               }),
               128 + SIGKILL);
-    EXPECT_EQ(History::read(path).pending(1).size(), 3U);
+    EXPECT_EQ(pending(History::read(path), 1).size(), 3U);
     // A reader changes nothing: the file can be read again.
     EXPECT_EQ(History::read(path).next_generation(), 1U);
     {
         History history = History::resume(path);
-        history.propose(1, sample_candidates(1));
+        propose(history, 1, sample_candidates(1));
         record_pending(history, 1);
         history.commit(1, {});
     }

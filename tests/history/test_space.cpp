@@ -99,7 +99,7 @@ TEST(Space, IsTakenAnewForACopyWithHoles) {
     const std::string copy = folder / "copy.h5";
     {
         History history = History::create(path, large_header());
-        history.propose(0, sample_candidates(0, 1000));
+        propose(history, 0, sample_candidates(0, 1000));
     }
     // Only what is written: the rest of the copy is a hole.
     constexpr std::uintmax_t written = 2'000'000;

@@ -28,13 +28,13 @@ TEST(WriteFailure, NamesTheFileAndKeepsWhatWasRecorded) {
     const std::string path = folder / "case.h5";
     const int result = in_other_process([&] {
         History history = History::create(path, large_header());
-        history.propose(0, sample_candidates(0, 1000));
+        propose(history, 0, sample_candidates(0, 1000));
         for (std::uint32_t slot = 0; slot < 1000; ++slot)
             history.record(0, slot, sample_outcome(0, slot), 1);
         history.commit(0, {});
         limit_file_size(1000);
         try {
-            history.propose(1, sample_candidates(1, 1000));
+            propose(history, 1, sample_candidates(1, 1000));
             return 1;
         } catch (const Error& error) {
             const std::string what = error.what();
@@ -54,8 +54,8 @@ TEST(WriteFailure, NamesTheFileAndKeepsWhatWasRecorded) {
     History history = History::resume(path);
     EXPECT_EQ(history.next_generation(), 1U);
     EXPECT_EQ(history.row(0, 999).outcome.worker, 999U);
-    history.propose(1, sample_candidates(1, 1000));
-    for (const std::uint32_t slot : history.pending(1))
+    propose(history, 1, sample_candidates(1, 1000));
+    for (const std::uint32_t slot : pending(history, 1))
         history.record(1, slot, sample_outcome(1, slot), 1);
     history.commit(1, {});
     EXPECT_EQ(history.next_generation(), 2U);
@@ -88,7 +88,7 @@ TEST(WriteFailure, FileThatIsCutShortTakesNoMore) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     History history = History::create(path, sample_header());
-    history.propose(0, sample_candidates(0));
+    propose(history, 0, sample_candidates(0));
     std::filesystem::resize_file(path, std::filesystem::file_size(path) - 1);
     try {
         history.record(0, 0, sample_outcome(0, 0), 1);
@@ -122,7 +122,8 @@ TEST(WriteFailure, DoesNotCrashAtExit) {
         {
             History history = History::create(path, large_header());
             limit_file_size(1000);
-            EXPECT_THROW(history.propose(0, sample_candidates(0, 1000)), Error);
+            EXPECT_THROW(propose(history, 0, sample_candidates(0, 1000)),
+                         Error);
         }
         exit(testing::Test::HasFailure() ? 1 : 0);
     }

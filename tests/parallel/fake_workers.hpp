@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "fake_director.hpp"
-#include "guard.hpp"
 #include "sample_work.hpp"
 #include "workers.hpp"
 

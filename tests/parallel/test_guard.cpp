@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "fake_evaluator.hpp"
-#include "guard.hpp"
 #include "ideotype/core/host.hpp"
+#include "workers.hpp"
 
 namespace ideotype {
 
@@ -16,7 +16,7 @@ Outcome guarded(std::uint32_t slot, std::chrono::milliseconds duration = {}) {
     Work work;
     work.task.slot = slot;
     work.genome = {1, 2, 3};
-    return evaluate_guarded(evaluator, work, 7, machine_clock());
+    return evaluate_guarded(evaluator, work, 7, machine_clock);
 }
 
 void expect_failed_everywhere(const Outcome& outcome) {

@@ -29,7 +29,9 @@ class Summary : public testing::Test {
             {{genome, Origin::baseline, {}}, {genome, Origin::elite, {}}});
         record(history, 0, baseline, baseline_lai);
         record(history, 1, best, best_lai);
-        return final_summary(history, campaign_);
+        history.finish("generations");
+        return to_text(result_of(history), "a.h5", "finished") +
+               remarks(history, campaign_);
     }
 
   private:
@@ -55,43 +57,33 @@ class Summary : public testing::Test {
 
 TEST_F(Summary, PutsLeafAreaBesideTheGain) {
     const std::string text = of({10, 0.03}, 2.5, {11, 0.04}, 5);
-    EXPECT_NE(text.find("  gain      1.000 +- 0.050 MJ m-2 day-1 = 10.00 +- "
-                        "0.52 %, with LAI 5.00 instead of 2.50\n"),
+    EXPECT_NE(text.find(", gain 1.000 +- 0.050 MJ m-2 day-1 = 10.00 +- "
+                        "0.52 %, with LAI 5.00 instead of 2.50"),
               std::string::npos)
         << text;
 }
 
-TEST_F(Summary, SaysWhatOneSeedDoesNotTell) {
-    const std::string text =
-        "one seed: the interval holds the noise of the "
-        "light, not that of the search\n";
-    EXPECT_NE(of({10, 0.03}, 2.5, {11, 0.04}, 5).find(text), std::string::npos);
-    campaign_.replicates = 3;
-    const std::string three = of({10, 0.03}, 2.5, {11, 0.04}, 5);
-    EXPECT_EQ(three.find("one seed"), std::string::npos) << three;
-    EXPECT_NE(three.find("ideotype summary"), std::string::npos) << three;
-}
-
 TEST_F(Summary, WarnsOfMoreLeavesThanFieldsHave) {
-    EXPECT_EQ(of({10, 0.03}, 3.4, {11, 0.04}, 8).find("warning"),
+    EXPECT_EQ(of({10, 0.03}, 3.4, {11, 0.04}, 8).find("leaf area index"),
               std::string::npos);
     const std::string text = of({10, 0.03}, 3.4, {11, 0.04}, 8.5);
-    EXPECT_NE(text.find("  warning   the best plant has a leaf area index of "
-                        "8.50, and fields hardly ever have more than 8; "),
-              std::string::npos)
+    EXPECT_NE(
+        text.find("; this plant has a leaf area index of 8.50, and fields "
+                  "hardly ever have more than 8; limit "),
+        std::string::npos)
         << text;
 }
 
 TEST_F(Summary, CountsFinalistsThatFailed) {
     EXPECT_EQ(of({10, 0.03}, 2.5, {std::nan(""), 0}, 5),
-              "1 of 2 finalists failed; the first reason: no leaves\n"
-              "without the baseline and another finalist there is no gain\n");
+              "a.h5: finished by generations, 0 of 20 generations, 1 of 2 "
+              "finalists failed (no leaves)");
 }
 
 TEST_F(Summary, NeverDividesByNothing) {
     const std::string text = of({0, 0}, 0, {0, 0}, 0);
-    EXPECT_NE(text.find("  gain      0 MJ m-2 day-1, with LAI 0.00 instead of "
-                        "0.00\n"),
+    EXPECT_NE(text.find(", gain 0 MJ m-2 day-1, with LAI 0.00 instead of "
+                        "0.00"),
               std::string::npos)
         << text;
     EXPECT_EQ(text.find("nan"), std::string::npos) << text;
@@ -100,11 +92,11 @@ TEST_F(Summary, NeverDividesByNothing) {
 
 TEST_F(Summary, SeveralScenariosHaveNoCeilingInCommon) {
     const std::string alone = of({9, 0.01}, 3, {10, 0.01}, 4);
-    EXPECT_NE(alone.find("  left "), std::string::npos);
+    EXPECT_NE(alone.find("\nat most "), std::string::npos);
     campaign_.over = {"site"};
     const std::string text = of({9, 0.01}, 3, {10, 0.01}, 4);
-    EXPECT_NE(text.find("  gain "), std::string::npos);
-    EXPECT_EQ(text.find("  left "), std::string::npos);
+    EXPECT_NE(text.find("gain "), std::string::npos);
+    EXPECT_EQ(text.find("\nat most "), std::string::npos);
 }
 
 }  // namespace

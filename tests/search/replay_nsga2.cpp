@@ -12,9 +12,9 @@
 #include <numbers>
 #include <string>
 
-#include "search/genetic_algorithm.hpp"
-#include "search/hypervolume.hpp"
-#include "search/pareto.hpp"
+#include "search/optimizer.hpp"
+#include "search/order.hpp"
+#include "search/summary.hpp"
 
 namespace {
 
@@ -93,7 +93,7 @@ int search(const std::string& problem, int population, int generations,
     SearchSettings settings;
     settings.optimizer = OptimizerKind::nsga2;
     settings.population = population;
-    const auto optimizer = std::make_unique<GeneticAlgorithm>(
+    const auto optimizer = make_genetic_algorithm(
         settings,
         SearchSpace{GeneSpace(dimension, {"x", "1", 0, 1, false, true}),
                     Genome(dimension, 0.5), minimised(objectives)},

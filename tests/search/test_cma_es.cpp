@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "ideotype/core/random.hpp"
-#include "search/cma_es.hpp"
+#include "search/optimizer.hpp"
 
 namespace ideotype {
 namespace {
@@ -38,7 +38,7 @@ std::size_t evaluations(const Function& f, std::size_t dimension, double target,
                                  3 * std::log(static_cast<double>(dimension)));
     settings.cma.smallest_step = 1e-11;
     settings.cma.restarts = restarts;
-    const auto optimizer = std::make_unique<CmaEs>(
+    const auto optimizer = make_cma_es(
         settings,
         SearchSpace{genes(dimension), Genome(dimension, 3), {Sense::minimise}},
         seed);
@@ -101,7 +101,7 @@ TEST(CmaEs, ComesNearTheMinimumUnderNoise) {
     SearchSettings settings;
     settings.optimizer = OptimizerKind::cma_es;
     settings.population = 14;
-    const auto optimizer = std::make_unique<CmaEs>(
+    const auto optimizer = make_cma_es(
         settings, SearchSpace{genes(10), Genome(10, 3), {Sense::minimise}}, 4);
     RandomStream noise(5, Purpose::jitter);
     for (int g = 0; g < 200; ++g)
@@ -127,16 +127,17 @@ SearchSettings small() {
 
 TEST(CmaEs, ContinuesWithTheSameBitsFromWhatItWasTold) {
     const SearchSpace space{genes(5), Genome(5, 1), {Sense::minimise}};
-    CmaEs whole(small(), space, 3), again(small(), space, 3);
+    const auto whole = make_cma_es(small(), space, 3),
+               again = make_cma_es(small(), space, 3);
     for (int g = 0; g < 20; ++g) {
-        const Population rows = evaluated(whole.ask(), rosenbrock);
-        whole.tell(rows);
-        again.tell(rows);
-        EXPECT_EQ(whole.ask(), again.ask());
+        const Population rows = evaluated(whole->ask(), rosenbrock);
+        whole->tell(rows);
+        again->tell(rows);
+        EXPECT_EQ(whole->ask(), again->ask());
     }
-    CmaEs other(small(), space, 4);
-    searched(other, 20);
-    EXPECT_NE(whole.ask(), other.ask());
+    const auto other = make_cma_es(small(), space, 4);
+    searched(*other, 20);
+    EXPECT_NE(whole->ask(), other->ask());
 }
 
 TEST(CmaEs, BeginsAroundTheBaseline) {
@@ -144,8 +145,8 @@ TEST(CmaEs, BeginsAroundTheBaseline) {
     SearchSettings settings = small();
     settings.population = 4000;
     settings.cma.step = 0.02;
-    const CmaEs search(settings, {genes(5), baseline}, 3);
-    const auto candidates = search.ask();
+    const auto search = make_cma_es(settings, {genes(5), baseline}, 3);
+    const auto candidates = search->ask();
     for (std::size_t i = 0; i < 2; ++i) {
         double mean = 0, square = 0;
         for (const Candidate& each : candidates) {
@@ -163,17 +164,18 @@ TEST(CmaEs, MovesSmoothlyAcrossTheSeamOfACircle) {
     GeneSpace circle(3, {"azimuth", "deg", 0, 360, true, true});
     SearchSettings settings = small();
     settings.cma.step = 0.05;
-    CmaEs search(settings, {circle, {20, 340, 350}, {Sense::minimise}}, 1);
+    const auto search =
+        make_cma_es(settings, {circle, {20, 340, 350}, {Sense::minimise}}, 1);
     Genome before{20, 340, 350};
     for (int g = 0; g < 150; ++g) {
-        search.tell(evaluated(search.ask(), [](const Genome& x) {
+        search->tell(evaluated(search->ask(), [](const Genome& x) {
             double sum = 0;
             for (const double each : x)
                 sum += 2 - 2 * std::cos((each - 355 + 8 * (each < 180)) *
                                         std::numbers::pi / 180);
             return sum;
         }));
-        const Genome mean = search.best(1).front().genome;
+        const Genome mean = search->best(1).front().genome;
         for (std::size_t i = 0; i < mean.size(); ++i)
             EXPECT_LT(std::abs(std::remainder(mean[i] - before[i], 360)), 30);
         before = mean;
@@ -183,32 +185,34 @@ TEST(CmaEs, MovesSmoothlyAcrossTheSeamOfACircle) {
 }
 
 TEST(CmaEs, PutsFeasiblePlantsFirst) {
-    CmaEs search(small(), {genes(4), Genome(4, 2), {Sense::minimise}}, 2);
+    const auto search =
+        make_cma_es(small(), {genes(4), Genome(4, 2), {Sense::minimise}}, 2);
     for (int g = 0; g < 150; ++g) {
-        Population rows = evaluated(search.ask(), sphere);
+        Population rows = evaluated(search->ask(), sphere);
         // All four have to sum to at least 2: then each is .5.
         for (Individual& row : rows) {
             double sum = 0;
             for (const double x : row.candidate.genome) sum += x;
             row.violation = std::max(0.0, 2 - sum);
         }
-        search.tell(rows);
+        search->tell(rows);
     }
     double sum = 0;
-    const Genome best = search.best(2)[1].genome;
+    const Genome best = search->best(2)[1].genome;
     for (const double x : best) sum += x;
     EXPECT_GE(sum, 2);
     EXPECT_LT(sphere(best), 1.05);
 }
 
 TEST(CmaEs, SurvivesAGenerationThatFailed) {
-    CmaEs search(small(), {genes(4), Genome(4, 2), {Sense::minimise}}, 2);
+    const auto search =
+        make_cma_es(small(), {genes(4), Genome(4, 2), {Sense::minimise}}, 2);
     for (int g = 0; g < 30; ++g) {
-        Population rows = evaluated(search.ask(), sphere);
+        Population rows = evaluated(search->ask(), sphere);
         if (g % 3 == 0)
             for (Individual& row : rows) row.status = Status::failed;
-        search.tell(rows);
-        for (const Candidate& each : search.ask())
+        search->tell(rows);
+        for (const Candidate& each : search->ask())
             for (const double x : each.genome) EXPECT_TRUE(std::isfinite(x));
     }
 }
@@ -217,13 +221,14 @@ TEST(CmaEs, RestartsWithTwiceThePopulation) {
     SearchSettings settings = small();
     settings.cma.smallest_step = 1e-2;
     settings.cma.restarts = 2;
-    CmaEs search(settings, {genes(4), Genome(4, 2), {Sense::minimise}}, 2);
+    const auto search =
+        make_cma_es(settings, {genes(4), Genome(4, 2), {Sense::minimise}}, 2);
     std::vector<std::size_t> sizes;
     for (int g = 0; g < 300; ++g) {
-        const Population rows = evaluated(search.ask(), sphere);
+        const Population rows = evaluated(search->ask(), sphere);
         if (sizes.empty() || sizes.back() != rows.size())
             sizes.push_back(rows.size());
-        search.tell(rows);
+        search->tell(rows);
     }
     EXPECT_EQ(sizes, (std::vector<std::size_t>{8, 16, 32}));
 }

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "ideotype/core/random.hpp"
-#include "search/genetic_algorithm.hpp"
+#include "search/optimizer.hpp"
 
 namespace ideotype {
 namespace {
@@ -43,8 +43,8 @@ std::vector<Candidate> candidates_of(const Population& population) {
 std::vector<Candidate> proposed(const SearchSettings& settings,
                                 std::uint64_t seed, std::uint32_t generation,
                                 const Population& parents) {
-    const auto optimizer = std::make_unique<GeneticAlgorithm>(
-        settings, SearchSpace{genes, baseline}, seed);
+    const auto optimizer =
+        make_genetic_algorithm(settings, SearchSpace{genes, baseline}, seed);
     for (std::uint32_t g = 0; g < generation; ++g) optimizer->tell(parents);
     return optimizer->ask();
 }
@@ -55,8 +55,8 @@ Population first_generation() {
 
 //! The generations of one search.
 std::vector<Population> searched(std::size_t generations) {
-    const auto optimizer = std::make_unique<GeneticAlgorithm>(
-        small(), SearchSpace{genes, baseline}, 7);
+    const auto optimizer =
+        make_genetic_algorithm(small(), SearchSpace{genes, baseline}, 7);
     std::vector<Population> all;
     while (all.size() < generations) {
         all.push_back(evaluated(optimizer->ask()));
@@ -123,8 +123,8 @@ TEST(GeneticAlgorithm, ChildrenOfASeedStayTheSame) {
 TEST(GeneticAlgorithm, ToldTheSameGenerationsProposesTheSame) {
     const std::vector<Population> all = searched(12);
     for (std::size_t g = 0; g < all.size(); ++g) {
-        const auto optimizer = std::make_unique<GeneticAlgorithm>(
-            small(), SearchSpace{genes, baseline}, 7);
+        const auto optimizer =
+            make_genetic_algorithm(small(), SearchSpace{genes, baseline}, 7);
         for (std::size_t told = 0; told < g; ++told) optimizer->tell(all[told]);
         EXPECT_EQ(candidates_of(all[g]), optimizer->ask()) << g;
         EXPECT_EQ(optimizer->ask(), optimizer->ask()) << g;
@@ -132,8 +132,8 @@ TEST(GeneticAlgorithm, ToldTheSameGenerationsProposesTheSame) {
 }
 
 TEST(GeneticAlgorithm, TakesGenerationsOfAnySize) {
-    const auto optimizer = std::make_unique<GeneticAlgorithm>(
-        small(), SearchSpace{genes, baseline}, 7);
+    const auto optimizer =
+        make_genetic_algorithm(small(), SearchSpace{genes, baseline}, 7);
     std::int64_t first = 0;
     for (const std::int64_t size : {17, 41, 3, 60}) {
         Population told = first_generation();
@@ -183,32 +183,32 @@ TEST(GeneticAlgorithm, ParentsOfAFrontKeepTheirValuesUntilChildrenAreBetter) {
     SearchSettings settings = small();
     settings.optimizer = OptimizerKind::nsga2;
     settings.population = 20;
-    GeneticAlgorithm search(
+    const auto search = make_genetic_algorithm(
         settings, {genes, baseline, {Sense::maximise, Sense::minimise}}, 7);
     // None dominates another of its generation, all dominate those of a lower
     // level.
     const auto tell = [&](double level) {
         Population rows;
-        for (const Candidate& each : search.ask()) {
+        for (const Candidate& each : search->ask()) {
             const auto slot = static_cast<double>(rows.size());
             rows.push_back({each,
                             Status::done,
                             {{slot + 100 * level, 0}, {slot - 100 * level, 0}},
                             0});
         }
-        search.tell(rows);
+        search->tell(rows);
     };
     tell(1);
     tell(0);
-    ASSERT_EQ(search.best(20).size(), 20u);
-    for (const Candidate& each : search.best(20))
+    ASSERT_EQ(search->best(20).size(), 20u);
+    for (const Candidate& each : search->best(20))
         EXPECT_LT(each.parents[0], 20);
-    for (const Candidate& each : search.ask()) {
+    for (const Candidate& each : search->ask()) {
         EXPECT_EQ(each.origin, Origin::child);
         EXPECT_LT(each.parents[0], 20);
     }
     tell(2);
-    for (const Candidate& each : search.best(20))
+    for (const Candidate& each : search->best(20))
         EXPECT_GE(each.parents[0], 40);
 }
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "ideotype/core/random.hpp"
-#include "search/hypervolume.hpp"
+#include "search/summary.hpp"
 
 namespace ideotype {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "search/pareto.hpp"
+#include "search/order.hpp"
 
 namespace ideotype {
 namespace {

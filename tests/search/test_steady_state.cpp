@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "ideotype/core/random.hpp"
-#include "search/steady_state.hpp"
+#include "search/optimizer.hpp"
 
 namespace ideotype {
 namespace {
@@ -15,12 +15,13 @@ namespace {
 constexpr std::uint32_t population = 20;
 constexpr std::uint32_t window = 33;
 
-SteadyState search() {
+std::unique_ptr<Optimizer> search() {
     SearchSettings settings;
     settings.population = population;
     settings.window = window;
     const GeneSpace genes(6, {"x", "1", -5, 5, false, true});
-    return {settings, {genes, Genome(6, 3), {Sense::minimise}}, 7};
+    return make_steady_state(settings, {genes, Genome(6, 3), {Sense::minimise}},
+                             7);
 }
 
 Individual evaluated(const Candidate& candidate) {
@@ -35,19 +36,19 @@ Candidate propose(Optimizer& optimizer, std::uint32_t row) {
 
 //! Rows of a search that learns each as soon as it is proposed.
 Population searched(std::uint32_t rows) {
-    SteadyState optimizer = search();
+    const auto optimizer = search();
     Population all;
     for (std::uint32_t row = 0; row < rows; ++row) {
-        all.push_back(evaluated(propose(optimizer, row)));
-        optimizer.learn(all.back());
+        all.push_back(evaluated(propose(*optimizer, row)));
+        optimizer->learn(all.back());
     }
     return all;
 }
 
 TEST(SteadyState, NeedsAllRowsButThoseInTheWindow) {
-    const SteadyState optimizer = search();
+    const auto optimizer = search();
     for (std::uint32_t row = 0; row < 200; ++row)
-        EXPECT_EQ(optimizer.needs(row / population, row % population),
+        EXPECT_EQ(optimizer->needs(row / population, row % population),
                   row < window ? 0 : row - window + 1);
 }
 
@@ -55,16 +56,16 @@ TEST(SteadyState, NeedsAllRowsButThoseInTheWindow) {
 TEST(SteadyState, CandidatesFollowFromTheRowsTheyNeedAlone) {
     constexpr std::uint32_t rows = 400;
     const Population all = searched(rows);
-    SteadyState late = search();
+    const auto late = search();
     std::uint32_t known = 0;
     RandomStream stream(5, Purpose::jitter);
     for (std::uint32_t row = 0; row < rows; ++row) {
         const auto least = static_cast<std::uint32_t>(
-            late.needs(row / population, row % population));
+            late->needs(row / population, row % population));
         const std::uint32_t most = row;
         const std::uint32_t wanted = least + stream.below(most - least + 1);
-        while (known < wanted) late.learn(all[known++]);
-        EXPECT_EQ(propose(late, row), all[row].candidate) << row;
+        while (known < wanted) late->learn(all[known++]);
+        EXPECT_EQ(propose(*late, row), all[row].candidate) << row;
     }
 }
 
@@ -92,13 +93,13 @@ TEST(SteadyState, Converges) {
 }
 
 TEST(SteadyState, OffersTheBestOfTheLastGeneration) {
-    SteadyState optimizer = search();
+    const auto optimizer = search();
     Population all;
     for (std::uint32_t row = 0; row < 10 * population; ++row) {
-        all.push_back(evaluated(propose(optimizer, row)));
-        optimizer.learn(all.back());
+        all.push_back(evaluated(propose(*optimizer, row)));
+        optimizer->learn(all.back());
     }
-    const auto best = optimizer.best(3);
+    const auto best = optimizer->best(3);
     ASSERT_EQ(best.size(), 3U);
     EXPECT_GE(best[0].parents[0], 9 * population);
     for (std::uint32_t row = 9 * population; row < 10 * population; ++row)

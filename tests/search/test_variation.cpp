@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "ideotype/core/random.hpp"
-#include "search/genetic_algorithm.hpp"
+#include "search/optimizer.hpp"
 
 // How far children are from their parents, against the densities that were
 // published for simulated binary crossover and polynomial mutation.
@@ -88,13 +88,14 @@ std::vector<Candidate> children(const Gene& gene, const GaSettings& ga,
     settings.ga = ga;
     settings.ga.elites = 0;
     settings.ga.tournament = 1;
-    GeneticAlgorithm optimizer(settings, {{gene}, {parents[0]}}, 7);
+    const auto optimizer =
+        make_genetic_algorithm(settings, {{gene}, {parents[0]}}, 7);
     Population population;
     for (const double parent : parents)
         population.push_back(
             {{{parent}, Origin::random}, Status::done, {{1, 0}}});
-    optimizer.tell(std::move(population));
-    return optimizer.ask();
+    optimizer->tell(std::move(population));
+    return optimizer->ask();
 }
 
 //! How far the two children of each crossed couple are from the couple's mean,

@@ -13,7 +13,7 @@ flips is in the finished history, a third in the killed one, a third in the
 killed one while its lock is held, so that it looks live. Every second flip is in
 a byte that is not zero. Each copy is read by the program (status, verify,
 export, evaluate, compare, run --resume) and by this Python (arrays, frame,
-summary, what a report reads), each within a minute. A flip is
+what a report reads, with the table of ideotype summary), each within a minute. A flip is
 
     noticed       the reader fails, and says why
     harmless      it says what it says of the whole file
@@ -51,7 +51,6 @@ from flipped_bits import OPEN, flip, marked, metadata
 import ideotype
 from ideotype.analysis import HistoryError, open_history, open_study
 from ideotype.analysis.provenance import provenance
-from ideotype.analysis.summary import summarize
 from ideotype.analysis.tables import gains
 
 LIMIT = 60  # [s]
@@ -195,11 +194,6 @@ def frame(path: Path) -> str:
         return study.frame().to_csv()
 
 
-def summary(path: Path) -> str:
-    with open_history(path) as history:
-        return summarize(history)
-
-
 def report(path: Path) -> str:
     with open_study(path) as study:
         cases = study.cases()
@@ -209,7 +203,6 @@ def report(path: Path) -> str:
 PYTHON = {
     "open": arrays,
     "frame": frame,
-    "ideotype summary": summary,
     "ideotype report": report,
 }
 

@@ -1,47 +1,40 @@
 # SPDX-License-Identifier: Apache-2.0
 """Are the standard errors of a history those that its rows have?
 
-row_errors.py PROGRAM HISTORY [ROWS] [TOLERANCE]: takes ROWS (50) finished rows at
-random and lets PROGRAM, an ideotype executable, look at each again, in the same
-field to a relative standard error of TOLERANCE (1e-4). The root mean square of the
-deviations should be that of the standard errors."""
+row_errors.py HISTORY [ROWS] [TOLERANCE]: takes ROWS (50) finished rows at random
+and looks at each again, in the same field to a relative standard error of TOLERANCE
+(1e-4). The root mean square of the deviations should be that of the standard errors."""
 
 from __future__ import annotations
 
-import json
-import subprocess
 import sys
 
 import numpy as np
 
+from ideotype import Stand
 from ideotype.analysis import open_history
 
 
-def main(
-    program: str, path: str, count: str = "50", tolerance: str = "1e-4"
-) -> None:
+def main(path: str, count: str = "50", tolerance: str = "1e-4") -> None:
     with open_history(path) as history:
         rows = history.evaluations().done
     chosen = np.random.default_rng(1).choice(
         len(rows), int(count), replace=False
     )
+    stand, name = Stand.from_history(path), rows.goals[0].name
     was, deviations, left = [], [], []
     for index in chosen:
-        words = [
-            f"--generation={rows.generation[index]}",
-            f"--slot={rows.slot[index]}",
-            f"--tolerance={tolerance}",
-            "--json",
-        ]
-        answer = subprocess.run(
-            [program, "evaluate", path, *words],
-            check=True,
-            capture_output=True,
+        again = stand.evaluate(
+            rows.genome[index],
+            [name],
+            generation=int(rows.generation[index]),
+            tolerance=float(tolerance),
         )
-        row = json.loads(answer.stdout)["row"]
-        was.append(row["was"]["standard_error"] / row["was"]["mean"])
-        left.append(row["is"]["standard_error"] / row["is"]["mean"])
-        deviations.append(row["was"]["mean"] / row["is"]["mean"] - 1)
+        mean, error = again[name][0], again[f"{name}_standard_error"][0]
+        before = rows[name]
+        was.append(before.standard_error[index] / before.values[index])
+        left.append(float(error / mean))
+        deviations.append(float(before.values[index] / mean - 1))
         print(
             f"generation {rows.generation[index]:3} slot {rows.slot[index]:3}: "
             f"{deviations[-1]:+.5f}, standard error {was[-1]:.5f}",
@@ -60,6 +53,6 @@ def main(
 
 
 if __name__ == "__main__":
-    if not 3 <= len(sys.argv) <= 5:
+    if not 2 <= len(sys.argv) <= 4:
         sys.exit(__doc__)
     main(*sys.argv[1:])

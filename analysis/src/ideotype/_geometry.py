@@ -4,8 +4,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import pairwise
-from pathlib import Path
 from typing import Any, Self
 
 import numpy as np
@@ -43,30 +41,30 @@ class Mesh:
             tuple(names[group] for group in face_group),
         )
 
+    @property
+    def corners(self) -> NDArray[np.float64]:
+        """[faces, 4, 3] in metres; triangles repeat the last."""
+        return self.vertices[[(*face, face[-1])[:4] for face in self.faces]]
+
     def area(self, group: str) -> float:
         """Of an organ [m2]; faces are cut into triangles."""
-        total = 0.0
-        for face, name in zip(self.faces, self.groups):
-            if name == group:
-                a, *rest = self.vertices[list(face)]
-                for b, c in pairwise(rest):
-                    total += float(np.linalg.norm(np.cross(b - a, c - a))) / 2
-        return total
+        faces = self.corners[[name == group for name in self.groups]]
+        a, b, c, d = faces.transpose(1, 0, 2)
+        twice = np.cross([b - a, c - a], [c - a, d - a])
+        return float(np.linalg.norm(twice, axis=2).sum()) / 2
 
 
-def read_obj(path: str | Path) -> Mesh:
-    """The statements v, f and g of an OBJ file."""
-    vertices: list[list[float]] = []
-    faces: list[tuple[int, ...]] = []
-    groups: list[str] = []
-    group = ""
-    for line in Path(path).read_text().splitlines():
-        word, _, rest = line.partition(" ")
-        if word == "v":
-            vertices.append([float(x) for x in rest.split()[:3]])
-        elif word == "g":
-            group = rest.strip()
-        elif word == "f":
-            faces.append(tuple(int(v.split("/")[0]) - 1 for v in rest.split()))
-            groups.append(group)
-    return Mesh(np.array(vertices), tuple(faces), tuple(groups))
+def shaded(
+    colors: NDArray[np.float64],
+    corners: NDArray[np.float64],
+    light: NDArray[np.float64],
+    least: float,
+) -> NDArray[np.float64]:
+    """Returns the colours [faces, 3] of faces with these corners, [faces, 4, 3], as far as
+    they face the light, a direction of length 1; edge-on `least` of them."""
+    normals = np.cross(
+        corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1]
+    )
+    length = np.maximum(np.linalg.norm(normals, axis=1), 1e-12)
+    shade = least + (1 - least) * np.abs(normals @ light) / length
+    return colors * shade[:, None]

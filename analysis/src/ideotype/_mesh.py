@@ -14,7 +14,8 @@ import numpy as np
 import xarray
 from numpy.typing import ArrayLike, NDArray
 
-from . import _core
+import ideotype._core as _core
+
 from ._arrays import real, unmasked
 from ._errors import Error
 

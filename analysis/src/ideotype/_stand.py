@@ -16,7 +16,8 @@ import tomli_w
 import xarray
 from numpy.typing import ArrayLike, NDArray
 
-from . import _core
+import ideotype._core as _core
+
 from ._arrays import real, unmasked
 from ._errors import Error, did_you_mean
 from ._geometry import Mesh
@@ -160,12 +161,12 @@ class Stand:
     @property
     def baseline(self) -> NDArray[np.float64]:
         """The genome of the baseline plant, [genes]."""
-        return self._column("baseline")
+        return np.array(self.genes["baseline"], float)
 
     @property
     def free(self) -> NDArray[np.bool_]:
         """Whether a gene is bred in this case, [genes]."""
-        return self._column("is_free").astype(bool)
+        return np.array(self.genes["is_free"], bool)
 
     @property
     def start(self) -> NDArray[np.float64]:
@@ -177,8 +178,8 @@ class Stand:
     def bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Lower and upper bounds of the genes that are free, [free genes]
         each."""
-        free = self.free
-        return self._column("lower")[free], self._column("upper")[free]
+        free = self.genes[self.free]
+        return np.array(free["lower"], float), np.array(free["upper"], float)
 
     @property
     def objectives(self) -> dict[str, str]:
@@ -296,10 +297,6 @@ class Stand:
     def crop_file(self, genome: ArrayLike) -> str:
         """The text of a crop file with this plant as its baseline."""
         return self._case.crop_text(self._plants(genome)[0])
-
-    def _column(self, name: str) -> NDArray[np.float64]:
-        at = _GENES.index(name)
-        return np.array([gene[at] for gene in self._case.genes], float)
 
     def _plants(self, genomes: ArrayLike) -> NDArray[np.float64]:
         """[plants, genes]"""

@@ -77,7 +77,7 @@ def _form_of(path: Path) -> str:
     )
 
 
-def _place(meta: dict) -> tuple[float, float]:
+def _place(meta: Any) -> tuple[float, float]:
     return float(meta["latitude"]), float(meta["longitude"])
 
 
@@ -93,30 +93,21 @@ def _tmy2(path: Path) -> Readings:
     )
 
 
-def _network(name: str) -> Callable[[Path], Readings]:
-    """Reads minutes of an American network, whose longitudes are west."""
+def _pvlib(
+    reader: str, *, stamp: str = "beginning", is_west: bool = False
+) -> Callable[[Path], Readings]:
+    """Reads what pvlib.iotools names as we do, with the place in its metadata
+    or in each row; `is_west`: of a network that leaves out the sign."""
 
     def read_it(path: Path) -> Readings:
-        table, meta = getattr(_iotools(), name)(str(path))
-        place = float(meta["latitude"]), -abs(float(meta["longitude"]))
-        return named(table, place=place, stamp="beginning")
+        found = getattr(_iotools(), reader)(str(path))
+        is_pair = isinstance(found, tuple)
+        table, meta = found if is_pair else (found, found.iloc[0])
+        latitude, longitude = _place(meta)
+        place = latitude, -abs(longitude) if is_west else longitude
+        return named(table, place=place, stamp=stamp)
 
     return read_it
-
-
-def _bsrn(path: Path) -> Readings:
-    table, meta = _iotools().read_bsrn(str(path))
-    return named(table, place=_place(meta), stamp="beginning")
-
-
-def _crn(path: Path) -> Readings:
-    table = _iotools().read_crn(path)
-    return named(table, place=_place(table.iloc[0].to_dict()))
-
-
-def _cams(path: Path) -> Readings:
-    table, meta = _iotools().read_cams(path)
-    return named(table, place=_place(meta), stamp="beginning")
 
 
 def _pvgis(path: Path) -> Readings:
@@ -162,12 +153,12 @@ FORMATS: dict[str, Callable[[Path], Readings]] = {
     "epw": read_epw,
     "nsrdb": read_nsrdb,
     "power": read_power,
-    "surfrad": _network("read_surfrad"),
-    "solrad": _network("read_solrad"),
+    "surfrad": _pvlib("read_surfrad", is_west=True),
+    "solrad": _pvlib("read_solrad", is_west=True),
     "pvgis": _pvgis,
-    "bsrn": _bsrn,
-    "crn": _crn,
-    "cams": _cams,
+    "bsrn": _pvlib("read_bsrn"),
+    "crn": _pvlib("read_crn", stamp="end"),
+    "cams": _pvlib("read_cams"),
     "knmi": read_knmi,
     "dwd": read_dwd,
 }

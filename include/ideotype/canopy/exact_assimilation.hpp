@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ideotype/canopy/assimilation.hpp"
-#include "ideotype/core/randomness.hpp"
+#include "ideotype/core/random.hpp"
 #include "ideotype/light/accuracy.hpp"
 
 namespace ideotype {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ideotype/core/mesh.hpp"
-#include "ideotype/core/randomness.hpp"
+#include "ideotype/core/random.hpp"
 #include "ideotype/crop/plant_variation.hpp"
 #include "ideotype/light/boundary.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "ideotype/canopy/pieces.hpp"
 #include "ideotype/canopy/scenario.hpp"
-#include "ideotype/core/randomness.hpp"
+#include "ideotype/core/random.hpp"
 #include "ideotype/crop/measured_lines.hpp"
 #include "ideotype/crop/plant.hpp"
 #include "ideotype/light/accuracy.hpp"

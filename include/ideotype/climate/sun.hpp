@@ -1,10 +1,42 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ideotype/climate/site.hpp"
+#include <chrono>
+#include <compare>
+#include <string>
+
 #include "ideotype/core/mesh.hpp"
 
 namespace ideotype {
+
+//! A place on Earth and its clear-sky air.
+struct Site {
+    std::string name;
+    double latitude = 0;         //!< [deg], north positive
+    double longitude = 0;        //!< [deg], east positive
+    double utc_offset = 0;       //!< of the local clock [h]
+    double elevation = 0;        //!< above sea level [m]
+    double linke_turbidity = 3;  //!< [-], 2 very clear ... 7 hazy
+    std::string weather{};       //!< file of it, if there is one
+};
+
+//! A day of the Gregorian calendar.
+struct Date {
+    int year = 2025;
+    int month = 1;
+    int day = 1;
+
+    auto operator<=>(const Date&) const = default;
+};
+
+//! The day of a date.
+inline std::chrono::sys_days day_of(const Date& date) {
+    return std::chrono::year{date.year} /
+           std::chrono::month{static_cast<unsigned>(date.month)} /
+           std::chrono::day{static_cast<unsigned>(date.day)};
+}
+
+std::string to_string(const Date& date);  //!< such as 2025-08-07
 
 //! Where the centre of the sun is seen, without refraction.
 struct SunPosition {
@@ -21,5 +53,34 @@ SunPosition sun_position(const Site& site, const Date& date, double hour);
 //! Direction in which the light of this sun travels (x east, y north, z up):
 //! -(sin z sin a, sin z cos a, cos z).
 glm::dvec3 beam_direction(const SunPosition& sun);
+
+//! Irradiance of a horizontal surface [W m-2].
+struct Irradiance {
+    double beam = 0;
+    double diffuse = 0;
+};
+
+//! Extraterrestrial irradiance normal to the rays on a date [W m-2] (Spencer
+//! 1971), with a solar constant of 1361.1 W m-2.
+double extraterrestrial_normal(const Date& date);
+
+//! Broadband irradiance under a cloudless sky from the Linke turbidity
+//! (Ineichen and Perez 2002, doi:10.1016/S0038-092X(02)00045-2, with the
+//! corrections of Perez et al. 2002, doi:10.1016/S0038-092X(02)00122-6);
+//! zero with the sun below the horizon. Neither part is negative.
+Irradiance clear_sky(const Site& site, const Date& date,
+                     const SunPosition& sun);
+
+//! Diffuse over global light of an hour by its clearness index, which is
+//! global over extraterrestrial horizontal irradiance (Erbs, Klein and Duffie
+//! 1982, doi:10.1016/0038-092X(82)90302-4). Limits are those of pvlib: the
+//! cosine of the zenith angle is at least 0.065 and the index at most 1 in
+//! the correlation, and lower than 3 deg the sun has no beam.
+//!
+//! @param global [W m-2]
+//! @param extraterrestrial_normal on a plane that faces the sun [W m-2]
+//! @param zenith of the sun [deg]
+double diffuse_fraction(double global, double extraterrestrial_normal,
+                        double zenith);
 
 }  // namespace ideotype

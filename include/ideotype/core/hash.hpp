@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+struct evp_md_ctx_st;  // of OpenSSL
+
 namespace ideotype {
 
 //! SHA-256 of the bytes of a text, as 64 hexadecimal digits.
@@ -15,7 +17,6 @@ std::string sha256(std::string_view text);
 class Sha256 {
   public:
     Sha256();
-    ~Sha256();
 
     void add(std::string_view bytes);
 
@@ -23,8 +24,7 @@ class Sha256 {
     std::string finish();
 
   private:
-    struct Context;
-    std::unique_ptr<Context> context_;
+    std::unique_ptr<evp_md_ctx_st, void (*)(evp_md_ctx_st*)> context_;
 };
 
 //! A seed that is a function of another seed and a name: the first 64 bits of

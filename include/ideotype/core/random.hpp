@@ -22,6 +22,18 @@ enum class Purpose : std::uint32_t {
     variation = 12,
 };
 
+//! Which random numbers an evaluation uses: they are a function of these.
+struct Randomness {
+    std::uint64_t seed = 0;
+    std::uint32_t generation = 0;
+    //! The others count up from it; each has its own random numbers.
+    std::uint32_t first_randomisation = 0;
+    //! One random field for all randomisations makes candidates comparable at
+    //! least cost; one for each makes the standard error include the jitter.
+    //! The common one is also that of rows with other random numbers.
+    enum class Fields { one, each, common } fields = Fields::one;
+};
+
 //! Philox-4x32-10: four random words as a pure function of counter and key
 //! (Salmon et al. 2011, doi:10.1145/2063384.2063405).
 std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
@@ -38,13 +50,18 @@ class RandomStream {
     std::uint32_t bits();
 
     //! 64 random bits.
-    std::uint64_t bits64();
+    std::uint64_t bits64() {
+        const std::uint64_t high = bits();
+        return high << 32 | bits();
+    }
 
     //! Uniform in [0, 1), with 53 random bits.
-    double uniform();
+    double uniform() { return static_cast<double>(bits64() >> 11) * 0x1p-53; }
 
     //! Uniform in [lower, upper).
-    double uniform(double lower, double upper);
+    double uniform(double lower, double upper) {
+        return lower + (upper - lower) * uniform();
+    }
 
     //! Two independent numbers of a standard normal distribution (Box and
     //! Muller 1958, doi:10.1214/aoms/1177706645).

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ideotype/core/randomness.hpp"
+#include "ideotype/core/random.hpp"
 #include "ideotype/light/accuracy.hpp"
 #include "ideotype/light/illumination.hpp"
 #include "ideotype/light/layers.hpp"

@@ -81,3 +81,13 @@ class Section:
     def note(self, text: str) -> None:
         """Adds a sentence."""
         self.blocks.append(Note(text))
+
+    def draw(
+        self,
+        name: str,
+        question: str,
+        caption: str,
+        make: Callable[[], Figure],
+    ) -> None:
+        """Adds a figure, as Drawing has it."""
+        self.blocks.append(Drawing(name, question, caption, make))

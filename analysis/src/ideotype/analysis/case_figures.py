@@ -8,20 +8,21 @@ from typing import NamedTuple
 
 from matplotlib.figure import Figure
 
-from .assimilation import draw_assimilation, draw_sunlit
-from .calendar import draw_calendar
+from .azimuths import draw_azimuths
 from .case import Case
 from .convergence import draw_convergence
 from .correlation import draw_correlation
 from .front_figures import draw_front, draw_hypervolume
-from .plan import draw_roses
-from .profiles import draw_hours, draw_layers, draw_leaves, draw_parts
-from .shape import (
-    draw_azimuths,
-    draw_plant_traits,
-    draw_profiles,
-    draw_traits,
+from .profiles import (
+    draw_assimilation,
+    draw_days,
+    draw_hours,
+    draw_layers,
+    draw_leaves,
+    draw_parts,
+    draw_sunlit,
 )
+from .shape import draw_plant_traits, draw_profiles, draw_traits
 
 
 class CaseFigure(NamedTuple):
@@ -66,11 +67,6 @@ CASE_FIGURES: dict[str, CaseFigure] = {
         "Where do the leaves of the fittest plants point?",
         "From above. Arcs are the circular standard deviation.",
     ),
-    "roses": CaseFigure(
-        draw_roses,
-        "Which directions do the leaves prefer?",
-        "The area of a wedge is the share of leaves that point there.",
-    ),
     "hours": CaseFigure(
         draw_hours,
         "When do the leaves absorb light?",
@@ -89,11 +85,11 @@ CASE_FIGURES: dict[str, CaseFigure] = {
         "CO2 that leaves take up, gross by hour, and gross and net of their "
         f"respiration by leaf rank, per area of ground. {_BARS}",
     ),
-    "calendar": CaseFigure(
-        draw_calendar,
+    "days": CaseFigure(
+        draw_days,
         "On which days does the best plant do well, and on which better than "
         "the baseline?",
-        "A cell is a day, a line a week, with the date of its first day.",
+        f"Each day of the season. {_BARS}",
     ),
     "leaves": CaseFigure(
         draw_leaves,

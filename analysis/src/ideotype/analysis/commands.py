@@ -10,11 +10,9 @@ import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from .._errors import printable_lines
+from .._errors import printable, printable_lines
 from .file import HistoryError
-from .progress import Progress
 from .study import Study, open_study
-from .summary import summarize
 
 _EXIT_CODES = (
     "Exit codes: 0 ok, 1 failed, 2 wrong usage, 3 done without the histories "
@@ -23,21 +21,16 @@ _EXIT_CODES = (
 
 
 def summary(arguments: Sequence[str] | None = None) -> int:
-    """Prints summaries and returns the exit code: 0, 1 if no file can be
-    used, 2 for a wrong command line, 3 if only some files can be used."""
+    """Prints the table of gains and returns the exit code: 0, 1 if no file can
+    be used, 2 for a wrong command line, 3 if only some files can be used."""
     parser = argparse.ArgumentParser(
         prog="ideotype summary",
-        description="Prints a summary of each history, also while it is "
-        "being written.",
+        description="Prints the report's table of gains as Markdown, a line for "
+        "each case, its seeds put together; ideotype status tells the result of "
+        "each history.",
         epilog=_EXIT_CODES,
     )
     _add_results(parser)
-    parser.add_argument(
-        "--gains",
-        action="store_true",
-        help="print the report's table of gains instead, as Markdown: a line "
-        "for each case, its seeds put together",
-    )
     return _guard(parser, arguments, _summarize)
 
 
@@ -51,39 +44,26 @@ def report(arguments: Sequence[str] | None = None) -> int:
         epilog=_EXIT_CODES,
     )
     _add_results(parser)
-    parser.add_argument(
-        "-o",
-        "--output",
-        type=Path,
-        default=Path("report"),
-        metavar="DIR",
+    add = parser.add_argument
+    add(
+        "-o", "--output", type=Path, default=Path("report"), metavar="DIR",
         help="gets report.html and figures/ (default: report)",
-    )
-    parser.add_argument(
+    )  # fmt: skip
+    add(
         "--cross",
         type=Path,
         metavar="FILE",
         help="a cross-evaluation, .json or .csv",
     )
-    parser.add_argument(
-        "--fidelity",
-        type=Path,
-        metavar="FILE",
-        help="what ideotype fidelity --json has written",
-    )
-    parser.add_argument(
+    add(
         "--pdf",
         action="store_true",
         help="write each figure as PDF too, besides PNG",
     )
-    parser.add_argument(
-        "-j",
-        "--jobs",
-        type=int,
-        default=0,
-        metavar="N",
+    add(
+        "-j", "--jobs", type=int, default=0, metavar="N",
         help="processes that draw figures (default: one per core)",
-    )
+    )  # fmt: skip
     words = sys.argv[1:] if arguments is None else arguments
     parser.set_defaults(command=shlex.join(["ideotype", "report", *words]))
     return _guard(parser, arguments, _report)
@@ -132,34 +112,27 @@ def _drop_output() -> None:
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
-def _summarize(options: argparse.Namespace, study: Study) -> None:
-    if options.gains:
-        # Here, so that summaries need not wait for the plotting library.
-        from .tables import gains, markdown
+def _summarize(_: argparse.Namespace, study: Study) -> None:
+    # Here, so that wrong command lines need not wait for the plotting library.
+    from .tables import gains, markdown
 
-        print(printable_lines(markdown(gains(study.cases(), cross=None))))
-    else:
-        print("\n\n".join(map(summarize, study)))
+    print(printable_lines(markdown(gains(study.cases(), cross=None))))
 
 
 def _report(options: argparse.Namespace, study: Study) -> None:
-    # Here, so that summaries and wrong command lines need not wait for the
-    # plotting library.
+    # Here, so that wrong command lines need not wait for the plotting library.
     from .cross import read_cross
-    from .fidelity import read_fidelity
     from .report import write_report
 
     # Processes use all cores; more threads in each would be in their way.
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     cross = read_cross(options.cross) if options.cross else None
-    fidelity = read_fidelity(options.fidelity) if options.fidelity else None
     written = write_report(
         study,
         options.output,
         cross=cross,
-        fidelity=fidelity,
         command=options.command,
-        progress=Progress(),
+        tell=lambda line: print(printable(line), file=sys.stderr, flush=True),
         has_pdf=options.pdf,
         jobs=options.jobs or len(os.sched_getaffinity(0)),
     )

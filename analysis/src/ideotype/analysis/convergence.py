@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-import numpy as np
+import pandas
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from . import style
 from .case import Case
 from .file import HistoryError
-from .photons import label_light
 from .state import Generations
+from .style import label_light
 
 
 def draw_convergence(case: Case) -> Figure:
@@ -69,27 +69,21 @@ def _draw_seeds(axes: Axes, runs: list[Generations]) -> None:
         ("best", style.BEST, "best of its generation (not evaluated again)"),
         ("mean", style.MEAN, "mean of the population"),
     ):
-        table = _by_generation([getattr(run, what).values for run in runs])
+        # NaN where a seed has not come so far.
+        table = pandas.DataFrame(
+            [[*getattr(run, what).values] for run in runs]
+        )
         axes.plot(
             range(table.shape[1]),
-            np.nanmean(table, axis=0),
+            table.mean(),
             color=color,
             marker="o" if what == "best" else None,
             markersize=3,
             label=f"{label}, mean of seeds",
         )
         _fill(
-            axes, np.nanmin(table, axis=0), np.nanmax(table, axis=0), color,
-            f"{label}, range of seeds",
-        )  # fmt: skip
-
-
-def _by_generation(columns: list[NDArray]) -> NDArray:
-    """[seeds, generations]; NaN where a seed has not come so far."""
-    table = np.full((len(columns), max(map(len, columns))), np.nan)
-    for row, column in zip(table, columns):
-        row[: len(column)] = column
-    return table
+            axes, table.min(), table.max(), color, f"{label}, range of seeds"
+        )
 
 
 def _fill(

@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-import csv
 import json
 import re
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+import pandas
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
@@ -84,9 +84,8 @@ def read_cross(path: str | Path) -> Cross:
 
     Raises FileNotFoundError, or HistoryError if it is something else."""
     path = Path(path)
-    text = path.read_text(encoding="utf-8")
     try:
-        cross = _from_csv(text) if path.suffix == ".csv" else _from_json(text)
+        cross = _from_csv(path) if path.suffix == ".csv" else _from_json(path)
     except (KeyError, ValueError, TypeError) as error:
         raise HistoryError(
             f"{path}: not a cross-evaluation ({error!r}); it should be JSON "
@@ -98,27 +97,29 @@ def read_cross(path: str | Path) -> Cross:
     return cross
 
 
-def _from_json(text: str) -> Cross:
-    data = json.loads(text)
+def _from_json(path: Path) -> Cross:
+    data = json.loads(path.read_text(encoding="utf-8"))
     plants, cases = tuple(data["plants"]), tuple(data["cases"])
-    shape = len(plants), len(cases)
-    mean = np.array(data["mean"], dtype=float).reshape(shape)
-    error = np.array(data["standard_error"], dtype=float).reshape(shape)
+    mean, error = (
+        np.array(data[name], float).reshape(len(plants), len(cases))
+        for name in ("mean", "standard_error")
+    )
     return Cross(plants, cases, mean, error)
 
 
-def _from_csv(text: str) -> Cross:
-    rows = list(csv.DictReader(text.splitlines()))
-    first = rows[0].get("quantity") if rows else None
-    rows = [row for row in rows if row.get("quantity") == first]
-    plants = tuple(dict.fromkeys(row["plant"] for row in rows))
-    cases = tuple(dict.fromkeys(row["case"] for row in rows))
-    mean = np.full((len(plants), len(cases)), np.nan)
-    error = mean.copy()
-    for row in rows:
-        at = plants.index(row["plant"]), cases.index(row["case"])
-        mean[at] = float(row["mean"])
-        error[at] = float(row["standard_error"])
+def _from_csv(path: Path) -> Cross:
+    table = pandas.read_csv(
+        path, dtype={"plant": str, "case": str}, float_precision="round_trip"
+    )
+    if "quantity" in table:
+        table = table[table["quantity"].isin(table["quantity"][:1])]
+    plants, cases = (tuple(table[x].unique()) for x in ("plant", "case"))
+    mean, error = (
+        table.pivot(index="plant", columns="case", values=name)
+        .reindex(index=plants, columns=cases)
+        .to_numpy(float)
+        for name in ("mean", "standard_error")
+    )
     return Cross(plants, cases, mean, error)
 
 

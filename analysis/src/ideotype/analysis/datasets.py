@@ -58,10 +58,6 @@ class Datasets:
         except KeyError as error:
             raise HistoryError(f"{self.path}: has no {name}") from error
 
-    def units(self, name: str) -> str:
-        """The unit of a dataset."""
-        return self.about(name).get("units", "")
-
     def about(self, name: str) -> dict[str, str]:
         """A dataset's unit, as "units", and description, as "long_name"."""
         with self._reading(name):
@@ -72,26 +68,17 @@ class Datasets:
                 if key in known
             }
 
-    def meaning(self, name: str) -> str:
-        """What a dataset is, in words; "" if the file does not say."""
-        return text(self._dataset(name).attrs.get("long_name", ""))
-
     def read(
-        self,
-        name: str,
-        first: int = 0,
-        last: int | None = None,
-        columns: slice = slice(None),
+        self, name: str, first: int = 0, last: int | None = None
     ) -> NDArray:
-        """A dataset, or some of its rows and columns.
+        """A dataset, or some of its rows.
 
         Raises HistoryError."""
         with self._reading(name):
             dataset = self._dataset(name)
             # A live file changes, what was seen of it does not.
             dataset.refresh()
-            part = (slice(first, last), *[columns] * (dataset.ndim > 1))
-            values = dataset[part if dataset.shape else ...]
+            values = dataset[slice(first, last) if dataset.shape else ...]
             # As the program takes them; numpy knows no truth but 1.
             return values.view("i1") != 0 if values.dtype == bool else values
 

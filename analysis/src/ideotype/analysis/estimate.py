@@ -9,22 +9,11 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-ACRE = 4046.8564224
-"""An international acre [m2]."""
-
-MWH_PER_ACRE_PER_MJ_PER_M2 = ACRE / 3600.0
-"""One MJ m-2 expressed in MWh acre-1 (1 MWh = 3600 MJ): 1.12413."""
-
 MOL_PER_MJ_PAR = 4.57
 """Photons per energy of sunlight in the PAR band [mol MJ-1] (McCree 1972,
 doi:10.1016/0002-1571(72)90045-3)."""
 
 DAILY_ENERGY = "MJ m-2 day-1"
-
-_FROM_DAILY_ENERGY = {
-    "MWh acre-1 day-1": MWH_PER_ACRE_PER_MJ_PER_M2,
-    "mol m-2 day-1": MOL_PER_MJ_PAR,
-}
 
 
 @dataclass(frozen=True)
@@ -49,12 +38,6 @@ class Estimate:
             unit,
             factor * self.draws,
         )
-
-    def in_common_units(self) -> list[Estimate]:
-        """Itself, and for daily PAR [MJ m-2 day-1] also in
-        [MWh acre-1 day-1] and [mol m-2 day-1]."""
-        others = _FROM_DAILY_ENERGY if self.unit == DAILY_ENERGY else {}
-        return [self] + [self.scaled(f, unit) for unit, f in others.items()]
 
     def number(self) -> str:
         """Mean and error without the unit; the error decides the digits."""

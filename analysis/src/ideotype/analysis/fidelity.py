@@ -1,28 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Speed for accuracy: what `ideotype fidelity --json` has measured."""
+"""Speed for accuracy: what `ideotype fidelity` has measured."""
 
 from __future__ import annotations
 
-import json
-from pathlib import Path
 from typing import Any
 
 from matplotlib.figure import Figure
 
 from . import style
-from .file import HistoryError
-
-
-def read_fidelity(path: str | Path) -> dict[str, Any]:
-    """Raises FileNotFoundError, or HistoryError if it is something else."""
-    try:
-        data = json.loads(Path(path).read_text(encoding="utf-8"))
-        draw_fidelity(data)
-    except (AttributeError, KeyError, TypeError, ValueError) as error:
-        raise HistoryError(
-            f"{path}: not written by ideotype fidelity --json ({error!r})"
-        ) from error
-    return data
 
 
 def draw_fidelity(found: dict[str, Any]) -> Figure:

@@ -15,11 +15,11 @@ from matplotlib.colors import LinearSegmentedColormap, Normalize, to_rgb
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from .._geometry import Mesh
+from .._geometry import Mesh, shaded
 from . import style
 from .case import Case
 from .file import HistoryError
-from .rows import Evaluation
+from .stand import leaf_light
 
 EYE = 1.6
 """Height of the eyes above the soil [m]."""
@@ -63,8 +63,7 @@ def plant_field(
 ) -> Field:
     """So many rows and plants of each, each turned at random by up to
     `jitter` [deg]; `colors` are those of the mesh's faces."""
-    faces = np.array([(*face, face[-1])[:4] for face in mesh.faces])
-    x, y, z = mesh.vertices[faces].transpose(2, 0, 1)
+    x, y, z = mesh.corners.transpose(2, 0, 1)
     rows = tuple(row * (i - (size[0] - 1) / 2) for i in range(size[0]))
     places = [(at, plant * j) for at in rows for j in range(size[1])]
     turns = np.random.default_rng(1).uniform(-1, 1, len(places)) * jitter
@@ -74,12 +73,8 @@ def plant_field(
         moved = (c * x + s * y + across, c * y - s * x + along, z)
         copies.append(np.stack(moved, axis=-1))
     corners = np.concatenate(copies)
-    normals = np.cross(
-        corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1]
-    )
-    length = np.maximum(np.linalg.norm(normals, axis=1), 1e-12)
-    shade = 0.72 + 0.28 * np.abs(normals @ _LIGHT) / length
-    every = np.tile(colors, (len(places), 1)) * shade[:, None]
+    every = np.tile(colors, (len(places), 1))
+    every = shaded(every, corners, _LIGHT, 0.72)
     return Field(corners, every, rows, plant * (size[1] - 1))
 
 
@@ -212,8 +207,8 @@ def draw_field(case: Case, baseline: Mesh, best: Mesh) -> Figure:
     except (KeyError, ValueError):
         raise HistoryError("the history does not say its spacing") from None
     pairs = ((case.baseline, baseline), (case.best, best))
-    values = [_by_face(*pair, row * plant) for pair in pairs]
-    told = [value for each in values for value in each if value is not None]
+    lights = [leaf_light(*pair, row * plant) for pair in pairs]
+    told = [x for light in lights for x in light.values() if x is not None]
     if not told:
         raise HistoryError("the history does not tell leaves apart")
     brightest = max(told)
@@ -224,10 +219,11 @@ def draw_field(case: Case, baseline: Mesh, best: Mesh) -> Figure:
         size = (min(size[0], _ROWS), min(size[1], 2 * _PLANTS))
     figure = style.new_figure(5.8, 5.2)
     grid = figure.subplots(2, 2)
-    for column, (_, mesh), each, name in zip(
-        grid.T, pairs, values, ("baseline", "best")
+    for column, (_, mesh), light, name in zip(
+        grid.T, pairs, lights, ("baseline", "best")
     ):
-        colors = face_colors(mesh, each, brightest)
+        by_face = [light[group] for group in mesh.groups]
+        colors = face_colors(mesh, by_face, brightest)
         jitter = float(field.get("jitter", 0))
         stand = plant_field(mesh, colors, row, plant, jitter, size)
         show(column[0], at_eye_height(stand))
@@ -240,21 +236,3 @@ def draw_field(case: Case, baseline: Mesh, best: Mesh) -> Figure:
     )  # fmt: skip
     figure.suptitle(case.name, fontsize=10)
     return figure
-
-
-def _by_face(
-    plant: Evaluation, mesh: Mesh, ground: float
-) -> list[float | None]:
-    """Of the leaf that the face is of, per its area."""
-    found = plant.profile("absorbed_by_leaf")
-    known = {
-        f"leaf{leaf:02}": value
-        for leaf, value in zip(found.labels, found.values)
-    }
-    by_group = {
-        group: float(known[group]) * ground / mesh.area(group)
-        if group in known
-        else None
-        for group in dict.fromkeys(mesh.groups)
-    }
-    return [by_group[group] for group in mesh.groups]

@@ -13,7 +13,7 @@ from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from .._geometry import Mesh
+from .._geometry import Mesh, shaded
 from . import style
 from .case import Case
 from .estimate import Estimate
@@ -55,7 +55,9 @@ def draw_front_plants(
     rows = -(-len(shown) // columns)
     every = np.vstack([mesh.vertices for _, mesh, _ in shown])
     top = 1.03 * every[:, 2].max()
-    reach = 1.03 * max(np.abs(_side(mesh)[:, 0]).max() for _, mesh, _ in shown)
+    reach = 1.03 * max(
+        np.abs(_side(mesh.vertices)[:, 0]).max() for _, mesh, _ in shown
+    )
     size = 1.9 * columns
     goals = case.best.row.goals
     words = 0.25 + 0.16 * len(goals)
@@ -84,21 +86,16 @@ def _text(of: Estimate) -> str:
     return of.number().replace("+-", "±").replace(" ± unknown", "")
 
 
-def _side(mesh: Mesh) -> NDArray[np.float64]:
-    """Right, up and towards the viewer, who looks 30 deg past the row."""
-    x, y, z = mesh.vertices.T
+def _side(points: NDArray) -> NDArray[np.float64]:
+    """Points [..., 3] as right, up and towards the viewer, who looks 30 deg
+    past the row."""
+    x, y, z = np.moveaxis(points, -1, 0)
     c, s = np.cos(_TURN), np.sin(_TURN)
-    return np.array([c * x + s * y, z, s * x - c * y]).T
+    return np.stack([c * x + s * y, z, s * x - c * y], axis=-1)
 
 
 def _draw(axes: Axes, mesh: Mesh) -> None:
-    seen = _side(mesh)
-    corners = seen[np.array([(*face, face[-1])[:4] for face in mesh.faces])]
-    normals = np.cross(
-        corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1]
-    )
-    length = np.maximum(np.linalg.norm(normals, axis=1), 1e-12)
-    shade = 0.6 + 0.4 * np.abs(normals @ _LIGHT) / length
+    corners = _side(mesh.corners)
     colors = np.array(
         [
             to_rgb("#4E9A3A" if g.startswith("leaf") else style.organ_color(g))
@@ -108,8 +105,8 @@ def _draw(axes: Axes, mesh: Mesh) -> None:
     order = np.argsort(corners[..., 2].mean(axis=1))
     axes.add_collection(
         PolyCollection(
-            corners[order, :, :2],
-            facecolors=(colors * shade[:, None])[order],
+            list(corners[order, :, :2]),
+            facecolors=shaded(colors, corners, _LIGHT, 0.6)[order],
             edgecolors="face",
             linewidths=0.3,
             rasterized=True,

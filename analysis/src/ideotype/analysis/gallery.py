@@ -7,7 +7,7 @@ import base64
 import io
 import re
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any, TypeGuard
@@ -20,7 +20,6 @@ from PIL import Image
 
 from .blocks import Block, Drawing, Note, Picture, Section
 from .file import HistoryError
-from .progress import Progress
 from .style import RC, pixels
 from .workers import Map
 
@@ -45,24 +44,23 @@ def draw_all(
     sections: Sequence[Section],
     folder: Path,
     run: Map,
-    progress: Progress,
+    tell: Callable[[str], object],
     has_pdf: bool,
 ) -> list[Path]:
     """Puts pictures in the place of drawings, and returns their files, PNG
-    and, if wanted, PDF. `run` is map() or does the same."""
+    and, if wanted, PDF. `run` is map() or does the same; each section is told
+    before its figures."""
     folder.mkdir(parents=True, exist_ok=True)
     drawings = [b for s in sections for b in s.blocks if _is_drawing(b)]
     most = _BYTES / max(len(drawings), 1)
     drawn = iter(run(partial(draw, folder, most, has_pdf), drawings))
     parts = [s for s in sections if any(map(_is_drawing, s.blocks))]
-    progress.start(len(parts))
-    for section in parts:
-        progress.part(section.title)
+    for i, section in enumerate(parts, start=1):
+        tell(f"[{i}/{len(parts)}] {section.title}")
         section.blocks = [
             next(drawn) if _is_drawing(block) else block
             for block in section.blocks
         ]
-    progress.done()
     return [
         folder / f"{block.name}.{end}"
         for section in parts
@@ -86,21 +84,18 @@ def draw(folder: Path, most: float, has_pdf: bool, drawing: Drawing) -> Block:
         except HistoryError as reason:
             return Note(f"{drawing.question} Not drawn: {reason}.")
         title, part = _entitle(figure, drawing.question)
-        image = _painted(figure)
+        figure.set_dpi(RC["savefig.dpi"])
+        image = Image.fromarray(pixels(figure)).convert("RGB")
         if has_pdf:
-            _write_pdf(figure, folder / f"{name}.pdf")
+            # Laid out once is enough, and the same in both files; savefig()
+            # would draw it once more to lay it out.
+            figure.set_layout_engine("none")
+            FigureCanvasPdf(figure).print_pdf(  # type: ignore[no-untyped-call]
+                folder / f"{name}.pdf", metadata={"CreationDate": None}
+            )
     (folder / f"{name}.png").write_bytes(_png(image))
     data = _small(_below(image, figure, title, part), most)
     return Picture(name, drawing.question, drawing.caption, data)
-
-
-def _write_pdf(figure: Figure, path: Path) -> None:
-    # Laid out once is enough, and the same in both files.
-    figure.set_layout_engine("none")
-    # Not savefig(), which draws it once more to lay it out.
-    FigureCanvasPdf(figure).print_pdf(  # type: ignore[no-untyped-call]
-        path, metadata={"CreationDate": None}
-    )
 
 
 def _entitle(figure: Figure, question: str) -> tuple[Text, float]:
@@ -120,11 +115,6 @@ def _below(
     top = whole - box.y1 + part * box.height
     rows = round(top / whole * image.height)
     return image.crop((0, rows, *image.size))
-
-
-def _painted(figure: Figure) -> Image.Image:
-    figure.set_dpi(RC["savefig.dpi"])
-    return Image.fromarray(pixels(figure)).convert("RGB")
 
 
 def _png(image: Image.Image) -> bytes:

@@ -8,20 +8,21 @@ from dataclasses import fields
 from functools import cached_property
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Self, cast
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
+from .columns import columns
 from .datasets import Datasets
-from .file import HistoryError, text, writer_of
+from .file import HistoryError, writer_of
 from .front import Front, front_of
 from .genes import Genes
 from .integrity import verify
 from .pair import Pair
 from .quantity import Objective, Quantity
-from .row_reader import RowReader
 from .rows import Evaluation, Origin, Rows, Status
+from .rows_of import rows_of
 from .state import Generations, Session, State
 
 _SESSION = tuple(field.name for field in fields(Session))
@@ -46,22 +47,21 @@ class History:
             self.datasets = data
             self.attributes = data.attributes()
             self.population = int(self.attributes["population"])
+            genes = columns(data, "genes")
             self.genes = Genes(
-                data.texts("genes/gene"),
-                data.texts("genes/trait"),
-                data.read("genes/leaf").astype(int),
-                data.texts("genes/unit"),
-                data.read("genes/lower"),
-                data.read("genes/upper"),
-                *(
-                    data.read(f"genes/{name}").astype(bool)
-                    for name in ("is_circular", "is_free")
-                ),
+                tuple(genes["gene"].values.tolist()),
+                tuple(genes["trait"].values.tolist()),
+                genes["leaf"].values.astype(int),
+                tuple(genes["unit"].values.tolist()),
+                genes["lower"].values,
+                genes["upper"].values,
+                genes["is_circular"].values.astype(bool),
+                genes["is_free"].values.astype(bool),
             )
+            goals = columns(data, "objectives")
             names = ("objective", "unit", "sense")
-            columns = [data.texts(f"objectives/{name}") for name in names]
-            self.objectives = tuple(map(Objective, *columns))
-            self._rows = RowReader(data, self.genes, self.objectives)
+            rows = zip(*(goals[name].values.tolist() for name in names))
+            self.objectives = tuple(Objective(*row) for row in rows)
             self.verify()
         except BaseException as error:
             data.close()
@@ -98,12 +98,12 @@ class History:
         """Complete evaluations, done or failed: all, or of one generation,
         which need not be committed."""
         if generation is None:
-            return self._rows.read("evaluations", 0, None)
+            return self._read("evaluations")
         if generation < 0:
             raise ValueError(f"generation {generation} is negative")
         first = int(self.datasets.read("generations/first_row")[generation])
         count = int(self.datasets.read("generations/count")[generation])
-        return self._rows.read("evaluations", first, first + count)
+        return self._read("evaluations", first, first + count)
 
     def unchecked(self) -> int:
         """Complete evaluations of generations that are not, and so have no
@@ -117,42 +117,38 @@ class History:
 
     def finalists(self) -> Rows:
         """Complete final evaluations; slot 0 is the baseline."""
-        return self._rows.read("final", 0, None)
+        return self._read("final")
 
     def generations(self) -> Generations:
         """Summaries of the committed generations."""
-        committed = self.datasets.read("generations/committed").astype(bool)
+        found = columns(self.datasets, "generations")
+        committed = found["committed"].values.astype(bool)
         count = len(committed) if committed.all() else int(committed.argmin())
 
-        def read(name: str) -> NDArray:
-            return self.datasets.read(f"generations/{name}", 0, count)
-
-        known = {*self.datasets.names("generations")}
+        def integers(name: str) -> NDArray[np.int64]:
+            return found[name].values[:count].astype(int)
 
         def quantity(name: str) -> Quantity:
-            units = self.datasets.units(f"generations/{name}")
-            has_error = f"{name}_standard_error" in known
-            unknown = np.full(count, np.nan)
-            error = read(f"{name}_standard_error") if has_error else unknown
-            return Quantity(name, units, read(name), error)
+            _, values, about = found[name]
+            error = np.full(count, np.nan)
+            if f"{name}_standard_error" in found:
+                error = found[f"{name}_standard_error"].values[:count]
+            units = about.get("units", "")
+            return Quantity(name, units, values[:count], error)
 
-        integers = (
-            "first_row",
-            "count",
-            "best_row",
-            "failures",
-            "evaluations",
-        )
-        quantities = ("best", "mean", "spread", "diversity", "wall_time")
-        columns: dict[str, Any] = {
-            **{name: read(name).astype(int) for name in integers},
-            **{name: quantity(name) for name in quantities},
-        }
+        has_front = "hypervolume" in found
         return Generations(
-            **columns,
-            hypervolume=(
-                quantity("hypervolume") if "hypervolume" in known else None
-            ),
+            first_row=integers("first_row"),
+            count=integers("count"),
+            best_row=integers("best_row"),
+            best=quantity("best"),
+            mean=quantity("mean"),
+            spread=quantity("spread"),
+            diversity=quantity("diversity"),
+            failures=integers("failures"),
+            evaluations=integers("evaluations"),
+            wall_time=quantity("wall_time"),
+            hypervolume=quantity("hypervolume") if has_front else None,
         )
 
     def baseline(self) -> Evaluation | None:
@@ -219,23 +215,9 @@ class History:
 
     def sessions(self) -> list[Session]:
         """The starts of the program, oldest first."""
-        columns = {
-            name: self.datasets.read(f"sessions/{name}") for name in _SESSION
-        }
-        rows = (dict(zip(columns, row)) for row in zip(*columns.values()))
-        return [
-            Session(
-                **cast(
-                    dict[str, Any],
-                    {
-                        name: int(value) if name == "ranks" else text(value)
-                        for name, value in row.items()
-                    },
-                )
-            )
-            for row in rows
-            if text(row["started"])
-        ]
+        found = columns(self.datasets, "sessions")
+        rows = zip(*(found[name].values.tolist() for name in _SESSION))
+        return [each for row in rows if (each := Session(*row)).started]
 
     def messages(self) -> list[str]:
         """What the user should know, oldest first."""
@@ -272,6 +254,18 @@ class History:
         self.messages()
         for form in ("source", "resolved"):
             self.campaign(form)
+
+    def _read(
+        self, group: str, first: int = 0, last: int | None = None
+    ) -> Rows:
+        found = columns(self.datasets, group, first, last)
+        starts = None
+        if group == "evaluations":
+            count = self.datasets.read("generations/count")
+            starts = self.datasets.read("generations/first_row").astype(int)
+            # Generations that have no rows yet come after all others.
+            starts = starts[: np.count_nonzero(count)]
+        return rows_of(found, starts, self.genes, self.objectives)
 
     def _finals(self) -> Rows | None:
         """The finalists that are done, the baseline first, once it is and

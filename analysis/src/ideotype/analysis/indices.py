@@ -9,22 +9,22 @@ import json
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any, NamedTuple
 
 import numpy as np
+import pandas
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from .._errors import did_you_mean, printable_lines
 from . import style
+from .case import Case
 from .file import HistoryError
 from .history import History, open_history
 
-if TYPE_CHECKING:
-    from .case import Case
-
 _SOBOL = ("first", "total")
 _MORRIS = ("mu_star", "sigma")
+_OF_NOISE = "mu_star_of_noise"
 _SHOWN = 15
 _LABELS = {
     "first": "first order",
@@ -64,8 +64,7 @@ class Indices:
         return self.index["total" if "total" in self.index else "mu_star"]
 
 
-@dataclass(frozen=True)
-class _Design:
+class _Design(NamedTuple):
     """The rows of a study."""
 
     is_sobol: bool
@@ -137,48 +136,43 @@ def _analyse(
 
     `values` and the variances of their noise are [samples, rows]."""
     known = np.isfinite(values + noise).all(1)
+    samples = int(known.sum())
     y, noise = values[known], noise[known]
+    if not samples:
+        y = noise = np.full((1, values.shape[1]), np.nan)
     ends = [0, -1] if design.is_sobol else slice(None)
-    error = float(noise[:, ends].mean()) if len(y) else np.nan
-    variance = float(y[:, ends].var()) if len(y) else np.nan
-    mean = float(y.mean()) if len(y) else np.nan
+    error, variance = noise[:, ends].mean(), y[:, ends].var()
+    index: dict[str, Floats] = {}
+    errors: dict[str, Floats] = {}
     # Rounding alone makes constants vary.
-    is_constant = not variance - error > (1e-12 * mean) ** 2
+    varies = variance - error > (1e-12 * y.mean()) ** 2
+    if design.is_sobol and samples > 1 and varies:
+        index, errors = _sobol(design, y, noise)
+    elif not design.is_sobol and samples > 1:
+        index, errors = _morris(design, design.points[known], y, noise)
     empty = np.full(len(design.factors), np.nan)
-    index: dict[str, Floats] = dict.fromkeys(
-        _SOBOL if design.is_sobol else ("mu", *_MORRIS, "mu_star_of_noise"),
-        empty,
-    )
-    errors = dict.fromkeys(index, empty)
-    if len(y) > 1 and not (design.is_sobol and is_constant):
-        if design.is_sobol:
-            _sobol(design, y, noise, index, errors)
-        else:
-            _morris(design, design.points[known], y, noise, index, errors)
+    names = _SOBOL if design.is_sobol else ("mu", *_MORRIS, _OF_NOISE)
     return Indices(
         name,
         unit,
         design.factors,
-        mean,
-        float(np.sqrt(max(0.0, variance - error))) if len(y) else np.nan,
+        float(y.mean()),
+        float(np.sqrt(np.maximum(0, variance - error))),
         float(np.sqrt(error)),
-        len(y),
-        index,
-        errors,
+        samples,
+        {each: index.get(each, empty) for each in names},
+        {each: errors.get(each, empty) for each in names},
     )
 
 
 def _sobol(
-    design: _Design,
-    y: Floats,
-    noise: Floats,
-    index: dict[str, Floats],
-    errors: dict[str, Floats],
-) -> None:
+    design: _Design, y: Floats, noise: Floats
+) -> tuple[dict[str, Floats], dict[str, Floats]]:
     """First order by Saltelli et al. 2010 (doi:10.1016/j.cpc.2009.09.018) and
-    total by Jansen 1999 (doi:10.1016/S0010-4655(98)00154-4). Rows have
-    independent noise, whose variance is in the variance of the rows and in the
-    squared differences of a total index, but not in the products of a first."""
+    total by Jansen 1999 (doi:10.1016/S0010-4655(98)00154-4), and their standard
+    errors. Rows have independent noise, whose variance is in the variance of
+    the rows and in the squared differences of a total index, but not in the
+    products of a first."""
     from SALib.analyze import sobol
 
     found = sobol.analyze(
@@ -187,24 +181,22 @@ def _sobol(
     variance = y[:, [0, -1]].var()
     scale = variance / (variance - noise[:, [0, -1]].mean())
     of_pairs = (noise[:, :1] + noise[:, 1:-1]).mean(0) / 2 / variance
-    index["first"] = scale * found["S1"]
-    index["total"] = scale * (found["ST"] - of_pairs)
-    errors["first"] = scale * found["S1_conf"] / _NORMAL
-    errors["total"] = scale * found["ST_conf"] / _NORMAL
+    return {
+        "first": scale * found["S1"],
+        "total": scale * (found["ST"] - of_pairs),
+    }, {
+        "first": scale * found["S1_conf"] / _NORMAL,
+        "total": scale * found["ST_conf"] / _NORMAL,
+    }
 
 
 def _morris(
-    design: _Design,
-    points: Floats,
-    y: Floats,
-    noise: Floats,
-    index: dict[str, Floats],
-    errors: dict[str, Floats],
-) -> None:
+    design: _Design, points: Floats, y: Floats, noise: Floats
+) -> tuple[dict[str, Floats], dict[str, Floats]]:
     """Elementary effects over the whole range of a factor (Morris 1991,
     doi:10.1080/00401706.1991.10484804, Campolongo et al. 2007,
-    doi:10.1016/j.envsoft.2006.10.004); the variance of noise is taken off that
-    of effects."""
+    doi:10.1016/j.envsoft.2006.10.004), and the standard error of mu_star; the
+    variance of noise is taken off that of effects."""
     from SALib.analyze import morris
 
     found = morris.analyze(
@@ -214,11 +206,10 @@ def _morris(
         num_levels=design.levels,
         **_DRAWS,
     )
-    index["mu_star"] = np.asarray(found["mu_star"], float)
-    errors["mu_star"] = np.asarray(found["mu_star_conf"], float) / _NORMAL
     step = design.levels / (2 * (design.levels - 1))
     groups = np.array(design.problem["groups"])
-    for k, factor in enumerate(design.factors):
+    rows = []
+    for factor in design.factors:
         genes = groups == factor
         change = np.diff(points[:, :, genes], axis=1)
         sample, row = np.nonzero((change != 0).any(2))
@@ -227,13 +218,17 @@ def _morris(
         sign = np.sign(change[sample, row, 0]) if is_one else 1
         effects = sign * np.diff(y, axis=1)[sample, row] / step
         spread = (noise[:, 1:] + noise[:, :-1])[sample, row] / step**2
-        for name, value in {
-            "mu": effects.mean() if is_one else np.nan,
-            "sigma": np.sqrt(max(0.0, effects.var(ddof=1) - spread.mean())),
-            "mu_star_of_noise": np.sqrt(2 * spread / np.pi).mean(),
-        }.items():
-            index[name] = index[name].copy()
-            index[name][k] = value
+        rows.append(
+            (
+                effects.mean() if is_one else np.nan,
+                np.sqrt(max(0.0, effects.var(ddof=1) - spread.mean())),
+                np.sqrt(2 * spread / np.pi).mean(),
+            )
+        )
+    index = dict(zip(("mu", "sigma", _OF_NOISE), np.array(rows).T))
+    index["mu_star"] = np.asarray(found["mu_star"], float)
+    error = np.asarray(found["mu_star_conf"], float) / _NORMAL
+    return index, {"mu_star": error}
 
 
 def draw_indices(case: Case) -> Figure:
@@ -253,30 +248,24 @@ def draw_indices(case: Case) -> Figure:
     order = np.argsort(-np.nan_to_num(main, nan=-np.inf))[:_SHOWN][::-1]
     figure = style.new_figure(style.WIDTH, 1.3 + 0.32 * len(order))
     axes = figure.subplots()
-    height = 0.8 / len(shown)
-    for i, index in enumerate(shown):
-        color, _ = style.series(i)
-        axes.barh(
-            np.arange(len(order)) + height * (0.5 - i),
-            found.index[index][order],
-            height,
-            xerr=1.96 * found.standard_error[index][order],
-            color=color,
-            label=_LABELS[index],
-            error_kw={"capsize": 2},
-        )
+    labels = [found.factors[k].replace("_", " ") for k in order]
+    bars, errors = (
+        pandas.DataFrame({_LABELS[x]: of[x][order] for x in shown}, labels)
+        for of in (found.index, found.standard_error)
+    )
+    bars.plot.barh(
+        ax=axes, xerr=_NORMAL * errors, width=0.8, capsize=2,
+        color=[style.series(i)[0] for i in range(len(shown))],
+    )  # fmt: skip
     if shown == _MORRIS:
         axes.axvline(
-            float(np.nanmax(found.index["mu_star_of_noise"])),
+            float(np.nanmax(found.index[_OF_NOISE])),
             color=style.BASELINE,
             linewidth=1,
             linestyle="--",
             label="μ* of noise alone",
         )
     axes.axvline(0, color=style.BASELINE, linewidth=1)
-    axes.set_yticks(
-        range(len(order)), [found.factors[k].replace("_", " ") for k in order]
-    )
     axes.grid(visible=False, axis="y")
     axes.set_xlabel(
         f"share of the variance of {style.words(name)}, 95 % intervals"
@@ -301,16 +290,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         description="Tells what the objectives of a finished sensitivity study "
         "depend on, the factors that matter most first, with 95 % intervals.",
     )
-    parser.add_argument("file", help="history of `ideotype sensitivity`")
-    parser.add_argument(
-        "--quantity",
-        action="append",
-        default=[],
+    add = parser.add_argument
+    add("file", help="history of `ideotype sensitivity`")
+    add(
+        "--quantity", action="append", default=[],
         help="print the indices of this quantity too, such as lai",
-    )
-    parser.add_argument(
-        "--json", action="store_true", help="print all quantities as JSON"
-    )
+    )  # fmt: skip
+    add("--json", action="store_true", help="print all quantities as JSON")
     options = parser.parse_args(arguments)
     try:
         with open_history(options.file) as history:
@@ -360,42 +346,43 @@ def _to_json(found: Indices) -> dict[str, Any]:
     def number(x: float) -> float | None:
         return float(x) if np.isfinite(x) else None
 
+    def of_factor(k: int) -> dict[str, Any]:
+        return {
+            name: {
+                "mean": number(values[k]),
+                "standard_error": number(found.standard_error[name][k]),
+            }
+            for name, values in found.index.items()
+        }
+
     return {
         "unit": found.unit,
         "mean": number(found.mean),
         "standard_deviation": number(found.standard_deviation),
         "noise_standard_deviation": number(found.noise),
         "samples": found.samples,
-        "factors": {
-            factor: {
-                name: {
-                    "mean": number(values[k]),
-                    "standard_error": number(found.standard_error[name][k]),
-                }
-                for name, values in found.index.items()
-            }
-            for k, factor in enumerate(found.factors)
-        },
+        "factors": {x: of_factor(k) for k, x in enumerate(found.factors)},
     }
 
 
 def _to_text(found: Indices) -> str:
-    lines = [
+    head = (
         f"{found.quantity} [{found.unit}]: mean {found.mean:.6g}, standard "
         f"deviation {found.standard_deviation:.3g} (without that of noise, "
-        f"{found.noise:.2g}); {found.samples} samples, 95 % intervals",
-        f"  {'factor':<32}" + "".join(f"{name:>28}" for name in found.index),
-    ]
+        f"{found.noise:.2g}); {found.samples} samples, 95 % intervals"
+    )
+    rows = [("factor", *found.index)]
     for k in np.argsort(-np.nan_to_num(found.main), kind="stable"):
-        cells = [
+        cells = (
             _with_interval(values[k], found.standard_error[name][k])
             for name, values in found.index.items()
-        ]
-        lines.append(
-            f"  {found.factors[k]:<32}"
-            + "".join(f"{cell:>28}" for cell in cells)
         )
-    return "\n".join(lines)
+        rows.append((found.factors[k], *cells))
+    lines = (
+        f"  {factor:<32}" + "".join(f"{cell:>28}" for cell in cells)
+        for factor, *cells in rows
+    )
+    return "\n".join([head, *lines])
 
 
 def _with_interval(value: float, error: float) -> str:

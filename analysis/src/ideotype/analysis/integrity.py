@@ -16,6 +16,7 @@ from .rows import Status
 
 _HEADER = ("campaign", "genes", "objectives")
 _TABLES = ("evaluations", "final", "sensitivity")
+"""Groups whose scales are part of the header."""
 _NOT_HASHED = ("generation", "committed", "checksum")
 
 
@@ -43,33 +44,20 @@ def verify(data: Datasets) -> None:
         )
         _check(data, f"generation {g}", found, sums[g])
     recorded = (status == Status.DONE) | (status == Status.FAILED)
-    _check_rows(data, "final", "finalist", np.flatnonzero(recorded))
+    finalists = _columns(data, "final", ("checksum",))
+    final_sums = data.texts("final/checksum")
+    for i in np.flatnonzero(recorded):
+        found = _digest(
+            *((name, values[i : i + 1]) for name, values in finalists.items())
+        )
+        _check(data, f"finalist {i}", found, final_sums[i])
     if not data.read("state/finished"):
         return
     # A case that is over has no checksum of what is not recorded.
     if count < len(sums):
         _check(data, f"the mark of generation {count}", "", sums[count])
-    final_sums = data.texts("final/checksum")
     for i in np.flatnonzero(~recorded):
         _check(data, f"finalist {i}", "", final_sums[i])
-
-
-def _tables(data: Datasets) -> list[str]:
-    """Groups whose scales are part of the header."""
-    known = {*data.names("/")}
-    return [name for name in _TABLES if name in known]
-
-
-def _check_rows(
-    data: Datasets, group: str, name: str, rows: Iterable[int]
-) -> None:
-    columns = _columns(data, group, ("checksum",))
-    sums = data.texts(f"{group}/checksum")
-    for i in rows:
-        found = _digest(
-            *((name, values[i : i + 1]) for name, values in columns.items())
-        )
-        _check(data, f"{name} {i}", found, sums[i])
 
 
 def _check(data: Datasets, what: str, found: str, kept: object) -> None:
@@ -83,7 +71,8 @@ def _check(data: Datasets, what: str, found: str, kept: object) -> None:
 def _header(data: Datasets) -> str:
     names = sorted({*data.attributes()} - {"checksum"})
     paths = [f"/{group}/{n}" for group in _HEADER for n in data.names(group)]
-    for group in _tables(data):
+    known = {*data.names("/")}
+    for group in (name for name in _TABLES if name in known):
         paths += [
             f"/{group}/{name}"
             for name in data.names(group)

@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from datetime import timedelta
 
 from .blocks import Block, Listing, Table
 from .case import Case
 from .history import History
-from .summary import duration
 from .tables import UNKNOWN
 
 _PROVENANCE = (
@@ -66,6 +67,7 @@ def _provenance_row(history: History) -> list[str]:
     has = history.attributes
     cells = [str(has.get(key, UNKNOWN)) for _, key in _PROVENANCE]
     state = history.state()
+    seconds = state.wall_time
     return [
         history.path.name,
         str(state),
@@ -73,5 +75,7 @@ def _provenance_row(history: History) -> list[str]:
             cell[:_DIGITS] if key in ("campaign_sha256", "git_sha") else cell
             for cell, (_, key) in zip(cells, _PROVENANCE)
         ],
-        duration(state.wall_time),
+        str(timedelta(seconds=round(seconds)))
+        if math.isfinite(seconds)
+        else "unknown",
     ]

@@ -3,31 +3,31 @@
 
 from __future__ import annotations
 
-import io
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 from .._errors import Error
 from . import tables
-from .blocks import Block, Drawing, Note, Section, Viewer
+from .blocks import Note, Section, Viewer
 from .case import Case
 from .case_figures import figures_of
 from .comparison import draw_energy, draw_gains, intervals_of
 from .cross import Cross, draw_cross
-from .fidelity import draw_fidelity
 from .field import draw_field
 from .file import HistoryError
 from .front_plants import draw_front_plants
 from .gallery import draw_all
 from .indices import draw_indices
-from .maps import draw_gain_map, draw_set_map, two_sets
 from .page import render
-from .places import draw_latitudes, draw_spacings
-from .plan import draw_plan
-from .progress import Progress
+from .places import (
+    draw_gain_map,
+    draw_latitudes,
+    draw_set_map,
+    draw_spacings,
+    two_sets,
+)
 from .provenance import provenance
 from .scene import Plants, build_plants, scene_of
 from .study import Study
@@ -44,7 +44,6 @@ _ALONG = (
     "the first objective, from the side at one scale; objectives with standard "
     "errors."
 )
-_PLAN = "The plant among its neighbours, all turned alike; dashed: rows."
 _VIEW = (
     "Baseline (left) and {} (right). Leaves are coloured by what they "
     "absorb over the day; sheaths are dull green, stalks and other organs grey, "
@@ -84,14 +83,14 @@ def write_report(
     folder: str | Path,
     *,
     cross: Cross | None = None,
-    fidelity: dict[str, Any] | None = None,
     command: str = "",
-    progress: Progress | None = None,
+    tell: Callable[[str], object] = lambda line: None,
     has_pdf: bool = False,
     jobs: int = 1,
 ) -> Written:
     """Writes report.html and figures/ into the folder, over those of an
-    earlier report. `command` is what the page names as its origin. With
+    earlier report. `command` is what the page names as its origin; `tell`
+    gets a line for each part of the page. With
     `has_pdf` each figure is a PDF file too, besides PNG. `jobs` processes
     draw the figures; with several, a script needs
     `if __name__ == "__main__":`.
@@ -128,14 +127,13 @@ def write_report(
         sections = [
             *(searched if cases else ()),
             *map(_study, studies),
-            *_trade(fidelity),
             _provenance(every, command),
         ]
         figures = draw_all(
             sections,
             folder / "figures",
             run,
-            progress or Progress(io.StringIO()),
+            tell,
             has_pdf,
         )
     page = folder / "report.html"
@@ -166,22 +164,18 @@ def _overview(
         section.note(f"A history is left out. {error}.")
     section.blocks += tables.gains(cases, cross)
     section.blocks += tables.scenarios(cases)
-    section.blocks.append(
-        Drawing(
-            "gains",
-            "How much better than the baseline are the bred plants?",
-            f"Mean over seeds with its interval ({intervals_of(cases)}); grey "
-            "strokes are single seeds.",
-            partial(draw_gains, cases, cross),
-        )
+    section.draw(
+        "gains",
+        "How much better than the baseline are the bred plants?",
+        f"Mean over seeds with its interval ({intervals_of(cases)}); grey "
+        "strokes are single seeds.",
+        partial(draw_gains, cases, cross),
     )
-    section.blocks.append(
-        Drawing(
-            "energy",
-            "Where does the light go?",
-            f"Parts of the incident PAR; error bars: {intervals_of(cases)}.",
-            partial(draw_energy, cases),
-        )
+    section.draw(
+        "energy",
+        "Where does the light go?",
+        f"Parts of the incident PAR; error bars: {intervals_of(cases)}.",
+        partial(draw_energy, cases),
     )
     section.blocks += tables.organs(cases)
     section.blocks += [tables.balance(cases), Note(_READING)]
@@ -192,49 +186,43 @@ def _places(cases: Sequence[Case], cross: Cross | None) -> Section:
     bars = f"Error bars: {intervals_of(cases)}."
     section = Section("Latitudes, spacings, cross-evaluation")
     cells = f"Numbers are % ± half of the interval ({intervals_of(cases)})."
-    section.blocks += [
-        Drawing(
-            "latitudes",
-            "What does latitude do to light and gain?",
-            bars,
-            partial(draw_latitudes, cases),
-        ),
-        Drawing(
-            "spacings",
-            "What does plant density do to light and gain?",
-            bars,
-            partial(draw_spacings, cases),
-        ),
-        Drawing(
-            "gain_map",
-            "Where does breeding gain most?",
-            f"Gain over the baseline. {cells}",
-            partial(draw_gain_map, cases),
-        ),
-    ]
+    section.draw(
+        "latitudes",
+        "What does latitude do to light and gain?",
+        bars,
+        partial(draw_latitudes, cases),
+    )
+    section.draw(
+        "spacings",
+        "What does plant density do to light and gain?",
+        bars,
+        partial(draw_spacings, cases),
+    )
+    section.draw(
+        "gain_map",
+        "Where does breeding gain most?",
+        f"Gain over the baseline. {cells}",
+        partial(draw_gain_map, cases),
+    )
     if sets := two_sets(cases):
-        section.blocks.append(
-            Drawing(
-                "set_map",
-                f"Where is the best plant of {sets[0]} better than that of "
-                f"{sets[1]}?",
-                "Line: no difference. Both are taken as independent. " + cells,
-                partial(draw_set_map, cases, sets),
-            )
+        section.draw(
+            "set_map",
+            f"Where is the best plant of {sets[0]} better than that of "
+            f"{sets[1]}?",
+            "Line: no difference. Both are taken as independent. " + cells,
+            partial(draw_set_map, cases, sets),
         )
     if cross is None:
         section.note("Cross-evaluation: none is given (--cross FILE).")
-    else:
-        section.blocks.append(
-            Drawing(
-                "cross",
-                "How does each plant do under the light of each case?",
-                "Each plant under the light of each case, "
-                f"in % of the best there ± half of the interval "
-                f"({cross.intervals()}); the seeds of a case are put together.",
-                partial(draw_cross, cross),
-            )
-        )
+        return section
+    section.draw(
+        "cross",
+        "How does each plant do under the light of each case?",
+        "Each plant under the light of each case, in % of the best there ± "
+        f"half of the interval ({cross.intervals()}); the seeds of a case are "
+        "put together.",
+        partial(draw_cross, cross),
+    )
     return section
 
 
@@ -264,81 +252,43 @@ def _plants(case: Case) -> Plants | Note:
 
 def _case(case: Case, plants: Plants | Note) -> Section:
     section = Section(case.name, is_folded=True)
-    section.blocks += _shown(case, plants)
-    for name, (draw, question, caption) in figures_of(case).items():
-        section.blocks.append(
-            Drawing(
-                f"{case.name}_{name}", question, caption, partial(draw, case)
-            )
-        )
-    return section
-
-
-def _study(case: Case) -> Section:
-    section = Section(f"Sensitivity of {case.name}")
-    section.blocks.append(
-        Drawing(
-            f"{case.name}_indices",
-            "What does the objective depend on?",
-            "Sobol' indices: the share of its "
-            "variance that a factor makes by itself, and together with all "
-            "others; or elementary effects by Morris. Factors vary evenly in "
-            "their ranges. Noise is taken off, but not of μ*. The 15 that matter "
-            "most, with 95 % intervals.",
-            partial(draw_indices, case),
-        )
-    )
-    return section
-
-
-def _shown(case: Case, plants: Plants | Note) -> list[Block]:
-    """The plants of the case as plants."""
     if isinstance(plants, Note):
-        return [plants]
-    pair = (plants.baseline, plants.best)
-    figures: list[Block] = [
-        Drawing(
-            f"{case.name}_field",
-            "How does the bred field look, and which leaves get the light?",
-            _FIELD,
-            partial(draw_field, case, *pair),
-        ),
-        Drawing(
-            f"{case.name}_plan",
-            "How do plants fill the ground between their neighbours?",
-            _PLAN,
-            partial(draw_plan, case, *pair),
-        ),
-    ]
-    if case.fronts:
-        figures.insert(
-            0,
-            Drawing(
+        section.blocks.append(plants)
+    else:
+        if case.fronts:
+            section.draw(
                 f"{case.name}_front_plants",
                 "How do plants change along the front?",
                 _ALONG,
                 partial(
                     draw_front_plants, case, plants.baseline, plants.members
                 ),
-            ),
+            )
+        section.draw(
+            f"{case.name}_field",
+            "How does the bred field look, and which leaves get the light?",
+            _FIELD,
+            partial(draw_field, case, plants.baseline, plants.best),
         )
-    return figures
+    for name, (draw, question, caption) in figures_of(case).items():
+        section.draw(
+            f"{case.name}_{name}", question, caption, partial(draw, case)
+        )
+    return section
 
 
-def _trade(fidelity: dict[str, Any] | None) -> list[Section]:
-    if fidelity is None:
-        return []
-    section = Section("Speed for accuracy")
-    section.blocks.append(
-        Drawing(
-            "fidelity",
-            "What does accuracy cost?",
-            f"Speed for accuracy in {fidelity['case']}, with standard errors: "
-            "bias and noise of one evaluation together.",
-            partial(draw_fidelity, fidelity),
-        )
+def _study(case: Case) -> Section:
+    section = Section(f"Sensitivity of {case.name}")
+    section.draw(
+        f"{case.name}_indices",
+        "What does the objective depend on?",
+        "Sobol' indices: the share of its variance that a factor makes by "
+        "itself, and together with all others; or elementary effects by "
+        "Morris. Factors vary evenly in their ranges. Noise is taken off, but "
+        "not of μ*. The 15 that matter most, with 95 % intervals.",
+        partial(draw_indices, case),
     )
-    return [section]
+    return section
 
 
 def _provenance(cases: Sequence[Case], command: str) -> Section:

@@ -18,12 +18,10 @@ import ideotype
 
 from .._geometry import Mesh
 from .case import Case
-from .file import HistoryError
 from .front_scene import front_scene
 from .history import History
-from .quantity import Profile
 from .rows import Evaluation
-from .stand import places, row_direction
+from .stand import leaf_light, places, row_direction
 from .style import organ_color, short, unit_label
 
 _LARGEST = 2**15 - 1
@@ -144,49 +142,25 @@ def _quantities(
 ) -> list[dict[str, Any]]:
     """Absorbed PAR of each group of each plant; None for a group that is no
     leaf."""
-    profiles = [_leaves(plant) for plant, _ in pairs]
-    meshes = [mesh for _, mesh in pairs]
-    by_leaf = [*map(_by_group, profiles, meshes)]
-    unit = profiles[0].unit
-    quantities = [
-        {
-            "label": f"by each leaf [{unit_label(unit)} of ground]",
-            "values": by_leaf,
-        }
-    ]
+    told = case.baseline.row.quantities.get("absorbed_by_leaf")
+    unit = unit_label(told.unit if told else "1")
+    areas: dict[str, float | None] = {f"by each leaf [{unit} of ground]": None}
     has = case.attributes
     if {"row_spacing", "plant_spacing"} <= {*has} and not case.is_over(
         "spacing"
     ):
         ground = float(has["row_spacing"]) * float(has["plant_spacing"])
-        per_area = [
-            [
-                None if value is None else value * ground / mesh.area(group)
-                for value, group in zip(values, dict.fromkeys(mesh.groups))
-            ]
-            for values, mesh in zip(by_leaf, meshes)
-        ]
-        quantities.append(
-            {
-                "label": f"per leaf area [{unit_label(unit)} of leaf]",
-                "values": per_area,
-            }
-        )
-    return quantities
-
-
-def _leaves(plant: Evaluation) -> Profile:
-    """Empty where the history does not tell leaves apart."""
-    try:
-        return plant.profile("absorbed_by_leaf")
-    except HistoryError:
-        none = np.empty(0)
-        return Profile(none, "1", none, none)
-
-
-def _by_group(profile: Profile, mesh: Mesh) -> list[float | None]:
-    known = {
-        f"leaf{leaf:02}": short(value)
-        for leaf, value in zip(profile.labels, profile.values)
-    }
-    return [known.get(group) for group in dict.fromkeys(mesh.groups)]
+        areas[f"per leaf area [{unit} of leaf]"] = ground
+    return [
+        {
+            "label": label,
+            "values": [
+                [
+                    None if value is None else short(value)
+                    for value in leaf_light(plant, mesh, ground).values()
+                ]
+                for plant, mesh in pairs
+            ],
+        }
+        for label, ground in areas.items()
+    ]

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How the plants of a case stand."""
+"""How the plants of a case stand, and what their leaves absorb."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
 
+from .._geometry import Mesh
 from .case import Case
+from .file import HistoryError
+from .rows import Evaluation
 
 
 def row_direction(case: Case) -> float | None:
@@ -40,3 +43,22 @@ def places(case: Case, plants: int = 1) -> list[NDArray[np.float64]]:
         if (row or not i) and (plant or not j)
     ]
     return sorted(found, key=lambda place: bool(place.any()))
+
+
+def leaf_light(
+    plant: Evaluation, mesh: Mesh, ground: float | None = None
+) -> dict[str, float | None]:
+    """Returns the light that each group of the plant's mesh absorbs, as the
+    history tells it per area of ground, or per area of leaf on so much ground of the
+    plant [m2]; None of groups that are no leaves, and of all where the history
+    does not tell leaves apart."""
+    found: dict[str, float | None] = dict.fromkeys(mesh.groups)
+    try:
+        told = plant.profile("absorbed_by_leaf")
+    except HistoryError:
+        return found
+    for leaf, value in zip(told.labels, told.values.tolist()):
+        if (group := f"leaf{leaf:02}") in found:
+            over = mesh.area(group) / ground if ground else 1
+            found[group] = value / over
+    return found

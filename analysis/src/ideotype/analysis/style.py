@@ -6,13 +6,16 @@ from __future__ import annotations
 
 import re
 from textwrap import fill
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from matplotlib import colormaps
+from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
+
+from .estimate import DAILY_ENERGY, MOL_PER_MJ_PAR
 
 BASELINE = "#000000"
 BEST = "#0072B2"
@@ -46,8 +49,9 @@ RC: dict[Any, Any] = {
     "savefig.dpi": 200,
 }
 
-_LIGHT_UNITS = ("MJ m-2 day-1", "W m-2")
-"""Per area of ground, or of leaf where the name says so."""
+_PHOTONS = {DAILY_ENERGY: "mol m-2 day-1", "W m-2": "µmol m-2 s-1"}
+"""Unit of photons for each unit of light, which is per area of ground, or of
+leaf where the name says so; the factor is that of mol and MJ."""
 
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -82,9 +86,36 @@ def axis_label(name: str, unit: str) -> str:
     """ "absorbed PAR [MJ m⁻² day⁻¹ of ground]" of a column's name and unit."""
     if unit == "1":
         return words(name)
-    is_light = unit in _LIGHT_UNITS
+    is_light = unit in _PHOTONS
     area = " of leaf" if "leaf_area" in name else " of ground"
     return f"{words(name)} [{unit_label(unit)}{area if is_light else ''}]"
+
+
+def label_light(
+    axes: Axes, which: Literal["x", "y"], name: str, unit: str
+) -> None:
+    """Labels an axis of light, and adds a second one of photons on its other
+    side. An axis of anything else only gets its label."""
+    axes.set(**{f"{which}label": axis_label(name, unit)})
+    if unit not in _PHOTONS:
+        return
+    both = (_to_photons, _to_energy)
+    if which == "x":
+        axes.secondary_xaxis("top", functions=both)
+    else:
+        axes.secondary_yaxis("right", functions=both)
+    other = axes.child_axes[-1]
+    other.spines["top" if which == "x" else "right"].set_visible(True)
+    label = f"photons [{unit_label(_PHOTONS[unit])}]"
+    other.set(**{f"{which}label": label})
+
+
+def _to_photons(energy: ArrayLike) -> NDArray[np.float64]:
+    return np.asarray(energy) * MOL_PER_MJ_PAR
+
+
+def _to_energy(photons: ArrayLike) -> NDArray[np.float64]:
+    return np.asarray(photons) / MOL_PER_MJ_PAR
 
 
 def words(name: str) -> str:

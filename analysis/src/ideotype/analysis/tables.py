@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -85,11 +85,11 @@ def _gain_row(case: Case, cross: Cross | None) -> list[str]:
         _bare(case.mean("best")),
         _bare(case.gain()),
         _bare(case.relative_gain()),
-        _lai(case, "baseline"),
-        _lai(case, "best"),
-        _per_leaf_area(case),
+        _known(lambda: _lai(case, "baseline")),
+        _known(lambda: _lai(case, "best")),
+        _known(lambda: _bare(case.gain_per_leaf_area())),
         _bare(elite) if elite else UNKNOWN,
-        _room(case),
+        _known(lambda: _room(case)),
     ]
 
 
@@ -98,32 +98,25 @@ def _bare(figure: Interval) -> str:
     return figure.number().replace(" ", "\u00a0")
 
 
-def _lai(case: Case, who: str) -> str:
+def _known(cell: Callable[[], str]) -> str:
+    """A cell, unless the history lacks what it needs."""
     try:
-        lai = case.mean(who, "lai")
+        return cell()
     except HistoryError:
         return UNKNOWN
+
+
+def _lai(case: Case, who: str) -> str:
+    lai = case.mean(who, "lai")
     # Exact for a single plant: seeds give it a scatter, nothing else.
     return _bare(lai) if lai.half_width > 1e-9 else f"{lai.mean:.2f}"
 
 
-def _per_leaf_area(case: Case) -> str:
-    try:
-        return _bare(case.gain_per_leaf_area())
-    except HistoryError:
-        return UNKNOWN
-
-
 def _room(case: Case) -> str:
-    try:
-        room = case.headroom()
-    except HistoryError:
-        return UNKNOWN
+    room = case.headroom()
     ceiling = room.mean + case.best.objective.mean
-    error = 100 * room.standard_error / ceiling
-    return f"{100 * room.mean / ceiling:.2f} ± {1.96 * error:.2f}".replace(
-        " ", "\u00a0"
-    )
+    error = 196 * room.standard_error / ceiling
+    return f"{100 * room.mean / ceiling:.2f}\u00a0±\u00a0{error:.2f}"
 
 
 def _remarks(cases: Sequence[Case], cross: Cross | None) -> list[str]:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -12,6 +13,30 @@
 #include "json.hpp"
 
 namespace ideotype {
+
+//! The cost of a campaign that no stop rule ends early.
+struct CampaignCost {
+    //! Measures evaluations of the baseline in a case.
+    CampaignCost(const Campaign& campaign, const Case& chosen);
+
+    //! The time of one case [s]: the slowest worker of a generation counts.
+    double of_case(int workers) const;
+    //! The time of cases that share a job [s]: they fill each other's gaps.
+    double of_cases(std::size_t cases, int workers) const;
+
+    Json json(std::size_t cases) const;
+
+    //! Tells the cost of one case on one core in a line without its end.
+    std::string text() const;
+
+    //! Tells the time of one case and of all by the number of workers.
+    std::string table(std::size_t cases) const;
+
+    //! An evaluation here on one core, on average over the generations, and a
+    //! final one [s].
+    double usual = 0, final = 0;
+    int population, generations, finalists;
+};
 
 //! The least and the greatest of some values.
 class Extent {

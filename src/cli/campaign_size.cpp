@@ -1,23 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "campaign_cost.hpp"
+#include "campaign_size.hpp"
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "ideotype/light/device.hpp"
 #include "run/evaluator.hpp"
 #include "run/progress.hpp"
+#include "stand/stand.hpp"
 
 namespace ideotype {
 
 namespace {
 
-//! Measured on the baseline; the quickest of a few, since the first warms up
-//! and others may use the core too.
-EvaluationCost measure_cost(const Campaign& campaign, const Case& chosen) {
+//! For which the cost is told.
+constexpr std::array<int, 4> shown_workers{1, 2, 16, 128};
+
+}  // namespace
+
+//! The quickest of a few evaluations counts, since the first warms up and
+//! others may use the core too.
+CampaignCost::CampaignCost(const Campaign& campaign, const Case& chosen)
+    : population(campaign.search.population),
+      generations(campaign.stop.generations),
+      finalists(1 + campaign.final_rule.candidates) {
     CanopyEvaluator evaluator(campaign, Device::supported_isas().back());
     constexpr double long_time = 1;  // [s], nothing to measure again
     const auto measure = [&](int times, Task task) {
@@ -32,38 +43,25 @@ EvaluationCost measure_cost(const Campaign& campaign, const Case& chosen) {
     };
     // A tolerance may change from generation to generation.
     constexpr int samples = 5;
-    EvaluationCost cost;
     for (int i = 0; i < samples; ++i) {
         Task task;
-        task.generation = static_cast<std::uint32_t>(
-            i * (campaign.stop.generations - 1) / (samples - 1));
-        cost.usual += measure(2, task) / samples;
-        if (samples * cost.usual < long_time || i > 0) continue;
-        cost.usual *= samples;
+        task.generation =
+            static_cast<std::uint32_t>(i * (generations - 1) / (samples - 1));
+        usual += measure(2, task) / samples;
+        if (samples * usual < long_time || i > 0) continue;
+        usual *= samples;
         break;
     }
-    Task final;
-    final.is_final = true;
-    cost.final = measure(1, final);
-    return cost;
+    Task last;
+    last.is_final = true;
+    final = measure(1, last);
 }
 
-//! For which the cost is told.
-constexpr std::array<int, 4> shown_workers{1, 2, 16, 128};
-
-}  // namespace
-
-CampaignCost::CampaignCost(const Campaign& campaign, const Case& chosen)
-    : seconds_(measure_cost(campaign, chosen)),
-      population_(campaign.search.population),
-      generations_(campaign.stop.generations),
-      finalists_(1 + campaign.final_rule.candidates) {}
-
 double CampaignCost::of_case(int workers) const {
-    const int rounds = (population_ + workers - 1) / workers;
-    const int final_rounds = (finalists_ + workers - 1) / workers;
-    return seconds_.usual * static_cast<double>(generations_) * rounds +
-           seconds_.final * final_rounds;
+    const int rounds = (population + workers - 1) / workers;
+    const int final_rounds = (finalists + workers - 1) / workers;
+    return usual * static_cast<double>(generations) * rounds +
+           final * final_rounds;
 }
 
 double CampaignCost::of_cases(std::size_t cases, int workers) const {
@@ -72,11 +70,11 @@ double CampaignCost::of_cases(std::size_t cases, int workers) const {
 }
 
 Json CampaignCost::json(std::size_t cases) const {
-    Json json{{"evaluation_s", seconds_.usual},
-              {"final_evaluation_s", seconds_.final},
+    Json json{{"evaluation_s", usual},
+              {"final_evaluation_s", final},
               {"evaluations_per_case",
-               static_cast<long long>(generations_) * population_},
-              {"final_evaluations_per_case", finalists_}};
+               static_cast<long long>(generations) * population},
+              {"final_evaluations_per_case", finalists}};
     for (const int workers : shown_workers)
         json["by_workers"].push_back(
             {{"workers", workers},
@@ -89,8 +87,7 @@ std::string CampaignCost::text() const {
     return fmt::format(
         "{} x {} evaluations of {:.1f} ms and the finalists: {} on one "
         "core",
-        generations_, population_, seconds_.usual * 1e3,
-        format_duration(of_case(1)));
+        generations, population, usual * 1e3, format_duration(of_case(1)));
 }
 
 std::string CampaignCost::table(std::size_t cases) const {
@@ -102,6 +99,25 @@ std::string CampaignCost::table(std::size_t cases) const {
             format_duration(of_case(workers)),
             cases == 1 ? "" : format_duration(of_cases(cases, workers)));
     return text;
+}
+
+Stands stands_of(const Campaign& campaign, double leaf_area) {
+    Stands all;
+    for (const auto& [name, spacing] : campaign.spacings) {
+        all.period_x.add(campaign.field.rows * spacing.row);
+        all.period_y.add(campaign.field.plants * spacing.plant);
+        all.lai.add(leaf_area / (spacing.row * spacing.plant));
+    }
+    std::set<std::pair<std::string, std::string>> seen;
+    for (const Case& one : cases(campaign))
+        for (const Case& each : scenarios(one)) {
+            if (!seen.emplace(each.site.name, each.day_name).second) continue;
+            const LightSeries light = light_of(campaign, each);
+            all.steps.add(static_cast<double>(light.steps.size()));
+            all.par.add(light.incident());
+            all.diffuse.add(light.diffuse() / light.incident());
+        }
+    return all;
 }
 
 }  // namespace ideotype

@@ -41,7 +41,7 @@ need(OpenSSL OpenSSL FIND COMPONENTS Crypto
 find_path(TINYOBJLOADER_INCLUDE_DIR tiny_obj_loader.h)
 mark_as_advanced(TINYOBJLOADER_INCLUDE_DIR)
 if(NOT TINYOBJLOADER_INCLUDE_DIR)
-    note_missing(tinyobjloader libtinyobjloader-dev tinyobjloader-devel
+    note_missing("tinyobjloader 2" libtinyobjloader-dev tinyobjloader-devel
         tinyobjloader tinyobjloader)
 endif()
 if(IDEOTYPE_PROGRAM OR IDEOTYPE_PYTHON)
@@ -55,6 +55,10 @@ if(IDEOTYPE_PROGRAM)
     # Dimension scales come with HDF5's high-level library.
     need("HDF5 with its high-level library" HDF5 FIND COMPONENTS C HL
         PACKAGES libhdf5-dev hdf5-devel hdf5+hl hdf5)
+    # Its headers include mpi.h where it was built with MPI, as Spack does.
+    if(HDF5_IS_PARALLEL)
+        list(APPEND HDF5_LIBRARIES MPI::MPI_CXX)
+    endif()
     need(CLI11 CLI11 PACKAGES libcli11-dev cli11-devel cli11 cli11)
     need("JSON for Modern C++" nlohmann_json PACKAGES
         nlohmann-json3-dev json-devel nlohmann-json nlohmann_json)

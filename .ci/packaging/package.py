@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A recipe for Spack: copy it to packages/ideotype/package.py of a repository.
-Enter first where the repository is. It has not been checked by a build with
-Spack."""
+"""A recipe for Spack 1: copy it to packages/ideotype/package.py of a repository.
+Enter first where the repository is. It has not been checked by a build with Spack;
+tests/debian/prefix.sh builds the same way. `spack install ideotype ^embree~ispc`
+saves a build of LLVM."""
 
 # ruff: noqa: F403, F405
 
 from spack.package import *
+from spack_repo.builtin.build_systems.cmake import CMakePackage
 
 
 class Ideotype(CMakePackage):
@@ -26,7 +28,6 @@ class Ideotype(CMakePackage):
     depends_on("glm")
     depends_on("fmt@9:")
     depends_on("openssl")
-    depends_on("tinyobjloader", type="build")
     with when("+program"):
         depends_on("mpi")
         depends_on("hdf5@1.10: +hl")
@@ -35,8 +36,20 @@ class Ideotype(CMakePackage):
         depends_on("cli11@2.1:")
         depends_on("nlohmann-json@3:")
 
+    # Spack's tinyobjloader is 1.0.6, which is too old.
+    resource(
+        name="tinyobjloader",
+        git="https://github.com/tinyobjloader/tinyobjloader.git",
+        tag="v2.0.0rc10",
+        placement="tinyobjloader",
+    )
+
     def cmake_args(self):
         return [
             self.define_from_variant("IDEOTYPE_PROGRAM", "program"),
             self.define("BUILD_TESTING", False),
+            self.define(
+                "TINYOBJLOADER_INCLUDE_DIR",
+                join_path(self.stage.source_path, "tinyobjloader"),
+            ),
         ]

@@ -13,7 +13,7 @@ namespace ideotype {
 //! A level light sensor among the plants, as of a ceptometer: it is met by what
 //! comes from above, and is long in the direction of the rows.
 struct Sensor {
-    double height = 0;    //!< above the soil [m]
+    double height = 0;  //!< above the soil [m]
     //! Across the rows, from a row [m]; NaN: evenly all over the distance.
     double position = 0;
 };

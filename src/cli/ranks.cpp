@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/core/error.hpp"
 #include "ideotype/core/host.hpp"
 #include "verbs.hpp"
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "ideotype/core/error.hpp"
 #include "parallel/dispatcher.hpp"
 #include "parallel/session.hpp"
 #include "run/log.hpp"

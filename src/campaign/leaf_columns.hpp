@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ideotype/crop/measures.hpp"
+#include "leaf_table.hpp"
 
 namespace ideotype {
 
@@ -15,6 +16,8 @@ struct LeafColumn {
     double sign = 1;
     double zero = 0;
     bool is_from_north = false;
+    //! Whether the number is a height from which the measure follows.
+    LeafHeight height = LeafHeight::none;
 };
 
 // Angles as exported plants have them come first of their measure.
@@ -29,6 +32,12 @@ inline constexpr LeafColumn leaf_columns[]{
     {"insertion_angle_from_vertical_deg", &Leaf::insertion_angle},
     {"insertion_angle_from_horizontal_deg", &Leaf::insertion_angle, 1, -1, 90},
     {"curvature_deg", &Leaf::curvature},
+    {"tip_height_cm", &Leaf::curvature, 100, 1, 0, false, LeafHeight::tip},
+    {"tip_height_m", &Leaf::curvature, 1, 1, 0, false, LeafHeight::tip},
+    {"tip_height_mm", &Leaf::curvature, 1000, 1, 0, false, LeafHeight::tip},
+    {"top_height_cm", &Leaf::curvature, 100, 1, 0, false, LeafHeight::top},
+    {"top_height_m", &Leaf::curvature, 1, 1, 0, false, LeafHeight::top},
+    {"top_height_mm", &Leaf::curvature, 1000, 1, 0, false, LeafHeight::top},
     {"azimuth_deg", &Leaf::azimuth},
     {"azimuth_from_row_clockwise_deg", &Leaf::azimuth},
     {"azimuth_from_row_counterclockwise_deg", &Leaf::azimuth, 1, -1},

@@ -22,6 +22,9 @@ std::vector<std::string> column_names() {
     return names;
 }
 
+//! Above the soil [m]; a tip may hang below the foot of the plant on a ridge.
+constexpr Range height_limits{-1, 10};
+
 //! A column of the table; without a kind the ranks, or unknown.
 struct ReadColumn {
     std::string name;
@@ -156,7 +159,8 @@ class LeafReader {
         const LeafColumn& kind = *column.kind;
         const Measure<Leaf>& measure = leaf_measures[index_of(kind.value)];
         double value = (kind.zero + kind.sign * *number) / kind.per_unit;
-        Range limits = measure.limits;
+        Range limits =
+            kind.height == LeafHeight::none ? measure.limits : height_limits;
         if (kind.value == &Leaf::azimuth) {
             limits.lower = -limits.upper;
             if (std::abs(*number) <= limits.upper)
@@ -176,7 +180,11 @@ class LeafReader {
                             "unit and the convention of the column",
                             column.name, *number, limits.lower * kind.per_unit,
                             limits.upper * kind.per_unit));
-        row.leaf.*kind.value = value;
+        row.of_height = std::max(row.of_height, kind.height);
+        if (kind.height == LeafHeight::none)
+            row.leaf.*kind.value = value;
+        else
+            row.height = value;
         row.places[index_of(kind.value)] = place;
     }
 

@@ -11,6 +11,10 @@
 
 namespace ideotype {
 
+//! A height above the soil that tells how much a leaf bends: of its tip, or of
+//! its highest point.
+enum class LeafHeight { none, tip, top };
+
 //! Of one line.
 struct LeafRow {
     Location where;
@@ -18,6 +22,8 @@ struct LeafRow {
     Leaf leaf;
     //! Of the measures in their order; line 0: not told.
     std::array<Location, leaf_measures.size()> places;
+    LeafHeight of_height = LeafHeight::none;
+    double height = 0;  //!< that is told in the place of the curvature [m]
 };
 
 //! A table of measured leaves.

@@ -2,13 +2,16 @@
 #include "measured_plant.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
+#include <glm/trigonometric.hpp>
 
 #include "ideotype/crop/measures.hpp"
+#include "leaf_columns.hpp"
 #include "leaf_table.hpp"
 #include "nodes.hpp"
 
@@ -39,6 +42,56 @@ void require_columns(const LeafTable& table, std::size_t leaves_of_crop,
     }
 }
 
+//! The height of the tip or of the highest point of a leaf that has no
+//! digitised midrib [m].
+double height_of(const Leaf& leaf, double exponent, LeafHeight of) {
+    constexpr int steps = 400;
+    double height = leaf.insertion_height, highest = height;
+    for (int i = 0; i < steps; ++i) {
+        const double s = (i + 0.5) / steps;
+        height +=
+            leaf.length / steps *
+            std::cos(glm::radians(leaf.insertion_angle +
+                                  leaf.curvature * std::pow(s, exponent)));
+        highest = std::max(highest, height);
+    }
+    return of == LeafHeight::tip ? height : highest;
+}
+
+//! Finds by bisection the curvature with which a leaf has the height that was
+//! measured; the more it bends the lower are its tip and its highest point.
+void bend(const LeafRow& row, double exponent, Leaf& leaf, Report& report) {
+    const std::size_t of_curvature = index_of(&Leaf::curvature);
+    const auto& [name, unit, limits, value, meaning] =
+        leaf_measures[of_curvature];
+    leaf.midrib.clear();
+    const auto height = [&](double curvature) {
+        leaf.curvature = curvature;
+        return height_of(leaf, exponent, row.of_height);
+    };
+    Range range = limits;
+    // A ruler is read to the nearest centimetre.
+    const double lowest = height(range.upper), highest = height(range.lower);
+    if (row.height < lowest - 0.01 || row.height > highest + 0.01) {
+        report.add(
+            row.places[of_curvature],
+            fmt::format(
+                "the {} of the leaf is at {:.4g} m (a leaf of "
+                "{:.4g} m that leaves the stalk at {:.4g} m by "
+                "{:.4g} deg has it at {:.4g} .. {:.4g} m); "
+                "correct one of these",
+                row.of_height == LeafHeight::tip ? "tip" : "highest point",
+                row.height, leaf.length, leaf.insertion_height,
+                leaf.insertion_angle, lowest, highest));
+        return report.spoil(&leaf.curvature);
+    }
+    while (range.upper - range.lower > 1e-6) {
+        const double middle = (range.lower + range.upper) / 2;
+        (height(middle) > row.height ? range.lower : range.upper) = middle;
+    }
+    leaf.curvature = (range.lower + range.upper) / 2;
+}
+
 //! Puts what the table tells of each leaf in the place of what is there.
 void overlay(const LeafTable& table, Plant& plant, Report& report) {
     const bool has_same_leaves = plant.leaves.size() == table.rows.size();
@@ -55,6 +108,8 @@ void overlay(const LeafTable& table, Plant& plant, Report& report) {
                      (!has_same_leaves && m < needed_leaf_measures))
                 report.spoil(&value);  // its own problem is told already
         }
+        if (row.of_height != LeafHeight::none && plant.leaves[i].length > 0)
+            bend(row, plant.blade.curvature_exponent, plant.leaves[i], report);
     }
 }
 

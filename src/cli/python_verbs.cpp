@@ -38,6 +38,9 @@ constexpr std::array python_verbs{
     PythonVerb{"ceptometer",
                "put light that was measured among plants beside the light that "
                "is found there"},
+    PythonVerb{"fit",
+               "make a crop file of a plant that was digitised, and tell how "
+               "well each leaf is met"},
 };
 
 //! Its arguments are what to say if the package is missing, and the words. No

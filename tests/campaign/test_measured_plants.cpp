@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "campaign/campaign.hpp"
@@ -91,6 +93,32 @@ TEST_F(MeasuredPlants, ColumnsTellTheirUnitsAndConventions) {
     // As in the other plant.
     EXPECT_EQ(low.curvature, 60);
     EXPECT_EQ(high.curvature, 50);
+}
+
+TEST_F(MeasuredPlants, HeightsTellHowMuchALeafBends) {
+    // The blade of the lower leaf is an arc of circle in the other plant's
+    // form with an exponent of 1: its tip and top are known by trigonometry.
+    other_.blade.curvature_exponent = 1;
+    const double bend = 100, first = 40, last = first + bend;
+    const auto sine = [](double x) {
+        return std::sin(x * std::numbers::pi / 180);
+    };
+    const double radius = .5 / (bend * std::numbers::pi / 180);
+    const double tip = .2 + radius * (sine(last) - sine(first));
+    const double top = .2 + radius * (1 - sine(first));
+    for (const auto& [column, height] :
+         {std::pair{"tip_height", tip}, std::pair{"top_height", top}}) {
+        const Plant plant = read(fmt::format("{}_mm\n{:.6f}\n{:.6f}\n", column,
+                                             1000 * height, 900.));
+        EXPECT_NEAR(plant.leaves[0].curvature, bend, .02) << column;
+    }
+    EXPECT_EQ(problems_of("top_height_cm\n300\n60\n"),
+              "field.csv:2:1: the highest point of the leaf is at 3 m (a leaf "
+              "of 0.5 m that leaves the stalk at 0.2 m by 40 deg has it at "
+              "0.2569 .. 0.583 m); correct one of these");
+    EXPECT_EQ(problems_of("curvature_deg,tip_height_cm\n9,50\n9,60\n"),
+              "field.csv:1:15: tip_height_cm is given twice (curvature_deg "
+              "too); remove one of the columns");
 }
 
 TEST_F(MeasuredPlants, DirectionsMayTurnEitherWay) {

@@ -17,6 +17,7 @@ VERBS = {
     "fidelity": "ideotype.fidelity:main",
     "indices": "ideotype.analysis.indices:main",
     "ceptometer": "ideotype.ceptometer:main",
+    "fit": "ideotype.fit:main",
 }
 """Where the function of each verb is, which takes the words after the verb
 and returns the exit code; `python_verbs.cpp` has the same names."""

@@ -1,0 +1,305 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`ideotype fit SOURCE --crop CROP --to FILE`: a crop file of a plant that was
+digitised, and how well each of its leaves is met."""
+
+from __future__ import annotations
+
+import argparse
+import datetime
+import json
+import sys
+import tomllib
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import tomli_w
+from scipy.spatial import cKDTree
+
+from ._blades import Blade, Floats, parts
+from ._errors import Error, printable_lines
+from ._geometry import Mesh
+from ._plant_sources import read_plant
+from ._stand import Stand
+
+_STEPS = 10
+"""Segments of a midrib in a crop file."""
+
+
+def leaf_of(blade: Blade, exponent: float) -> dict[str, Any]:
+    """The measures of a blade as a table [[leaf]] of a crop file.
+
+    exponent: of the crop's bends, by which insertion angle and curvature are
+        fitted to the angles of the midrib (weights: equal parts of length).
+
+    Roll and twist are there where the blade has a width: the mean turn of its
+    cross sections and their slope from base to tip (least squares, weighted by
+    width)."""
+    outward, up = blade.in_its_plane
+    steps = np.column_stack([np.diff(outward), np.diff(up)])
+    sizes = np.linalg.norm(steps, axis=1)
+    angles = np.degrees(np.unwrap(np.arctan2(steps[:, 0], steps[:, 1])))
+    along = (np.cumsum(sizes) - sizes / 2) / sizes.sum()
+    bend = np.column_stack([np.ones(len(along)), along**exponent])
+    (insertion, curvature), *_ = np.linalg.lstsq(
+        bend * np.sqrt(sizes)[:, None], angles * np.sqrt(sizes), rcond=None
+    )
+    leaf = {
+        "length": blade.length,
+        "insertion_angle": insertion,
+        "curvature": curvature,
+        "azimuth": blade.azimuth % 360,
+        "insertion_height": blade.midrib[0, 2],
+    }
+    if blade.width is not None:
+        roll, twist = blade.roll_and_twist
+        leaf |= {"width": blade.width, "roll": roll, "twist": twist}
+    ends = np.linspace(0, 1, _STEPS + 1)
+    at = np.concatenate([[0], np.cumsum(sizes)]) / sizes.sum()
+    leaf["midrib"] = [
+        [float(np.interp(s, at, outward)), float(np.interp(s, at, up))]
+        for s in ends
+    ]
+    return leaf
+
+
+def crop_of(
+    blades: Sequence[Blade], crop: dict[str, Any], name: str, form: str
+) -> dict[str, Any]:
+    """The tables of a crop file with these leaves, lowest first.
+
+    crop: has all that was not measured: stalk, sheaths, organs, traits, and
+        widths, azimuths and heights, which are those at the same relative
+        position.
+    form: "midrib", or "angles" for insertion angles and curvatures."""
+    exponent = crop.get("blade", {}).get("curvature_exponent", 1.5)
+    own = crop["leaf"]
+    leaves = []
+    for i, blade in enumerate(blades):
+        leaf = leaf_of(blade, exponent)
+        place = i / max(len(blades) - 1, 1) * (len(own) - 1)
+        like = own[round(place)]
+        leaf.setdefault("width", like["width"])
+        if not blade.has_azimuth:
+            leaf["azimuth"] = like["azimuth"]
+        if not blade.has_height:
+            leaf["insertion_height"] = like["insertion_height"]
+        if form == "midrib":
+            del leaf["insertion_angle"], leaf["curvature"]
+        else:
+            del leaf["midrib"]
+            leaf["insertion_angle"] = min(max(leaf["insertion_angle"], 0), 90)
+            leaf["curvature"] = min(max(leaf["curvature"], 0), 180)
+        leaves.append(_rounded(leaf))
+    highest = max(leaf["insertion_height"] for leaf in leaves)
+    organs = [
+        organ | {"leaf": max(1, len(leaves) - len(own) + organ["leaf"])}
+        if "leaf" in organ
+        else organ
+        for organ in crop.get("organ", [])
+    ]
+    found = crop | {
+        "name": name,
+        "stalk": crop["stalk"] | {"height": highest},
+        "leaf": leaves,
+    }
+    if organs:
+        found["organ"] = organs
+    return found
+
+
+def _rounded(value: Any) -> Any:
+    """Numbers to a tenth of a millimetre or degree."""
+    if isinstance(value, dict):
+        return {
+            key: round(float(each), 1)
+            if key
+            in {"insertion_angle", "curvature", "azimuth", "roll", "twist"}
+            else _rounded(each)
+            for key, each in value.items()
+        }
+    if isinstance(value, list):
+        return [_rounded(each) for each in value]
+    return round(float(value), 4)
+
+
+def mesh_of(crop: dict[str, Any], folder: Path) -> Mesh:
+    """The surfaces of a crop's plant, its foot at the origin, y along the
+    row. Raises InputError if the program refuses the crop."""
+    free = [each["name"] for each in crop.get("trait", [{"name": "azimuth"}])]
+    stand = Stand(
+        {
+            "name": "fit",
+            "site": [
+                {"name": "any", "latitude": 0, "longitude": 0, "utc_offset": 0}
+            ],
+            "day": [
+                {
+                    "date": datetime.date(2025, 3, 20),
+                    "start": datetime.time(12),
+                    "end": datetime.time(13),
+                }
+            ],
+            "spacing": [{"row": 1.0, "plant": 1.0}],
+            "traits": [{"name": "any", "free": free[:1]}],
+            "plant": {"baseline": crop},
+        },
+        folder=folder,
+    )
+    return stand.mesh(stand.baseline)
+
+
+def agreement(
+    blades: Sequence[Blade], crop: dict[str, Any], mesh: Mesh
+) -> pd.DataFrame:
+    """How well each leaf of a crop meets what was measured of it: the root
+    mean square distances of the midrib and of the measured points of the blade
+    [mm], that of the midrib's angle [deg], lengths [m] and areas [m2]."""
+    rows = []
+    for i, (blade, leaf) in enumerate(zip(blades, crop["leaf"], strict=True)):
+        group = f"leaf{i + 1:02d}"
+        area = mesh.area(group)
+        ours = _midrib(mesh, group)
+        # what is drawn begins at the surface of the stalk, and where the row
+        # is that of the crop a leaf without azimuth points as that one does
+        measured = _turned(blade, leaf["azimuth"], ours[0])
+        at = np.linspace(0, 1, 41)
+        apart = _resampled(ours, at) - _resampled(measured(blade.midrib), at)
+        turn = _directions(ours, at) * _directions(measured(blade.midrib), at)
+        row = {
+            "leaf": i + 1,
+            "source": blade.name,
+            "midrib_rms_mm": 1000 * np.sqrt((apart**2).sum(1).mean()),
+            "angle_rms_deg": np.degrees(
+                np.sqrt((np.arccos(np.clip(turn.sum(1), -1, 1)) ** 2).mean())
+            ),
+            "surface_rms_mm": np.nan,
+            "out_of_plane_mm": 1000 * blade.out_of_plane,
+            "length_m": leaf["length"],
+            "width_m": leaf["width"],
+            "area_m2": area,
+            "measured_area_m2": np.nan,
+        }
+        if blade.points is not None:
+            near, _ = cKDTree(_dense(mesh, group)).query(
+                measured(blade.points)
+            )
+            row["surface_rms_mm"] = 1000 * np.sqrt((near**2).mean())
+            row["measured_area_m2"] = blade.area
+        rows.append(row)
+    return pd.DataFrame(rows)
+
+
+def _resampled(line: Floats, at: Floats) -> Floats:
+    """Points of a line at these parts of its length."""
+    return np.column_stack([np.interp(at, parts(line), x) for x in line.T])
+
+
+def _directions(line: Floats, at: Floats) -> Floats:
+    """Unit vectors along a line, by differences between these parts."""
+    steps = np.diff(_resampled(line, at), axis=0)
+    return steps / np.linalg.norm(steps, axis=1)[:, None]
+
+
+def _turned(blade: Blade, azimuth: float, base: Floats) -> Any:
+    """Moves points of a blade to where the crop file has its base and turns
+    them about the vertical to the azimuth that it has there."""
+    turn = np.radians(blade.azimuth - azimuth)
+    rotation = np.array(
+        [
+            [np.cos(turn), -np.sin(turn), 0],
+            [np.sin(turn), np.cos(turn), 0],
+            [0, 0, 1],
+        ]
+    )
+    return lambda points: (points - blade.midrib[0]) @ rotation.T + base
+
+
+def _midrib(mesh: Mesh, group: str) -> Floats:
+    """The midrib of a leaf of the program: its faces lie in pairs, left and
+    right of it, from base to tip."""
+    left = mesh.corners[[name == group for name in mesh.groups]][::2]
+    return np.vstack([left[:, 1], left[-1:, 2]])
+
+
+def _dense(mesh: Mesh, group: str, steps: int = 24) -> Floats:
+    """Points on the faces of a leaf, some 2 mm apart."""
+    a, b, c, d = (
+        mesh.corners[[name == group for name in mesh.groups]]
+    ).transpose(1, 0, 2)[:, :, None, None]
+    u, v = np.meshgrid(*2 * [np.linspace(0, 1, steps)])
+    u, v = u[None, :, :, None], v[None, :, :, None]
+    points = (1 - u) * ((1 - v) * a + v * d) + u * ((1 - v) * b + v * c)
+    return points.reshape(-1, 3)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Fits, writes, prints and returns the exit code: 0, 2 for a wrong command
+    line, 3 for an input that cannot be read."""
+    parser = argparse.ArgumentParser(
+        prog="ideotype fit",
+        description="Makes a crop file of a plant that was digitised and tells "
+        "how well each leaf is met. SOURCE is a CSV file of midribs (leaf, x "
+        "out from the stalk, z up, if need be y, in _m, _cm or _mm), a DAT file "
+        "of NURBS surfaces (MaizeField3D), or a mesh or point cloud with a "
+        "group, object or colour for each leaf (OBJ, PLY).",
+    )
+    add = parser.add_argument
+    add("source", type=Path, metavar="SOURCE")
+    add("--crop", type=Path, required=True, metavar="FILE",
+        help="crop file that has what was not measured")  # fmt: skip
+    add("--to", type=Path, required=True, metavar="FILE", help="TOML to write")
+    add("--plant", metavar="NAME", help="of a CSV file with a column plant")
+    add("--leaves", type=Path, metavar="FILE",
+        help="CSV file of lengths, widths, azimuths and heights of the leaves")  # fmt: skip
+    add("--unit", choices=["auto", "m", "cm", "mm"], default="auto",
+        help="of a source that does not tell it; auto: as leaves are long")  # fmt: skip
+    add("--ground", type=float, default=float("nan"), metavar="Z",
+        help="of the soil in the unit of the source; else of its lowest point")  # fmt: skip
+    add("--form", choices=["midrib", "angles"], default="midrib",
+        help="points of midribs, or insertion angles and curvatures")  # fmt: skip
+    add("--name", help="of the plant; else that of FILE")
+    add("--json", action="store_true", help="print JSON instead of text")
+    options = parser.parse_args(arguments)
+    try:
+        blades = read_plant(
+            options.source,
+            options.plant,
+            options.leaves,
+            options.unit,
+            options.ground,
+        )
+        try:
+            crop = tomllib.loads(options.crop.read_text())
+        except (OSError, ValueError) as error:
+            raise Error(f"{options.crop}: {error}") from None
+        if not crop.get("leaf") or "stalk" not in crop:
+            raise Error(
+                f"{options.crop}: no crop file, which has [[leaf]] and [stalk]"
+            )
+        name = options.name or options.to.stem
+        crop = crop_of(blades, crop, name, options.form)
+        found = agreement(blades, crop, mesh_of(crop, options.crop.parent))
+        with options.to.open("xb") as file:
+            tomli_w.dump(crop, file)
+    except FileExistsError:
+        print(f"ideotype fit: {options.to} exists; it is not overwritten",
+              file=sys.stderr)  # fmt: skip
+        return 3
+    except (Error, OSError) as error:
+        print(printable_lines(f"ideotype fit: {error}"), file=sys.stderr)
+        return 3
+    if options.json:
+        print(
+            json.dumps(json.loads(found.to_json(orient="records")), indent=1)
+        )
+    else:
+        print(found.to_string(index=False, float_format="{:.4g}".format))
+        print(f"\n{len(found)} leaves are in {options.to}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

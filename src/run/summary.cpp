@@ -100,6 +100,25 @@ std::string left_to_gain(const History& history, const Campaign& campaign,
                      : ", which other organs and soil take");
 }
 
+//! How far a plant is from measured lines and which is the nearest, or "".
+std::string among_lines(const History& history, const Campaign& campaign,
+                        const Row& row) {
+    const auto& lines = campaign.feasibility.lines;
+    if (!lines) return "";
+    const auto number = [&](const char* name) {
+        return quantity(history, row, name).mean;
+    };
+    std::string text = fmt::format("{:.2f} from the mean of measured lines",
+                                   number("distance_from_lines"));
+    if (number("nearest_line") >= 1)
+        text += fmt::format(
+            " and {:.2f} from the nearest, {}", number("distance_from_line"),
+            lines->lines
+                .at(static_cast<std::size_t>(number("nearest_line")) - 1)
+                .name);
+    return text;
+}
+
 //! Every member of a front with its row in /final, which is its number
 //! everywhere; which of them another dominates when all have been evaluated
 //! again is told.
@@ -128,6 +147,8 @@ std::string front(const History& history, const Campaign& campaign,
             ++left;
         else
             text += "  not in the front any more";
+        if (campaign.feasibility.lines)
+            text += "  " + among_lines(history, campaign, finalists[i + 1]);
     }
     text += fmt::format("\n  {} of {} are still in the front", left,
                         members.size());
@@ -227,9 +248,14 @@ std::string remarks(const History& history, const Campaign& campaign) {
     const auto& objectives = history.header().schema.objectives;
     const std::size_t best = best_finalist(history, finalists);
     if (best == 0) return "";
-    return objectives.size() > 1
-               ? front(history, campaign, finalists)
-               : left_to_gain(history, campaign, finalists[best]);
+    if (objectives.size() > 1) return front(history, campaign, finalists);
+    std::string text = left_to_gain(history, campaign, finalists[best]);
+    if (campaign.feasibility.lines)
+        text += fmt::format(
+            "\nstandard deviations: the bred plant is {}; the baseline {}",
+            among_lines(history, campaign, finalists[best]),
+            among_lines(history, campaign, finalists[0]));
+    return text;
 }
 
 }  // namespace ideotype

@@ -181,6 +181,11 @@ def _case_remarks(case: Case, cross: Cross | None) -> Iterator[str]:
             "cross-evaluation does not have it under these cases (of a name "
             "in several campaigns it needs to say which, CAMPAIGN: CASE)"
         )
+    if case.best_history.resolved.get("feasibility", {}).get("trait"):
+        yield (
+            f"In standard deviations the bred plant is {_among(case, 'best')}, "
+            f"the baseline {_among(case, 'baseline')}"
+        )
     try:
         if case.is_saturated():
             yield (
@@ -189,6 +194,25 @@ def _case_remarks(case: Case, cross: Cross | None) -> Iterator[str]:
             )
     except HistoryError as reason:
         yield f"Without a ceiling, since {reason}"
+
+
+def _among(case: Case, who: str) -> str:
+    """How far a plant of a case is from measured lines and which is nearest."""
+    plant = getattr(case, who)
+
+    def number(name: str) -> float:
+        return float(plant.estimate(name).mean)
+
+    told = (
+        f"{number('distance_from_lines'):.2f} from the mean of measured lines"
+    )
+    lines = case.best_history.resolved["feasibility"].get("line", [])
+    if nearest := int(number("nearest_line")):
+        told += (
+            f" and {number('distance_from_line'):.2f} from the nearest, "
+            f"{lines[nearest - 1]['name']}"
+        )
+    return told
 
 
 def organs(cases: Sequence[Case]) -> list[Table]:

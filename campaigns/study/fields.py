@@ -1,24 +1,24 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The baseline of crops/maize.toml in fields like those of experiments: what light does
-there, and what its leaves make of it."""
+"""Maize in fields like those of experiments: what light does there, and what its
+leaves make of it."""
 
 from __future__ import annotations
 
 import math
 import os
+import tomllib
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
+from copy import deepcopy
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from shared import (
     CAMPAIGNS,
-    MAIZE,
+    FIELD_PLANTS,
     Estimate,
-    Numbers,
     Settings,
-    leaves,
-    with_trait,
 )  # fmt: skip
 
 import ideotype
@@ -27,10 +27,10 @@ from ideotype import Stand
 DAY, SEASON = CAMPAIGNS / "ames.toml", CAMPAIGNS / "bondville.toml"
 SOIL_ALBEDO = 0.1
 HOURS = {
-    "day": "start = 07:00:00, end = 20:00:00",
+    "day": ("07:00:00", "20:00:00"),
     # the sun is highest at 13:20
-    "noon": "start = 12:20:00, end = 14:20:00",
-    "whole": "start = 05:30:00, end = 21:00:00",
+    "noon": ("12:20:00", "14:20:00"),
+    "whole": ("05:30:00", "21:00:00"),
 }
 NOON_SECONDS = 7200
 QUANTITIES = [
@@ -42,78 +42,206 @@ CARBOHYDRATE = 30.03
 """[g mol-1]"""
 BUILDING = 1.39
 """Carbohydrate that dry matter of leaves is built of [g g-1]; WOFOST."""
+#: Leaves from 700 to 1300 nm by PROSPECT-5 at silking, as docs of the crop tell for
+#: PAR; soils reflect twice as much there. Stalks and sheaths are taken for leaves.
+NEAR_INFRARED = {
+    "leaf_reflectance": 0.45,
+    "leaf_transmittance": 0.45,
+    "stalk_reflectance": 0.5,
+    "stalk_transmittance": 0.4,
+    "sheath_reflectance": 0.5,
+    "sheath_transmittance": 0.4,
+    "soil_albedo": 2 * SOIL_ALBEDO,
+}
+PAR_SHARE = 0.45
+"""Of all sunlight; the rest is taken for near infrared."""
+
+Tables = dict[str, Any]
+
+
+def crop(name: str) -> Tables:
+    """The tables of a crop file."""
+    return tomllib.loads((CAMPAIGNS / name).read_text())
+
+
+OLD, NEW = crop("plants/maize_v02.toml"), crop("crops/maize.toml")
+HYBRID = crop("crops/maize_hybrid.toml")
+
+
+def with_bends(plant: Tables, factor: float = 1) -> Tables:
+    """A plant with the bends of crops/maize.toml or a factor of its own."""
+    plant = deepcopy(plant)
+    bends = NEW["leaf"] if factor == 1 else plant["leaf"]
+    for leaf, like in zip(plant["leaf"], bends, strict=True):
+        leaf["curvature"] = min(factor * like["curvature"], 180)
+    return plant
+
+
+def with_tassel(plant: Tables) -> Tables:
+    """A plant with stalk, tassel and ear of crops/maize.toml."""
+    return plant | {name: NEW[name] for name in ("organ", "stalk", "sheath")}
+
+
+#: One-sided area of the leaves of a plant [m2].
+AREAS = {"maize": 0.3991, "old": 0.3991, "hybrid": 0.479}
+PLANTS: dict[str, Tables] = {
+    "old": OLD,
+    "maize": NEW,
+    "hybrid": HYBRID,
+    "bends": with_bends(OLD),
+    "optics": OLD | {"optics": NEW["optics"]},
+    "capacity": OLD | {"photosynthesis": NEW["photosynthesis"]},
+    "tassel": with_tassel(OLD),
+    "straight": with_bends(HYBRID, 0),
+    "half as bent": with_bends(HYBRID, 0.5),
+    "half more bent": with_bends(HYBRID, 1.5),
+    "optics of ADEL": HYBRID
+    | {"optics": {"leaf_reflectance": 0.09, "leaf_transmittance": 0.04}},
+    "leaves alone": {
+        key: value
+        for key, value in HYBRID.items()
+        if key not in {"organ", "sheath"}
+    },
+}
+
+
+def part(*names: str) -> Tables:
+    """These numbers of the variation between field plants."""
+    return {name: FIELD_PLANTS[name] for name in names}
+
+
+VARIATIONS: dict[str, Tables] = {
+    "field": FIELD_PLANTS,
+    "random": {},
+    "across": {"azimuth": 10.0},
+    "along": {"azimuth": 10.0},
+    "roll and twist": part("roll", "twist"),
+    "without roll and twist": {
+        key: value
+        for key, value in FIELD_PLANTS.items()
+        if key not in {"roll", "twist"}
+    },
+    "azimuths": part("azimuth", "across_row"),
+    "all across": FIELD_PLANTS | {"across_row": 1.0},
+    "gaps": part("missing", "late"),
+    "without gaps": {
+        key: value
+        for key, value in FIELD_PLANTS.items()
+        if key not in {"missing", "late"}
+    },
+    "twice the gaps": FIELD_PLANTS | {"missing": 0.09, "late": 0.08},
+}
 
 
 @dataclass(frozen=True)
 class Field:
-    """Distance of rows [m], plants per area [m-2], where leaves point, the
-    direction of rows from north [deg], the light, and a changed plant."""
+    """Distance of rows [m], plants per area [m-2], which plant, how plants
+    differ, the direction of rows from north [deg], and the light."""
 
     row: float
     density: float
-    azimuths: str = "random"
+    plant: str = "hybrid"
+    variation: str = "field"
     direction: int = 90
     hours: str = "day"
     date: str = "2025-08-07"
     campaign: Path = DAY
-    curvature: float = 1
-    """Times that of each leaf."""
+    band: str = "par"
     more: tuple[str, ...] = ()
     """Settings."""
 
-    def settings(self) -> list[str]:
-        spacing = (
-            f"row = {self.row}, plant = {1 / self.density / self.row:.6f}, "
-            f"row_direction = {self.direction}"
-        )
-        settings = [
-            f"spacing=[{{{spacing}}}]",
-            f"plant.baseline={MAIZE}",
-            "objective.maximise=gross_assimilation",
-            f"optics.soil_albedo={SOIL_ALBEDO}",
-            f"field.jitter={180 if self.azimuths == 'random' else 10}",
+    def tables(self) -> Tables:
+        """The campaign of this field."""
+        tables = tomllib.loads(self.campaign.read_text())
+        tables["spacing"] = [
+            {
+                "row": self.row,
+                "plant": round(1 / self.density / self.row, 6),
+                "row_direction": self.direction,
+            }
         ]
+        plant = deepcopy(PLANTS[self.plant])
+        if self.variation == "along":
+            for leaf in plant["leaf"]:
+                leaf["azimuth"] = (leaf["azimuth"] + 90) % 360
+        own = plant.get("optics", {})
+        tables["optics"] = own | {"soil_albedo": SOIL_ALBEDO}
+        if self.band == "nir":
+            plant["optics"] = {
+                key: NEAR_INFRARED[key]
+                for key in ("leaf_reflectance", "leaf_transmittance")
+            }
+            tables["optics"] = NEAR_INFRARED
+        tables["plant"] = {"baseline": plant}
+        tables["objective"] = {"maximise": "gross_assimilation"}
+        variation = VARIATIONS[self.variation]
+        # planes at random, unless it is told how they lie
+        is_told = "across_row" in variation or self.variation in {
+            "across",
+            "along",
+        }
+        tables["field"] = {
+            "rows": 4,
+            "plants": 4,
+            "variation": variation,
+            "jitter": 10 if is_told else 180,
+        }
         if self.campaign == DAY:
-            day = f"date = {self.date}, {HOURS[self.hours]}, step_minutes = 30"
-            settings.append(f"day=[{{{day}}}]")
-        return [*settings, *self.more]
-
-    def plant(self, stand: Stand) -> Numbers:
-        """The baseline's leaves point across the row."""
-        genome: Numbers = stand.baseline
-        own = leaves(stand, genome)
-        if self.azimuths == "along":
-            turned = (own["azimuth"] + 90) % 360
-            genome = with_trait(stand, genome, "azimuth", turned)
-        bent = own["curvature"] * self.curvature
-        return with_trait(stand, genome, "curvature", bent)
+            start, end = HOURS[self.hours]
+            tables["day"] = [
+                tomllib.loads(
+                    f"date = {self.date}\nstart = {start}\nend = {end}\n"
+                    "step_minutes = 30"
+                )
+            ]
+        return tables
 
 
 Measured = dict[str, Estimate]
 
 
 def measure(field: Field, accuracy: Settings = ()) -> Measured:
-    """What the program tells of a field, and of PAR on its way down to the
+    """What the program tells of a field, and of light on its way down to the
     soil: `transmitted`, `fipar` = 1 - transmitted, and `k`, -ln(transmitted) /
     leaf area index."""
-    stand = Stand.from_campaign(
-        field.campaign, settings=[*field.settings(), *accuracy]
+    stand = Stand(
+        field.tables(),
+        folder=field.campaign.parent,
+        settings=[*field.more, *accuracy],
     )
-    found = stand.evaluate(
-        field.plant(stand), QUANTITIES, final=True, threads=1
-    )
+    found = stand.evaluate(stand.baseline, QUANTITIES, final=True, threads=1)
     if message := found.message.item():
         raise ideotype.Error(f"{stand.name}: {message}")
     known: Measured = {}
     for name in QUANTITIES:
         error = found.get(f"{name}_standard_error")
         known[name] = found[name].item(), 0 if error is None else error.item()
-    lai = known["lai"][0]
-    soil, error = scaled(known["soil_fraction"], 1 / (1 - SOIL_ALBEDO))
-    known["transmitted"] = soil, error
-    known["fipar"] = 1 - soil, error
-    known["k"] = -math.log(soil) / lai, error / soil / lai
-    return known
+    albedo = (
+        SOIL_ALBEDO if field.band == "par" else NEAR_INFRARED["soil_albedo"]
+    )
+    soil = scaled(known["soil_fraction"], 1 / (1 - albedo))
+    return known | through(soil, known["lai"])
+
+
+def through(transmitted: Estimate, lai: Estimate) -> Measured:
+    """What follows from the light that reaches the soil."""
+    mean, error = transmitted
+    return {
+        "transmitted": transmitted,
+        "fipar": (1 - mean, error),
+        "k": (-math.log(mean) / lai[0], error / mean / lai[0]),
+    }
+
+
+def of_sunlight(par: Measured, infrared: Measured) -> Measured:
+    """The light of both bands on its way down to the soil."""
+    parts = (
+        (par["transmitted"], PAR_SHARE),
+        (infrared["transmitted"], 1 - PAR_SHARE),
+    )
+    mean = sum(x[0] * share for x, share in parts)
+    error = math.hypot(*(x[1] * share for x, share in parts))
+    return through((mean, error), par["lai"])
 
 
 def measure_all(

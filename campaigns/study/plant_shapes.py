@@ -34,7 +34,7 @@ from shared import (
     print_table,
 )
 
-from ideotype._geometry import Mesh, read_obj
+from ideotype._geometry import Mesh
 from ideotype.analysis.style import RC, new_figure
 
 MEASURED = Path(__file__).parent / "measured"
@@ -70,6 +70,21 @@ class Shape:
     steep: Numbers  #: share of area that is steeper than STEEP
     reach: Numbers  #: of midribs from their bases, aside [m]
     height: Numbers  #: share of area between HEIGHTS
+
+
+def read_obj(path: Path) -> Mesh:
+    """A mesh as the program exports it."""
+    vertices, faces, groups, group = [], [], [], ""
+    for line in path.read_text().splitlines():
+        word, *rest = line.split()
+        if word == "v":
+            vertices.append([float(x) for x in rest])
+        elif word == "g":
+            group = rest[0]
+        elif word == "f":
+            faces.append(tuple(int(x) - 1 for x in rest))
+            groups.append(group)
+    return Mesh(np.array(vertices), tuple(faces), tuple(groups))
 
 
 def field_of(name: str, crop: Path, variation: Any, folder: Path) -> Mesh:

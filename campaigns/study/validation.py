@@ -4,13 +4,16 @@
 
 validation.py [--rough] [--figure FILE.png]
 
-Evaluates the baseline of crops/maize.toml in stands like those of field experiments, on
-the clear day of ames.toml, around its noon, and in the season of bondville.toml, and
-prints each figure beside the published one (published.py): extinction coefficients and
-fractions of PAR, what erect leaves do, light-use efficiency, and canopy assimilation. What
-disagrees comes first; two standard errors are granted, and where a source tells one figure
-without an error, 10 %. Then come what would change it, and extinction coefficients k
-against row spacing and leaf area index. ± are standard errors. --rough is for tests.
+Evaluates the hybrid of crops/maize_hybrid.toml, whose plants differ and fail as field
+plants do, in stands like those of field experiments, on the clear day of ames.toml,
+around its noon, and in the season of bondville.toml, and prints each figure beside the
+published one (published.py): extinction coefficients and fractions of PAR or of all
+sunlight as the source has them, light-use efficiency, and canopy assimilation; and what
+erect leaves do to crops/maize.toml. What disagrees comes first; two standard errors are
+granted, and where a source tells one figure without an error, 10 %. Then come what each
+measured input changes, alone and together, what would change the hybrid, and extinction
+coefficients k against row spacing and leaf area index. ± are standard errors. --rough is
+for tests. Means over a growing season are not compared: plants do not grow.
 
 k is of the light that reaches the soil, as in the field: -ln(transmitted / incident) / leaf
 area index. `extinction_coefficient` of the program is of what plants absorb.
@@ -24,13 +27,15 @@ import os
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
-from itertools import pairwise
 from pathlib import Path
+from statistics import fmean
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import erect_leaves
 import numpy as np
 from fields import (
+    AREAS,
     DAY,
     SEASON,
     Field,
@@ -38,18 +43,19 @@ from fields import (
     dry_matter,
     measure_all,
     noon_rate,
+    of_sunlight,
     ratio,
     scaled,
 )  # fmt: skip
+from plant_shapes import HYBRID, THIRDS, field_of, shape_of
 from published import PUBLISHED, Published, apsim_k, ceres_k
 from shared import (
-    PLANT_AREA,
+    FIELD_PLANTS,
     ROUGH,
     Estimate,
     Settings,
     guard,
     print_table,
-    sign_change,
 )  # fmt: skip
 
 from ideotype.analysis.style import new_figure
@@ -57,22 +63,29 @@ from ideotype.analysis.style import new_figure
 ROWS = (0.20, 0.38, 0.50, 0.76, 1.0)
 DENSITY = 7.5
 ROW = 0.762
-AREAS = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0)
-AZIMUTHS = ("across", "along", "random")
+LEAF_AREAS = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0)
+PLANES = ("field", "all across", "along", "random")
 LIGHTS = ("day", "noon")
-LEAVES_ALONE = ("plant.organs=[]",)
 
 USUAL = Field(ROW, DENSITY)
-DENSE = Field(ROW, 6 / PLANT_AREA)
+
+
+def density_of(area: float, plant: str = "hybrid") -> float:
+    """Plants sown per area [m-2] for a leaf area index, with the gaps of field
+    plants."""
+    return area / AREAS[plant] / (1 - FIELD_PLANTS["missing"])
+
+
+DENSE = Field(ROW, density_of(6))
 JULY = replace(DENSE, hours="whole", date="2025-07-10")
 JULY_NOON = replace(JULY, hours="noon")
 #: what is compared, by the keys of PUBLISHED where it is one figure of one field
 FIELDS = {
     **{f"k {row}": Field(row, DENSITY) for row in (0.2, 0.5, 1.0)},
     "k ceres": USUAL,
-    "k crops": USUAL,
+    "k muchow": Field(0.75, 7),
     "k dense": replace(DENSE, hours="noon"),
-    "fapar": Field(ROW, 5 / PLANT_AREA),
+    "fapar": Field(ROW, density_of(5)),
     **{
         f"fipar {density}": Field(0.52, density, hours="noon")
         for density in (4.5, 6.2, 7.3)
@@ -86,26 +99,49 @@ FIELDS = {
     "july": JULY,
     "july noon": JULY_NOON,
 }
-#: what would change it
+#: whose k is of all sunlight
+OF_SUNLIGHT = ("k 0.2", "k 0.5", "k 1.0", "k muchow")
+#: version 0.2's plant with each measured input, and with all of them
+STEPS: dict[str, dict[str, Any]] = {
+    "version 0.2": {},
+    "bends": {"plant": "bends"},
+    "roll and twist": {"variation": "roll and twist"},
+    "azimuths and planes": {"variation": "azimuths"},
+    "optics of leaves": {"plant": "optics"},
+    "capacity by rank": {"plant": "capacity"},
+    "stalk, ear and tassel": {"plant": "tassel"},
+    "gaps": {"variation": "gaps"},
+    "all together: crops/maize.toml": {"plant": "maize", "variation": "field"},
+    "the hybrid": {"plant": "hybrid", "variation": "field"},
+}
+#: what would change the hybrid
 CHANGES: dict[str, dict[str, Any]] = {
     "as it is": {},
+    "straight leaves": {"plant": "straight"},
+    "leaves half as bent": {"plant": "half as bent"},
+    "leaves half more bent": {"plant": "half more bent"},
+    "no roll and twist": {"variation": "without roll and twist"},
+    "all planes across the row": {"variation": "all across"},
     "rows from north to south": {"direction": 0},
-    "leaves without other organs": {"more": LEAVES_ALONE},
-    "leaves half as curved": {"curvature": 0.5},
-    "straight leaves": {"curvature": 0},
-    "straight leaves without other organs": {
-        "curvature": 0,
-        "more": LEAVES_ALONE,
-    },
-    "capacity alike at all depths": {"more": ("photosynthesis.profile=none",)},
-    "the same, 75 umol m-2 s-1 in place of 50": {
-        "more": ("photosynthesis.profile=none", "photosynthesis.amax=75")
+    "no gaps": {"variation": "without gaps"},
+    "twice the gaps": {"variation": "twice the gaps"},
+    "optics of ADEL, 0.09 and 0.04": {"plant": "optics of ADEL"},
+    "leaves without other organs": {"plant": "leaves alone"},
+    "capacity alike in all leaves": {"more": ("photosynthesis.profile=none",)},
+    "capacity of 60 umol m-2 s-1 in place of 50": {
+        "more": ("photosynthesis.amax=60",)
     },
 }
 
 
-def of_fields(found: dict[str, Measured]) -> dict[str, Estimate]:
+def of_fields(
+    found: dict[str, Measured], infrared: dict[str, Measured]
+) -> dict[str, Estimate]:
     """Ours, by the keys of PUBLISHED: of light and assimilation."""
+    found = found | {
+        name: found[name] | of_sunlight(found[name], each)
+        for name, each in infrared.items()
+    }
     day, season = found["k ceres"], found["season"]
     parts = ("k", "fipar", "fapar")
     ours = {
@@ -137,30 +173,32 @@ def of_fields(found: dict[str, Measured]) -> dict[str, Estimate]:
 
 
 def of_erect_leaves(accuracy: Settings) -> dict[str, Estimate]:
-    """The same, of what erect leaves do to gross assimilation [%]."""
-    upper, all_15, tied_up = list(erect_leaves.VARIANTS)[2:]
-    densities = (3.0, 5.0, 7.0, 9.0)
-    wanted = [*((x, ROW) for x in (*densities, 16.0)), (9.0, 0.5), (9.0, 1.5)]
-    wanted.append((5.93, 0.508))
+    """What leaves that are tied up do to gross assimilation [%]: the mean over
+    densities."""
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        gains = pool.map(
-            lambda at: erect_leaves.gains(DAY, *at, accuracy), wanted
+        found = [
+            gains[-1]
+            for gains in pool.map(
+                lambda density: erect_leaves.gains(
+                    DAY, density, ROW, accuracy
+                ),
+                (4.5, 6.0, 7.5, 9.0, 10.5),
+            )
+        ]
+    means, errors = zip(*found, strict=True)
+    return {"tied up": (fmean(means), math.hypot(*errors) / len(errors))}
+
+
+def of_shapes() -> dict[str, Estimate]:
+    """How leaves of the hybrid are inclined in a field of 16 plants [deg]."""
+    with TemporaryDirectory() as folder:
+        shape = shape_of(
+            field_of("hybrid", HYBRID, FIELD_PLANTS, Path(folder))
         )
-        found = {
-            at: dict(zip(erect_leaves.VARIANTS, each, strict=True))
-            for at, each in zip(wanted, gains, strict=True)
-        }
-    tops = [(x, found[x, ROW][upper]) for x in densities]
-    pairs = list(pairwise(tops))
-    crossing = [pair for pair in pairs if pair[0][1][0] < 0 <= pair[1][1][0]]
-    change = sign_change(*(crossing or pairs)[0])
+    parts = ("all", *(f"{third} third" for third in THIRDS))
     return {
-        "sign": scaled(change, PLANT_AREA),
-        "tied up 9": found[9.0, ROW][tied_up],
-        "tied up 16": found[16.0, ROW][tied_up],
-        "erect 0.5": found[9.0, 0.5][upper],
-        "erect 1.5": found[9.0, 1.5][upper],
-        "lg2": found[5.93, 0.508][all_15],
+        f"inclination {part}": (float(mean), 0.0)
+        for part, mean in zip(parts, shape.inclination, strict=True)
     }
 
 
@@ -186,49 +224,71 @@ def print_comparison(ours: dict[str, Estimate]) -> None:
         cells += [verdict(ours[name], told), told.differs, told.source]
         rows.append(cells)
     rows.sort(key=lambda cells: cells[3] == "as published")
+    apart = sum(cells[3] != "as published" for cells in rows)
+    print(f"{apart} of {len(rows)} figures disagree\n")
     titles = ["figure", "ours", "published", "ours is", "what differs"]
     print_table([*titles, "source"], rows)
 
 
-def changed(name: str) -> list[Field]:
-    return [
-        replace(field, **CHANGES[name])
-        for field in (USUAL, replace(USUAL, hours="noon"), DENSE, JULY_NOON)
-    ]
+def changed(change: dict[str, Any], steps: bool) -> list[Field]:
+    """The fields in which a change is looked at."""
+    if steps:
+        change = {"plant": "old", "variation": "random"} | change
+    area = AREAS.get(
+        change.get("plant", "hybrid"), AREAS["old" if steps else "hybrid"]
+    )
+    dense = replace(DENSE, density=6 / area / (1 - FIELD_PLANTS["missing"]))
+    july = replace(JULY_NOON, density=dense.density)
+    usual = USUAL, replace(USUAL, band="nir"), replace(USUAL, hours="noon")
+    return [replace(field, **change) for field in (*usual, dense, july)]
 
 
-def print_changes(found: dict[Field, Measured]) -> None:
+def print_changes(
+    title: str,
+    changes: dict[str, dict[str, Any]],
+    found: dict[Field, Measured],
+    steps: bool,
+) -> None:
     rows = []
-    for name in CHANGES:
-        day, noon, dense, july = (found[field] for field in changed(name))
-        cells = [day["k"], noon["k"], dense["k"], day["light_use_efficiency"]]
-        rows.append([name, *map(shown, [*cells, noon_rate(july)])])
-    titles = [f"k, {x}, {DENSITY:g} plants m-2" for x in LIGHTS]
-    titles += ["k, day, leaf area index 6", "light-use efficiency [g C MJ-1]"]
+    for name, change in changes.items():
+        day, infrared, noon, dense, july = (
+            found[field] for field in changed(change, steps)
+        )
+        cells = [
+            day["k"],
+            of_sunlight(day, infrared)["k"],
+            noon["k"],
+            dense["k"],
+        ]
+        cells += [day["fapar"], day["light_use_efficiency"], noon_rate(july)]
+        rows.append([name, *map(shown, cells)])
+    titles = ["k of PAR, day", "k of all sunlight, day", "k of PAR, noon"]
+    titles += ["k of PAR, day, leaf area index 6", "fAPAR, day"]
+    titles += ["light-use efficiency [g C MJ-1]"]
     titles.append("July noon, leaf area index 6 [umol m-2 s-1]")
     print()
-    print_table(["what would change it", *titles], rows)
+    print_table([title, *titles], rows)
 
 
 def by_row(rows: Sequence[float]) -> list[Field]:
     return [
-        Field(row, DENSITY, azimuths, hours=hours)
+        Field(row, DENSITY, variation=planes, hours=hours)
         for row in rows
         for hours in LIGHTS
-        for azimuths in AZIMUTHS
+        for planes in PLANES
     ]
 
 
 def by_area(areas: Sequence[float]) -> list[Field]:
     return [
-        Field(ROW, area / PLANT_AREA, hours=hours)
+        Field(ROW, density_of(area), hours=hours)
         for area in areas
         for hours in LIGHTS
     ]
 
 
 def print_rows(found: dict[Field, Measured], rows: Sequence[float]) -> None:
-    titles = [f"k, {hours}, {x}" for hours in LIGHTS for x in AZIMUTHS]
+    titles = [f"k, {hours}, {x}" for hours in LIGHTS for x in PLANES]
     cells = []
     for row in rows:
         values = [found[field]["k"] for field in by_row([row])]
@@ -243,9 +303,7 @@ def print_rows(found: dict[Field, Measured], rows: Sequence[float]) -> None:
         )
     first = f"rows [m], {DENSITY:g} plants m-2; leaves"
     print()
-    print_table(
-        [first, *titles, "fAPAR, day, random", "APSIM", "CERES"], cells
-    )
+    print_table([first, *titles, "fAPAR, day, field", "APSIM", "CERES"], cells)
 
 
 def print_areas(found: dict[Field, Measured], areas: Sequence[float]) -> None:
@@ -254,7 +312,7 @@ def print_areas(found: dict[Field, Measured], areas: Sequence[float]) -> None:
         day, noon = (found[field] for field in by_area([area]))
         values = [day[x] for x in ("fapar", "extinction_coefficient", "k")]
         values += [noon[x] for x in ("fipar", "k")]
-        density = area / PLANT_AREA
+        density = density_of(area)
         cells.append([f"{area:g}", f"{density:.1f}", *map(shown, values)])
         cells[-1].append(f"{ceres_k(ROW, density):.2f}")
     titles = [f"leaf area index, rows of {ROW} m", "plants m-2", "fAPAR, day"]
@@ -269,15 +327,15 @@ def plot(
     x: Sequence[float],
     of: list[Field],
 ) -> None:
-    azimuths, hours = of[0].azimuths, of[0].hours
+    planes, hours = of[0].variation, of[0].hours
     axis.errorbar(
         x,
         [found[field]["k"][0] for field in of],
         [found[field]["k"][1] for field in of],
-        color=f"C{AZIMUTHS.index(azimuths)}",
+        color=f"C{PLANES.index(planes)}",
         linestyle="-" if hours == "day" else "--",
         marker="o",
-        label=f"leaves {azimuths}, {hours}",
+        label=f"{planes}, {hours}",
     )
 
 
@@ -285,22 +343,23 @@ def draw(found: dict[Field, Measured], path: Path) -> None:
     figure = new_figure(9, 4)
     figure.suptitle("Does light fade in the canopy as it does in the field?")
     left, right = figure.subplots(1, 2, sharey=True)
-    series = len(AZIMUTHS) * len(LIGHTS)
+    series = len(PLANES) * len(LIGHTS)
     for first in range(series):
         plot(left, found, ROWS, by_row(ROWS)[first::series])
     fine = np.linspace(min(ROWS), max(ROWS), 50)
     ceres = [ceres_k(x, DENSITY) for x in fine]
-    left.plot(fine, [apsim_k(x) for x in fine], ":k", label="APSIM")
+    left.plot(
+        fine, [apsim_k(x) for x in fine], ":k", label="APSIM, all sunlight"
+    )
     left.plot(fine, ceres, "-.k", label="CERES-Maize")
     left.set_xlabel(f"distance of rows [m], {DENSITY:g} plants m-2")
     left.set_ylabel("extinction coefficient k")
     for first in range(len(LIGHTS)):
-        plot(right, found, AREAS, by_area(AREAS)[first :: len(LIGHTS)])
-    ceres = [ceres_k(ROW, x / PLANT_AREA) for x in AREAS]
-    right.plot(AREAS, ceres, "-.k", label="CERES-Maize")
-    right.axhline(apsim_k(ROW), color="k", linestyle=":", label="APSIM")
-    crops = PUBLISHED["k crops"]
-    right.axhspan(crops.low, crops.high, color="#D0D0D0", label="Kukal 2020")
+        plot(
+            right, found, LEAF_AREAS, by_area(LEAF_AREAS)[first :: len(LIGHTS)]
+        )
+    ceres = [ceres_k(ROW, density_of(x)) for x in LEAF_AREAS]
+    right.plot(LEAF_AREAS, ceres, "-.k", label="CERES-Maize")
     right.plot([6], [0.47], "kD", label="Ma 2014")
     right.set_xlabel(f"leaf area index, rows of {ROW} m")
     for axis in (left, right):
@@ -319,15 +378,24 @@ def main() -> None:
         if options.rough
         else []
     )
-    wanted = [*FIELDS.values(), *by_row(ROWS), *by_area(AREAS)]
-    for name in CHANGES:
-        wanted += changed(name)
+    infrared = {
+        name: replace(FIELDS[name], band="nir") for name in OF_SUNLIGHT
+    }
+    wanted = [*FIELDS.values(), *infrared.values(), *by_row(ROWS)]
+    wanted += by_area(LEAF_AREAS)
+    for steps, changes in ((True, STEPS), (False, CHANGES)):
+        for change in changes.values():
+            wanted += changed(change, steps)
     found = measure_all(wanted, accuracy)
-    ours = of_fields({name: found[field] for name, field in FIELDS.items()})
-    print_comparison(ours | of_erect_leaves(accuracy))
-    print_changes(found)
+    ours = of_fields(
+        {name: found[field] for name, field in FIELDS.items()},
+        {name: found[field] for name, field in infrared.items()},
+    )
+    print_comparison(ours | of_shapes() | of_erect_leaves(accuracy))
+    print_changes("each measured input alone", STEPS, found, steps=True)
+    print_changes("what would change the hybrid", CHANGES, found, steps=False)
     print_rows(found, ROWS)
-    print_areas(found, AREAS)
+    print_areas(found, LEAF_AREAS)
     if options.figure:
         draw(found, options.figure)
 

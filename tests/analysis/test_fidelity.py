@@ -183,7 +183,7 @@ def test_ctrl_c_prints_what_is_measured(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "ideotype.fidelity"]
     command += [of_a_day(tmp_path), "--seconds", "600"]
     with subprocess.Popen(
-        command,
+        ["bash", "-c", "trap '' INT; exec \"$@\"", "bash", *command],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,

@@ -103,6 +103,6 @@ def test_histories_have_the_hypervolume_of_each_generation(
     np.testing.assert_allclose(volume.values, expected, 1e-12)
     assert (volume.standard_error[1:] > 0).all()
     assert volume.unit == "MJ m-2 day-1 m2 m-2"
-    assert shown.count("hypervolume") == 4 + 1
+    assert shown.count(", hypervolume ") == 4 + 1
     last = f", hypervolume {volume.values[-1]:.3g}"[:-1]
     assert last in output_of("status", path)

@@ -108,7 +108,7 @@ def test_each_figure_answers_the_question_above_it(made: Made) -> None:
         r'alt="(.*?)">.*?\((\S+)\.png\)',
         made.text,
     )
-    assert len(figures) == 4 + len(CASES) * (len(DRAWN) + 2)
+    assert len(figures) == 4 + len(CASES) * (len(DRAWN) + 1)
     for question, data, told, name in figures:
         assert re.fullmatch(r"[A-Z][^.?]+\?", question)
         assert told.startswith(question)
@@ -231,7 +231,7 @@ def test_a_browser_shows_the_page(made: Made, tmp_path: Path) -> None:
     assert shown["states"] == 6 and shown["isHome"]
     assert shown["scrolls"] and shown["zooms"]
     assert shown["cases"] == list(CASES) and shown["quantities"] == 2
-    assert len(shown["pictures"]) == 4 + 2 * (len(DRAWN) + 2)
+    assert len(shown["pictures"]) == 4 + 2 * (len(DRAWN) + 1)
     assert min(shown["pictures"]) > 200
     assert shown["wide"]
 

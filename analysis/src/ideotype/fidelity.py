@@ -179,7 +179,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     program = None
     code = 0
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    # also where a script that runs in the background has made it ignore SIGINT
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.default_int_handler)
     try:
         began = time.monotonic()
         sets = [word for each in options.set for word in ("--set", each)]

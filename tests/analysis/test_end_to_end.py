@@ -89,7 +89,7 @@ def test_organs_sum_to_what_plants_absorb(rows: Rows) -> None:
 
 def test_errors_are_known_and_small(rows: Rows) -> None:
     relative = rows["absorbed_par"].standard_error / rows.objectives[:, 0]
-    assert np.all((relative > 0) & (relative < 0.05))
+    assert np.all((relative > 0) & (relative < 0.08))
     assert rows.objectives[:, 0] == pytest.approx(rows["absorbed_par"].values)
 
 

@@ -28,9 +28,10 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 ABSORBED = "absorbed_par [MJ m-2 day-1]"
 ERROR = "standard_error [MJ m-2 day-1]"
-FACES = 10 * 24 + 9 * 2 * 8
-"""Those of a plant: leaves of 12 x 2 cells and nine octagonal organs, with a
-cover each."""
+FACES = 10 * 24 + 16 + 48 + 2 * 12 + 8 + 7 * 6
+"""Those of a plant: leaves of 12 x 2 cells, stalk, sheaths, peduncle and ear,
+spike, and seven branches of three sides, each of which has a cover of as many
+faces as sides."""
 GROUPS = 16
 """Those of a plant: its leaves, stalk and five kinds of other organs."""
 FINAL_PATHS = 256

@@ -14,6 +14,7 @@ import argparse
 import os
 import re
 import subprocess
+import tomllib
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
@@ -87,14 +88,34 @@ def read_obj(path: Path) -> Mesh:
     return Mesh(np.array(vertices), tuple(faces), tuple(groups))
 
 
-def field_of(name: str, crop: Path, variation: Any, folder: Path) -> Mesh:
-    """The field of a plant's first generation, the baseline, as drawn."""
+def turned(crop: Path) -> str:
+    """A trait of a plant; the first generation has the baseline whichever it is."""
+    traits = tomllib.loads(crop.read_text()).get("trait", [])
+    whole = (each["name"] for each in traits if each.get("per") == "plant")
+    return next(whole, "azimuth")
+
+
+def field_of(
+    name: str,
+    crop: Path,
+    variation: Any,
+    folder: Path,
+    size: tuple[int, int] = (ROWS, ROWS),
+    spacing: tuple[float, float] = (0.76, 0.15),
+) -> Mesh:
+    """The field of a plant's first generation, the baseline, as drawn: so many
+    rows and plants of each, so far apart [m]."""
     tables = {
         **ANYWHERE,
         "name": re.sub("[^a-z0-9]+", "_", name),
-        "field": {"rows": ROWS, "plants": ROWS, "variation": variation},
+        "spacing": [dict(zip(("row", "plant"), spacing, strict=True))],
+        "field": {
+            "rows": size[0],
+            "plants": size[1],
+            "variation": variation,
+        },
         "plant": {"baseline": str(crop), "cells_along": CELLS},
-        "traits": [{"name": "turns", "free": ["leaf_plane"]}],
+        "traits": [{"name": "turns", "free": [turned(crop)]}],
         "light": {"paths": 16, "randomisations": 2},
         "search": {"population": 2, "elites": 0},
         "stop": {"generations": 1},

@@ -70,6 +70,11 @@ PARTS = {
         ("plants_differ.py", "--figure", "{figures}/plants_differ.png"),
         ("--under", str(CAMPAIGNS / "ames_quick.toml"), "--plants", "2"),
     ),
+    "feasible": Part(
+        "What do plants cost that lines of maize show to be possible?",
+        ("feasible.py", "{folder}"),
+        ("--rough", "--generations", "2"),
+    ),
     "validation": Part(
         "Does the canopy behave as maize does in the field?",
         ("validation.py", "--figure", "{figures}/validation.png"),

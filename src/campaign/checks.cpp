@@ -100,7 +100,8 @@ void check_spacing(const Spacing& spacing, Report& report) {
 //! Warns of stands that hold more leaves of the baseline than fields have.
 void check_leaf_area(const Campaign& campaign, Report& report) {
     const double area =
-        leaf_area(build_plant(campaign.crop.baseline, campaign.tessellation));
+        plant_area(build_plant(campaign.crop.baseline, campaign.tessellation))
+            .leaves;
     for (const auto& [name, spacing] : campaign.spacings)
         if (const std::string doubt =
                 doubt_of_lai(area / (spacing.row * spacing.plant));

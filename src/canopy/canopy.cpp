@@ -194,7 +194,11 @@ class Evaluation {
 
     CanopyReport report() {
         const SeriesIllumination& light = request_.scenario.light;
-        if (varies()) result_.lai = lai_of_fields_ / fields_;
+        if (varies()) {
+            result_.lai = area_of_fields_.leaves / fields_;
+            result_.plant_area_index =
+                result_.lai + area_of_fields_.other_organs / fields_;
+        }
         for (const Tally& tally : tallies_) {
             result_.budget_by_randomisation.push_back(tally.budget());
             if (request_.details.faces) continue;
@@ -260,8 +264,12 @@ class Evaluation {
         result_.groups = groups;
         result_.boundary = field.boundary;
         result_.ground_area = field.ground_area;
-        result_.lai = leaf_area(mesh) / field.ground_area;
-        lai_of_fields_ += result_.lai;
+        const PlantArea area = plant_area(mesh);
+        result_.lai = area.leaves / field.ground_area;
+        result_.plant_area_index =
+            result_.lai + area.other_organs / field.ground_area;
+        area_of_fields_.leaves += area.leaves / field.ground_area;
+        area_of_fields_.other_organs += area.other_organs / field.ground_area;
         if (request_.details.faces) add_areas(mesh);
         ++fields_;
         take(result_.seconds.geometry);
@@ -399,7 +407,7 @@ class Evaluation {
     std::vector<LeafRates> rates_;         //!< of each group
     std::vector<double> leaf_area_index_;  //!< of each group, of all fields
     std::vector<double> areas_;            //!< of all copies of each face [m2]
-    double lai_of_fields_ = 0;             //!< sum
+    PlantArea area_of_fields_;             //!< sum, per ground area
     int fields_ = 0;
 };
 

@@ -145,6 +145,12 @@ std::vector<Declaration> light_quantities() {
          true},
         {{"lai", "m2 m-2", "one-sided leaf area per ground area", {}, exact},
          [](const Report& r) { return certain(r, r.lai); }},
+        {{"plant_area_index",
+          "m2 m-2",
+          "leaf area and half the surface of all other organs per ground area",
+          {},
+          exact},
+         [](const Report& r) { return certain(r, r.plant_area_index); }},
         {{"absorbed_by_leaf", daily, "PAR that each leaf absorbs", {"leaf"}},
          [](const Report& r) {
              return of_leaves(

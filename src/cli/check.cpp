@@ -114,7 +114,7 @@ Findings look_at(const Campaign& campaign) {
     Findings found{plant,
                    scenario.light.series,
                    field,
-                   stands_of(campaign, leaf_area(plant)),
+                   stands_of(campaign, plant_area(plant).leaves),
                    CampaignCost(campaign, first),
                    disk_room(campaign, all),
                    0,
@@ -122,7 +122,7 @@ Findings look_at(const Campaign& campaign) {
                    count_free(genes)};
     found.excess = violation(campaign.constraints, campaign.crop.traits,
                              campaign.crop.baseline,
-                             leaf_area(field.mesh) / field.ground_area);
+                             plant_area(field.mesh).leaves / field.ground_area);
     return found;
 }
 
@@ -138,7 +138,7 @@ Json to_json(const CheckOptions& options, const Campaign& campaign,
             {"plant",
              {{"name", campaign.crop.baseline.name},
               {"leaves", campaign.crop.baseline.leaves.size()},
-              {"leaf_area_m2", leaf_area(found.plant)},
+              {"leaf_area_m2", plant_area(found.plant).leaves},
               {"faces", found.plant.faces.size()},
               {"violation", found.excess}}},
             {"field",
@@ -146,7 +146,8 @@ Json to_json(const CheckOptions& options, const Campaign& campaign,
               {"plants_per_row", campaign.field.plants},
               {"period_x_m", found.field.period_x},
               {"period_y_m", found.field.period_y},
-              {"lai", leaf_area(found.field.mesh) / found.field.ground_area},
+              {"lai",
+               plant_area(found.field.mesh).leaves / found.field.ground_area},
               {"lai_of_cases", found.stands.lai.json()},
               {"faces", found.field.mesh.faces.size()}}},
             {"light",
@@ -174,8 +175,8 @@ void print(const CheckOptions& options, const Campaign& campaign,
     fmt::print("{}", scenario_text(campaign, all.front()));
     fmt::print("plant     {}, {} leaves, {:.4f} m2 of leaf, {} faces\n",
                campaign.crop.baseline.name,
-               campaign.crop.baseline.leaves.size(), leaf_area(found.plant),
-               found.plant.faces.size());
+               campaign.crop.baseline.leaves.size(),
+               plant_area(found.plant).leaves, found.plant.faces.size());
     fmt::print("field     {} x {} plants, period {} x {} m, LAI {}, {} faces\n",
                campaign.field.rows, campaign.field.plants,
                stands.period_x.text("{:.4g}"), stands.period_y.text("{:.4g}"),

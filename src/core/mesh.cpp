@@ -28,12 +28,14 @@ std::vector<double> face_areas(const Mesh& mesh) {
     return areas;
 }
 
-double leaf_area(const Mesh& mesh) {
+PlantArea plant_area(const Mesh& mesh) {
     const std::vector<double> areas = face_areas(mesh);
-    double sum = 0;
+    PlantArea sum;
     for (std::size_t f = 0; f < areas.size(); ++f)
         if (mesh.groups[mesh.face_group[f]].tissue == Tissue::leaf)
-            sum += areas[f];
+            sum.leaves += areas[f];
+        else
+            sum.other_organs += areas[f] / 2;
     return sum;
 }
 

@@ -73,7 +73,8 @@ double lai_of_line(const Campaign& campaign, const Plant& plant,
     if (!field.variation.is_any()) return report.lai;
     const double plants = (field.rows - 2. * field.border_rows) *
                           (field.plants - 2. * field.border_rows);
-    return plants * leaf_area(build_plant(plant, campaign.tessellation)) /
+    return plants *
+           plant_area(build_plant(plant, campaign.tessellation)).leaves /
            report.ground_area;
 }
 

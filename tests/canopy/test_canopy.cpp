@@ -41,6 +41,10 @@ TEST_F(TwoLeaves, PartsOfTheLightSumToWhatFalls) {
     EXPECT_LT(day.leaves.standard_error, .03 * day.leaves.mean);
     EXPECT_EQ(report.paths, 8u * 512u);
     EXPECT_NEAR(report.lai, .7455 * (.7 * .08 + .5 * .06) / (.76 * .15), .01);
+    const double stalk = report.plant_area_index - report.lai;
+    EXPECT_GT(stalk, 0);
+    EXPECT_EQ(measure_objective("plant_area_index", report).estimate.mean,
+              report.lai + stalk);
 }
 
 TEST_F(TwoLeaves, AFieldForEachRandomisationAgreesWithOne) {

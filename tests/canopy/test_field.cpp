@@ -22,7 +22,8 @@ TEST(Field, PeriodIsSpacingTimesNumberWhateverTheLeavesReach) {
     EXPECT_DOUBLE_EQ(field.period_x, 6 * 0.762);
     EXPECT_DOUBLE_EQ(field.period_y, 4 * 0.1524);
     EXPECT_EQ(field.mesh.faces.size(), 24 * plant.faces.size());
-    EXPECT_NEAR(leaf_area(field.mesh), 24 * leaf_area(plant), 1e-9);
+    EXPECT_NEAR(plant_area(field.mesh).leaves, 24 * plant_area(plant).leaves,
+                1e-9);
 }
 
 TEST(Field, EveryPlantIsTurnedByItsOwnDraw) {
@@ -68,7 +69,8 @@ TEST(Field, AFractionOfPlantsIsMissingOrLate) {
         places.insert(static_cast<std::size_t>(field.mesh.vertices.front().y /
                                                form.spacing.plant));
         plants += static_cast<double>(present) / fields;
-        area += leaf_area(field.mesh) / leaf_area(plant) / fields;
+        area +=
+            plant_area(field.mesh).leaves / plant_area(plant).leaves / fields;
     }
     EXPECT_EQ(numbers, (std::set<std::size_t>{21, 22}));
     EXPECT_GT(places.size(), 1u);  // the first plant is missing in some
@@ -119,7 +121,8 @@ TEST(Field, ACutPlotEndsAtItsEdge) {
     const Field field = draw_field(plant, plot, {1, 0, 0});
     EXPECT_NEAR(field.ground_area, 4 * 2 * 0.762 * 0.1524, 1e-12);
     // What is cut off its plants, its neighbours hang over the edge.
-    EXPECT_NEAR(leaf_area(field.mesh) / (8 * leaf_area(plant)), 1, .2);
+    EXPECT_NEAR(plant_area(field.mesh).leaves / (8 * plant_area(plant).leaves),
+                1, .2);
     const double half_a_face = 0.1;
     for (const auto& face : field.mesh.faces)
         for (const std::uint32_t v : face) {

@@ -48,8 +48,8 @@ TEST(FaceAreas, OfADegenerateFaceIsZero) {
 }
 
 TEST(LeafArea, CountsLeavesButNotStalks) {
-    EXPECT_DOUBLE_EQ(leaf_area(sample_mesh()), 3);
-    EXPECT_EQ(leaf_area({}), 0);
+    EXPECT_DOUBLE_EQ(plant_area(sample_mesh()).leaves, 3);
+    EXPECT_EQ(plant_area({}).leaves, 0);
 }
 
 }  // namespace ideotype

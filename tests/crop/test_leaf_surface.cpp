@@ -134,7 +134,7 @@ TEST(LeafSurface, RolledBladesKeepLengthWidthAndArea) {
         plant.leaves = {leaf};
         plant.stalk.is_present = false;
         plant.organs.clear();
-        return leaf_area(build_plant(plant, {40, 8}));
+        return plant_area(build_plant(plant, {40, 8})).leaves;
     };
     double length = 0, width = 0;
     const auto rows = LeafSurface(rolled, blade).tessellate(12);

@@ -51,7 +51,7 @@ TEST(Plant, LeafAreaFollowsLengthTimesWidth) {
     double expected = 0;
     for (const Leaf& t : sample.leaves) expected += 0.7455 * t.length * t.width;
     const auto area = [&](int cells) {
-        return leaf_area(build_plant(sample, {cells, 8}));
+        return plant_area(build_plant(sample, {cells, 8})).leaves;
     };
     EXPECT_NEAR(area(12) / expected, 1, 0.006);
     EXPECT_NEAR(area(64) / expected, 1, 0.004);
@@ -111,13 +111,14 @@ TEST(Plant, LeavesBeginAtTheSurfaceOfTheStalk) {
         EXPECT_NEAR(std::hypot(base.x, base.y), 0.0135, 1e-12);
         EXPECT_DOUBLE_EQ(base.z, sample.leaves[leaf].insertion_height);
     }
-    EXPECT_NEAR(leaf_area(mesh) / leaf_area(build_plant(sample_plant(), {})), 1,
-                1e-9);
+    EXPECT_NEAR(plant_area(mesh).leaves /
+                    plant_area(build_plant(sample_plant(), {})).leaves,
+                1, 1e-9);
 }
 
 TEST(Plant, SheathsCoverTheStalkBelowEachLeafAndAreNoLeaves) {
     Plant sample = sample_plant();
-    const double leaves = leaf_area(build_plant(sample, {}));
+    const double leaves = plant_area(build_plant(sample, {})).leaves;
     sample.stalk = {true, 1.6, 0.02, 0.02, LeafBase::surface};
     sample.sheath = {true, 0.5, 0.001};
     Mesh mesh = build_plant(sample, {});
@@ -125,7 +126,7 @@ TEST(Plant, SheathsCoverTheStalkBelowEachLeafAndAreNoLeaves) {
               (std::vector<std::string>{"stalk", "sheath"}));
     EXPECT_EQ(mesh.groups.back().name, "sheath");
     EXPECT_EQ(mesh.groups.back().tissue, Tissue::sheath);
-    EXPECT_NEAR(leaf_area(mesh), leaves, 1e-9);
+    EXPECT_NEAR(plant_area(mesh).leaves, leaves, 1e-9);
     // Leaves at .1, .9 and 1.6 m: .1, .5 and .5 m of sheath show, and .3 and .2
     // m of stalk; only sheaths are closed by flat tops.
     const auto tops = [](double radius, int count) {

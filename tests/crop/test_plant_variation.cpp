@@ -116,8 +116,8 @@ TEST(PlantVariation, MostBladesAreHardlyTwistedAndSomeAlot) {
 TEST(PlantVariation, ScaledPlantsAreSimilar) {
     const Plant line = sample_plant();
     const Plant half = scaled(line, 0.5);
-    EXPECT_NEAR(leaf_area(build_plant(half, {})),
-                leaf_area(build_plant(line, {})) / 4, 1e-9);
+    EXPECT_NEAR(plant_area(build_plant(half, {})).leaves,
+                plant_area(build_plant(line, {})).leaves / 4, 1e-9);
     EXPECT_EQ(half.stalk.height, line.stalk.height / 2);
     EXPECT_EQ(half.leaves[0].azimuth, line.leaves[0].azimuth);
 }

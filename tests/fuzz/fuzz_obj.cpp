@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
                 if (vertex >= mesh.vertices.size()) std::abort();
         for (const std::uint32_t group : mesh.face_group)
             if (group >= mesh.groups.size()) std::abort();
-        if (!std::isfinite(leaf_area(mesh))) std::abort();
+        if (!std::isfinite(plant_area(mesh).leaves)) std::abort();
     } catch (const InputError&) {
     }
     return 0;

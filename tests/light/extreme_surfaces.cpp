@@ -63,7 +63,7 @@ void leaves_of_a_millimetre(Findings& findings) {
     const Fractions f = findings.closing(field.mesh, {.01, .01}, black,
                                          uniform_sky(), {16384, 16});
     // At most both faces of all area; the leaves hardly shade each other.
-    const double share = f.leaves.mean / (leaf_area(field.mesh) / 1e-4);
+    const double share = f.leaves.mean / (plant_area(field.mesh).leaves / 1e-4);
     findings.require(share > .3 && share < 1, ".3 to 1 of the area's light");
     findings.say(fmt::format("{:.2f} of the light on their area", share));
 }

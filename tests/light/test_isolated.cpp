@@ -131,7 +131,7 @@ TEST(Isolated, InTheFurnaceIrradianceIsOneOnBothFacesOfEverything) {
     const Plot plot = trace_plot(
         mesh, leaf_optics(.5 - absorptance / 2, .5 - absorptance / 2, 1),
         uniform_sky(), 1, {65536, 16});
-    const double expected = 2 * absorptance * leaf_area(mesh);
+    const double expected = 2 * absorptance * plant_area(mesh).leaves;
     EXPECT_LT(plot.leaves.standard_error, .004 * expected);
     EXPECT_NEAR(plot.leaves.mean / expected, 1,
                 4 * plot.leaves.standard_error / expected + 2e-3);

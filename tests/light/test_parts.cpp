@@ -103,7 +103,7 @@ TEST(Parts, SunlitAreaOfRandomHorizontalLeavesFollowsBeer) {
         const DayReport r =
             report_of(mesh, {1, 1}, black, instant({zenith, 77}, 1, 0));
         // All light that black leaves take falls on sunlit area.
-        const double lai = leaf_area(mesh);
+        const double lai = plant_area(mesh).leaves;
         const Estimate sunlit = *r.steps[0].sunlit;
         expect_agreement(
             sunlit,
@@ -131,7 +131,7 @@ TEST(Parts, AHitOfALeafThatIsEdgeOnToTheSunStandsForALimitedArea) {
     hit.beam = {{0, 1e-9}};
     tally.leaf_light = {hit};
     const double fraction =
-        sunlit_fractions({tally}, scene, sun, 1, leaf_area(mesh))
+        sunlit_fractions({tally}, scene, sun, 1, plant_area(mesh).leaves)
             .fractions[0][0];
     EXPECT_TRUE(std::isfinite(fraction));
     EXPECT_LT(fraction, 1e-5);

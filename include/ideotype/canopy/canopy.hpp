@@ -50,9 +50,10 @@ struct CanopyReport {
     bool is_capped = false;     //!< more would be needed to meet the tolerance
     std::vector<Group> groups;  //!< that light was counted for
     Layers layers;
-    int days = 1;            //!< that daily figures are the mean of
-    double lai = 0;          //!< one-sided leaf area over ground [m2 m-2]
-    double ground_area = 0;  //!< that all figures refer to [m2]
+    int days = 1;                 //!< that daily figures are the mean of
+    double lai = 0;               //!< one-sided leaf area over ground [m2 m-2]
+    double plant_area_index = 0;  //!< with half the surface of other organs
+    double ground_area = 0;       //!< that all figures refer to [m2]
     Boundary boundary = Boundary::periodic;
     Timing seconds;  //!< if there was a clock
 };

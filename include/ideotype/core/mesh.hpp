@@ -30,7 +30,13 @@ struct Mesh {
 //! One-sided area of each face [m2].
 std::vector<double> face_areas(const Mesh& mesh);
 
-//! One-sided area of all leaf faces [m2].
-double leaf_area(const Mesh& mesh);
+//! Half of the surface of plants [m2].
+struct PlantArea {
+    double leaves = 0;        //!< which is their one-sided area
+    double other_organs = 0;  //!< half of what is outside, since they are solid
+};
+
+//! The area of all faces of a mesh.
+PlantArea plant_area(const Mesh& mesh);
 
 }  // namespace ideotype

@@ -31,6 +31,8 @@ _STEPS_BACK = 2.5
 """From the first plants of the rows to the eyes [m]."""
 _WIDTH = 700
 """Of a painted field [pixels]."""
+_IN_VIEW = 1.9
+"""Height of plants that are seen whole from there [m]."""
 _NEAREST = 0.25
 """What is nearer to the eyes is not drawn [m]."""
 _LIGHT = np.array([-0.35, -0.45, 0.82])
@@ -74,8 +76,14 @@ def plant_field(
         copies.append(np.stack(moved, axis=-1))
     corners = np.concatenate(copies)
     every = np.tile(colors, (len(places), 1))
-    every = shaded(every, corners, _LIGHT, 0.72)
-    return Field(corners, every, rows, plant * (size[1] - 1))
+    return Field(corners, lit(every, corners), rows, plant * (size[1] - 1))
+
+
+def lit(
+    colors: NDArray[np.float64], corners: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """The colours of faces, darker where these look away from the light."""
+    return shaded(colors, corners, _LIGHT, 0.72)
 
 
 @dataclass(frozen=True)
@@ -92,8 +100,9 @@ class View:
 
 
 def at_eye_height(field: Field) -> View:
-    """As someone sees the field who stands before its rows."""
-    eye = np.array([-0.27 * field.rows[-1] - 0.35, -_STEPS_BACK, EYE])
+    """As someone sees the field who stands before its rows, farther from tall plants."""
+    back = _STEPS_BACK * max(1, field.corners[..., 2].max() / _IN_VIEW)
+    eye = np.array([-0.27 * field.rows[-1] - 0.35, -back, EYE])
     middle = np.array([0.15, 0.6 * field.length, 0.62 * EYE])
     ahead = (middle - eye) / np.linalg.norm(middle - eye)
     right = np.cross(ahead, [0, 0, 1])

@@ -1,0 +1,102 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""What does it cost to breed only plants that lines of maize show to be possible?
+
+feasible.py FOLDER [--generations N] [--rough]
+
+Breeds the smooth traits of crops/maize.toml in rows of 30 inches with 6 inches between
+plants, where plants differ as those of fields do, for the light and the net
+assimilation of a clear day and for the carbon of a season: with any distance from 281
+inbred lines (lines/maize_panel.toml) and with at most 3 standard deviations, where
+a typical line has 2.6. Prints baseline, bred plant, gain and both distances. ± are
+standard errors. --rough is for tests.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from typing import Any
+
+import numpy as np
+from fields import DAY, SEASON
+from shared import (
+    BREEDABLE,
+    CAMPAIGNS,
+    FIELD_PLANTS,
+    ROUGH,
+    TITLES,
+    best,
+    breed_tables,
+    gain,
+    guard,
+    light,
+    parser_of_searches,
+    print_table,
+)  # fmt: skip
+
+import ideotype
+from ideotype import Stand
+
+LINES = CAMPAIGNS / "lines" / "maize_panel.toml"
+LIMITS = {"any": 0.0, "at most 3": 3.0}
+QUANTITIES = ["distance_from_lines", "distance_from_line", "lai"]
+
+
+def campaign(objective: str, limit: float) -> dict[str, Any]:
+    """The tables of a search."""
+    under = SEASON if objective == "carbon_balance" else DAY
+    tables = tomllib.loads(under.read_text())
+    kept = ("site", "day", "climate", "photosynthesis", "light")
+    name = f"{objective}_{'limited' if limit else 'free'}"
+    found = {key: tables[key] for key in kept if key in tables}
+    for each in found.get("climate", []):
+        each["file"] = str(under.parent / each["file"])
+    return {
+        **found,
+        **BREEDABLE,
+        "name": name,
+        "objective": {"maximise": objective},
+        "field": {"variation": FIELD_PLANTS},
+        "feasibility": {"lines": str(LINES), "limit": limit},
+        "search": {"population": 24},
+    }
+
+
+def main() -> None:
+    parser = parser_of_searches(__doc__, generations=100)
+    options = parser.parse_args()
+    rows = []
+    for objective, title in TITLES.items():
+        for limit, distance in LIMITS.items():
+            tables = campaign(objective, distance) | {
+                "stop": {"generations": options.generations}
+            }
+            if options.rough:
+                tables |= ROUGH
+            (history,) = breed_tables(tables, options.folder)
+            stand = Stand.from_history(history, same_isa=False)
+            plants = np.array([stand.baseline, best(history)])
+            values = light(stand, plants)
+            found = stand.evaluate(plants, QUANTITIES, final=True)
+            mean, error = gain(*values.tolist())
+            with ideotype.open_history(history) as opened:
+                unit = opened.objectives[0].unit
+            rows.append(
+                [
+                    f"{title} [{unit}]",
+                    limit,
+                    *(f"{each.mean():.4g}" for each in values),
+                    f"{mean:+.2f} ± {error:.2f}",
+                    *(
+                        " -> ".join(f"{x:.2f}" for x in found[name].values)
+                        for name in QUANTITIES
+                    ),
+                ]
+            )
+    titles = ["objective", "distance allowed", "baseline", "bred", "gain [%]"]
+    titles += ["distance from lines", "distance from B73", "leaf area index"]
+    print_table(titles, rows)
+
+
+if __name__ == "__main__":
+    guard(main)

@@ -37,6 +37,7 @@ need(GLM glm PACKAGES libglm-dev glm-devel glm glm)
 need("{fmt}" fmt PACKAGES libfmt-dev fmt-devel fmt fmt)
 need(OpenSSL OpenSSL FIND COMPONENTS Crypto
     PACKAGES libssl-dev openssl-devel openssl openssl)
+need(Eigen Eigen3 PACKAGES libeigen3-dev eigen3-devel eigen eigen)
 # The library of this header has numbers of one type, as somebody chose.
 find_path(TINYOBJLOADER_INCLUDE_DIR tiny_obj_loader.h)
 mark_as_advanced(TINYOBJLOADER_INCLUDE_DIR)
@@ -47,7 +48,6 @@ endif()
 if(IDEOTYPE_PROGRAM OR IDEOTYPE_PYTHON)
     need(toml++ tomlplusplus PACKAGES
         libtomlplusplus-dev tomlplusplus-devel tomlplusplus tomlplusplus)
-    need(Eigen Eigen3 PACKAGES libeigen3-dev eigen3-devel eigen eigen)
 endif()
 if(IDEOTYPE_PROGRAM)
     need(MPI MPI FIND COMPONENTS CXX PACKAGES

@@ -24,9 +24,9 @@ says "spack install embree hdf5+hl cli11$"
 says "conda-forge embree hdf5 cli11$"
 configure 1 -DIDEOTYPE_PROGRAM=ON MPI OpenSSL fmt glm \
     tomlplusplus Eigen3 nlohmann_json
-says "apt install libglm-dev libfmt-dev libssl-dev libtomlplusplus-dev libeigen3-dev libopenmpi-dev openmpi-bin nlohmann-json3-dev$"
+says "apt install libglm-dev libfmt-dev libssl-dev libeigen3-dev libtomlplusplus-dev libopenmpi-dev openmpi-bin nlohmann-json3-dev$"
 configure 0 -DIDEOTYPE_PROGRAM=ON GTest
 says "GoogleTest is missing: tests are not built$"
 # The library alone does without most of them.
-configure 0 -DIDEOTYPE_PROGRAM=OFF tomlplusplus Eigen3 MPI HDF5 CLI11 \
+configure 0 -DIDEOTYPE_PROGRAM=OFF tomlplusplus MPI HDF5 CLI11 \
     nlohmann_json

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from browser import run_in_browser
 from real_program import output_of
+from test_export import FACES
 
 from ideotype.analysis import open_history
 from ideotype.analysis.commands import report
@@ -65,8 +66,7 @@ def test_a_browser_shows_the_report_of_a_real_run(
     """
     shown, errors = run_in_browser(out / "report.html", script, tmp_path)
     assert errors == []
-    # two plants: leaves of 12 x 2 faces, nine octagonal organs with a cover
-    assert shown["faces"] == 2 * (10 * 24 + 9 * 16) and shown["turns"]
+    assert shown["faces"] == 2 * FACES and shown["turns"]
     figures = {path.stem for path in (out / "figures").glob("*.png")}
     assert {"cross", "gains", "energy"} < figures
     assert len(shown["pictures"]) == len(figures)

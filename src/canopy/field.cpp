@@ -12,19 +12,48 @@
 
 namespace ideotype {
 
+namespace {
+
+//! Puts a list into a random order.
+template <class Item>
+void shuffle(std::vector<Item>& items, RandomStream& stream) {
+    for (std::size_t i = items.size() - 1; i > 0; --i)
+        std::swap(items[i],
+                  items[stream.below(static_cast<std::uint32_t>(i + 1))]);
+}
+
+//! As many as this fraction of so many is on average, within one.
+std::size_t number_of(double fraction, std::size_t count,
+                      RandomStream& stream) {
+    return static_cast<std::size_t>(fraction * static_cast<double>(count) +
+                                    stream.uniform());
+}
+
+}  // namespace
+
 std::vector<double> draw_plant_azimuths(const FieldForm& form,
                                         const Randomness& randomness) {
     RandomStream stream(randomness.seed, Purpose::jitter, randomness.generation,
                         randomness.first_randomisation);
     std::vector<double> turns(form.count());
-    for (double& turn : turns) {
-        double furthest = form.jitter, middle = 0;
-        if (const auto across = form.variation.across_row) {
-            furthest = 45;
-            if (stream.uniform() >= *across) middle = 90;
-        }
-        turn = middle + stream.uniform(-furthest, furthest);
+    const auto across = form.variation.across_row;
+    if (!across) {
+        for (double& turn : turns)
+            turn = stream.uniform(-form.jitter, form.jitter);
+        return turns;
     }
+    // One turn in each of equal parts of both ranges.
+    const std::size_t number =
+        std::min(number_of(*across, turns.size(), stream), turns.size());
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+        const bool is_across = i < number;
+        const auto parts =
+            static_cast<double>(is_across ? number : turns.size() - number);
+        const auto part = static_cast<double>(is_across ? i : i - number);
+        turns[i] =
+            (is_across ? 0 : 90) - 45 + 90 * (part + stream.uniform()) / parts;
+    }
+    shuffle(turns, stream);
     return turns;
 }
 
@@ -145,21 +174,17 @@ enum class Emergence { usual, late, none };
 //! one, and are right on average.
 std::vector<Emergence> draw_emergence(const FieldForm& form,
                                       RandomStream& stream) {
-    const auto count = static_cast<double>(form.count());
-    const auto number = [&](double fraction) {
-        return static_cast<std::size_t>(fraction * count + stream.uniform());
-    };
     const std::size_t missing =
-        std::min(number(form.variation.missing), form.count() - 1);
+        std::min(number_of(form.variation.missing, form.count(), stream),
+                 form.count() - 1);
     const std::size_t late =
-        std::min(number(form.variation.late), form.count() - missing);
+        std::min(number_of(form.variation.late, form.count(), stream),
+                 form.count() - missing);
     std::vector<Emergence> places(form.count(), Emergence::usual);
     std::fill_n(places.begin(), missing, Emergence::none);
     std::fill_n(places.begin() + static_cast<std::ptrdiff_t>(missing), late,
                 Emergence::late);
-    for (std::size_t i = places.size() - 1; i > 0; --i)
-        std::swap(places[i],
-                  places[stream.below(static_cast<std::uint32_t>(i + 1))]);
+    shuffle(places, stream);
     return places;
 }
 
@@ -172,10 +197,18 @@ Field draw_field(const Plant& plant, const Mesh& mesh,
     if (!variation.is_any()) return draw_field(mesh, form, randomness);
     RandomStream stream(randomness.seed, Purpose::variation,
                         randomness.generation, randomness.first_randomisation);
+    const std::vector<Emergence> places = draw_emergence(form, stream);
+    // Plants of the second half deviate as those of the first half, but to the
+    // other side: what is linear in deviations has no noise then.
+    std::vector<RandomStream> pairs;
     std::vector<Mesh> plants;
     plants.reserve(form.count());
-    for (const Emergence emergence : draw_emergence(form, stream)) {
-        Plant one = deviating(plant, variation, stream);
+    for (std::size_t p = 0; p < places.size(); ++p) {
+        const Emergence emergence = places[p];
+        const std::size_t half = (places.size() + 1) / 2;
+        if (p < half) pairs.push_back(stream);
+        Plant one = p < half ? deviating(plant, variation, stream)
+                             : deviating(plant, variation, pairs[p - half], -1);
         plants.emplace_back();
         Mesh& built = plants.back();
         if (emergence != Emergence::none) {

@@ -10,10 +10,6 @@ namespace {
 
 constexpr double furthest = 3;
 
-double cut(double deviation) {
-    return std::clamp(deviation, -furthest, furthest);
-}
-
 //! A number of a Laplace distribution whose standard deviation is 1.
 double laplace(RandomStream& random) {
     const double x = random.uniform(-1, 1);
@@ -38,7 +34,10 @@ bool PlantVariation::is_any() const {
 }
 
 Plant deviating(Plant plant, const PlantVariation& variation,
-                RandomStream& random) {
+                RandomStream& random, double side) {
+    const auto cut = [&](double deviation) {
+        return side * std::clamp(deviation, -furthest, furthest);
+    };
     const double higher = 1 + variation.height * cut(random.normal()[0]);
     plant.stalk.height *= higher;
     plant.sheath.length *= higher;

@@ -13,16 +13,7 @@ namespace ideotype {
 
 Accuracy accuracy_of(const Task& task, const Campaign& campaign) {
     if (task.is_final) return campaign.final_rule.sampling;
-    Accuracy accuracy = campaign.sampling;
-    if (campaign.first_tolerance > 0 && campaign.stop.generations > 1) {
-        // Others than searches may ask for later generations.
-        const double left =
-            std::max(0.0, 1 - static_cast<double>(task.generation) /
-                                  (campaign.stop.generations - 1));
-        accuracy.tolerance *=
-            std::pow(campaign.first_tolerance / accuracy.tolerance, left);
-    }
-    return accuracy;
+    return campaign.sampling;
 }
 
 Randomness randomness_of(const Task& task, const Campaign& campaign,

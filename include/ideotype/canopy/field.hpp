@@ -52,9 +52,10 @@ struct Field {
 };
 
 //! The turn of each plant [deg], row by row: independent, and uniform in
-//! +-jitter or, where the variation tells how many plants stand across the row,
-//! on both sides of 45 deg from that; a function of seed, generation and first
-//! randomisation.
+//! +-jitter. Where the variation tells how many plants stand across the row, so
+//! many are within 45 deg of that and the others within 45 deg of the row, one
+//! in each of equal parts of these ranges, in random order. A function of seed,
+//! generation and first randomisation.
 std::vector<double> draw_plant_azimuths(const FieldForm& form,
                                         const Randomness& randomness);
 

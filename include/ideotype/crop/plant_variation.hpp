@@ -44,8 +44,11 @@ struct PlantVariation {
 //! One plant of the line. It takes the same number of random numbers whatever
 //! the variation, so that a change of one deviation keeps the others. A leaf
 //! that would lean to the other side of the stalk leans as far to its own.
+//! @param side 1, or -1: with the same random numbers all deviations are then
+//!             opposite, so that two such plants together are nearer to the
+//!             line
 Plant deviating(Plant plant, const PlantVariation& variation,
-                RandomStream& random);
+                RandomStream& random, double side = 1);
 
 //! A plant all of whose lengths are `size` times as large.
 Plant scaled(Plant plant, double size);

@@ -44,7 +44,7 @@ double reach_of(const Campaign& campaign) {
 }
 
 //! What Hansen (arXiv:1604.00772) advises for the most genes of any trait set.
-int usual_population(const Campaign& campaign) {
+int usual_population_of(const Campaign& campaign) {
     std::size_t most = 1;
     for (const Named<TraitSet>& set : campaign.trait_sets) {
         std::size_t genes = 0;
@@ -54,7 +54,7 @@ int usual_population(const Campaign& campaign) {
                            campaign.crop.traits[number.trait].name));
         most = std::max(most, genes);
     }
-    return 4 + static_cast<int>(3 * std::log(static_cast<double>(most)));
+    return usual_population(campaign.search.optimizer, most);
 }
 
 //! A sensitivity study ends with the last row of its design, and with nothing
@@ -88,9 +88,8 @@ Campaign complete(Draft& draft, const std::string& source,
         campaign.bounds.push_back(
             bounds_of(draft, numbers[i].trait, baseline[i]));
     campaign.reach = reach_of(campaign);
-    if (campaign.search.optimizer == OptimizerKind::cma_es &&
-        !draft.has_population)
-        campaign.search.population = usual_population(campaign);
+    if (uses_cma_es(campaign.search) && !draft.has_population)
+        campaign.search.population = usual_population_of(campaign);
     if (draft.is_study) plan_study(draft, campaign);
     draft.campaign.search = campaign.search;
     draft.campaign.stop = campaign.stop;

@@ -172,8 +172,7 @@ struct Campaign {
     SkyModel sky_model = SkyModel::uniform;  //!< of diffuse light
     //! Of a climate: the suns of so many dates stand for all. 0: without one.
     int sun_dates = 3;
-    Accuracy sampling;           //!< of an evaluation during evolution
-    double first_tolerance = 0;  //!< of the first generation; 0: as all others
+    Accuracy sampling;  //!< of an evaluation during evolution
     //! Quantities that are searched for, in this order.
     std::vector<std::string> maximised{"absorbed_par"}, minimised;
     //! Axes whose entries are scenarios of one case, by the names of tables.

@@ -203,21 +203,15 @@ void check_search(const Campaign& campaign, bool is_study, Report& report) {
     check_objectives(campaign, is_study, report);
     check_stop(campaign.stop, report);
     check_scenarios(campaign, report);
-    constexpr int fewest = 4;
-    if (campaign.search.optimizer == OptimizerKind::cma_es &&
-        report.usable({&population}) && population < fewest)
+    // Each search by CMA-ES ranks four plants or more.
+    const int fewest =
+        campaign.search.optimizer == OptimizerKind::automatic ? 8 : 4;
+    if (uses_cma_es(campaign.search) && report.usable({&population}) &&
+        population < fewest)
         report.add(&population,
                    fmt::format("search.population is {} (CMA-ES ranks at least "
                                "{} plants); use {} or more, or leave it out",
                                population, fewest, fewest));
-    const int& window = campaign.search.window;
-    if (campaign.search.optimizer != OptimizerKind::ga && window > 0)
-        report.add(
-            &window,
-            fmt::format("search.window is {} (only the genetic algorithm "
-                        "breeds without waiting for a generation); "
-                        "leave it out, or use search.optimizer = \"ga\"",
-                        window));
     constexpr double most_rows = std::numeric_limits<std::int32_t>::max();
     const int& generations = campaign.stop.generations;
     if (report.usable({&population, &generations}) &&
@@ -244,14 +238,6 @@ void check_light(const Campaign& campaign, Report& report) {
                    fmt::format("light.randomisations is {} (too few to tell "
                                "whether a tolerance is met); use {} or more",
                                light.randomisations, fewest));
-    if (campaign.first_tolerance > 0 &&
-        report.usable({&campaign.first_tolerance}) &&
-        !(light.tolerance > 0 && campaign.first_tolerance >= light.tolerance))
-        report.add(&campaign.first_tolerance,
-                   fmt::format("light.first_tolerance is {} (the tolerance "
-                               "that it falls to is {}); give a tolerance "
-                               "above 0 and at most that",
-                               campaign.first_tolerance, light.tolerance));
 }
 
 //! Faces of the leaves of a field must have room in the memory.

@@ -219,13 +219,13 @@ class BaselineCheck {
 
 //! A start has a number of each gene, those that are bred within their bounds.
 void check_start(const Draft& draft, Report& report) {
-    const std::vector<double>& start = draft.campaign.search.cma.start;
+    const std::vector<double>& start = draft.campaign.search.start;
     if (start.empty() || !report.usable({&start, &draft.rule})) return;
-    if (draft.campaign.search.optimizer != OptimizerKind::cma_es)
+    if (!uses_cma_es(draft.campaign.search))
         return report.add(&start,
                           "search.start is given (only CMA-ES begins around a "
                           "plant of its own); leave it out, or use "
-                          "search.optimizer = \"cma_es\"");
+                          "search.optimizer = \"auto\"");
     Crop crop = draft.campaign.crop;
     for (const TraitEntry& entry : draft.traits)
         crop.traits.push_back(complete(entry));

@@ -52,10 +52,6 @@ Section light_section(Campaign& campaign) {
                  "takes; 0: none, all paths")
                  .set(&Key::initial, "0.008, or 0 if paths is given")
                  .trades({0.02, 0.01, 0.005, 0.0025}, has_tolerance),
-             relative_error(
-                 "first_tolerance", campaign.first_tolerance,
-                 "that of the first generation, from which it falls to that "
-                 "of the last one by an equal factor each; 0: all the same"),
              Key("sky", choice(campaign.sky_model),
                  "how the radiance of diffuse light is distributed: evenly, "
                  "or as CIE overcast or clear skies")
@@ -147,23 +143,23 @@ Table constraints_table(Constraints& constraints) {
 
 Section search_section(SearchSettings& search) {
     GaSettings& ga = search.ga;
-    CmaSettings& cma = search.cma;
     return {
         "search",
         {Key("optimizer", choice(search.optimizer),
-             "what proposes the candidates: the genetic algorithm, CMA-ES, "
-             "NSGA-II for several objectives, or without learning: chance or "
-             "points of the Sobol' sequence")
-             .one_of({"ga", "cma_es", "nsga2", "random", "sobol"}),
+             "what proposes the candidates: a race of two searches by CMA-ES "
+             "with restarts, the genetic algorithm, a single CMA-ES, NSGA-II "
+             "for several objectives, or without learning: chance or points of "
+             "the Sobol' sequence")
+             .one_of(optimizer_names),
          Key("population", &search.population, "plants per generation")
              .within(2, 100000)
-             .set(&Key::initial, "100; of CMA-ES 4 + 3 ln(free genes)"),
-         Key("window", &search.window,
-             "of the genetic algorithm: row k is bred from rows 0 to k - "
-             "window, so that nobody waits for the end of a generation; "
-             "four times the workers keep them busy; 0: from the whole "
-             "generation before")
-             .within(0, 100000),
+             .set(&Key::initial,
+                  "100; of CMA-ES 4 + 3 ln(free genes), of auto 2.5 times "
+                  "that"),
+         Key("streams", &search.streams,
+             "independent searches whose generations take turns, so that many "
+             "workers do not wait for the end of a generation; not of chance")
+             .within(1, 1000),
          Key("elites", &ga.elites,
              "best plants carried over and evaluated again; fewer than "
              "the population")
@@ -183,26 +179,17 @@ Section search_section(SearchSettings& search) {
          Key("mutation_index", &ga.mutation_index,
              "of polynomial mutation; larger: smaller changes")
              .within(0, 1000),
-         Key("start", &cma.start,
-             "of CMA-ES: the plant to begin around, a number of each gene; "
-             "see run --start; none: the baseline")
+         Key("start", &search.start,
+             "of auto and CMA-ES: the plant to begin around, a number of each "
+             "gene; see run --start; none: the baseline")
              .set(&Key::count, any_count)
              .set(&Key::initial, "[]")
-             .set(&Key::is_written, !cma.start.empty()),
-         Key("step", &cma.step,
-             "of CMA-ES: standard deviation around the start at the "
-             "beginning, relative to the range of a gene")
+             .set(&Key::is_written, !search.start.empty()),
+         Key("step", &search.step,
+             "of auto and CMA-ES: standard deviation around the start at the "
+             "beginning, relative to the range of a gene; circular genes have "
+             "half of it")
              .within(1e-6, 1),
-         Key("smallest_step", &cma.smallest_step,
-             "of CMA-ES: along all axes, at which it has converged")
-             .within(1e-12, 1),
-         Key("restarts", &cma.restarts,
-             "of CMA-ES: begins anew with twice the population when it has "
-             "converged")
-             .within(0, 20),
-         Key("adapts_learning_rates", &cma.adapts_learning_rates,
-             "of CMA-ES: whether it learns more slowly where its steps are "
-             "mostly noise"),
          Key("reference", &search.reference,
              "of several objectives, in their order and units: the "
              "hypervolume of a generation is relative to it")
@@ -258,9 +245,6 @@ Section stop_section(StopRules& stop) {
             {Key("generations", &stop.generations,
                  "at most; also the size of a history")
                  .within(1, 1e6),
-             Key("stagnation", &stop.stagnation,
-                 "generations without a better mean; 0: off")
-                 .within(0, 1e6),
              Key("no_gain", &stop.no_gain,
                  "generations over which a line through the means, or the "
                  "hypervolume, must rise by more than twice its standard "
@@ -270,9 +254,6 @@ Section stop_section(StopRules& stop) {
                  .within(0, 1e12),
              duration("wall_time", stop.wall_time, 0, "\"12:00:00\"",
                       "of all sessions together; 0: no limit"),
-             Key("target", &stop.target,
-                 "value of the objective that is enough, in its unit; 0: off")
-                 .within(0, 1e9),
              Key("failed_fraction", &stop.failed_fraction,
                  "share of a generation that ends the run with an error when "
                  "it fails; 0: any failure does")

@@ -148,6 +148,43 @@ void TableReader::report_missing(const toml::table& parent,
                                 table.name, fmt::join(needed, ", ")));
 }
 
+namespace {
+
+//! A key that a version after 0.2.3 no longer has, and what took its place.
+struct GoneKey {
+    std::string section, name, instead;
+};
+
+const std::vector<GoneKey> gone_keys{
+    {"light", "first_tolerance", "light.tolerance"},
+    {"search", "window", "search.streams"},
+    {"search", "smallest_step", "search.optimizer = \"auto\""},
+    {"search", "restarts", "search.optimizer = \"auto\""},
+    {"search", "adapts_learning_rates", "search.optimizer = \"auto\""},
+    {"stop", "stagnation", "stop.no_gain"},
+    {"stop", "target", "stop.evaluations"}};
+
+}  // namespace
+
+bool TableReader::is_gone(const std::string& section, const toml::key& key,
+                          const toml::node& value) {
+    for (const GoneKey& gone : gone_keys) {
+        if (gone.section != section || gone.name != key.str()) continue;
+        // Histories tell how they were searched, which nobody does again; a
+        // plant is evaluated otherwise with another tolerance.
+        const bool is_off = gone.name == "smallest_step" ||
+                            (value.value_or(0.) == 0 && !value.value_or(false));
+        const bool is_history = file_.ends_with(".h5") && section != "light";
+        if (!is_off && !is_history)
+            report_.add(location(key.source(), file_),
+                        fmt::format("{}.{} is a key of versions up to 0.2.3; "
+                                    "use {}",
+                                    section, gone.name, gone.instead));
+        return true;
+    }
+    return false;
+}
+
 std::set<std::string> TableReader::report_unknown(
     const toml::table& table, const Section& section,
     const std::vector<Table>& children) {
@@ -160,6 +197,7 @@ std::set<std::string> TableReader::report_unknown(
         const std::string name(key.str());
         if (std::find(known.begin(), known.end(), name) != known.end())
             continue;
+        if (is_gone(section.name, key, value)) continue;
         const bool is_table = value.is_table() || value.is_array_of_tables();
         const std::string nearest = nearest_name(name, is_table ? known : keys);
         misspelt.insert(nearest);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <deque>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "breeder.hpp"
@@ -46,35 +46,28 @@ class GeneticAlgorithm : public GenerationalOptimizer {
           space_(std::move(space)),
           breeder_(settings.ga, space_, seed) {}
 
-    std::vector<Candidate> ask() const override {
-        std::vector<Candidate> candidates;
-        const auto size = static_cast<std::size_t>(settings_.population);
-        const auto slot = [&] {
-            return static_cast<std::uint32_t>(candidates.size());
-        };
-        if (generation() == 0) {
-            while (candidates.size() < size)
-                candidates.push_back(breeder_.founder(0, slot()));
-            return candidates;
+    std::size_t next_size() const override {
+        return static_cast<std::size_t>(settings_.population);
+    }
+
+    Candidate candidate(std::uint32_t slot) override {
+        if (generation() == 0) return breeder_.founder(0, slot);
+        if (slot < elites_.size()) return elites_[slot];
+        const auto first = static_cast<std::uint32_t>(
+            slot - (slot - elites_.size()) % 2);  // of two children
+        if (!couple_ || couple_->first != first) {
+            const Contest contest = [&](RandomStream& stream) {
+                const std::size_t winner =
+                    tournament(stream, parents_.size(), settings_.ga,
+                               [&](std::size_t a, std::size_t b) {
+                                   return places_[a] < places_[b];
+                               });
+                return Parent{parents_[winner], rows_[winner]};
+            };
+            couple_ = {first, breeder_.children(contest, generation(), first)};
         }
-        if (!is_pareto())
-            candidates = best(static_cast<std::size_t>(settings_.ga.elites));
-        const Contest contest = [&](RandomStream& stream) {
-            const std::size_t winner =
-                tournament(stream, parents_.size(), settings_.ga,
-                           [&](std::size_t a, std::size_t b) {
-                               return places_[a] < places_[b];
-                           });
-            return Parent{parents_[winner], rows_[winner]};
-        };
-        while (candidates.size() < size) {
-            auto [first, second] =
-                breeder_.children(contest, generation(), slot());
-            candidates.push_back(std::move(first));
-            candidates.push_back(std::move(second));
-        }
-        candidates.resize(size);
-        return candidates;
+        return slot == first ? couple_->children.first
+                             : couple_->children.second;
     }
 
     //! Returns the best distinct of the next parents.
@@ -99,7 +92,18 @@ class GeneticAlgorithm : public GenerationalOptimizer {
         parents_ = std::move(evaluated);
         rows_ = std::move(rows);
         places_ = places(parents_, space_.senses);
+        couple_.reset();
+        elites_.clear();
+        if (!is_pareto())
+            elites_ = best(std::min(
+                static_cast<std::size_t>(settings_.ga.elites), next_size()));
     }
+
+    //! Two children, the first for this slot.
+    struct Couple {
+        std::uint32_t first = 0;
+        std::pair<Candidate, Candidate> children;
+    };
 
     bool is_pareto() const {
         return settings_.optimizer == OptimizerKind::nsga2;
@@ -126,92 +130,8 @@ class GeneticAlgorithm : public GenerationalOptimizer {
     Population parents_;               //!< of the next generation
     std::vector<std::int64_t> rows_;   //!< of parents
     std::vector<std::size_t> places_;  //!< of parents, see places()
-};
-
-//! The genetic algorithm without a barrier between generations. The candidate
-//! of row k follows from rows 0 to k - window alone: its parents are chosen by
-//! tournament from the last of these, as many as a generation has, so that as
-//! many as the window can be evaluated at the same time while nobody waits.
-//! Rows that have no such parents are founders. As in the genetic algorithm,
-//! the first slots of each generation are the best distinct parents, evaluated
-//! again.
-class SteadyState : public Optimizer {
-  public:
-    SteadyState(const SearchSettings& settings, SearchSpace space,
-                std::uint64_t seed)
-        : settings_(settings),
-          space_(std::move(space)),
-          breeder_(settings.ga, space_, seed),
-          population_(static_cast<std::uint64_t>(settings.population)),
-          window_(static_cast<std::uint64_t>(settings.window)) {}
-
-    std::size_t size(std::uint32_t) const override { return population_; }
-
-    std::uint64_t needs(std::uint32_t generation,
-                        std::uint32_t slot) const override {
-        const std::uint64_t next = generation * population_ + slot + 1;
-        return next > window_ ? next - window_ : 0;
-    }
-
-    Candidate propose(std::uint32_t generation, std::uint32_t slot) override {
-        const std::uint64_t end = needs(generation, slot);
-        if (end < population_) return breeder_.founder(generation, slot);
-        const std::uint64_t first = end - population_;
-        const auto parent = [&](std::uint64_t row) {
-            return Parent{known_[row - first_known_],
-                          static_cast<std::int64_t>(row)};
-        };
-        if (slot < static_cast<std::uint32_t>(settings_.ga.elites)) {
-            const auto elites =
-                best_of(known_from(first), slot + 1, space_.senses,
-                        static_cast<std::int64_t>(first));
-            if (slot < elites.size()) return elites[slot];
-        }
-        const Contest contest = [&](RandomStream& stream) {
-            return parent(first +
-                          tournament(stream, population_, settings_.ga,
-                                     [&](std::uint64_t a, std::uint64_t b) {
-                                         return is_better(
-                                             parent(first + a).individual,
-                                             parent(first + b).individual,
-                                             space_.senses.front());
-                                     }));
-        };
-        return breeder_.children(contest, generation, slot).first;
-    }
-
-    void learn(Individual row) override {
-        known_.push_back(std::move(row));
-        // Those that row k + 1 may still need when row k is known.
-        if (known_.size() <= population_ + window_) return;
-        known_.pop_front();
-        ++first_known_;
-    }
-
-    //! Returns the best distinct of the last generation.
-    std::vector<Candidate> best(std::size_t count) const override {
-        const std::uint64_t first =
-            first_known_ + known_.size() -
-            std::min<std::uint64_t>(population_, known_.size());
-        return best_of(known_from(first), count, space_.senses,
-                       static_cast<std::int64_t>(first));
-    }
-
-  private:
-    //! The rows of at most a generation.
-    Population known_from(std::uint64_t first) const {
-        const std::uint64_t place = first - first_known_;
-        const auto begin = known_.begin() + static_cast<std::ptrdiff_t>(place);
-        const auto count = std::min(population_, known_.size() - place);
-        return {begin, begin + static_cast<std::ptrdiff_t>(count)};
-    }
-
-    SearchSettings settings_;
-    SearchSpace space_;
-    Breeder breeder_;
-    std::uint64_t population_, window_;
-    std::deque<Individual> known_;  //!< the last rows
-    std::uint64_t first_known_ = 0;
+    std::vector<Candidate> elites_;    //!< of parents, the next generation's
+    std::optional<Couple> couple_;     //!< asked for last
 };
 
 }  // namespace
@@ -219,12 +139,6 @@ class SteadyState : public Optimizer {
 std::unique_ptr<GenerationalOptimizer> make_genetic_algorithm(
     const SearchSettings& settings, SearchSpace space, std::uint64_t seed) {
     return std::make_unique<GeneticAlgorithm>(settings, std::move(space), seed);
-}
-
-std::unique_ptr<Optimizer> make_steady_state(const SearchSettings& settings,
-                                             SearchSpace space,
-                                             std::uint64_t seed) {
-    return std::make_unique<SteadyState>(settings, std::move(space), seed);
 }
 
 }  // namespace ideotype

@@ -2,6 +2,9 @@
 #include "optimizer.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -80,6 +83,131 @@ class RandomSearch : public Optimizer {
     Population best_;  //!< of all, as many as may be asked for
 };
 
+std::unique_ptr<GenerationalOptimizer> make_generational(
+    const SearchSettings& settings, const SearchSpace& space,
+    std::uint64_t seed) {
+    switch (settings.optimizer) {
+        case OptimizerKind::automatic:
+            return make_auto_search(settings, space, seed);
+        case OptimizerKind::cma_es:
+            return make_cma_es(settings, space, seed);
+        default:
+            return make_genetic_algorithm(settings, space, seed);
+    }
+}
+
+//! Independent searches whose generations take turns: generation g is of search
+//! g mod n. Each waits for its own generations alone, so that those of the
+//! others keep workers busy meanwhile.
+class Streams : public Optimizer {
+  public:
+    Streams(const SearchSettings& settings, const SearchSpace& space,
+            std::uint64_t seed)
+        : senses_(space.senses) {
+        for (int i = 0; i < settings.streams; ++i) {
+            const auto number = static_cast<std::uint32_t>(i);
+            const auto key =
+                RandomStream(seed, Purpose::stream, number).bits64();
+            streams_.push_back(
+                {make_generational(settings, space, i == 0 ? seed : key)});
+        }
+    }
+
+    std::size_t size(std::uint32_t generation) const override {
+        return stream_of(generation).search->size(turn_of(generation));
+    }
+
+    std::uint64_t needs(std::uint32_t generation,
+                        std::uint32_t) const override {
+        const auto turns = static_cast<std::uint32_t>(streams_.size());
+        if (generation < turns) return 0;
+        if (generation - turns < ends_.size()) return ends_[generation - turns];
+        return std::numeric_limits<std::uint64_t>::max();
+    }
+
+    Candidate propose(std::uint32_t generation, std::uint32_t slot) override {
+        const Stream& stream = stream_of(generation);
+        return in_case(stream,
+                       stream.search->propose(turn_of(generation), slot));
+    }
+
+    void learn(Individual row) override {
+        const auto generation = static_cast<std::uint32_t>(ends_.size());
+        Stream& stream = streams_[generation % streams_.size()];
+        if (learnt_.empty())
+            stream.first_rows.push_back(
+                {stream.rows, static_cast<std::int64_t>(rows_)});
+        const std::size_t size = stream.search->size(turn_of(generation));
+        learnt_.push_back(row);
+        stream.search->learn(std::move(row));
+        ++rows_;
+        ++stream.rows;
+        if (learnt_.size() < size) return;
+        stream.last = std::exchange(learnt_, {});
+        ends_.push_back(rows_);
+    }
+
+    //! Returns the best of each search in turn, that of the search whose last
+    //! generation has the best row first.
+    std::vector<Candidate> best(std::size_t count) const override {
+        Population leaders;
+        std::vector<const Stream*> led;
+        for (const Stream& each : streams_) {
+            if (each.last.empty()) continue;
+            led.push_back(&each);
+            leaders.push_back(each.last[ranking(each.last, senses_).front()]);
+        }
+        std::vector<std::vector<Candidate>> found;
+        for (const std::uint32_t i : ranking(leaders, senses_)) {
+            found.push_back(led[i]->search->best(count));
+            for (Candidate& each : found.back())
+                each = in_case(*led[i], std::move(each));
+        }
+        std::vector<Candidate> best;
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::vector<Candidate>& each : found)
+                if (i < each.size() && best.size() < count)
+                    best.push_back(std::move(each[i]));
+        return best;
+    }
+
+  private:
+    struct Stream {
+        std::unique_ptr<GenerationalOptimizer> search;
+        std::int64_t rows = 0;
+        //! First row of each generation, of the search and of the case.
+        std::vector<std::array<std::int64_t, 2>> first_rows{};
+        Population last{};  //!< generation
+
+        std::int64_t row_of(std::int64_t row) const {
+            const auto after = std::upper_bound(
+                first_rows.begin(), first_rows.end(), row,
+                [](std::int64_t r, const auto& first) { return r < first[0]; });
+            return row - (*std::prev(after))[0] + (*std::prev(after))[1];
+        }
+    };
+
+    const Stream& stream_of(std::uint32_t generation) const {
+        return streams_[generation % streams_.size()];
+    }
+    std::uint32_t turn_of(std::uint32_t generation) const {
+        return generation / static_cast<std::uint32_t>(streams_.size());
+    }
+
+    //! A candidate whose parents are rows of the case.
+    static Candidate in_case(const Stream& stream, Candidate candidate) {
+        for (std::int64_t& parent : candidate.parents)
+            if (parent != no_parent) parent = stream.row_of(parent);
+        return candidate;
+    }
+
+    std::vector<Sense> senses_;
+    std::vector<Stream> streams_;
+    std::vector<std::uint64_t> ends_;  //!< rows up to that of each generation
+    std::uint64_t rows_ = 0;
+    Population learnt_;  //!< of the generation that is learnt
+};
+
 }  // namespace
 
 Genome random_genome(const SearchSpace& space, std::uint64_t seed,
@@ -93,22 +221,34 @@ Genome random_genome(const SearchSpace& space, std::uint64_t seed,
     return genome;
 }
 
+int usual_population(OptimizerKind optimizer, std::size_t free_genes) {
+    const int of_cma_es =
+        4 + static_cast<int>(
+                3 * std::log(std::max(1., static_cast<double>(free_genes))));
+    if (optimizer == OptimizerKind::cma_es) return of_cma_es;
+    // Two searches, which find more with a few more plants each.
+    if (optimizer == OptimizerKind::automatic) return 5 * of_cma_es / 2;
+    return 100;
+}
+
 void GenerationalOptimizer::tell(Population evaluated) {
     parents_row_ = row_;
     row_ += static_cast<std::int64_t>(evaluated.size());
-    asked_.clear();
     learnt_.clear();
     take(std::move(evaluated));
     ++generation_;
 }
 
-const std::vector<Candidate>& GenerationalOptimizer::asked() const {
-    if (asked_.empty()) asked_ = ask();
-    return asked_;
+std::vector<Candidate> GenerationalOptimizer::ask() {
+    std::vector<Candidate> candidates;
+    while (candidates.size() < next_size())
+        candidates.push_back(
+            candidate(static_cast<std::uint32_t>(candidates.size())));
+    return candidates;
 }
 
 std::size_t GenerationalOptimizer::size(std::uint32_t) const {
-    return asked().size();
+    return next_size();
 }
 
 std::uint64_t GenerationalOptimizer::needs(std::uint32_t generation,
@@ -119,12 +259,12 @@ std::uint64_t GenerationalOptimizer::needs(std::uint32_t generation,
 }
 
 Candidate GenerationalOptimizer::propose(std::uint32_t, std::uint32_t slot) {
-    return asked()[slot];
+    return candidate(slot);
 }
 
 void GenerationalOptimizer::learn(Individual row) {
     learnt_.push_back(std::move(row));
-    if (learnt_.size() == asked().size()) tell(std::exchange(learnt_, {}));
+    if (learnt_.size() == next_size()) tell(std::exchange(learnt_, {}));
 }
 
 std::unique_ptr<Optimizer> make_optimizer(const SearchSettings& settings,
@@ -133,20 +273,12 @@ std::unique_ptr<Optimizer> make_optimizer(const SearchSettings& settings,
     if (settings.design)
         return std::make_unique<SensitivityDesign>(*settings.design, space,
                                                    seed);
-    switch (settings.optimizer) {
-        case OptimizerKind::ga:
-            if (settings.window > 0)
-                return make_steady_state(settings, space, seed);
-            break;
-        case OptimizerKind::nsga2:
-            break;
-        case OptimizerKind::cma_es:
-            return make_cma_es(settings, space, seed);
-        case OptimizerKind::random:
-        case OptimizerKind::sobol:
-            return std::make_unique<RandomSearch>(settings, space, seed);
-    }
-    return make_genetic_algorithm(settings, space, seed);
+    if (settings.optimizer == OptimizerKind::random ||
+        settings.optimizer == OptimizerKind::sobol)
+        return std::make_unique<RandomSearch>(settings, space, seed);
+    if (settings.streams > 1)
+        return std::make_unique<Streams>(settings, space, seed);
+    return make_generational(settings, space, seed);
 }
 
 }  // namespace ideotype

@@ -51,9 +51,14 @@ class Optimizer {
 //! Proposes a generation at a time, from all before it.
 class GenerationalOptimizer : public Optimizer {
   public:
-    //! The candidates of the next generation, by slot; the same for each call
-    //! until tell(). Generations may differ in size.
-    virtual std::vector<Candidate> ask() const = 0;
+    //! How many candidates the next generation has. Generations may differ.
+    virtual std::size_t next_size() const = 0;
+
+    //! A candidate of the next generation; the same for each call until tell().
+    virtual Candidate candidate(std::uint32_t slot) = 0;
+
+    //! All candidates of the next generation, by slot.
+    std::vector<Candidate> ask();
 
     //! Takes the evaluated candidates of that generation, by slot.
     void tell(Population evaluated);
@@ -74,13 +79,10 @@ class GenerationalOptimizer : public Optimizer {
     std::int64_t parents_row() const { return parents_row_; }
 
   private:
-    const std::vector<Candidate>& asked() const;
-
     std::uint32_t generation_ = 0;
     std::int64_t parents_row_ = 0;
     std::int64_t row_ = 0;  //!< first one of the next generation
-    mutable std::vector<Candidate> asked_;  //!< that generation, once asked
-    Population learnt_;                     //!< so far, of the same
+    Population learnt_;     //!< so far, of the same
 };
 
 //! The baseline with free genes uniform within their bounds.
@@ -92,9 +94,8 @@ std::unique_ptr<GenerationalOptimizer> make_genetic_algorithm(
     const SearchSettings& settings, SearchSpace space, std::uint64_t seed);
 std::unique_ptr<GenerationalOptimizer> make_cma_es(
     const SearchSettings& settings, SearchSpace space, std::uint64_t seed);
-std::unique_ptr<Optimizer> make_steady_state(const SearchSettings& settings,
-                                             SearchSpace space,
-                                             std::uint64_t seed);
+std::unique_ptr<GenerationalOptimizer> make_auto_search(
+    const SearchSettings& settings, SearchSpace space, std::uint64_t seed);
 
 //! The optimizer that the settings name, before the first row.
 std::unique_ptr<Optimizer> make_optimizer(const SearchSettings& settings,

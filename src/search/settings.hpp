@@ -2,12 +2,17 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace ideotype {
 
 //! Which optimizer searches.
-enum class OptimizerKind { ga, cma_es, nsga2, random, sobol };
+enum class OptimizerKind { automatic, ga, cma_es, nsga2, random, sobol };
+
+//! Names of optimizers, in the order of their kinds.
+inline const std::vector<std::string> optimizer_names{
+    "auto", "ga", "cma_es", "nsga2", "random", "sobol"};
 
 //! Settings of the genetic algorithm.
 struct GaSettings {
@@ -18,20 +23,6 @@ struct GaSettings {
     //! Expected number of mutated genes per child.
     double mutations_per_child = 1;
     double mutation_index = 20;  //!< of polynomial mutation
-};
-
-//! Settings of CMA-ES.
-struct CmaSettings {
-    //! Where it begins, as a genome; empty: at the baseline.
-    std::vector<double> start;
-    //! Standard deviation at the beginning, relative to the range of a gene.
-    double step = 0.2;
-    //! Below this, relative to the range, along all axes, it has converged.
-    double smallest_step = 1e-4;
-    //! Searches that begin anew with twice the population after that.
-    int restarts = 0;
-    //! Whether learning rates follow the signal in its steps.
-    bool adapts_learning_rates = false;
 };
 
 enum class SensitivityMethod {
@@ -57,14 +48,27 @@ struct SensitivitySettings {
 struct SearchSettings {
     OptimizerKind optimizer = OptimizerKind::ga;
     int population = 100;  //!< candidates that a generation usually has
-    //! Rows that may be under way at the same time; 0: those of a generation.
-    int window = 0;
+    //! Independent searches whose generations take turns.
+    int streams = 1;
     GaSettings ga;
-    CmaSettings cma;
+    //! Where CMA-ES begins, as a genome; empty: at the baseline.
+    std::vector<double> start;
+    //! Standard deviation of CMA-ES at the beginning, relative to the range of
+    //! a gene.
+    double step = 0.2;
     //! That proposes the rows in place of an optimizer.
     std::optional<SensitivitySettings> design{};
     //! Of the hypervolume, by objective; empty: the worst of the beginning.
     std::vector<double> reference{};
 };
+
+//! How many plants a generation of this optimizer usually has.
+int usual_population(OptimizerKind optimizer, std::size_t free_genes);
+
+//! Whether a distribution is adapted by CMA-ES.
+inline bool uses_cma_es(const SearchSettings& settings) {
+    return settings.optimizer == OptimizerKind::automatic ||
+           settings.optimizer == OptimizerKind::cma_es;
+}
 
 }  // namespace ideotype

@@ -12,11 +12,9 @@ namespace ideotype {
 //! When a case has evolved enough. Zero switches a rule off.
 struct StopRules {
     int generations = 200;
-    int stagnation = 0;  //!< generations without a better mean
-    int no_gain = 0;     //!< generations over which no gain is told from none
+    int no_gain = 0;  //!< generations over which no gain is told from none
     long long evaluations = 0;     //!< rows that were evaluated
     double wall_time = 0;          //!< of all sessions together [s]
-    double target = 0;             //!< of the best, in the objective's unit
     double failed_fraction = 0.5;  //!< of one generation: ends with an error
 };
 
@@ -27,15 +25,13 @@ struct Progress {
 };
 
 //! The name of the first rule that ends the evolution: "generations",
-//! "stagnation", "no_gain", "evaluations", "wall_time" or "target". Stagnation
-//! looks at the mean of objective 0, because the best of a generation is partly
-//! luck; where no plant meets all constraints, at the smallest violation. Only
-//! a plant that meets them reaches the target. There is no gain if the slope of
-//! a straight line through the means of so many generations, least squares, is
-//! less than twice its standard error, which the scatter about the line gives:
-//! it has the noise of random numbers that each generation draws anew. Of
-//! several objectives both rules look at the hypervolume; its gain has to
-//! exceed twice its own standard error.
+//! "no_gain", "evaluations" or "wall_time". There is no gain if the slope of a
+//! straight line through the means of objective 0 over so many generations,
+//! least squares, is less than twice its standard error, which the scatter
+//! about the line gives: it has the noise of random numbers that each
+//! generation draws anew. Where no plant meets all constraints the rule waits.
+//! Of several objectives it looks at the hypervolume, whose gain has to exceed
+//! twice its own standard error.
 //! @param sense of objective 0
 std::optional<std::string> finished(const StopRules& rules,
                                     const Progress& progress, Sense sense);

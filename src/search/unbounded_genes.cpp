@@ -50,6 +50,13 @@ std::vector<double> UnboundedGenes::of(const Genome& genome) const {
     return coordinates;
 }
 
+std::vector<double> UnboundedGenes::first_steps() const {
+    std::vector<double> steps;
+    for (const std::size_t i : free_)
+        steps.push_back(genes_[i].is_circular ? 0.5 : 1);
+    return steps;
+}
+
 Genome UnboundedGenes::genome(const std::vector<double>& coordinates,
                               Genome original) const {
     for (std::size_t k = 0; k < free_.size(); ++k) {

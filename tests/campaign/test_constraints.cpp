@@ -141,17 +141,10 @@ TEST(Constraints, WhatContradictsItselfIsRefused) {
     EXPECT_THROW(sample("", "[constraints]\nlai = [-1, 0]\n"), InputError);
 }
 
-TEST(Constraints, ATolerancesRandomisationsAndScheduleMustMakeSense) {
+TEST(Constraints, ATolerancesRandomisationsMustMakeSense) {
     const std::string tolerance = "[light]\ntolerance = 0.005\n";
     EXPECT_EQ(sample("", tolerance).sampling.tolerance, .005);
     EXPECT_THROW(sample("", tolerance + "randomisations = 7\n"), InputError);
-    EXPECT_THROW(sample("", tolerance + "first_tolerance = 0.004\n"),
-                 InputError);
-    EXPECT_THROW(sample("", "[light]\npaths = 64\nfirst_tolerance = 0.01\n"),
-                 InputError);
-    EXPECT_EQ(
-        sample("", tolerance + "first_tolerance = 0.01\n").first_tolerance,
-        .01);
 }
 
 }  // namespace

@@ -90,6 +90,10 @@ TEST(Settings, CmaEsChoosesItsPopulationByTheGenesUnlessToldOne) {
         read_campaign(ames, {cma, "search.population=30"}).search.population,
         30);
     EXPECT_THROW(read_campaign(ames, {cma, "search.population=3"}), InputError);
+    const std::string race = "search.optimizer=auto";
+    EXPECT_EQ(read_campaign(ames, {race}).search.population, 37);
+    EXPECT_THROW(read_campaign(ames, {race, "search.population=7"}),
+                 InputError);
 }
 
 TEST(Settings, AStartIsAWholeGenomeWithinItsBounds) {
@@ -100,8 +104,8 @@ TEST(Settings, AStartIsAWholeGenomeWithinItsBounds) {
         return fmt::format("search.start=[{}]", fmt::join(genes, ", "));
     };
     const Campaign campaign = read_campaign(ames, {cma, start()});
-    EXPECT_EQ(campaign.search.cma.start, genes);
-    EXPECT_EQ(parse_campaign(campaign.resolved, "resolved").search.cma.start,
+    EXPECT_EQ(campaign.search.start, genes);
+    EXPECT_EQ(parse_campaign(campaign.resolved, "resolved").search.start,
               genes);
     EXPECT_THROW(read_campaign(ames, {start()}), InputError);
     genes[0] = 3;
@@ -110,12 +114,27 @@ TEST(Settings, AStartIsAWholeGenomeWithinItsBounds) {
     EXPECT_THROW(read_campaign(ames, {cma, start()}), InputError);
 }
 
-TEST(Settings, OnlyTheGeneticAlgorithmHasAWindow) {
-    EXPECT_EQ(read_campaign(ames, {"search.window=128"}).search.window, 128);
-    for (const std::string other : {"cma_es", "random"})
-        EXPECT_THROW(read_campaign(ames, {"search.optimizer=" + other,
-                                          "search.window=128"}),
-                     InputError);
+// Histories and files of earlier versions have them.
+TEST(Settings, KeysThatAreGoneMayBeSwitchedOff) {
+    const std::string text = read_campaign(ames).resolved;
+    const auto with = [&](const std::string& key, const std::string& file) {
+        return parse_campaign(
+            std::string(text).replace(text.find("[search]\n"), 9,
+                                      "[search]\n" + key + "\n"),
+            file);
+    };
+    EXPECT_NO_THROW(with("window = 0\nrestarts = 0", "c.toml"));
+    EXPECT_NO_THROW(with("window = 128", "history.h5"));
+    try {
+        with("window = 128", "c.toml");
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what())
+                      .find("search.window is a key of versions up to 0.2.3; "
+                            "use search.streams"),
+                  std::string::npos)
+            << error.what();
+    }
 }
 
 TEST(Settings, StudiesAreNoSearchAndOlderOnesNameAnOptimizer) {

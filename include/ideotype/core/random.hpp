@@ -20,6 +20,7 @@ enum class Purpose : std::uint32_t {
     sequence = 10,
     bootstrap = 11,
     variation = 12,
+    stream = 13,
 };
 
 //! Which random numbers an evaluation uses: they are a function of these.

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Dense>
+
+namespace ideotype {
+
+//! The multivariate normal distribution of dd-CMA-ES (Akimoto and Hansen 2019,
+//! doi:10.1162/evco_a_00260): its covariance is step_size^2 D C D, where D is
+//! diagonal and C a correlation matrix. D has learning rates of its own, with
+//! which it learns the scales of coordinates long before C is known. The step
+//! size follows from cumulation; points that are worse than the median have
+//! negative weights.
+class DdCma {
+  public:
+    //! @param mean n >= 1 coordinates
+    //! @param deviations of each coordinate, > 0
+    //! @param population of a generation, >= 4
+    DdCma(Eigen::VectorXd mean, Eigen::VectorXd deviations,
+          std::size_t population);
+
+    //! The point that a standard normal vector is moved to.
+    Eigen::VectorXd sample(const Eigen::VectorXd& normal) const;
+
+    //! Goes on with another population, >= 4.
+    void set_population(std::size_t population);
+
+    //! Learns from the points of a generation [n, population], best first.
+    void update(const Eigen::MatrixXd& ranked);
+
+    const Eigen::VectorXd& mean() const { return mean_; }
+    //! Standard deviation of each coordinate.
+    Eigen::VectorXd deviations() const { return step_size_ * scales_; }
+    //! Correlations of the coordinates [n, n].
+    const Eigen::MatrixXd& correlation() const { return correlation_; }
+    //! Ratio of the largest to the smallest eigenvalue of the covariance.
+    double condition() const;
+
+  private:
+    //! Learning rates and weights of D or of C.
+    struct Rates {
+        double rank_one = 0, rank_mu = 0, path = 0;
+        Eigen::VectorXd weights{};
+    };
+    static Rates rates(double n, double degrees_of_freedom,
+                       const std::vector<double>& raw_weights);
+
+    //! An evolution path of steps, and the share that it has of its final
+    //! variance.
+    struct Path {
+        Eigen::VectorXd steps;
+        double share = 0;
+
+        void add(const Eigen::VectorXd& step, double rate,
+                 double effective_parents, bool is_usual);
+    };
+
+    void decompose();
+
+    double effective_parents_ = 0;
+    std::size_t parents_ = 0;
+    Rates of_correlation_, of_scales_;
+    double step_rate_ = 0, step_damping_ = 0;
+    double usual_length_;  //!< of a standard normal vector
+
+    Eigen::VectorXd mean_;
+    double step_size_ = 1;
+    Eigen::VectorXd scales_;
+    Eigen::MatrixXd correlation_;
+    Path step_path_, path_of_correlation_, path_of_scales_;
+    Eigen::MatrixXd root_, inverse_root_;  //!< symmetric, of the correlation
+    double correlation_condition_ = 1;
+};
+
+}  // namespace ideotype

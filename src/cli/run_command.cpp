@@ -32,8 +32,8 @@ void declare_run(CLI::App& verb, RunCommand& command) {
     add_threads(verb, options.threads);
     verb.add_option("--masters", options.masters,
                     "so many ranks evolve cases, each with workers of its "
-                    "own; if not given one, and from 512 ranks on one for "
-                    "some 256 ranks, as far as there are cases")
+                    "own; if not given one for each 1,000 ranks, as far as "
+                    "there are cases")
         ->check(CLI::PositiveNumber);
     verb.add_option("--case", options.case_index,
                     "only the case of this index (see check --cases)");

@@ -253,7 +253,7 @@ void History::commit(std::uint32_t generation,
         flush(file_->id);
         generations.set_committed(generation);
         flush(file_->id);
-        synchronize(file_->id);
+        file_->synchronize_each_second();
     });
     ++file_->next_generation;
 }

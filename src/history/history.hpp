@@ -174,7 +174,8 @@ class History {
     //! What selection needs of them.
     Population generation(std::uint32_t generation) const;
 
-    //! Marks a generation complete.
+    //! Marks a generation complete. It is in the file at once, and on the disk
+    //! within a second and the next commit.
     void commit(std::uint32_t generation, const GenerationSummary& summary);
 
     //! Summaries of all committed generations.

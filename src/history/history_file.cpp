@@ -76,6 +76,13 @@ hsize_t History::File::row(std::uint32_t generation, std::uint32_t slot) const {
     return rows.first + slot;
 }
 
+void History::File::synchronize_each_second() {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - synchronized < std::chrono::seconds(1)) return;
+    synchronize(id);
+    synchronized = now;
+}
+
 void History::File::require_genes(
     const std::vector<Candidate>& candidates) const {
     for (const Candidate& candidate : candidates)

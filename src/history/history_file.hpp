@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <chrono>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -86,6 +87,10 @@ struct History::File {
     void record(Columns& columns, const std::string& label, hsize_t row,
                 const Outcome& outcome, std::uint32_t attempt);
 
+    //! Forces the file to the disk unless that was done within the last second:
+    //! it takes milliseconds, as long as a small generation.
+    void synchronize_each_second();
+
     std::string path;
     std::optional<FileLock> lock;
     Handle id;
@@ -98,6 +103,8 @@ struct History::File {
     GenerationChecksums checksums;
     std::uint32_t next_generation = 0;
     std::vector<Span> spans;  //!< of a writer's generations
+    //! When the file was last forced to the disk.
+    std::chrono::steady_clock::time_point synchronized{};
     bool is_broken = false;
     std::uint64_t missing_bytes = 0;
 

@@ -65,6 +65,8 @@ std::optional<Work> CaseSearch::next() {
 }
 
 void CaseSearch::record(const Work& work, const Outcome& outcome) {
+    // Workers have what to do by now.
+    commit();
     const Task& task = work.task;
     history_.record(task.generation, task.slot, outcome, task.attempt);
     evolution_.watcher.on_evaluation(task, outcome);
@@ -91,27 +93,37 @@ std::uint32_t CaseSearch::first_open() const {
     return static_cast<std::uint32_t>(progress_.generations.size());
 }
 
-//! Proposes all that can be, generation by generation.
+//! Proposes until something waits, as far as that is possible now.
 void CaseSearch::extend() {
-    Optimizer& optimizer = evolution_.optimizer;
-    for (;;) {
-        if ((open_.empty() || open_.back().rows.size() == open_.back().size) &&
-            !begin_generation())
-            return;
-        const Open& last = open_.back();
-        const auto generation =
-            first_open() + static_cast<std::uint32_t>(open_.size()) - 1;
-        std::vector<Candidate> candidates;
-        for (std::size_t i = last.rows.size(); i < last.size; ++i) {
-            const auto slot = static_cast<std::uint32_t>(i);
-            if (known_rows_ < optimizer.needs(generation, slot)) break;
-            candidates.push_back(optimizer.propose(generation, slot));
-        }
-        if (candidates.empty()) return;
-        add(candidates);
+    while (waiting_.empty() && (is_proposing() || begin_generation())) {
+        const std::size_t before = open_.back().rows.size();
+        propose();
+        if (open_.back().rows.size() == before) return;
         // Those that an earlier session evaluated may allow more.
         learn();
     }
+}
+
+//! Proposes some of the last open generation, so that workers have them while
+//! the next are made.
+void CaseSearch::propose() {
+    constexpr std::size_t most = 64;
+    const Open& last = open_.back();
+    const auto generation =
+        first_open() + static_cast<std::uint32_t>(open_.size()) - 1;
+    std::vector<Candidate> candidates;
+    for (std::size_t i = last.rows.size();
+         i < last.size && candidates.size() < most; ++i) {
+        const auto slot = static_cast<std::uint32_t>(i);
+        if (known_rows_ < evolution_.optimizer.needs(generation, slot)) break;
+        candidates.push_back(evolution_.optimizer.propose(generation, slot));
+    }
+    if (!candidates.empty()) add(candidates);
+}
+
+//! Whether a generation has begun and has rows that are not proposed.
+bool CaseSearch::is_proposing() const {
+    return !open_.empty() && open_.back().rows.size() < open_.back().size;
 }
 
 //! False if there will be no other generation, or not yet.
@@ -186,6 +198,8 @@ void CaseSearch::copy(std::uint32_t generation, std::uint32_t original) {
     }
 }
 
+//! Teaches the optimizer what is known, in the order of rows.
+//! @throws CaseError if too many evaluations of a generation fail.
 void CaseSearch::learn() {
     while (!open_.empty()) {
         Open& open = open_.front();
@@ -195,11 +209,12 @@ void CaseSearch::learn() {
             ++known_rows_;
         }
         if (open.learnt < open.size) return;
-        commit();
+        complete();
     }
 }
 
-void CaseSearch::commit() {
+//! Takes note of the first open generation, which is complete.
+void CaseSearch::complete() {
     const std::uint32_t generation = first_open();
     const Population rows = std::move(open_.front().rows);
     open_.pop_front();
@@ -208,10 +223,18 @@ void CaseSearch::commit() {
                          generation, rows);
     GenerationSummary summary = summarized_(rows);
     summary.wall_time = wall_time();
-    history_.commit(generation, summary);
-    evolution_.watcher.on_generation(generation, summary);
     progress_.wall_time = summary.wall_time;
     judge(summary);
+    complete_.push_back({generation, std::move(summary)});
+}
+
+void CaseSearch::commit() {
+    learn();
+    for (const auto& [generation, summary] : complete_) {
+        history_.commit(generation, summary);
+        evolution_.watcher.on_generation(generation, summary);
+    }
+    complete_.clear();
 }
 
 void CaseSearch::judge(const GenerationSummary& summary) {

@@ -25,13 +25,13 @@ class CaseSearch {
     //! The next row to evaluate, if one can be proposed now; learns first.
     std::optional<Work> next();
 
-    //! Keeps an outcome.
+    //! Keeps an outcome; commits what is complete first.
     void record(const Work& work, const Outcome& outcome);
 
     //! Teaches the optimizer what is known, in the order of rows, and commits
     //! generations that are complete.
     //! @throws CaseError if too many evaluations of a generation fail.
-    void learn();
+    void commit();
 
     //! Why the search is over: the stop rule, or "room" if its history has none
     //! for another generation. None before all that will be is complete.
@@ -49,14 +49,23 @@ class CaseSearch {
         std::multimap<std::uint32_t, std::uint32_t> copies;
     };
 
+    //! A generation that the optimizer has learnt.
+    struct Complete {
+        std::uint32_t generation = 0;
+        GenerationSummary summary;
+    };
+
+    void learn();
     void extend();
+    void propose();
     bool is_over(std::uint32_t generation) const;
+    bool is_proposing() const;
     bool begin_generation();
     void add(const std::vector<Candidate>& candidates);
     void keep(std::uint32_t generation, std::uint32_t slot,
               const Outcome& outcome);
     void copy(std::uint32_t generation, std::uint32_t original);
-    void commit();
+    void complete();
     void judge(const GenerationSummary& summary);
     std::uint32_t first_open() const;
     double wall_time() const;
@@ -66,10 +75,11 @@ class CaseSearch {
     SearchSpace space_;
     Summarizer summarized_;
     double spent_before_;
-    Progress progress_;             //!< complete generations
-    std::deque<Open> open_;         //!< the first of these is learnt now
-    std::uint64_t known_rows_ = 0;  //!< that the optimizer has learnt
-    std::deque<Work> waiting_;      //!< proposed, not handed out
+    Progress progress_;               //!< complete generations
+    std::vector<Complete> complete_;  //!< not committed yet
+    std::deque<Open> open_;           //!< the first of these is learnt now
+    std::uint64_t known_rows_ = 0;    //!< that the optimizer has learnt
+    std::deque<Work> waiting_;        //!< proposed, not handed out
     std::optional<std::string> reason_;
     std::uint64_t reason_row_ = 0;  //!< after the rows that gave the reason
 };

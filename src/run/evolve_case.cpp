@@ -56,7 +56,7 @@ Routine<Ending> evolve_case(Evolution evolution, History& history) {
         search.record(done, outcome);
     };
     co_await evolution.dispatcher.evaluate(next, record);
-    search.learn();
+    search.commit();
     history.set_wall_time(spent_before + evolution.elapsed());
     const auto reason = search.ending();
     if (!reason) co_return Ending::drained;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace ideotype {
 
 namespace {
@@ -12,19 +14,17 @@ int part_of_case(int index, int cases, int parts) {
     return static_cast<int>(static_cast<long long>(index) * parts / cases);
 }
 
+//! Plants under way for each worker.
+constexpr int plants_of_worker = 4;
+
 }  // namespace
 
 int masters(std::optional<int> wanted, int ranks, int cases) {
     const int most = std::max(1, std::min(ranks, cases));
     if (wanted) return std::clamp(*wanted, 1, most);
-    constexpr int enough_for_one = 512;
-    if (ranks < enough_for_one) return 1;
-    // An even number of cases for each: while one breeds, another is evaluated.
-    constexpr double ranks_of_one = 256;
-    const int pairs =
-        static_cast<int>(std::lround(cases * ranks_of_one / ranks / 2));
-    const int cases_of_one = std::max(1, 2 * pairs);
-    return std::clamp((cases + cases_of_one - 1) / cases_of_one, 1, most);
+    constexpr double ranks_of_one = 1000;
+    return std::clamp(static_cast<int>(std::lround(ranks / ranks_of_one)), 1,
+                      most);
 }
 
 int part_of(int rank, int ranks, int cases, int parts) {
@@ -40,6 +40,51 @@ std::vector<Case> dealt(const std::vector<Case>& cases, int part, int parts) {
         if (part_of_case(i, count, parts) == part)
             own.push_back(cases[static_cast<std::size_t>(i)]);
     return own;
+}
+
+int busy_workers(const SearchSettings& search, std::size_t cases) {
+    const double plants = 1. * search.population * search.streams;
+    return std::max(1, static_cast<int>(plants * static_cast<double>(cases) /
+                                        plants_of_worker));
+}
+
+std::optional<std::string> advice_for(const Campaign& campaign,
+                                      std::size_t cases, int workers) {
+    const SearchSettings& search = campaign.search;
+    const bool waits = !search.design &&
+                       search.optimizer != OptimizerKind::random &&
+                       search.optimizer != OptimizerKind::sobol;
+    if (!waits) return std::nullopt;
+    constexpr int fewest_generations = 40;
+    const auto population = static_cast<long long>(search.population);
+    long long rows = population * campaign.stop.generations;
+    if (campaign.stop.evaluations > 0)
+        rows = std::min(rows, campaign.stop.evaluations);
+    const long long most =
+        std::max(1LL, rows / (fewest_generations * population));
+    if (search.streams > most)
+        return fmt::format(
+            "each of {} searches has only {} generations of {} plants, and "
+            "learns little from fewer than {}; use search.streams = {}, or "
+            "more generations",
+            search.streams, rows / (search.streams * population), population,
+            fewest_generations, most);
+    constexpr int few_workers = 8;  // who wait for each other at little cost
+    if (workers <= std::max(few_workers, busy_workers(search, cases)))
+        return std::nullopt;
+    SearchSettings enough = search;
+    while (enough.streams < most && busy_workers(enough, cases) < workers)
+        ++enough.streams;
+    const int busy = busy_workers(enough, cases);
+    if (enough.streams == search.streams)
+        return fmt::format(
+            "{} workers are more than {} can keep busy, which is some {}; use "
+            "fewer, or more generations and streams",
+            workers, cases == 1 ? "this case" : "these cases", busy);
+    return fmt::format(
+        "{} workers wait for each other at the end of a generation; {} are "
+        "busy with search.streams = {}",
+        workers, std::min(busy, workers), enough.streams);
 }
 
 }  // namespace ideotype

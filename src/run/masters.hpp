@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "campaign/campaign.hpp"
@@ -9,9 +11,8 @@
 namespace ideotype {
 
 //! How many ranks evolve cases, each with workers of its own: as many as are
-//! wanted, else one, and from 512 ranks on one for some 256, since all its
-//! workers wait while a master breeds (tests/scale). Not more than there are
-//! cases.
+//! wanted, else one for each 1,000 ranks, which is what a master can serve
+//! (tests/scale). Not more than there are cases.
 int masters(std::optional<int> wanted, int ranks, int cases);
 
 //! The part of a rank, if ranks and cases are divided into as many parts as
@@ -21,5 +22,14 @@ int part_of(int rank, int ranks, int cases, int parts);
 
 //! The cases of a part.
 std::vector<Case> dealt(const std::vector<Case>& cases, int part, int parts);
+
+//! How many workers a search keeps busy: each has four plants under way, so
+//! that it finds another one while a generation ends (tests/scale).
+int busy_workers(const SearchSettings& search, std::size_t cases);
+
+//! What to change where workers would wait for each other, or where so many
+//! streams have too few generations each to learn from; none if all is well.
+std::optional<std::string> advice_for(const Campaign& campaign,
+                                      std::size_t cases, int workers);
 
 }  // namespace ideotype

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "masters.hpp"
 #include "provenance.hpp"
 #include "summary.hpp"
 #include "way_on.hpp"
@@ -35,6 +36,9 @@ Sweep::Sweep(const RunOptions& options, const Campaign& campaign,
 
 bool Sweep::evolve(Dispatcher& dispatcher) {
     dispatcher_ = &dispatcher;
+    if (const auto advice =
+            advice_for(campaign_, chosen_.size(), dispatcher.width()))
+        progress_.print(*advice, LogLevel::warning);
     try {
         dispatcher.run(*this);
     } catch (const Error& error) {

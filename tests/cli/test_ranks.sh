@@ -8,7 +8,7 @@ write_campaign same 8 3
 # Each evaluation finds out for itself how many paths it needs.
 sed -i '/^\[light\]/,/^\[search\]/ {
     s/^paths = .*/paths = 4096/
-    s/^randomisations = .*/randomisations = 8\ntolerance = 0.01\nfirst_tolerance = 0.03/
+    s/^randomisations = .*/randomisations = 8\ntolerance = 0.01/
 }' campaigns/same.toml
 # same_for_any_ranks FOLDER [OPTION...]
 same_for_any_ranks() {
@@ -20,10 +20,10 @@ same_for_any_ranks() {
     done
 }
 same_for_any_ranks alone
-same_for_any_ranks cma_es --set search.optimizer=cma_es
+same_for_any_ranks auto --set search.optimizer=auto
 same_for_any_ranks nsga2 --set search.optimizer=nsga2 \
     --set objective.minimise=lai
-same_for_any_ranks window --set search.window=13
+same_for_any_ranks streams --set search.optimizer=auto --set search.streams=3
 same_for_any_ranks sobol --set search.optimizer=sobol
 
 # The comparison itself must be able to fail.

@@ -120,24 +120,6 @@ TEST_F(Ames, AToleranceIsMetAndTheRowSaysHow) {
     EXPECT_EQ(quantity(capped, "capped"), 1);
 }
 
-TEST_F(Ames, TheToleranceTightensFromTheFirstGenerationToTheLast) {
-    Campaign scheduled = campaign;
-    scheduled.sampling.tolerance = 1e-3;
-    scheduled.stop.generations = 5;
-    const auto tolerance = [&](std::uint32_t generation, bool is_final) {
-        Task task;
-        task.generation = generation;
-        task.is_final = is_final;
-        return accuracy_of(task, scheduled).tolerance;
-    };
-    EXPECT_EQ(tolerance(0, false), 1e-3);
-    scheduled.first_tolerance = 1.6e-2;
-    EXPECT_DOUBLE_EQ(tolerance(0, false), 1.6e-2);
-    EXPECT_DOUBLE_EQ(tolerance(2, false), 4e-3);
-    EXPECT_DOUBLE_EQ(tolerance(4, false), 1e-3);
-    EXPECT_EQ(tolerance(4, true), 0);
-}
-
 TEST_F(Ames, ObjectivesAreTheMeansOfTheirRandomisations) {
     Task final;
     final.is_final = true;

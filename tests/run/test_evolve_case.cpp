@@ -102,8 +102,9 @@ class EvolveCase : public ::testing::Test {
             History resumed = History::resume(name);
             SumEvaluator rest(h.schema, stop);
             EXPECT_EQ(evolve(resumed, rest), Ending::finished);
-            for (std::uint32_t g = 0; g < 6; ++g)
-                for (std::uint32_t s = 0; s < 10; ++s) {
+            EXPECT_EQ(resumed.next_generation(), whole.next_generation());
+            for (std::uint32_t g = 0; g < whole.next_generation(); ++g)
+                for (std::uint32_t s = 0; s < whole.size(g); ++s) {
                     EXPECT_EQ(resumed.row(g, s).candidate.genome,
                               whole.row(g, s).candidate.genome);
                     EXPECT_EQ(resumed.row(g, s).outcome.objectives[0].mean,
@@ -140,23 +141,25 @@ class GrowingOptimizer : public GenerationalOptimizer {
     explicit GrowingOptimizer(Genome baseline)
         : baseline_(std::move(baseline)) {}
 
-    std::vector<Candidate> ask() const override {
-        std::vector<Candidate> candidates(told_.size() + 1,
-                                          {baseline_, Origin::random});
-        for (std::size_t i = 0; i < candidates.size(); ++i)
-            candidates[i].genome[0] += 1e-3 * static_cast<double>(i);
-        return candidates;
-    }
+    std::size_t next_size() const override { return told_.size() + 1; }
+
+    Candidate candidate(std::uint32_t slot) override { return plant(slot); }
 
     std::vector<Candidate> best(std::size_t) const override {
         return {{baseline_, Origin::elite, {parents_row(), no_parent}},
-                {ask().back().genome, Origin::elite, {15, no_parent}}};
+                {plant(told_.size()).genome, Origin::elite, {15, no_parent}}};
     }
 
     const std::vector<std::size_t>& told() const { return told_; }
 
   private:
     void take(Population rows) override { told_.push_back(rows.size()); }
+
+    Candidate plant(std::size_t slot) const {
+        Candidate plant{baseline_, Origin::random};
+        plant.genome[0] += 1e-3 * static_cast<double>(slot);
+        return plant;
+    }
 
     Genome baseline_;
     std::vector<std::size_t> told_;
@@ -234,8 +237,8 @@ TEST_F(EvolveCase, StopAndResumeGiveWhatAnUninterruptedRunGives) {
     expect_same_after_stops();
 }
 
-TEST_F(EvolveCase, StopAndResumeGiveTheSameWithAWindow) {
-    campaign.search.window = 13;
+TEST_F(EvolveCase, StopAndResumeGiveTheSameWithStreams) {
+    campaign.search.streams = 3;
     expect_same_after_stops();
 }
 
@@ -244,37 +247,38 @@ TEST_F(EvolveCase, StopAndResumeGiveTheSameByChance) {
     expect_same_after_stops();
 }
 
-TEST_F(EvolveCase, StopAndResumeGiveTheSameByCmaEs) {
-    campaign.search.optimizer = OptimizerKind::cma_es;
+TEST_F(EvolveCase, StopAndResumeGiveTheSameByAutoWithStreams) {
+    campaign.search.optimizer = OptimizerKind::automatic;
+    campaign.search.streams = 2;
     expect_same_after_stops();
 }
 
-// What tells a window to end also follows from the rows that it needs alone.
-TEST_F(EvolveCase, AStopRuleEndsAWindowAtTheSameRow) {
-    campaign.search.window = 13;
+// What tells streams to end also follows from the rows that they need alone.
+TEST_F(EvolveCase, AStopRuleEndsStreamsAtTheSameRow) {
+    campaign.search.streams = 2;
     campaign.stop.evaluations = 20;
     const HistoryHeader h = header();
-    History history = History::create(path("window.h5"), h);
+    History history = History::create(path("streams.h5"), h);
     SumEvaluator evaluator(h.schema, stop);
     EXPECT_EQ(evolve(history, evaluator), Ending::finished);
     EXPECT_EQ(history.finished(), "evaluations");
-    // Rows 20 to 29 need less than the first 20, and row 30 needs 18.
-    EXPECT_EQ(history.next_generation(), 4U);
-    EXPECT_EQ(history.size(4), 0U);
+    // Generation 2 needs rows 0 to 9 alone, generation 3 those to row 19.
+    EXPECT_EQ(history.next_generation(), 3U);
+    EXPECT_EQ(history.size(3), 0U);
 }
 
 // All that was proposed is complete when the stop comes, and the rule holds,
-// but the window has reached further.
-TEST_F(EvolveCase, AStopBeforeTheEndOfAWindowIsNoEnd) {
-    campaign.search.window = 20;
+// but another stream has gone further.
+TEST_F(EvolveCase, AStopBeforeTheEndOfStreamsIsNoEnd) {
+    campaign.search.streams = 2;
     campaign.stop.evaluations = 20;
     const HistoryHeader h = header();
     {
         History cut = History::create(path("cut.h5"), h);
         SumEvaluator interrupted(h.schema, stop);
-        interrupted.stop_at = 20;
+        interrupted.stop_at = 10;
         EXPECT_EQ(evolve(cut, interrupted), Ending::drained);
-        EXPECT_EQ(cut.next_generation(), 2U);
+        EXPECT_EQ(cut.next_generation(), 1U);
         EXPECT_TRUE(cut.finalists().empty());
     }
     // Only a new start takes a stop back.
@@ -284,20 +288,18 @@ TEST_F(EvolveCase, AStopBeforeTheEndOfAWindowIsNoEnd) {
     SumEvaluator rest(h.schema, stop);
     EXPECT_EQ(evolve(resumed, rest), Ending::finished);
     EXPECT_EQ(resumed.finished(), "evaluations");
-    EXPECT_EQ(resumed.next_generation(), 4U);
+    EXPECT_EQ(resumed.next_generation(), 3U);
 }
 
 TEST_F(EvolveCase, ASearchEndsWhereItsHistoryHasNoRoom) {
-    campaign.search.optimizer = OptimizerKind::cma_es;
-    campaign.search.cma.restarts = 3;
-    campaign.search.cma.smallest_step = 1;
+    campaign.search.optimizer = OptimizerKind::automatic;
     const HistoryHeader h = header();
     History history = History::create(path("room.h5"), h);
     SumEvaluator evaluator(h.schema, stop);
     EXPECT_EQ(evolve(history, evaluator), Ending::finished);
     EXPECT_EQ(history.finished(), "room");
-    EXPECT_EQ(history.size(1), 20U);
-    EXPECT_EQ(history.next_generation(), 2U);
+    EXPECT_EQ(history.size(0), 30U);
+    EXPECT_EQ(history.size(1), 10U);
 }
 
 TEST_F(EvolveCase, EqualGenomesAreEvaluatedOnce) {

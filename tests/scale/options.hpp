@@ -17,11 +17,14 @@ struct Options {
     std::optional<int> masters;
     int population = 1000;
     int generations = 4;
-    int window = 0;  //!< of the search; 0: generations as barriers
+    int streams = 1;
+    std::string optimizer = "ga";
     double evaluation = 25e-3;
     double master_per_evaluation = 12e-6;  //!< messages and record
-    double master_per_candidate = 6.5e-6;  //!< between generations
-    double master_per_generation = 5e-3;   //!< to the disk
+    double master_per_proposal = 4e-6;     //!< made and stored
+    double master_per_candidate = 1.2e-6;  //!< learnt between generations
+    double master_per_row = 2e-6;          //!< summary and checksum
+    double master_per_second = 5e-3;       //!< to the disk
     double nap_slack = 55e-6;
     double least = 0;  //!< efficiency
     std::string folder;
@@ -38,11 +41,14 @@ inline Options read_options(int argc, char** argv) {
     app.add_option("--masters", options.masters);
     app.add_option("--population", options.population);
     app.add_option("--generations", options.generations);
-    app.add_option("--window", options.window);
+    app.add_option("--streams", options.streams);
+    app.add_option("--optimizer", options.optimizer);
     app.add_option("--evaluation", options.evaluation);
     app.add_option("--master-per-evaluation", options.master_per_evaluation);
+    app.add_option("--master-per-proposal", options.master_per_proposal);
     app.add_option("--master-per-candidate", options.master_per_candidate);
-    app.add_option("--master-per-generation", options.master_per_generation);
+    app.add_option("--master-per-row", options.master_per_row);
+    app.add_option("--master-per-second", options.master_per_second);
     app.add_option("--nap-slack", options.nap_slack);
     app.add_option("--least", options.least, "fail below this efficiency");
     app.add_option("--folder", options.folder, "of the histories")->required();

@@ -56,9 +56,11 @@ class Master : public Director, public Watcher {
         spend(options_.master_per_evaluation);
         ++evaluations;
     }
-    void on_generation(std::uint32_t, const GenerationSummary&) override {
-        spend(options_.master_per_candidate * options_.population +
-              options_.master_per_generation);
+    void on_generation(std::uint32_t, const GenerationSummary& rows) override {
+        spend(options_.master_per_row * rows.evaluations);
+        if (clock_.now() - synchronized_ < 1) return;
+        spend(options_.master_per_second);
+        synchronized_ = clock_.now();
     }
     void on_final(const std::string&) override { ended = clock_.now(); }
 
@@ -66,30 +68,70 @@ class Master : public Director, public Watcher {
     double busy = 0;   //!< [s]
     double ended = 0;  //!< when the last case came to its finalists [s]
 
+    void spend(double seconds) {
+        SimulatedClock::spend(seconds);
+        busy += seconds;
+    }
+
   private:
+    //! An optimizer whose work takes simulated time.
+    class SlowOptimizer : public Optimizer {
+      public:
+        SlowOptimizer(Master& master, const Case& chosen)
+            : master_(master),
+              fast_(make_optimizer(master.campaign_.search,
+                                   search_space(master.campaign_, chosen),
+                                   chosen.seed)) {}
+
+        std::size_t size(std::uint32_t generation) const override {
+            return fast_->size(generation);
+        }
+        std::uint64_t needs(std::uint32_t generation,
+                            std::uint32_t slot) const override {
+            return fast_->needs(generation, slot);
+        }
+        Candidate propose(std::uint32_t generation,
+                          std::uint32_t slot) override {
+            master_.spend(master_.options_.master_per_proposal);
+            return fast_->propose(generation, slot);
+        }
+        void learn(Individual row) override {
+            // All of a generation at its end, as ranking takes it.
+            if (++rows_ == fast_->size(generation_)) {
+                master_.spend(master_.options_.master_per_candidate *
+                              static_cast<double>(rows_));
+                rows_ = 0;
+                ++generation_;
+            }
+            fast_->learn(std::move(row));
+        }
+        std::vector<Candidate> best(std::size_t count) const override {
+            return fast_->best(count);
+        }
+
+      private:
+        Master& master_;
+        std::unique_ptr<Optimizer> fast_;
+        std::size_t rows_ = 0;  //!< learnt of this generation
+        std::uint32_t generation_ = 0;
+    };
+
     struct EvolvingCase {
         EvolvingCase(Master& master, const Case& chosen)
             : history(History::create(
                   fmt::format("{}/{}.h5", master.options_.folder, chosen.index),
                   master.header_)),
-              optimizer(make_optimizer(master.campaign_.search,
-                                       search_space(master.campaign_, chosen),
-                                       chosen.seed)) {
+              optimizer(master, chosen) {
             routine = std::make_unique<Routine<Ending>>(evolve_case(
-                {master.campaign_, chosen, *optimizer, master.dispatcher_,
+                {master.campaign_, chosen, optimizer, master.dispatcher_,
                  master, [&master] { return master.clock_.now(); }},
                 history));
         }
 
         History history;
-        std::unique_ptr<Optimizer> optimizer;
+        SlowOptimizer optimizer;
         std::unique_ptr<Routine<Ending>> routine;
     };
-
-    void spend(double seconds) {
-        SimulatedClock::spend(seconds);
-        busy += seconds;
-    }
 
     const Options& options_;
     const Campaign& campaign_;
@@ -98,15 +140,17 @@ class Master : public Director, public Watcher {
     const HistoryHeader& header_;
     std::vector<Case> cases_;
     std::list<EvolvingCase> started_;
+    double synchronized_ = 0;  //!< when the disk had all [s]
 };
 
 //! What all ranks of a simulation share.
 struct Simulation {
     explicit Simulation(const Options& its_options)
         : options(its_options),
-          campaign(read_campaign(IDEOTYPE_CAMPAIGNS "/ames.toml")) {
+          campaign(read_campaign(IDEOTYPE_CAMPAIGNS "/ames.toml",
+                                 {"search.optimizer=" + options.optimizer})) {
         campaign.search.population = options.population;
-        campaign.search.window = options.window;
+        campaign.search.streams = options.streams;
         campaign.stop.generations = options.generations;
         cases.assign(static_cast<std::size_t>(options.cases),
                      ideotype::cases(campaign).front());

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Which share of their time workers evaluate: a sweep of 6 latitudes and 20
 # generations, all cases in one job and one case after the other, these also
-# with a window instead of generations.
+# with three times as many plants under way as there are ranks, in streams.
 # Usage: tests/stress/worker_share.sh [RANKS...]    with preset dev or release
 # PATHS (light paths per randomisation) and POPULATION set how long it takes.
 set -euo pipefail
@@ -89,6 +89,6 @@ for ranks in "$@"; do
     measure "$ranks" together ""
     cases=("--case 0" "--case 1" "--case 2" "--case 3" "--case 4" "--case 5")
     measure "$ranks" one-by-one "${cases[@]}"
-    measure "$ranks" windows \
-        "${cases[@]/%/ --set search.window=$((4 * ranks))}"
+    measure "$ranks" streams \
+        "${cases[@]/%/ --set search.streams=$(((3 * ranks + 99) / 100))}"
 done

@@ -9,6 +9,7 @@
 #include "ideotype/light/scene.hpp"
 #include "json.hpp"
 #include "run/disk.hpp"
+#include "run/masters.hpp"
 #include "run/progress.hpp"
 #include "run/provenance.hpp"
 #include "run/run.hpp"
@@ -177,6 +178,10 @@ void print(const CheckOptions& options, const Campaign& campaign,
                campaign.crop.baseline.name,
                campaign.crop.baseline.leaves.size(),
                plant_area(found.plant).leaves, found.plant.faces.size());
+    if (!campaign.field.variation.is_any())
+        fmt::print(
+            "advice    plants are all alike; what is bred in such a "
+            "field gains less where plants differ: [field.variation]\n");
     fmt::print("field     {} x {} plants, period {} x {} m, LAI {}, {} faces\n",
                campaign.field.rows, campaign.field.plants,
                stands.period_x.text("{:.4g}"), stands.period_y.text("{:.4g}"),
@@ -200,6 +205,9 @@ void print(const CheckOptions& options, const Campaign& campaign,
     fmt::print("cost      {} per case{}\n", found.cost.text(),
                all.size() == 1 ? "" : " (measured on the first)");
     fmt::print("{}", found.cost.table(all.size()));
+    fmt::print(
+        "workers   up to {} are busy while generations of {} plants end\n",
+        busy_workers(campaign.search, all.size()), campaign.search.population);
     const auto mebibytes = [](std::uint64_t bytes) {
         return static_cast<double>(bytes) / (1 << 20);
     };

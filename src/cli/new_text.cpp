@@ -47,7 +47,19 @@ row_direction
 [field]
 rows plants
 boundary # "isolated" is a plot alone
-jitter
+# How plants differ from each other in fields, as measured; see docs/campaign_files.md.
+[field.variation]
+length = 0.05 # of each blade, relative
+width = 0.06 # of each blade, relative
+height = 0.04 # of the whole plant, relative
+insertion_angle = 11 # of each leaf
+curvature = 31 # of each leaf
+azimuth = [21, 18, 28] # of leaves of the lower, middle and upper third
+roll = [17, 17, 35] # of the same
+twist = 86 # of each leaf
+across_row = 0.7 # fraction of plants whose leaves point across the row
+missing = 0.045 # fraction of plants
+late = 0.04 # fraction of plants
 # The plant that breeding begins with.
 [plant]
 baseline = {baseline:?} # crop file, from this folder{bounds}
@@ -65,8 +77,7 @@ sky # diffuse light; "overcast" and "clear" are others
 maximise = {objective:?} # "net_assimilation", "absorbed_par" are others
 # How plants are proposed.
 [search]
-optimizer # "cma_es", "nsga2", "random" are others
-population = 100
+optimizer = "auto" # "ga", "nsga2", "random" are others
 # The first rule that holds ends a case.
 [stop]
 generations

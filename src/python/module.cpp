@@ -16,4 +16,5 @@ NB_MODULE(_core, module) {
                "Name and version of the ray tracing library.");
     python::bind_stand(module);
     python::bind_mesh(module);
+    python::bind_search(module);
 }

@@ -14,6 +14,7 @@ from ._errors import Error, InputError, Problem
 
 if TYPE_CHECKING:
     from ._mesh import Canopy, mesh
+    from ._search import Search
     from ._stand import Stand
     from .analysis import open_arrays as open
     from .analysis import open_history, open_study
@@ -23,6 +24,7 @@ __all__ = [
     "Error",
     "InputError",
     "Problem",
+    "Search",
     "Stand",
     "mesh",
     "open",
@@ -34,6 +36,7 @@ __all__ = [
 # what draws figures.
 _PLACES = {
     "Canopy": ("._mesh", "Canopy"),
+    "Search": ("._search", "Search"),
     "Stand": ("._stand", "Stand"),
     "mesh": ("._mesh", "mesh"),
     "open": (".analysis", "open_arrays"),

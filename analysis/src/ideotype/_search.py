@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The optimizers of the program for any function: ask for points, tell their values."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._arrays import real
+from ._core import make_search
+from ._errors import Error
+
+Numbers = NDArray[np.float64]
+
+
+class Search:
+    """Looks for the best point between bounds, a generation at a time.
+
+    A point follows from the arguments and from what was told of earlier
+    generations alone. docs/optimisers.md tells what each optimizer does."""
+
+    def __init__(
+        self,
+        lower: ArrayLike,
+        upper: ArrayLike,
+        *,
+        start: ArrayLike | None = None,
+        maximise: Sequence[bool] = (True,),
+        optimizer: str = "auto",
+        population: int | None = None,
+        seed: int = 1,
+        circular: ArrayLike | None = None,
+        traits: Sequence[str] | None = None,
+    ) -> None:
+        """lower and upper: bounds [genes]. start: where the search begins, by
+        default in the middle. maximise: of each objective, else it is
+        minimised. population: points of a generation. circular: whether both
+        bounds of a gene are the same point. traits: names of groups of genes
+        that belong together, by default each by itself."""
+        bounds = np.array([real(lower, "lower"), real(upper, "upper")])
+        if bounds.ndim != 2 or not np.all(bounds[0] < bounds[1]):
+            raise Error(
+                "lower and upper: each lower bound must be below its upper one"
+            )
+        count = bounds.shape[1]
+        middle = bounds.mean(axis=0) if start is None else real(start, "start")
+        around = (
+            np.zeros(count, bool) if circular is None else np.asarray(circular)
+        )
+        if middle.shape != (count,) or around.shape != (count,):
+            raise Error(
+                f"start and circular: {count} numbers are needed, one for each bound"
+            )
+        names = (
+            [str(i) for i in range(count)] if traits is None else list(traits)
+        )
+        if len(names) != count:
+            raise Error(
+                f"traits: {count} names are needed, one for each bound"
+            )
+        self._objectives = len(maximise)
+        self._search = make_search(
+            optimizer,
+            population or 0,
+            seed,
+            middle.tolist(),
+            bounds[0].tolist(),
+            bounds[1].tolist(),
+            around.astype(bool).tolist(),
+            names,
+            [bool(each) for each in maximise],
+        )
+
+    def ask(self) -> Numbers:
+        """The points of the next generation [points, genes]; the same until tell()."""
+        return np.array(self._search.ask())
+
+    def tell(
+        self, values: ArrayLike, violations: ArrayLike | None = None
+    ) -> None:
+        """Learns the values of the points that were asked for [points] or
+        [points, objectives]; NaN where a point could not be evaluated.
+        violations: how far each point fails constraints; 0 where it does not."""
+        count = len(self._search.ask())
+        told = np.asarray(values, float).reshape(-1, self._objectives)
+        failed = (
+            np.zeros(count)
+            if violations is None
+            else real(violations, "violations")
+        )
+        if len(told) != count or failed.shape != (count,):
+            raise Error(
+                f"values: {count} points were asked for, {len(told)} are told"
+            )
+        self._search.tell(told.tolist(), failed.tolist())
+
+    def best(self, count: int = 1) -> Numbers:
+        """The points to evaluate again at the end, best first [at most count, genes]."""
+        return np.array(self._search.best(count))

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/unique_ptr.h>
+#include <nanobind/stl/vector.h>
+
+#include "bindings.hpp"
+#include "ideotype/core/error.hpp"
+#include "search/optimizer.hpp"
+
+namespace ideotype::python {
+
+namespace nb = nanobind;
+
+namespace {
+
+using Matrix = std::vector<std::vector<double>>;
+
+//! A search whose rows somebody else evaluates, a generation at a time.
+class Search {
+  public:
+    Search(const SearchSettings& settings, const SearchSpace& space,
+           std::uint64_t seed)
+        : optimizer_(make_optimizer(settings, space, seed)) {}
+
+    const std::vector<Genome>& ask() {
+        const std::size_t size = optimizer_->size(generation_);
+        while (asked_.size() < size) {
+            const auto slot = static_cast<std::uint32_t>(asked_.size());
+            candidates_.push_back(optimizer_->propose(generation_, slot));
+            asked_.push_back(candidates_.back().genome);
+        }
+        return asked_;
+    }
+
+    //! @param objectives [row, objective]; rows with NaN failed
+    //! @param violations of each row
+    void tell(const Matrix& objectives, const std::vector<double>& violations) {
+        ask();
+        for (std::size_t i = 0; i < asked_.size(); ++i) {
+            Individual row{candidates_[i], Status::done, {}, violations[i]};
+            for (const double x : objectives[i]) {
+                if (!std::isfinite(x)) row.status = Status::failed;
+                row.objectives.push_back({x, 0});
+            }
+            optimizer_->learn(std::move(row));
+        }
+        asked_.clear();
+        candidates_.clear();
+        ++generation_;
+    }
+
+    std::vector<Genome> best(std::size_t count) const {
+        std::vector<Genome> genomes;
+        for (Candidate& each : optimizer_->best(count))
+            genomes.push_back(std::move(each.genome));
+        return genomes;
+    }
+
+  private:
+    std::unique_ptr<Optimizer> optimizer_;
+    std::uint32_t generation_ = 0;
+    std::vector<Genome> asked_;
+    std::vector<Candidate> candidates_;
+};
+
+std::unique_ptr<Search> make_search(
+    const std::string& optimizer, int population, std::uint64_t seed,
+    const Genome& start, const std::vector<double>& lower,
+    const std::vector<double>& upper, const std::vector<bool>& circular,
+    const std::vector<std::string>& traits, const std::vector<bool>& maximise) {
+    SearchSettings settings;
+    const auto name =
+        std::find(optimizer_names.begin(), optimizer_names.end(), optimizer);
+    if (name == optimizer_names.end())
+        throw Error(fmt::format("there is no optimizer \"{}\"; use one of {}",
+                                optimizer, fmt::join(optimizer_names, ", ")));
+    settings.optimizer =
+        static_cast<OptimizerKind>(name - optimizer_names.begin());
+    settings.population =
+        population > 0 ? population
+                       : usual_population(settings.optimizer, start.size());
+    SearchSpace space{{}, start, {}};
+    for (std::size_t i = 0; i < start.size(); ++i)
+        space.genes.push_back(
+            {"", "", lower[i], upper[i], circular[i], true, traits[i]});
+    for (const bool each : maximise)
+        space.senses.push_back(each ? Sense::maximise : Sense::minimise);
+    return std::make_unique<Search>(settings, space, seed);
+}
+
+}  // namespace
+
+void bind_search(nb::module_& module) {
+    nb::class_<Search>(module, "Search")
+        .def("ask", &Search::ask)
+        .def("tell", &Search::tell)
+        .def("best", &Search::best);
+    module.def("make_search", &make_search);
+}
+
+}  // namespace ideotype::python

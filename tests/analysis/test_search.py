@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The program's optimizers for functions of Python."""
+
+import numpy as np
+import pytest
+
+import ideotype
+
+OPTIMIZERS = ["auto", "ga", "cma_es", "random", "sobol"]
+
+
+def searched(generations: int, **options):
+    search = ideotype.Search(
+        [-5] * 6, [5] * 6, start=[3] * 6, maximise=[False], **options
+    )
+    for _ in range(generations):
+        search.tell([np.sum(x**2) for x in search.ask()])
+    return search
+
+
+@pytest.mark.parametrize("optimizer", OPTIMIZERS)
+def test_points_are_within_bounds_and_the_same_again(optimizer: str) -> None:
+    one, other = (
+        searched(5, optimizer=optimizer, population=12) for _ in range(2)
+    )
+    assert np.abs(one.ask()).max() <= 5
+    np.testing.assert_array_equal(one.ask(), other.ask())
+    np.testing.assert_array_equal(one.best(2), other.best(2))
+
+
+def test_auto_finds_a_minimum() -> None:
+    assert np.abs(searched(200).best()).max() < 1e-6
+
+
+def test_several_objectives_give_a_front() -> None:
+    search = ideotype.Search(
+        [0] * 3, [1] * 3, maximise=[False, False], optimizer="nsga2"
+    )
+    for _ in range(30):
+        x = search.ask()
+        rest = 1 + x[:, 1:].sum(axis=1)
+        search.tell(np.column_stack([x[:, 0], rest * (1 - x[:, 0] / rest)]))
+    assert np.ptp(search.best(20)[:, 0]) > 0.5
+
+
+def test_points_that_fail_are_avoided() -> None:
+    search = ideotype.Search([-5] * 3, [5] * 3, start=[1] * 3)
+    for _ in range(100):
+        x = search.ask()
+        search.tell(np.where(x[:, 0] > 2, np.nan, x[:, 0]))
+    assert 1.9 < search.best()[0, 0] <= 2.1
+
+
+@pytest.mark.parametrize(
+    "options, told",
+    [
+        ({"upper": [1, -6]}, "each lower bound"),
+        ({"start": [0]}, "2 numbers are needed"),
+        ({"traits": ["a"]}, "2 names are needed"),
+        ({"optimizer": "best"}, 'no optimizer "best"; use one of auto'),
+    ],
+)
+def test_what_is_wrong_is_told(options, told: str) -> None:
+    with pytest.raises(ideotype.Error, match=told):
+        ideotype.Search(**{"lower": [-5, -5], "upper": [5, 5], **options})
+
+
+def test_as_many_values_as_points_are_needed() -> None:
+    search = searched(1)
+    with pytest.raises(ideotype.Error, match="asked for, 1 are told"):
+        search.tell([1])

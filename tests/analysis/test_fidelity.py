@@ -149,7 +149,8 @@ def of_a_season(folder: Path) -> Path:
     for name in ("weather", "crops"):
         text = text.replace(f'"{name}/', f'"{CAMPAIGNS}/{name}/')
     campaign = folder / "season.toml"
-    campaign.write_text(text + "\n[light]\npaths = 256\nrandomisations = 4\n")
+    text += "\n[light]\npaths = 256\nrandomisations = 4\n"
+    campaign.write_text(text + "[field.variation]\nlength = 0.05\n")
     return campaign
 
 
@@ -159,7 +160,7 @@ def test_keys_can_be_pasted_and_time_is_kept(made, tmp_path: Path) -> None:
     began = time.monotonic()
     options = ("--seconds", 12, "--tolerance", 1e-4, "--json", file)
     told = measure(campaign, *options, "--figure", tmp_path / "fidelity.png")
-    assert time.monotonic() - began < 24  # with the start and the figure
+    assert time.monotonic() - began < 60  # with the start and the figure
     found = json.loads(file.read_text())
     rows = [row for rows in found["keys"] for row in rows]
     rows += found["settings"]

@@ -134,7 +134,9 @@ def block(campaign: str, settings: dict[str, float]) -> str:
         is_list = isinstance(tables, list)
         for table in tables if is_list else [tables]:
             header = f"[[{name}]]" if is_list else f"[{name}]"
-            text += f"{header}\n{tomli_w.dumps(table)}\n"
+            # Tables within it, such as [field.variation], stay as they are.
+            own = {k: v for k, v in table.items() if not isinstance(v, dict)}
+            text += f"{header}\n{tomli_w.dumps(own)}\n"
     return text
 
 

@@ -181,6 +181,8 @@ def _case_remarks(case: Case, cross: Cross | None) -> Iterator[str]:
             "cross-evaluation does not have it under these cases (of a name "
             "in several campaigns it needs to say which, CAMPAIGN: CASE)"
         )
+    if not case.fronts:
+        yield _spread_of_searches([pair.gain.mean for pair in case.pairs])
     if case.best_history.resolved.get("feasibility", {}).get("trait"):
         yield (
             f"In standard deviations the bred plant is {_among(case, 'best')}, "
@@ -194,6 +196,20 @@ def _case_remarks(case: Case, cross: Cross | None) -> Iterator[str]:
             )
     except HistoryError as reason:
         yield f"Without a ceiling, since {reason}"
+
+
+def _spread_of_searches(gains: Sequence[float]) -> str:
+    """A bound of the distance from the optimum: docs/optimisers.md tells how good."""
+    if len(gains) < 3:
+        return (
+            "Three searches (replicates = 3) would tell how far the best "
+            "plant may be from the optimum"
+        )
+    return (
+        f"The best plant is probably less than {max(gains) - min(gains):.1f} "
+        f"percentage points from the optimum, the spread of {len(gains)} "
+        f"independent searches, which gained {min(gains):.1f} to {max(gains):.1f} %"
+    )
 
 
 def _among(case: Case, who: str) -> str:

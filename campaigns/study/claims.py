@@ -64,7 +64,7 @@ class SetUp:
 
     @property
     def searches(self) -> tuple[str, ...]:
-        return ("ga",) if self.is_plot else ("ga", "cma_es")
+        return ("ga",) if self.is_plot else ("ga", "auto")
 
     def tables(self, where: Condition) -> dict[str, Any]:
         found = campaign(where, self.objective, self.folder, self.is_rough)

@@ -36,7 +36,7 @@ from typing import Any
 import numpy as np
 from climates import CLEAR_DAY, bondville, overcast_day, season, site
 from shared import (
-    HYBRIDS,
+    FIELD_PLANTS,
     MAIZE,
     PLANT_AREA,
     ROUGH,
@@ -94,7 +94,7 @@ def campaign(where: Condition, folder: Path, is_rough: bool) -> dict[str, Any]:
                 "plant": round(1 / where.density / ROW, 6),
             }
         ],
-        "field": {"rows": 2, "variation": HYBRIDS},
+        "field": {"rows": 2, "variation": FIELD_PLANTS},
         "plant": {"baseline": str(MAIZE), "bounds": "breedable"},
         "objective": {"maximise": "carbon_balance"},
         "light": {"tolerance": 0.012},

@@ -6,7 +6,7 @@ fronts.py FOLDER [--figure FILE.png] [--generations N] [--seeds N] [--rough]
 
 Breeds crops/maize.toml by NSGA-II for a high carbon balance of the season measured at
 Bondville, Illinois, and a low leaf area index. Traits are those that a breeder can select
-(bounds "breedable"), and plants differ as hybrids do. Evaluates members of the front of
+(bounds "breedable"), and plants differ as those of fields do. Evaluates members of the front of
 each seed again with the same random numbers and prints some of those that no other
 dominates, the baseline, and the leaf area index beyond which more leaves cost more carbon
 than they gain. ± is the standard error, of differences that of randomisations that both

@@ -4,24 +4,32 @@
 which search finds it?
 
 paper_table.py FOLDER [--figure FILE.png] [--objective NAME...] [--condition NAME...]
-               [--evaluations N] [--seeds N] [--other-seeds N] [--rough]
+               [--search NAME...] [--evaluations N] [--seeds N] [--other-seeds N]
+               [--plant FILE.toml] [--alike] [--rough]
 
 Breeds crops/maize.toml with four sets of traits, at five latitudes and at six spacings
 (bounds "paper", the others as in the first condition: all traits, 42 deg north, rows of
 30 inches, plants 6 inches apart) for absorbed PAR and net assimilation of a clear day,
-and for the carbon balance of a season, by random search, the genetic algorithm and CMA-ES
-with as many evaluations each. Evaluates the best plants again, all with the same random
+and for the carbon balance of a season, where plants differ as those of fields do, by
+several searches with as many evaluations each. BIPOP-CMA-ES is that of the package cma,
+differential evolution that of pymoo; both ask for plants through the Python module, and are not run
+unless --search names them. Evaluates the best plants again, all with the same random
 numbers, and prints gains over the baseline [%] with standard errors, leaf area, and the
-gain per leaf area. The first condition has more seeds than the others. The season is that
-of Bondville, Illinois, 40 deg north in the place of 42, and moved to the other latitudes
-(climates.moved_season); its field repeats after 8 plants instead of 16. Searches that are
+gain per leaf area. With --alike all plants of a field are the same while they are bred;
+a second table tells what those champions gain where plants differ. Tells also after how many
+core-seconds the first seed had a plant with 90 % of the largest gain under the first condition, which has more seeds than
+the others. The season is that of Bondville, Illinois, 40 deg north in the place of 42, and moved to the other latitudes
+(climates.moved_season). Searches that are
 in FOLDER already are not repeated; interrupted ones go on. --rough is for tests.
 IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
 """
 
 from __future__ import annotations
 
+import json
+import math
 import sys
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import product
 from pathlib import Path
@@ -29,7 +37,10 @@ from typing import Any
 
 import numpy as np
 from climates import CLEAR_DAY, bondville, moved_season, season, site
+from numpy.typing import ArrayLike
+from searches import best_until
 from shared import (
+    FIELD_PLANTS,
     MAIZE,
     ROUGH,
     TITLES,
@@ -40,6 +51,7 @@ from shared import (
     estimate,
     gain,
     guard,
+    light,
     mean_over_seeds,
     parser_of_searches,
     print_table,
@@ -84,17 +96,22 @@ CONDITIONS = (
         for row, plant in ((15, 3), (15, 6), (20, 3), (20, 6), (30, 3))
     ),
 )  # fmt: skip
+#: A field whose plants differ.
+VARIED = {"rows": 4, "plants": 4, "variation": FIELD_PLANTS}
 UNITS = {
     "absorbed_par": "MJ m-2 day-1",
     "net_assimilation": "mol m-2 day-1",
     "carbon_balance": "mol m-2 day-1",
 }
-#: title, and plants of a generation
-SEARCHES = {
-    "random": ("random search", 100),
-    "ga": ("genetic algorithm", 100),
-    "cma_es": ("CMA-ES", 20),
+TITLES_OF_SEARCHES = {
+    "random": "random search",
+    "ga": "genetic algorithm",
+    "auto": "auto",
+    "cma_es": "single CMA-ES",
+    "bipop": "BIPOP-CMA-ES",
+    "pymoo": "differential evolution",
 }
+USUAL = ("ga", "auto")
 
 
 @dataclass(frozen=True)
@@ -108,10 +125,19 @@ class Found:
     """Of the best plant of all."""
     gain_per_leaf_area: Estimate
     """Of the same plant [%]."""
+    varied_gains: dict[str, list[Estimate]]
+    """Where plants differ, if they do not where they are bred [%]."""
+    seconds: dict[str, float]
+    """Of each search until a plant with 90 % of the largest gain was known."""
 
 
 def campaign(
-    where: Condition, objective: str, folder: Path, is_rough: bool
+    where: Condition,
+    objective: str,
+    folder: Path,
+    is_rough: bool,
+    plant: Path = MAIZE,
+    is_alike: bool = False,
 ) -> dict[str, Any]:
     """Without a search."""
     tables: dict[str, Any] = {
@@ -124,10 +150,10 @@ def campaign(
             }
         ],
         "traits": [{"name": "free", "free": list(where.free)}],
-        "plant": {"baseline": str(MAIZE), "bounds": "paper"},
+        "plant": {"baseline": str(plant), "bounds": "paper"},
         "objective": {"maximise": objective},
-        "field": {"rows": 2 if objective == "carbon_balance" else 4},
-        "final": {"candidates": 3},
+        "field": {} if is_alike else VARIED,
+        "final": {"candidates": 3, "randomisations": 64},
     }
     if objective != "carbon_balance":
         here, light = site(where.latitude), {"day": [CLEAR_DAY]}
@@ -137,52 +163,184 @@ def campaign(
         moved = moved_season(where.latitude, folder)
         here = site(where.latitude)
         light = {"climate": [{**season(), "file": str(moved)}]}
-    return {**tables, "site": [here], **light, **(ROUGH if is_rough else {})}
+    return {
+        **tables,
+        "site": [here],
+        **light,
+        **(ROUGH if is_rough else {}),
+    }
+
+
+def name_of(tables: dict[str, Any], search: str, seed: int) -> str:
+    return f"{tables['name']}_{search}_s{seed}"
 
 
 def bred(
     tables: dict[str, Any], search: str, seed: int, count: int, folder: Path
 ) -> Numbers:
     """The genome of the best plant that this search finds."""
-    population = min(SEARCHES[search][1], count)
-    history = breed_tables(
-        {
-            **tables,
-            "name": f"{tables['name']}_{search}_s{seed}",
-            "seed": seed,
-            "search": {"optimizer": search, "population": population},
-            "stop": {"generations": count // population},
-        },
-        folder,
-    )[0]
-    return best(history)
+    if search in LIBRARIES:
+        name = name_of(tables, search, seed)
+        kept = folder / f"{name}.json"
+        if not kept.exists():
+            stand = Stand({**tables, "seed": seed})
+            found = LIBRARIES[search](stand, seed, count)
+            kept.write_text(json.dumps(found.tolist()))
+        return np.array(json.loads(kept.read_text()))
+    return best(searched(tables, search, seed, count, folder))
+
+
+def searched(
+    tables: dict[str, Any], search: str, seed: int, count: int, folder: Path
+) -> Path:
+    """The history of a search by the program."""
+    limits = {"generations": count // 10 + 1, "evaluations": count}
+    settings: dict[str, Any] = {"optimizer": search}
+    if search in ("random", "ga"):
+        settings["population"] = min(100, count)
+    run = {
+        **tables,
+        "name": name_of(tables, search, seed),
+        "seed": seed,
+        "search": settings,
+        "stop": limits,
+    }
+    return breed_tables(run, folder)[0]
+
+
+class Function:
+    """What a library looks for the smallest value of: free genes from 0 to 1.
+    Each generation has fields and random numbers of its own."""
+
+    def __init__(self, stand: Stand) -> None:
+        genes = stand.genes
+        self._stand, self._free = stand, np.asarray(stand.free)
+        self._lower = genes.lower.to_numpy()[self._free]
+        self._range = genes.upper.to_numpy()[self._free] - self._lower
+        self.start = (stand.baseline[self._free] - self._lower) / self._range
+        self.evaluations = self._generation = 0
+
+    def plants(self, points: ArrayLike) -> Numbers:
+        shares = np.atleast_2d(np.asarray(points, float))
+        plants = np.tile(self._stand.baseline, (len(shares), 1))
+        plants[:, self._free] = self._lower + self._range * shares
+        return plants
+
+    def __call__(self, points: ArrayLike) -> list[float]:
+        self._generation += 1
+        plants = self.plants(points)
+        self.evaluations += len(plants)
+        found = self._stand.evaluate(plants, [], generation=self._generation)
+        values = np.asarray(found.objective_by_randomisation[:, 0])
+        return [-x for x in values.mean(axis=1).tolist()]
+
+
+def by_bipop(stand: Stand, seed: int, count: int) -> Numbers:
+    """BIPOP-CMA-ES of the package cma (Hansen 2009, doi:10.1145/1570256.1570333)."""
+    import cma
+
+    function = Function(stand)
+    options = {
+        "bounds": [0, 1],
+        "seed": seed,
+        "maxfevals": count,
+        "verbose": -9,
+        "verb_log": 0,
+    }
+    _, search = cma.fmin2(
+        None,
+        function.start.clip(0.02, 0.98),
+        0.2,
+        options,
+        restarts=9,
+        bipop=True,
+        parallel_objective=function,
+    )
+    return function.plants(search.result.xfavorite)[0]
+
+
+def by_pymoo(stand: Stand, seed: int, count: int) -> Numbers:
+    """Differential evolution of pymoo."""
+    from pymoo.algorithms.soo.nonconvex.de import DE
+    from pymoo.core.problem import Problem
+    from pymoo.problems.static import StaticProblem
+
+    function = Function(stand)
+    genes = len(function.start)
+    problem = Problem(n_var=genes, n_obj=1, xl=0.0, xu=1.0)
+    search = DE(pop_size=50)
+    search.setup(problem, termination=("n_eval", count), seed=seed)
+    while search.has_next():
+        asked = search.ask()
+        values = np.array(function(asked.get("X")))[:, None]
+        search.evaluator.eval(StaticProblem(problem, F=values), asked)
+        search.tell(infills=asked)
+    return function.plants(search.result().X)[0]
+
+
+LIBRARIES = {"bipop": by_bipop, "pymoo": by_pymoo}
+
+
+def seconds_until(history: Path, stand: Stand, least: float) -> float:
+    """Core-seconds of all evaluations until a search had a plant that gains so much
+    [%] when it is evaluated again; NaN if it has none."""
+    points = best_until(history, list(range(50, 10**6, 50)))
+    genomes = np.array([stand.baseline, *(plant for plant, _ in points)])
+    baseline, *others = light(stand, genomes).tolist()
+    for (_, seconds), values in zip(points, others, strict=True):
+        if gain(baseline, values)[0] >= least:
+            return seconds
+    return math.nan
 
 
 def find(
-    tables: dict[str, Any], folder: Path, count: int, seeds: int
+    tables: dict[str, Any],
+    folder: Path,
+    count: int,
+    seeds: int,
+    searches: Sequence[str],
 ) -> Found:
     """The best plants of a campaign by each search and seed."""
-    keys = list(product(SEARCHES, range(1, seeds + 1)))
+    keys = list(product(searches, range(1, seeds + 1)))
     plants = [bred(tables, *key, count, folder) for key in keys]
     stand = Stand(tables)
-    seen = stand.evaluate(
-        np.array([stand.baseline, *plants]), ["lai"], final=True
-    )
+    genomes = np.array([stand.baseline, *plants])
+
+    def gains(values: Numbers) -> dict[str, list[Estimate]]:
+        baseline, *others = values.tolist()
+        found: dict[str, list[Estimate]] = {search: [] for search in searches}
+        for (search, _), each in zip(keys, others, strict=True):
+            found[search].append(gain(baseline, each))
+        return found
+
+    seen = stand.evaluate(genomes, ["lai"], final=True)
     values = np.asarray(seen.objective_by_randomisation[:, 0])
     lai = np.asarray(seen.lai)
-    baseline, *others = values.tolist()
-    gains: dict[str, list[Estimate]] = {search: [] for search in SEARCHES}
-    for (search, _), each in zip(keys, others, strict=True):
-        gains[search].append(gain(baseline, each))
     first = int(values[1:].mean(1).argmax()) + 1
+    varied = None
+    if not tables["field"]:
+        field = Stand({**tables, "field": VARIED})
+        varied = field.evaluate(genomes, [], final=True)
+    found = gains(values)
+    least = 0.9 * max(mean for each in found.values() for mean, _ in each)
     return Found(
-        baseline=estimate(baseline),
-        gains=gains,
+        baseline=estimate(values[0].tolist()),
+        gains=found,
         lai=float(lai[first]),
         gain_per_leaf_area=gain(
             (values[0] / lai[0]).tolist(),
             (values[first] / lai[first]).tolist(),
         ),
+        varied_gains={}
+        if varied is None
+        else gains(np.asarray(varied.objective_by_randomisation[:, 0])),
+        seconds={
+            search: seconds_until(
+                searched(tables, search, 1, count, folder), stand, least
+            )
+            for search in searches
+            if search not in LIBRARIES and tables["name"].endswith(FIRST.name)
+        },
     )
 
 
@@ -195,14 +353,15 @@ def row(where: Condition, found: Found) -> list[str]:
     return [
         where.title,
         "{:.3f} ± {:.3f}".format(*found.baseline),
-        *(told(found.gains[search]) for search in SEARCHES),
+        *(told(each) for each in found.gains.values()),
         f"{found.lai:.1f}",
         "{:+.1f} ± {:.1f}".format(*found.gain_per_leaf_area),
     ]
 
 
 def tell(results: dict[tuple[str, Condition], Found]) -> None:
-    searches = [title for title, _ in SEARCHES.values()]
+    some = next(iter(results.values()))
+    searches = [TITLES_OF_SEARCHES[search] for search in some.gains]
     for objective in dict.fromkeys(name for name, _ in results):
         print(f"**{TITLES[objective]}**\n")
         titles = ["condition", f"baseline [{UNITS[objective]}]"]
@@ -217,14 +376,45 @@ def tell(results: dict[tuple[str, Condition], Found]) -> None:
             ],
         )
         print()
+    if some.varied_gains:
+        print("Gain where plants differ [%]\n")
+        print_table(
+            ["objective", "condition", *searches],
+            [
+                [
+                    TITLES[name],
+                    where.title,
+                    *map(told, found.varied_gains.values()),
+                ]
+                for (name, where), found in results.items()
+            ],
+        )
+        print()
     print(f"Gain by seed [%], {FIRST.title}\n")
     by_seed = []
     for (objective, where), found in results.items():
         if where == FIRST:
-            gains = (found.gains[search] for search in SEARCHES)
-            cells = (", ".join(f"{x:.1f}" for x, _ in each) for each in gains)
+            cells = (
+                ", ".join(f"{x:.1f}" for x, _ in each)
+                for each in found.gains.values()
+            )
             by_seed.append([TITLES[objective], *cells])
     print_table(["objective", *searches], by_seed)
+    print(f"\nCore-seconds until 90 % of the largest gain, {FIRST.title}\n")
+    print_table(
+        ["objective", *searches],
+        [
+            [
+                TITLES[objective],
+                *(
+                    f"{found.seconds.get(x, math.nan):.0f}"
+                    for x in found.gains
+                ),
+            ]
+            for (objective, where), found in results.items()
+            if where == FIRST
+        ],
+    )
 
 
 def draw(results: dict[tuple[str, Condition], Found], path: Path) -> None:
@@ -234,7 +424,8 @@ def draw(results: dict[tuple[str, Condition], Found], path: Path) -> None:
     figure.suptitle("How much can breeding gain, and which search finds it?")
     axes = figure.subplots(1, len(names), sharey=True, squeeze=False)[0]
     for axis, objective in zip(axes, names, strict=True):
-        for number, (search, (title, _)) in enumerate(SEARCHES.items()):
+        some = results[objective, wheres[0]]
+        for number, search in enumerate(some.gains):
             color, marker = series(number)
             found = [
                 mean_over_seeds(results[objective, where].gains[search])
@@ -247,7 +438,7 @@ def draw(results: dict[tuple[str, Condition], Found], path: Path) -> None:
                 linestyle="",
                 color=color,
                 marker=marker,
-                label=title,
+                label=TITLES_OF_SEARCHES[search],
             )
         axis.set_title(TITLES[objective], fontsize=9)
         axis.set_xlabel("gain over the baseline [%]")
@@ -267,9 +458,14 @@ def main() -> None:
         __doc__, evaluations=2500, seeds=3, other_seeds=1
     )
     parser.add_argument("--figure", type=Path)
+    parser.add_argument("--plant", type=Path, default=MAIZE)
+    parser.add_argument("--alike", action="store_true")
     parser.add_argument("--objective", nargs="+", choices=UNITS, default=UNITS)
     parser.add_argument(
         "--condition", nargs="+", choices=[x.name for x in CONDITIONS]
+    )
+    parser.add_argument(
+        "--search", nargs="+", choices=TITLES_OF_SEARCHES, default=USUAL
     )
     options = parser.parse_args()
     wheres = [
@@ -281,10 +477,18 @@ def main() -> None:
     for objective, where in product(options.objective, wheres):
         print(f"{objective}: {where.title}", file=sys.stderr, flush=True)
         results[objective, where] = find(
-            campaign(where, objective, options.folder, options.rough),
+            campaign(
+                where,
+                objective,
+                options.folder,
+                options.rough,
+                options.plant,
+                options.alike,
+            ),
             options.folder,
             options.evaluations,
             options.seeds if where == FIRST else options.other_seeds,
+            options.search,
         )
     tell(results)
     if options.figure:

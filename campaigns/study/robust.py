@@ -9,7 +9,7 @@ Breeds crops/maize.toml for the carbon balance of a season at each latitude of
 arXiv:2512.06064 alone, and one robust plant for the mean of all of them: the season
 measured at Bondville, Illinois, under the sun of each latitude (temperature and the share
 of the light that passes the atmosphere are those of Bondville). Traits are those that a
-breeder can select (bounds "breedable"), and plants differ as hybrids do. Prints what each
+breeder can select (bounds "breedable"), and plants differ as those of fields do. Prints what each
 plant has at each latitude, relative to the plant that was bred there [%]; ± is the
 standard error of randomisations that all plants share, or over seeds where that is
 larger. What is in FOLDER already is not bred again; interrupted searches go on.

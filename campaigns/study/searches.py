@@ -34,21 +34,9 @@ SEARCHES: dict[str, tuple[tuple[str, ...], int]] = {
     "random": (("search.optimizer=random",), 100),
     "sobol": (("search.optimizer=sobol",), 100),
     "ga": (("search.optimizer=ga",), 100),
-    "ga_window": (("search.optimizer=ga", "search.window=128"), 100),
     "cma_es": (("search.optimizer=cma_es",), 15),
     "cma_es_40": (("search.optimizer=cma_es",), 40),
-    "cma_es_schedule": (
-        (
-            "search.optimizer=cma_es",
-            "light.first_tolerance=0.02",
-            "light.tolerance=0.004",
-        ),
-        15,
-    ),
-    "cma_es_learning_rates": (
-        ("search.optimizer=cma_es", "search.adapts_learning_rates=true"),
-        15,
-    ),
+    "auto": (("search.optimizer=auto",), 37),
 }
 RANDOM = 2
 """Origin of a plant that follows from no other."""

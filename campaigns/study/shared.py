@@ -83,7 +83,7 @@ ROUGH: Mapping[str, Any] = {
 #: plants; a campaign that lacks light and an objective.
 BREEDABLE: Mapping[str, Any] = {
     "spacing": [{"name": "30x6", "row": 0.762, "plant": 0.1524}],
-    "field": {"variation": HYBRIDS},
+    "field": {"rows": 4, "plants": 4, "variation": FIELD_PLANTS},
     "plant": {"baseline": str(MAIZE), "bounds": "breedable"},
     "final": {"candidates": 3, "randomisations": 32},
 }

@@ -7,7 +7,7 @@ what_matters.py FOLDER [--figure FILE.png] [--only OBJECTIVE...] [--samples N]
 
 For absorbed PAR and net assimilation of the clear day of ames.toml, and for the carbon
 balance of the season of bondville.toml, of plants that a breeder can select (bounds
-"breedable") and that differ as hybrids do, prints
+"breedable") and that differ as those of fields do, prints
 
 * Sobol' indices of the traits over their bounds (`ideotype sensitivity`), with 95 %
   intervals;

@@ -407,7 +407,9 @@ def tell(results: dict[tuple[str, Condition], Found]) -> None:
             [
                 TITLES[objective],
                 *(
-                    f"{found.seconds.get(x, math.nan):.0f}"
+                    f"{found.seconds[x]:.0f}"
+                    if found.seconds.get(x, math.nan) < math.inf
+                    else "not reached"
                     for x in found.gains
                 ),
             ]

@@ -61,7 +61,8 @@ def test_a_number_that_histories_do_not_say_is_found(tmp_path: Path) -> None:
     assert again.returncode == 0, again.stderr
     assert results.read_text() == text
     changed = f"{float(row[1]) + 1:+.1f}"
-    results.write_text(text.replace(row[1], changed, 1))
+    wrong_row = row[0].replace(row[1], changed)
+    results.write_text(text.replace(row[0], wrong_row, 1))
     wrong = run(tmp_path, "--only", "erect_tops", "--check")
     assert wrong.returncode != 0
     assert "erect_tops is not" in wrong.stderr and row[1] in wrong.stderr

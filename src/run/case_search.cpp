@@ -225,7 +225,7 @@ void CaseSearch::complete() {
     summary.wall_time = wall_time();
     progress_.wall_time = summary.wall_time;
     judge(summary);
-    complete_.push_back({generation, std::move(summary)});
+    complete_.push_back({generation, summary});
 }
 
 void CaseSearch::commit() {

@@ -285,7 +285,7 @@ class AutoSearch : public GenerationalOptimizer {
         if (arms_.empty())
             begin_race(evaluated);
         else
-            learn(evaluated);
+            learn_race(evaluated);
         last_ = std::move(evaluated);
     }
 
@@ -303,7 +303,7 @@ class AutoSearch : public GenerationalOptimizer {
         begin_at_best(middle, design.end());
     }
 
-    void learn(const Population& rows) {
+    void learn_race(const Population& rows) {
         auto first = rows.begin();
         for (Arm& arm : arms_) {
             const auto last =

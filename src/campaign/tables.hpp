@@ -35,11 +35,11 @@ class TableReader {
     //! The values of a table that is left out are those of its parent.
     void locate(const Table& table, const Location& place);
     void report_missing(const toml::table& parent, const Table& table);
-    //! Returns the keys that unknown ones seem to have been meant for.
     //! Whether earlier versions had this key; an error unless it is switched
     //! off.
     bool is_gone(const std::string& section, const toml::key& key,
                  const toml::node& value);
+    //! Returns the keys that unknown ones seem to have been meant for.
     std::set<std::string> report_unknown(const toml::table& table,
                                          const Section& section,
                                          const std::vector<Table>& children);

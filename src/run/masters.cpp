@@ -56,6 +56,7 @@ std::optional<std::string> advice_for(const Campaign& campaign,
                        search.optimizer != OptimizerKind::sobol;
     if (!waits) return std::nullopt;
     constexpr int fewest_generations = 40;
+    constexpr long long fewest_plants = 8;
     const auto population = static_cast<long long>(search.population);
     long long rows = population * campaign.stop.generations;
     if (campaign.stop.evaluations > 0)
@@ -70,6 +71,14 @@ std::optional<std::string> advice_for(const Campaign& campaign,
             search.streams, rows / (search.streams * population), population,
             fewest_generations, most);
     constexpr int few_workers = 8;  // who wait for each other at little cost
+    if (workers > few_workers && rows < fewest_generations * population)
+        return fmt::format(
+            "{} evaluations are only {:.3g} generations of {} plants, and a "
+            "search learns little from fewer than {}; use more evaluations, or "
+            "search.population = {} and fewer workers",
+            rows, static_cast<double>(rows) / static_cast<double>(population),
+            population, fewest_generations,
+            std::max(fewest_plants, rows / fewest_generations));
     if (workers <= std::max(few_workers, busy_workers(search, cases)))
         return std::nullopt;
     SearchSettings enough = search;

@@ -27,8 +27,9 @@ std::vector<Case> dealt(const std::vector<Case>& cases, int part, int parts);
 //! that it finds another one while a generation ends (tests/scale).
 int busy_workers(const SearchSettings& search, std::size_t cases);
 
-//! What to change where workers would wait for each other, or where so many
-//! streams have too few generations each to learn from; none if all is well.
+//! What to change where workers would wait for each other, or where a search on
+//! many workers, or each of so many streams, has too few generations to learn
+//! from; none if all is well.
 std::optional<std::string> advice_for(const Campaign& campaign,
                                       std::size_t cases, int workers);
 

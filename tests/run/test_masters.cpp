@@ -70,6 +70,14 @@ TEST(Masters, SayWhatKeepsWorkersBusy) {
     EXPECT_EQ(advice_for(campaign, 1, 64),
               "64 workers are more than this case can keep busy, which is some "
               "20; use fewer, or more generations and streams");
+    campaign.search.streams = 1;
+    campaign.search.population = 1024;
+    campaign.stop.evaluations = 2500;
+    EXPECT_EQ(advice_for(campaign, 1, 8), std::nullopt);
+    EXPECT_EQ(advice_for(campaign, 1, 200),
+              "2500 evaluations are only 2.44 generations of 1024 plants, and "
+              "a search learns little from fewer than 40; use more "
+              "evaluations, or search.population = 62 and fewer workers");
     campaign.search.optimizer = OptimizerKind::random;
     EXPECT_EQ(advice_for(campaign, 1, 64), std::nullopt);
 }

@@ -16,7 +16,7 @@ from pathlib import Path
 import pytest
 from browser import run_in_browser
 from made_history import MadeHistory
-from made_numbers import final_absorbed
+from made_numbers import BASELINE, final_absorbed
 from PIL import Image
 
 import ideotype
@@ -305,6 +305,29 @@ def test_an_unfinished_run_is_provisional(drained: Path) -> None:
         notes = [b.text for b in gains(study.cases(), None)[1:]]
     (note,) = [note for note in notes if note.startswith("Provisional")]
     assert note.endswith(": ames_0807_762x152_all.")
+
+
+def test_three_searches_bound_the_distance_from_the_optimum(
+    sweep: Path, tmp_path: Path
+) -> None:
+    shifts = (0.1, 0.4, 0.2)
+    for seed, shift in enumerate(shifts):
+        made = MadeHistory(tmp_path / f"{seed}.h5", shift=shift)
+        made.evolve(1)
+        made.finish()
+        made.close()
+    told = []
+    for folder in (sweep, tmp_path):
+        with open_study(folder) as study:
+            notes = [b.text for b in gains(study.cases(), None)[1:]]
+        told.append([note for note in notes if "optimum" in note])
+    (two,), (three,) = told
+    assert two.startswith("Three searches (replicates = 3) would tell")
+    lowest, *_, highest = sorted(
+        100 * ((final_absorbed(2) + shift) / BASELINE - 1) for shift in shifts
+    )
+    assert f"less than {highest - lowest:.1f} percentage points" in three
+    assert f"which gained {lowest:.1f} to {highest:.1f} %" in three
 
 
 def test_a_cross_evaluation_is_json_or_csv(

@@ -31,6 +31,7 @@ says "missing.toml"
 
 expect 0 "$ideotype" check campaigns/verbs.toml
 says "LAI 3.44"
+says "^advice    plants are all alike; "
 says "^next: ideotype run campaigns/verbs.toml$"
 says "Ames  *42 N 93.6 W  *0807  *UTC-5  *06:19  *13:20  *64.2 deg  *20:20  *0.2 %  *+1.24 h"
 sed -e 's/^start = .*/start = 01:00:00/' -e 's/^end = .*/end = 05:00:00/' \
@@ -55,6 +56,8 @@ says "warning: campaigns/dense.toml:14:7: spacing.row is 0.2 m"
 says "; this plant has a leaf area index of 1[0-9.]*, and fields hardly ever have more than 8; limit .constraints. lai, or breed for carbon_balance"
 expect 0 "$ideotype" status dense
 says "(evaluated again), gain .*, 0 failed; this plant has a leaf area index of 1"
+expect 0 "$ideotype" check campaigns/verbs.toml --set field.variation.length=0.05
+! grep -q "plants are all alike" out.log || fail "plants differ: $(cat out.log)"
 expect 0 "$ideotype" check campaigns/verbs.toml --set seed=3
 says "^next: ideotype run campaigns/verbs.toml --set seed=3$"
 says "^ *128  *[0-9:]* *$"

@@ -1,0 +1,216 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""How much of the noise of a row is the field's, and what an evaluation costs
+where plants differ.
+
+fields.py [--objective NAME...] [--plants N] [--seeds N]
+
+Evaluates N plants, the baseline of crops/maize.toml and plants around it as a
+search by CMA-ES draws them (a normal deviation of a tenth of the range in each
+gene of the bounds "paper"), at 30 x 6 inches, in a field of each of several
+seeds, all plants in the same one. Fields are cells of plants that are all
+alike, and cells of 16, 32 and 64 plants that differ by the [field.variation] of
+campaigns/quickstart.toml, which `ideotype new` writes too. Run it in a Python
+that has the package; it takes some ten minutes of one core.
+
+Prints for each objective, cell and tolerance:
+
+* the standard deviation of a row over seeds [%] by its origin, light or field.
+  The part of light is the error that a row tells, the field is the rest;
+* the same of a difference between two plants in the same field [%]. The part of
+  light is how far differences between plants scatter over the randomisations of
+  one row;
+* the processor time of an evaluation [ms];
+* the cost at an equal error: the time that an evaluation takes with the
+  tolerance that makes differences between plants as sure as they are among
+  plants alike with the first tolerance, over the time which that takes. It
+  follows from both tolerances: the variance of the light grows with the square
+  of a tolerance, the field's does not, and a part of the time falls with that
+  square. "-": the field alone makes differences less sure than that.
+"""
+
+from __future__ import annotations
+
+import argparse
+import time
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import ideotype
+
+CAMPAIGNS = Path(__file__).resolve().parents[2] / "campaigns"
+#: Campaign that has the light of each objective.
+OBJECTIVES = {
+    "absorbed_par": "ames",
+    "net_assimilation": "ames",
+    "carbon_balance": "bondville",
+}
+CELLS: dict[str, tuple[int, int, bool]] = {
+    "4 x 4, alike": (4, 4, False),
+    "4 x 4": (4, 4, True),
+    "4 x 8": (4, 8, True),
+    "8 x 8": (8, 8, True),
+}
+TOLERANCES = (0.008, 0.004)
+STEP = 0.1
+
+Numbers = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Noise:
+    """Variances relative to the square of the mean, and seconds."""
+
+    light_of_row: float
+    row: float
+    light_of_difference: float
+    difference: float
+    seconds: float
+
+
+def stand(objective: str, cell: str, tolerance: float) -> ideotype.Stand:
+    rows, plants, differ = CELLS[cell]
+    quickstart = tomllib.loads((CAMPAIGNS / "quickstart.toml").read_text())
+    field: dict[str, Any] = {"rows": rows, "plants": plants}
+    if differ:
+        field["variation"] = quickstart["field"]["variation"]
+    settings = {
+        "field": field,
+        "plant": {
+            "baseline": str(CAMPAIGNS / "crops" / "maize.toml"),
+            "bounds": "paper",
+        },
+        "objective": {"maximise": objective},
+        "light.tolerance": tolerance,
+        "replicates": 1,
+    }
+    path = CAMPAIGNS / f"{OBJECTIVES[objective]}.toml"
+    return ideotype.Stand.from_campaign(path, settings=settings)
+
+
+def plants_around(where: ideotype.Stand, count: int) -> Numbers:
+    """The baseline and plants of a generation around it [plants, free genes]."""
+    lower, upper = where.bounds
+    random = np.random.default_rng(1)
+    steps = STEP * random.standard_normal((count, len(lower)))
+    steps[0] = 0
+    return np.clip(where.start + (upper - lower) * steps, lower, upper)
+
+
+def values(where: ideotype.Stand, plants: Numbers, seed: int) -> Numbers:
+    """Of each randomisation [plants, randomisations]."""
+    found = where.evaluate(plants, [], seed=seed, threads=1)
+    if any(found.message.values):
+        raise ideotype.Error(found.message.values.max())
+    return np.asarray(found.objective_by_randomisation[:, 0])
+
+
+def noise(draws: Numbers, seconds: float) -> Noise:
+    """draws: [seeds, plants, randomisations]."""
+    seeds, plants, count = draws.shape
+    rows = draws.mean(2)
+    scale = rows.mean() ** 2
+
+    def of_mean(parts: Numbers) -> float:
+        """The variance of a mean over randomisations."""
+        return float(parts.var(2, ddof=1).mean() / count)
+
+    # The mean over plants is what they have in common in a field.
+    apart = draws - draws.mean(1, keepdims=True)
+    own = rows - rows.mean(0)
+    own -= own.mean(1, keepdims=True)
+    degrees = (seeds - 1) * (plants - 1)
+    pair = 2 * plants / (plants - 1)
+    return Noise(
+        of_mean(draws) / scale,
+        float(rows.var(0, ddof=1).mean() / scale),
+        pair * of_mean(apart) / scale,
+        2 * float((own**2).sum() / degrees) / scale,
+        seconds,
+    )
+
+
+def measure(objective: str, plants: int, seeds: int) -> dict[Any, Noise]:
+    keys = [(cell, each) for each in TOLERANCES for cell in CELLS]
+    stands = {key: stand(objective, *key) for key in keys}
+    genomes = plants_around(stands[keys[0]], plants)
+    draws: dict[Any, list[Numbers]] = {key: [] for key in keys}
+    spent: dict[Any, list[float]] = {key: [] for key in keys}
+    # In turn, so that other work on the machine slows all of them alike.
+    for seed in range(1, seeds + 1):
+        for key in keys:
+            began = time.process_time()
+            draws[key].append(values(stands[key], genomes, seed))
+            spent[key].append((time.process_time() - began) / plants)
+    return {
+        key: noise(np.array(draws[key]), float(np.median(spent[key])))
+        for key in keys
+    }
+
+
+def parts(light: float, whole: float) -> str:
+    """Standard deviations in per cent by their origin."""
+    field = max(whole - light, 0.0)
+    return " | ".join(f"{100 * np.sqrt(x):.2f}" for x in (light, field, whole))
+
+
+def of_field(fine: Noise) -> float:
+    """The variance of a difference that no light takes away."""
+    return max(fine.difference - fine.light_of_difference, 0.0)
+
+
+def seconds_for(variance: float, rough: Noise, fine: Noise) -> float:
+    """What an evaluation takes that has this variance of a difference."""
+    left = variance - of_field(fine)
+    if left <= 0:
+        return np.inf
+    # How many times the light of the first tolerance is needed.
+    more = rough.light_of_difference / left
+    finer = (TOLERANCES[0] / TOLERANCES[1]) ** 2
+    slope = (fine.seconds - rough.seconds) / (finer - 1)
+    return rough.seconds + slope * (more - 1)
+
+
+def tell(objective: str, found: dict[Any, Noise]) -> None:
+    first = TOLERANCES[0]
+    alike, fine = (found[next(iter(CELLS)), each] for each in TOLERANCES)
+    wanted = alike.light_of_difference + of_field(fine)
+    for cell in CELLS:
+        both = [found[cell, each] for each in TOLERANCES]
+        cost = seconds_for(wanted, *both) / alike.seconds
+        for tolerance, each in zip(TOLERANCES, both, strict=True):
+            told = f"{cost:.2f}" if np.isfinite(cost) else "-"
+            print(
+                f"| {objective} | {cell} | {tolerance} "
+                f"| {parts(each.light_of_row, each.row)} "
+                f"| {parts(each.light_of_difference, each.difference)} "
+                f"| {1e3 * each.seconds:.1f} "
+                f"| {told if tolerance == first else ''} |",
+                flush=True,
+            )
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n\n")[0])
+    parser.add_argument(
+        "--objective", nargs="+", choices=OBJECTIVES, default=list(OBJECTIVES)
+    )
+    parser.add_argument("--plants", type=int, default=8)
+    parser.add_argument("--seeds", type=int, default=64)
+    options = parser.parse_args()
+    titles = ["objective", "plants", "tolerance"]
+    for what in ("row", "difference"):
+        titles += [f"{what}: light %", "field %", "all %"]
+    titles += ["ms", "cost at equal error"]
+    print(f"| {' | '.join(titles)} |\n{len(titles) * '|---'}|")
+    for objective in options.objective:
+        tell(objective, measure(objective, options.plants, options.seeds))
+
+
+if __name__ == "__main__":
+    main()

@@ -71,14 +71,19 @@ std::optional<std::string> advice_for(const Campaign& campaign,
             search.streams, rows / (search.streams * population), population,
             fewest_generations, most);
     constexpr int few_workers = 8;  // who wait for each other at little cost
-    if (workers > few_workers && rows < fewest_generations * population)
+    if (workers > few_workers && rows < fewest_generations * population) {
+        const long long fewer =
+            std::max(fewest_plants, rows / fewest_generations);
         return fmt::format(
             "{} evaluations are only {:.3g} generations of {} plants, and a "
-            "search learns little from fewer than {}; use more evaluations, or "
-            "search.population = {} and fewer workers",
+            "search learns little from fewer than {}; use more evaluations{}",
             rows, static_cast<double>(rows) / static_cast<double>(population),
             population, fewest_generations,
-            std::max(fewest_plants, rows / fewest_generations));
+            fewer < population
+                ? fmt::format(", or search.population = {} and fewer workers",
+                              fewer)
+                : "");
+    }
     if (workers <= std::max(few_workers, busy_workers(search, cases)))
         return std::nullopt;
     SearchSettings enough = search;

@@ -78,6 +78,11 @@ TEST(Masters, SayWhatKeepsWorkersBusy) {
               "2500 evaluations are only 2.44 generations of 1024 plants, and "
               "a search learns little from fewer than 40; use more "
               "evaluations, or search.population = 62 and fewer workers");
+    campaign.search.population = 8;
+    campaign.stop.evaluations = 24;
+    EXPECT_EQ(advice_for(campaign, 1, 9),
+              "24 evaluations are only 3 generations of 8 plants, and a search "
+              "learns little from fewer than 40; use more evaluations");
     campaign.search.optimizer = OptimizerKind::random;
     EXPECT_EQ(advice_for(campaign, 1, 64), std::nullopt);
 }

@@ -150,13 +150,12 @@ LightSeries clear_days(const Site& site, const DaySpan& span,
             const SunPosition sun = sun_position(site, date, hour);
             if (sun.zenith >= 90) continue;
             const Irradiance solar = clear_sky(site, date, sun);
+            const Irradiance par{par_fraction * solar.beam,
+                                 par_fraction * solar.diffuse};
             const double weight = i == 0 || i == count ? 0.5 : 1.0;
-            series.steps.push_back(
-                {hour,
-                 weight * step_hours * 3600,
-                 sun,
-                 {par_fraction * solar.beam, par_fraction * solar.diffuse},
-                 date});
+            TimeStep& step = series.steps.emplace_back();
+            step = {hour, weight * step_hours * 3600, sun, par, date};
+            step.nir = {solar.beam - par.beam, solar.diffuse - par.diffuse};
         }
     return series;
 }

@@ -62,6 +62,19 @@ double air_mass(double zenith, double elevation) {
     return relative * standard_pressure(elevation) / sea_level_pressure;
 }
 
+//! Returns the cosine of the zenith angle [deg], or the smallest that a
+//! clearness index is reckoned with.
+double bounded_cosine(double zenith) {
+    return std::max(std::cos(zenith * degree), 0.065);
+}
+
+//! Returns global over extraterrestrial horizontal irradiance, from 0 to 1.
+double clearness_index(double global, double extraterrestrial_normal,
+                       double zenith) {
+    return std::clamp(
+        global / (extraterrestrial_normal * bounded_cosine(zenith)), 0.0, 1.0);
+}
+
 }  // namespace
 
 SunPosition sun_position(const Site& site, const Date& date, double hour) {
@@ -140,12 +153,25 @@ Irradiance clear_sky(const Site& site, const Date& date,
 double diffuse_fraction(double global, double extraterrestrial_normal,
                         double zenith) {
     if (zenith > 87) return 1;
-    const double cosine = std::max(std::cos(zenith * degree), 0.065);
-    const double k =
-        std::clamp(global / (extraterrestrial_normal * cosine), 0.0, 1.0);
+    const double k = clearness_index(global, extraterrestrial_normal, zenith);
     if (k <= 0.22) return 1 - 0.09 * k;
     if (k > 0.8) return 0.165;
     return 0.9511 + k * (-0.1604 + k * (4.388 + k * (-16.638 + k * 12.336)));
+}
+
+double par_share(double par, double extraterrestrial_normal, double zenith) {
+    // Each step divides the error of the share by nine or more, which is the
+    // ratio of photons to energy over 0.191.
+    constexpr int steps = 18;
+    double share = 0.45;
+    for (int i = 0; i < steps; ++i) {
+        const double k =
+            clearness_index(par / share, extraterrestrial_normal, zenith);
+        share = (1.832 - 0.191 * std::log(std::max(k, 0.05)) +
+                 0.099 * bounded_cosine(zenith)) /
+                mol_per_mj_par;
+    }
+    return share;
 }
 
 }  // namespace ideotype

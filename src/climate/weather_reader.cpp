@@ -96,6 +96,13 @@ void place_sun(WeatherStep& step, const Site& site, seconds length) {
                        at(step.middle + length / 2).zenith});
 }
 
+//! Returns the solar radiation beyond PAR, which has the diffuse fraction of
+//! PAR, from the share of PAR in all of it.
+Irradiance beyond(const Irradiance& par, double share) {
+    const double ratio = 1 / share - 1;
+    return {ratio * par.beam, ratio * par.diffuse};
+}
+
 }  // namespace
 
 Weather parse_weather(const std::string& text, const WeatherRequest& request) {
@@ -122,14 +129,17 @@ Weather parse_weather(const std::string& text, const WeatherRequest& request) {
         const WeatherStep& step = steps[i];
         std::optional<double> humidity = step.values.humidity;
         if (humidity) humidity = std::min(*humidity, 1.0);
-        series.steps.push_back({hour_at(step.middle),
-                                seconds,
-                                step.sun,
-                                {request.par_fraction * light[i].beam,
-                                 request.par_fraction * light[i].diffuse},
-                                date_at(step.middle),
-                                step.values.temperature,
-                                humidity});
+        const Date date = date_at(step.middle);
+        const Irradiance par{request.par_fraction * light[i].beam,
+                             request.par_fraction * light[i].diffuse};
+        const double share =
+            table.counts_photons
+                ? par_share(par.beam + par.diffuse,
+                            extraterrestrial_normal(date), step.sun.zenith)
+                : request.par_fraction;
+        series.steps.push_back({hour_at(step.middle), seconds, step.sun, par,
+                                date, step.values.temperature, humidity,
+                                beyond(par, share)});
     }
     series.days = static_cast<int>(series.dates().size());
     return {std::move(series), findings.warnings()};

@@ -146,6 +146,8 @@ struct WeatherTable {
     std::vector<WeatherStep> rows{};
     double utc_offset = 0;  //!< of the clock [h]
     std::chrono::seconds step{3600};
+    //! Whether the global light, or else the beam, is told in photons.
+    bool counts_photons = false;
     //! The ends of a period: its first and last midnight; else the first and
     //! last rows.
     ClockTime begin{}, end{};
@@ -162,13 +164,14 @@ struct WeatherTable {
 WeatherTable read_table(const std::vector<std::string_view>& lines,
                         const WeatherRequest& request, Findings& findings);
 
-//! Reads the values of each of the rows.
+//! Reads the values of each of the rows, and whether light counts photons.
 //! @throws InputError of columns, units and numbers that cannot be read.
 void read_values(WeatherTable& table,
                  const std::vector<std::string_view>& lines,
                  double par_fraction, Findings& findings);
 
-//! Returns all solar radiation on the ground [W m-2], of each step.
+//! Returns all solar radiation on the ground [W m-2], of each step. Where
+//! photons are counted, it is PAR over the fraction that the request gives.
 //! @throws InputError if light is not known by day.
 std::vector<Irradiance> light_of(const std::vector<WeatherStep>& series,
                                  Findings& findings);

@@ -75,9 +75,14 @@ struct Source {
     std::string_view unit;
 };
 
-//! Finds the columns that hold the values, and the scales of their units.
-std::vector<Source> sources_of(const WeatherTable& table, double par_fraction,
+//! Finds the columns that hold the values, the scales of their units, and
+//! whether light counts photons.
+std::vector<Source> sources_of(WeatherTable& table, double par_fraction,
                                Findings& findings) {
+    using Values = WeatherValues;
+    const ColumnMap& columns = table.columns;
+    const auto decisive =
+        columns.global ? &Values::global : &Values::beam_normal;
     std::vector<Source> found;
     const auto add = [&](const std::optional<Column>& column, Kind kind,
                          Source source) {
@@ -92,16 +97,16 @@ std::vector<Source> sources_of(const WeatherTable& table, double par_fraction,
             source.scale = unit.scale;
             if (unit.per == Per::second)
                 source.scale.factor /= static_cast<double>(table.step.count());
-            if (unit.per == Per::photon)
+            if (unit.per == Per::photon) {
                 source.scale.factor /= mol_per_mj_par * par_fraction;
+                if (source.target == decisive) table.counts_photons = true;
+            }
             return found.push_back(source);
         }
         findings.add(static_cast<int>(table.header_line), 1,
                      "\"{}\" is no unit of the column \"{}\"; there are {}",
                      column->unit, column->name, names);
     };
-    const ColumnMap& columns = table.columns;
-    using Values = WeatherValues;
     Source light{0, {}, &Values::global, -20, 2000, "W m-2"};
     add(columns.global, Kind::light, light);
     light.target = &Values::beam_normal;

@@ -26,6 +26,9 @@ struct TimeStep {
     Date date{};     //!< on the clock of the weather file, if there is one
     std::optional<double> temperature{};  //!< of the air [deg C]
     std::optional<double> humidity{};     //!< relative, 0 to 1
+    //! The solar radiation beyond PAR, all of which counts as near infrared,
+    //! horizontal [W m-2].
+    Irradiance nir{};
 
     bool is_lit() const { return par.beam + par.diffuse > 0; }
 };

@@ -83,4 +83,20 @@ Irradiance clear_sky(const Site& site, const Date& date,
 double diffuse_fraction(double global, double extraterrestrial_normal,
                         double zenith);
 
+//! Returns PAR over all solar radiation. Clouds absorb near infrared rather
+//! than PAR, whose share rises as the clearness index k falls: photons of PAR
+//! over solar energy are 1.832 - 0.191 ln k + 0.099 cos z [umol J-1] at the
+//! zenith angle z (Alados, Foyo-Moreno and Alados-Arboledas 1996, Agricultural
+//! and Forest Meteorology 78, 121-131, doi:10.1016/0168-1923(95)02245-7).
+//!
+//! The index depends on the solar radiation that the share leads to; the share
+//! solves both. Cosine and index have the limits of diffuse_fraction(), and the
+//! index is at least 0.05. The share is therefore between 0.40 and 0.55, at
+//! night too.
+//!
+//! @param par global [W m-2]
+//! @param extraterrestrial_normal on a plane that faces the sun [W m-2]
+//! @param zenith of the sun [deg]
+double par_share(double par, double extraterrestrial_normal, double zenith);
+
 }  // namespace ideotype

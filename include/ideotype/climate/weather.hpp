@@ -89,6 +89,11 @@ struct Weather {
 //! - a beam of more than the extraterrestrial one is capped; of global light
 //!   the rest counts as diffuse
 //!
+//! PAR is par_fraction of solar radiation; near infrared is the rest. Where the
+//! global light, or else the beam, is told in photons, PAR follows from them
+//! and solar radiation from PAR: see par_share(). Near infrared has the diffuse
+//! fraction of PAR.
+//!
 //! Light slightly below 0, or not known while the sun is down, is 0.
 //! Temperature and humidity are interpolated over up to 6 hours. A 29 February
 //! that the file leaves out stays out.

@@ -51,6 +51,9 @@ struct SiteWeather {
     //! Date by date and hour by hour: PAR on a horizontal plane [W m-2], and,
     //! if they are known, temperature [deg C] and relative humidity (0 to 1).
     std::vector<double> beam, diffuse, temperature, humidity;
+    //! Near infrared on a horizontal plane, in that order [W m-2]; nothing in
+    //! campaigns that do not follow it.
+    std::vector<double> nir_beam, nir_diffuse;
 };
 
 //! A campaign as it is read.
@@ -169,6 +172,7 @@ struct Campaign {
     Optics optics;
     std::optional<Photosynthesis> photosynthesis;  //!< if leaves assimilate
     double par_fraction = 0.45;
+    bool has_nir = false;  //!< whether near infrared light is followed too
     SkyModel sky_model = SkyModel::uniform;  //!< of diffuse light
     //! Of a climate: the suns of so many dates stand for all. 0: without one.
     int sun_dates = 3;

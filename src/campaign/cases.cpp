@@ -64,7 +64,9 @@ LightSeries to_series(const SiteWeather& weather, const Site& here) {
                                     {weather.beam.at(i), weather.diffuse.at(i)},
                                     date,
                                     at(weather.temperature, i),
-                                    at(weather.humidity, i)});
+                                    at(weather.humidity, i),
+                                    {at(weather.nir_beam, i).value_or(0),
+                                     at(weather.nir_diffuse, i).value_or(0)}});
         }
     return series;
 }

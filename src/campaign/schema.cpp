@@ -187,7 +187,12 @@ Section weather_section(SiteWeather& weather) {
              numbers("diffuse", weather.diffuse, "W m-2", "PAR of the sky"),
              numbers("temperature", weather.temperature, "deg C", "of the air"),
              numbers("humidity", weather.humidity, "1",
-                     "relative humidity of the air")}};
+                     "relative humidity of the air"),
+             numbers("nir_beam", weather.nir_beam, "W m-2",
+                     "near infrared of the sun on a horizontal plane, if it is "
+                     "followed"),
+             numbers("nir_diffuse", weather.nir_diffuse, "W m-2",
+                     "near infrared of the sky, if it is followed")}};
 }
 
 Section spacing_section(Named<Spacing>& spacing) {

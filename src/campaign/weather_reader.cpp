@@ -55,7 +55,7 @@ WeatherRequest request_of(const std::string& file, const Site& site,
     return request;
 }
 
-SiteWeather to_site_weather(const LightSeries& series) {
+SiteWeather to_site_weather(const LightSeries& series, bool has_nir) {
     SiteWeather result;
     result.utc_offset = series.utc_offset;
     result.dates = series.dates();
@@ -65,6 +65,9 @@ SiteWeather to_site_weather(const LightSeries& series) {
         result.diffuse.push_back(step.par.diffuse);
         if (step.temperature) result.temperature.push_back(*step.temperature);
         if (step.humidity) result.humidity.push_back(*step.humidity);
+        if (!has_nir) continue;
+        result.nir_beam.push_back(step.nir.beam);
+        result.nir_diffuse.push_back(step.nir.diffuse);
     }
     return result;
 }
@@ -99,6 +102,11 @@ void check_weather(const SiteWeather& weather, Report& report) {
     of_steps("diffuse", weather.diffuse, steps, 0);
     of_steps("temperature", weather.temperature, 0, -273);
     of_steps("humidity", weather.humidity, 0, 0);
+    // There are both or neither.
+    of_steps("nir_beam", weather.nir_beam,
+             weather.nir_diffuse.empty() ? 0 : steps, 0);
+    of_steps("nir_diffuse", weather.nir_diffuse,
+             weather.nir_beam.empty() ? 0 : steps, 0);
 }
 
 class WeathersReader {
@@ -173,7 +181,7 @@ class WeathersReader {
                 request_of(path, site, climate, campaign_.par_fraction));
             for (const Problem& warning : weather.warnings)
                 if (is_new(warning)) report_.warn(warning);
-            found.push_back(to_site_weather(weather.series));
+            found.push_back(to_site_weather(weather.series, campaign_.has_nir));
             found.back().site = site.name;
             found.back().climate = name;
             found.back().sha256 = sha256(file.text);

@@ -7,6 +7,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "campaign/reader.hpp"
+#include "campaign/resolve.hpp"
+#include "campaign/weather_reader.hpp"
 #include "ideotype/core/error.hpp"
 #include "sample_campaign.hpp"
 #include "temporary_folder.hpp"
@@ -21,6 +24,11 @@ const fs::path folder = IDEOTYPE_CAMPAIGNS;
 
 Campaign bondville() {
     return read_campaign((folder / "bondville.toml").string());
+}
+
+std::string text_of(const fs::path& file) {
+    std::ifstream in(file);
+    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 std::string with(std::string text, const std::string& what,
@@ -39,6 +47,8 @@ void expect_same(const LightSeries& a, const LightSeries& b) {
         EXPECT_EQ(a.steps[i].par.diffuse, b.steps[i].par.diffuse);
         EXPECT_EQ(a.steps[i].temperature, b.steps[i].temperature);
         EXPECT_EQ(a.steps[i].humidity, b.steps[i].humidity);
+        EXPECT_EQ(a.steps[i].nir.beam, b.steps[i].nir.beam);
+        EXPECT_EQ(a.steps[i].nir.diffuse, b.steps[i].nir.diffuse);
     }
 }
 
@@ -91,13 +101,48 @@ TEST(Climates, ResolvedCampaignsNeedNoFile) {
               std::string::npos);
 }
 
+TEST(Climates, NearInfraredIsStoredIfItIsFollowed) {
+    const Campaign usual = bondville();
+    EXPECT_EQ(usual.resolved.find("nir_"), std::string::npos);
+    const Case chosen = cases(usual)[0];
+    for (const TimeStep& step : light_of(usual, chosen).steps)
+        EXPECT_EQ(step.nir.beam + step.nir.diffuse, 0);
+
+    const std::string file = (folder / "bondville.toml").string();
+    Draft draft;
+    Report report;
+    read_draft(text_of(file), file, PlantSource::file_or_table, {}, draft,
+               report);
+    draft.campaign.has_nir = true;
+    read_weathers(file, PlantSource::file_or_table, draft, report);
+    ASSERT_TRUE(report.empty());
+    const Campaign again = parse_campaign(resolved_text(draft), "elsewhere");
+    const std::string resolved = again.resolved;
+    EXPECT_EQ(parse_campaign(resolved, "elsewhere").resolved, resolved);
+    const LightSeries light = light_of(again, chosen);
+    expect_same(light, light_of(draft.campaign, chosen));
+    double nir = 0;
+    for (std::size_t i = 0; i < light.steps.size(); ++i) {
+        const TimeStep& step = light.steps[i];
+        nir += step.nir.beam + step.nir.diffuse;
+        EXPECT_EQ(step.par.beam, usual.weathers[0].beam[i]);
+        EXPECT_EQ(step.par.diffuse, usual.weathers[0].diffuse[i]);
+    }
+    // There is more of it than of PAR, of which there are 8.681 MJ m-2 a day.
+    EXPECT_NEAR(nir * 3600 / light.days / light.incident(), 1.287, .01);
+    EXPECT_NE(problem_of(with(resolved, "nir_beam = [0, ", "nir_beam = ["))
+                  .find("weather.nir_beam has 1487 values"),
+              std::string::npos);
+    const std::size_t last = resolved.find("nir_diffuse = ");
+    EXPECT_NE(problem_of(std::string(resolved).erase(
+                             last, resolved.find('\n', last) - last))
+                  .find("weather.nir_diffuse has 0 values"),
+              std::string::npos);
+}
+
 TEST(Climates, SitesMayHaveFilesOfTheirOwn) {
     const std::string other = temporary_file("own_weather.toml");
-    std::string text;
-    {
-        std::ifstream in(folder / "bondville.toml");
-        text.assign(std::istreambuf_iterator<char>(in), {});
-    }
+    std::string text = text_of(folder / "bondville.toml");
     const std::string file =
         (folder / "weather/bondville_2011_0721_0920.csv").string();
     text = with(text, "file = \"weather/bondville_2011_0721_0920.csv\"\n", "");

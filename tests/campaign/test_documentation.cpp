@@ -60,7 +60,8 @@ std::string with_climate(const std::string& more) {
            "[[weather]]\nsite = \"Ames\"\nclimate = \"dry\"\n"
            "sha256 = \"0\"\nutc_offset = -6\ndates = 2025-08-07\n"
            "hours = [12]\nbeam = [100]\ndiffuse = [50]\n"
-           "temperature = [20]\nhumidity = [0.5]\n";
+           "temperature = [20]\nhumidity = [0.5]\n"
+           "nir_beam = [110]\nnir_diffuse = [60]\n";
 }
 
 }  // namespace

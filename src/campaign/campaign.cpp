@@ -194,9 +194,7 @@ Plant read_plant(const std::string& path) {
 
 Photosynthesis read_photosynthesis(const std::string& path) {
     const std::string text = read_text(path);
-    PhotosynthesisTable table;
-    table.profile = CapacityProfile::none;
-    table.follows_weather = false;
+    PhotosynthesisTable table = photosynthesis_of_meshes();
     Report report;
     read_tables(text, path, {one_table(photosynthesis_section(table))}, report);
     check_photosynthesis(table, 0, report);

@@ -17,7 +17,6 @@
 #include "ideotype/crop/crop.hpp"
 #include "ideotype/crop/measured_lines.hpp"
 #include "ideotype/light/accuracy.hpp"
-#include "ideotype/light/optics.hpp"
 #include "ideotype/physiology/photosynthesis.hpp"
 #include "search/outcome.hpp"
 #include "search/population.hpp"
@@ -169,7 +168,8 @@ struct Campaign {
     std::vector<Range> bounds;  //!< of trait_numbers(crop)
     double reach = 0;  //!< no leaf within the bounds reaches higher [m]
     Tessellation tessellation;
-    Optics optics;
+    PlantOptics optics = usual_optics;       //!< of plants, in the PAR band
+    double soil_albedo = usual_soil_albedo;  //!< the same of the soil
     std::optional<Photosynthesis> photosynthesis;  //!< if leaves assimilate
     double par_fraction = 0.45;
     bool has_nir = false;  //!< whether near infrared light is followed too

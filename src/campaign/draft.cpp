@@ -28,7 +28,6 @@ Draft::Draft() {
     // What `fidelity` recommends; the field and the time step are so anyway.
     campaign.sampling = {16384, 16, 0.008};
     campaign.trait_sets = {{"all", {}}};
-    campaign.optics = {{0.05, 0.05}, {0.31, 0.12}, 0.10, {0.09, 0}};
     // A least-squares fit of a width profile with a maximum of 1 and an area
     // of 0.7455 length x width.
     campaign.crop.baseline.blade.width_controls = {0.28,     0.885870, 0.895017,

@@ -133,6 +133,13 @@ void check_photosynthesis(const PhotosynthesisTable& table, std::size_t leaves,
     }
 }
 
+PhotosynthesisTable photosynthesis_of_meshes() {
+    PhotosynthesisTable table;
+    table.profile = CapacityProfile::none;
+    table.follows_weather = false;
+    return table;
+}
+
 Photosynthesis to_photosynthesis(const PhotosynthesisTable& table) {
     Photosynthesis result;
     result.rates.clear();

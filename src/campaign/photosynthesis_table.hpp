@@ -24,6 +24,10 @@ struct PhotosynthesisTable {
     double building_cost = 45;  //!< [g m-2 of leaf]
 };
 
+//! What leaves of a mesh have where nothing else is said: they do not differ
+//! by depth, nor follow the weather.
+PhotosynthesisTable photosynthesis_of_meshes();
+
 //! @param table without problems
 Photosynthesis to_photosynthesis(const PhotosynthesisTable& table);
 

@@ -54,17 +54,18 @@ Section blade_section(Blade& blade) {
     return section;
 }
 
-//! Of an organ that is no leaf.
-Choice tissue_choice(Tissue& tissue) {
-    return {&tissue,
-            [](const void* from) {
-                return static_cast<std::size_t>(
-                    *static_cast<const Tissue*>(from) == Tissue::sheath);
-            },
-            [](void* to, std::size_t position) {
-                *static_cast<Tissue*>(to) =
-                    position == 0 ? Tissue::stalk : Tissue::sheath;
-            }};
+//! The material of an organ that is no leaf.
+Choice material_choice(PlantMaterial& material) {
+    return {
+        &material,
+        [](const void* from) {
+            return static_cast<std::size_t>(*static_cast<const PlantMaterial*>(
+                                                from) == PlantMaterial::sheath);
+        },
+        [](void* to, std::size_t position) {
+            *static_cast<PlantMaterial*>(to) =
+                position == 0 ? PlantMaterial::stalk : PlantMaterial::sheath;
+        }};
 }
 
 Section organ_section(Organ& organ) {
@@ -74,7 +75,7 @@ Section organ_section(Organ& organ) {
              .set(&Key::range, name_range)
              .required("\"ear\""),
          presence(organ.is_present),
-         Key("tissue", tissue_choice(organ.tissue),
+         Key("tissue", material_choice(organ.material),
              "whose optics its surface has")
              .one_of({"stalk", "sheath"}),
          Key("leaf", &organ.leaf,

@@ -296,7 +296,7 @@ Section variation_section(PlantVariation& variation) {
 
 Section optics_section(Campaign& campaign) {
     Section section = plant_optics_section(campaign.optics);
-    section.keys.push_back(fraction("soil_albedo", campaign.optics.soil_albedo,
+    section.keys.push_back(fraction("soil_albedo", campaign.soil_albedo,
                                     "light that the soil sends back"));
     section.keys.push_back(
         Key("par_fraction", &campaign.par_fraction, "PAR over all solar energy")
@@ -306,7 +306,7 @@ Section optics_section(Campaign& campaign) {
 
 }  // namespace
 
-Section plant_optics_section(Optics& optics) {
+Section plant_optics_section(PlantOptics& optics) {
     return {"optics",
             {fraction("leaf_reflectance", optics.leaf.reflectance,
                       "of both faces, in the PAR band"),

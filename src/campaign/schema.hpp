@@ -185,7 +185,7 @@ std::vector<std::string> all_organs(const Plant& plant);
 std::vector<Table> plant_tables(Draft& draft);
 
 //! The optics of plants, which soil has no part in.
-Section plant_optics_section(Optics& optics);
+Section plant_optics_section(PlantOptics& optics);
 
 //! The tables of a crop file that campaigns have too, which go before it.
 std::vector<Table> crop_defaults(Draft& draft);

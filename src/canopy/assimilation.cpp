@@ -46,26 +46,19 @@ Expansion gain(const Expansion& shaded, const Expansion& lit, double beam) {
 
 class Assimilation {
   public:
-    Assimilation(const std::vector<Tally>& tallies, const Scene& scene,
-                 const Pieces& pieces, const Optics& optics,
-                 const SeriesIllumination& light,
-                 const Photosynthesis& photosynthesis,
-                 const std::vector<LeafRates>& rates, const Layers& layers)
+    Assimilation(const std::vector<Tally>& tallies, const Pieces& pieces,
+                 const LitLeaves& lit)
         : tallies_(tallies),
-          scene_(scene),
-          absorptance_(1 - optics.leaf.scattered()),
-          light_(light),
-          photosynthesis_(photosynthesis),
-          rates_(rates),
-          layers_(layers),
-          places_(pieces, scene.ground_area(), tallies.size() == 1),
+          lit_leaves_(lit),
+          light_(lit.par.light),
+          places_(pieces, lit, tallies.size() == 1),
           expectation_(places_, tallies),
           mean_(places_.count()),
           differences_(tallies.size(), std::vector<double>(places_.count())),
           all_(tallies.size(),
-               {std::vector<double>(rates.size()),
-                std::vector<double>(layers.count),
-                std::vector<double>(light.series.steps.size())}) {
+               {std::vector<double>(lit.leaves.size()),
+                std::vector<double>(lit.layers.count),
+                std::vector<double>(light_.series.steps.size())}) {
         shaded_.resize(places_.count());
     }
 
@@ -89,8 +82,7 @@ class Assimilation {
   private:
     //! Adds steps that share a sun and a sky.
     void add(int beam, SkyLight& sky, const std::vector<std::size_t>& steps) {
-        PairLight pair(tallies_, scene_, light_.light, places_, expectation_,
-                       beam, sky);
+        PairLight pair(tallies_, lit_leaves_, places_, expectation_, beam, sky);
         std::vector<Moments> weights(places_.count());
         double whole = 0;
         for (const std::size_t i : steps)
@@ -111,14 +103,16 @@ class Assimilation {
         const TimeStep& step = light_.series.steps[i];
         const auto scale = [&](int source, double irradiance) {
             if (source < 0) return 0.;
-            return irradiance * photosynthesis_.photons /
+            return irradiance * lit_leaves_.photons /
                    light_.light.sources[static_cast<std::size_t>(source)]
                        .energy;
         };
         const double of_sun = scale(beam, step.par.beam);
         const double of_sky = scale(sky.source, step.par.diffuse);
-        const double on_leaf =
-            absorptance_ * step.par.beam * photosynthesis_.photons;
+        const auto on_leaf = [&](const PairLight::Bin& bin) {
+            return places_.absorptance[bin.place] * step.par.beam *
+                   lit_leaves_.photons * bin.cosine;
+        };
         const double amount = step.seconds * mol_per_umol / light_.series.days;
         std::vector<PairLight::Bin>& bins = pair.bins();
         for (std::size_t p = 0; p < places_.count(); ++p)
@@ -126,8 +120,7 @@ class Assimilation {
                 of_sun * pair.expected()[p] + of_sky * sky.expected[p];
         lit_.resize(bins.size());
         for (std::size_t b = 0; b < bins.size(); ++b)
-            lit_.light[b] =
-                shaded_.light[bins[b].place] + on_leaf * bins[b].cosine;
+            lit_.light[b] = shaded_.light[bins[b].place] + on_leaf(bins[b]);
         respond(step, bins);
         double whole = 0;
         const auto add = [&](const Expansion& at, double times,
@@ -147,8 +140,7 @@ class Assimilation {
         for (std::size_t p = 0; p < places_.count(); ++p)
             add(shaded_.at(p), amount, pair.moments()[p], p, weights[p]);
         for (std::size_t b = 0; b < bins.size(); ++b)
-            add(gain(shaded_.at(bins[b].place), lit_.at(b),
-                     on_leaf * bins[b].cosine),
+            add(gain(shaded_.at(bins[b].place), lit_.at(b), on_leaf(bins[b])),
                 amount * of_sun, bins[b].moments, bins[b].place,
                 bins[b].weights);
         for (AssimilationTally& tally : all_) tally.steps[i] = whole / amount;
@@ -159,8 +151,10 @@ class Assimilation {
     void respond(const TimeStep& step,
                  const std::vector<PairLight::Bin>& bins) {
         std::vector<LeafResponse> responses;
-        for (const LeafRates& rates : rates_)
-            responses.push_back(response(rates, air_of(step, photosynthesis_)));
+        for (const auto& [rates, photosynthesis] : lit_leaves_.leaves)
+            responses.push_back(
+                photosynthesis ? response(rates, air_of(step, *photosynthesis))
+                               : LeafResponse{});
         for (std::size_t first = 0, last = 0, b = 0; first < places_.count();
              first = last) {
             const std::uint32_t leaf = places_.group[first];
@@ -182,18 +176,15 @@ class Assimilation {
             for (std::size_t r = 0; r < tallies_.size(); ++r) {
                 const double amount = mean_[p] + differences_[r][p] - mean;
                 all_[r].groups[places_.group[p]] += amount;
-                all_[r].layers[layers_.at(places_.height[p])] += amount;
+                all_[r].layers[lit_leaves_.layers.at(places_.height[p])] +=
+                    amount;
             }
         }
     }
 
     const std::vector<Tally>& tallies_;
-    const Scene& scene_;
-    double absorptance_;
+    const LitLeaves& lit_leaves_;
     const SeriesIllumination& light_;
-    const Photosynthesis& photosynthesis_;
-    const std::vector<LeafRates>& rates_;
-    const Layers& layers_;
     LeafPlaces places_;
     ExpectedLight expectation_;
 
@@ -207,14 +198,10 @@ class Assimilation {
 
 }  // namespace
 
-std::vector<AssimilationTally> assimilate(
-    const std::vector<Tally>& tallies, const Scene& scene, const Pieces& pieces,
-    const Optics& optics, const SeriesIllumination& light,
-    const Photosynthesis& photosynthesis, const std::vector<LeafRates>& rates,
-    const Layers& layers) {
-    return Assimilation(tallies, scene, pieces, optics, light, photosynthesis,
-                        rates, layers)
-        .result();
+std::vector<AssimilationTally> assimilate(const std::vector<Tally>& tallies,
+                                          const Pieces& pieces,
+                                          const LitLeaves& lit) {
+    return Assimilation(tallies, pieces, lit).result();
 }
 
 }  // namespace ideotype

@@ -8,7 +8,6 @@ namespace {
 
 using Values = std::vector<Estimate>;
 
-constexpr auto rate = "mol m-2 day-1";
 constexpr double grams_of_carbon = 12.011, grams_of_co2 = 44.0095;
 //! Of carbohydrate for each mol of carbon, on a hectare.
 constexpr double tonnes = 30e-6 * 1e4;
@@ -60,14 +59,15 @@ std::vector<Randomised> net_by_leaf(const CanopyReport& report) {
 //! Of gross assimilation over absorbed light, to first order.
 Randomised light_use(const CanopyReport& report) {
     const AssimilationReport& all = *report.assimilation;
-    const double light = report.light.day.leaves.mean / joule_per_megajoule;
+    const double light =
+        report.par().light.day.leaves.mean / joule_per_megajoule;
     if (!(light > 0)) return certain(report, 0);
     const double ratio = grams_of_carbon * all.gross.mean / light;
     Randomised result{{ratio, 0}, {}};
     for (std::size_t r = 0; r < all.tallies.size(); ++r)
         result.by_randomisation.push_back(
             ratio + (grams_of_carbon * all.tallies[r].gross() -
-                     ratio * report.budget_by_randomisation[r].leaves /
+                     ratio * report.par().budget_by_randomisation[r].leaves /
                          joule_per_megajoule) /
                         light);
     result.estimate.standard_error =
@@ -79,7 +79,7 @@ std::optional<Randomised> sunlit_lai(const CanopyReport& report) {
     if (!report.hit_by_sun) return std::nullopt;
     return scaled(Randomised{report.hit_by_sun->mean,
                              report.hit_by_sun->mean_by_randomisation},
-                  report.lai);
+                  report.assimilating_lai);
 }
 
 }  // namespace
@@ -125,7 +125,7 @@ std::vector<Declaration> assimilation_quantities() {
           {"hour"}},
          [](const Report& r) {
              Values hours = r.hit_by_sun->hours;
-             for (Estimate& x : hours) x = scaled(x, r.lai);
+             for (Estimate& x : hours) x = scaled(x, r.assimilating_lai);
              return hours;
          }},
         {{"light_use_efficiency", "g MJ-1",

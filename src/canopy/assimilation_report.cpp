@@ -12,49 +12,51 @@ namespace ideotype {
 
 namespace {
 
-//! The number at the end of a leaf's name; 0 if there is none.
-std::size_t leaf_number(const std::string& name) {
-    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
-    constexpr std::string_view leaf = "leaf";
-    constexpr std::size_t most_digits = 4;
-    if (digits == name.size() || name.size() - digits > most_digits ||
-        digits < leaf.size() ||
-        name.compare(digits - leaf.size(), leaf.size(), leaf) != 0)
-        return 0;
-    return std::stoul(name.substr(digits));
+//! The leaf that each of some groups is, from 0 for the lowest. Where any has
+//! no rank, all are one leaf.
+std::vector<std::size_t> leaves_of(const std::vector<Group>& groups,
+                                   const std::vector<std::size_t>& some) {
+    std::vector<std::size_t> leaf;
+    for (const std::size_t g : some) {
+        if (groups[g].id.rank == 0)
+            return std::vector<std::size_t>(some.size(), 0);
+        leaf.push_back(groups[g].id.rank - 1);
+    }
+    return leaf;
 }
 
 }  // namespace
 
-std::vector<LeafRates> rates_of_groups(
-    const Photosynthesis& photosynthesis, const std::vector<Group>& groups,
-    const std::vector<double>& leaf_area_index) {
-    // Groups without a number are all one leaf.
-    std::vector<std::size_t> leaf(groups.size());
-    std::size_t leaves = 1;
-    bool is_numbered = true;
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-        if (groups[g].tissue != Tissue::leaf) continue;
-        const std::size_t number = leaf_number(groups[g].name);
-        is_numbered = is_numbered && number > 0;
-        leaf[g] = std::max<std::size_t>(number, 1) - 1;
-        leaves = std::max(leaves, leaf[g] + 1);
-    }
-    if (!is_numbered) {
-        if (photosynthesis.rates.size() > 1)
+std::vector<LeafGroup> leaf_groups(const Scene& scene,
+                                   const std::vector<Group>& groups,
+                                   const std::vector<double>& leaf_area_index) {
+    std::vector<LeafGroup> result(groups.size());
+    for (std::uint32_t c = 0; c < scene.components.size(); ++c) {
+        const auto& photosynthesis = scene.components[c].photosynthesis;
+        if (!photosynthesis) continue;
+        std::vector<std::size_t> own;
+        bool is_ranked = true;
+        for (std::size_t g = 0; g < groups.size(); ++g) {
+            const SurfaceId& id = groups[g].id;
+            if (id.component != c || !id.is_leaf()) continue;
+            own.push_back(g);
+            is_ranked = is_ranked && id.rank > 0;
+        }
+        if (own.empty()) continue;
+        if (!is_ranked && photosynthesis->rates.size() > 1)
             throw Error(
                 "photosynthesis has rates by leaf, but groups of leaves have "
                 "no numbers (as in leaf01, the lowest); name them so");
-        leaf.assign(groups.size(), 0);
-        leaves = 1;
+        const std::vector<std::size_t> leaf = leaves_of(groups, own);
+        std::vector<double> index(1 +
+                                  *std::max_element(leaf.begin(), leaf.end()));
+        for (std::size_t i = 0; i < own.size(); ++i)
+            index[leaf[i]] += leaf_area_index[own[i]];
+        const std::vector<LeafRates> rates =
+            rates_of_leaves(*photosynthesis, index);
+        for (std::size_t i = 0; i < own.size(); ++i)
+            result[own[i]] = {rates[leaf[i]], &*photosynthesis};
     }
-    std::vector<double> index(leaves);
-    for (std::size_t g = 0; g < groups.size(); ++g)
-        index[leaf[g]] += leaf_area_index[g];
-    const std::vector<LeafRates> rates = rates_of_leaves(photosynthesis, index);
-    std::vector<LeafRates> result;
-    for (std::size_t g = 0; g < groups.size(); ++g)
-        result.push_back(rates[leaf[g]]);
     return result;
 }
 
@@ -86,7 +88,7 @@ double AssimilationTally::gross() const {
 
 namespace {
 
-//! Of leaves in the dark, over a mean day.
+//! Returns what leaves respire in the dark, over a mean day.
 Respiration respiration(const LeafRates& rates, double leaf_area_index,
                         const LightSeries& series,
                         const Photosynthesis& photosynthesis) {
@@ -115,10 +117,9 @@ Respiration respiration(const LeafRates& rates, double leaf_area_index,
 }  // namespace
 
 AssimilationReport report(std::vector<AssimilationTally> tallies,
-                          const std::vector<LeafRates>& rates,
+                          const std::vector<LeafGroup>& leaves,
                           const std::vector<double>& leaf_area_index,
-                          const SeriesIllumination& light,
-                          const Photosynthesis& photosynthesis) {
+                          const SeriesIllumination& light) {
     AssimilationReport result;
     const auto over = [&](const auto& figure) {
         std::vector<double> replicates;
@@ -153,12 +154,18 @@ AssimilationReport report(std::vector<AssimilationTally> tallies,
         result.dates = of_steps(series.steps_of_dates(), [&](std::size_t i) {
             return mol_per_umol * series.steps[i].seconds;
         });
-    for (std::size_t g = 0; g < rates.size(); ++g)
-        result.respiration.push_back(
-            respiration(rates[g], leaf_area_index[g], series, photosynthesis));
-    for (const double index : leaf_area_index)
-        result.building +=
-            photosynthesis.building_cost * index / photosynthesis.building_days;
+    for (std::size_t g = 0; g < leaves.size(); ++g) {
+        const auto& [rates, photosynthesis] = leaves[g];
+        result.respiration.emplace_back();
+        result.building_of_groups.push_back(0);
+        if (!photosynthesis) continue;
+        result.respiration.back() =
+            respiration(rates, leaf_area_index[g], series, *photosynthesis);
+        result.building_of_groups.back() = photosynthesis->building_cost *
+                                           leaf_area_index[g] /
+                                           photosynthesis->building_days;
+        result.building += result.building_of_groups.back();
+    }
     result.tallies = std::move(tallies);
     return result;
 }

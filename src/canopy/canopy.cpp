@@ -14,6 +14,7 @@
 #include "ideotype/light/device.hpp"
 #include "ideotype/light/sunlit.hpp"
 #include "ideotype/light/tolerance.hpp"
+#include "replicates.hpp"
 
 namespace ideotype {
 
@@ -25,277 +26,193 @@ constexpr double balance_tolerance = 1e-9;
 //! Enough points to know a sunlit fraction to some 0.2 %.
 constexpr int most_sunlit_points = 2048;
 
-//! The same surfaces, with the light of each face counted for itself.
-Mesh with_a_group_per_face(Mesh mesh) {
-    std::vector<Group> groups;
-    groups.reserve(mesh.faces.size());
-    for (const std::uint32_t group : mesh.face_group)
-        groups.push_back(mesh.groups[group]);
-    mesh.groups = std::move(groups);
-    std::iota(mesh.face_group.begin(), mesh.face_group.end(), 0u);
-    return mesh;
-}
-
-//! Makes the light of pieces that of the groups that they are of.
-void add_up_pieces(std::vector<Tally>& tallies,
-                   const std::vector<std::uint32_t>& group_of_piece,
-                   std::size_t groups) {
-    if (tallies.empty()) return;
-    const auto add_up = [&](const auto& pieces, auto groups_of, auto add) {
-        groups_of.resize(groups);
-        for (std::size_t v = 0; v < pieces.size(); ++v)
-            add(groups_of, group_of_piece[v], pieces[v]);
-        return groups_of;
-    };
-    Resolution resolution = *tallies.front().resolution;
-    resolution.groups = add_up(resolution.groups, std::vector<double>(),
-                               [](auto& all, std::size_t g, double part) {
-                                   all[g] = std::max(all[g], part);
-                               });
-    const auto shared = std::make_shared<const Resolution>(resolution);
-    for (Tally& tally : tallies) {
-        tally.groups = add_up(
-            tally.groups, std::vector<double>(),
-            [](auto& all, std::size_t g, double light) { all[g] += light; });
-        tally.leaf_light.clear();
-        tally.resolution = shared;
-    }
-}
-
 //! Randomisations in one field that assimilation needs.
 constexpr int fewest_in_field = 4;
 
-//! Adds numbers of the same places, or makes them so many times as large.
-void add(std::vector<double>& all, const std::vector<double>& more) {
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] += more[i];
-}
-void scale(std::vector<double>& all, double by) {
-    for (double& x : all) x *= by;
-}
-
-//! Of these parts.
-template <class Item, class... Parts>
-Item mean_of(const std::vector<Item>& all, Parts... parts) {
-    Item mean = all.front();
-    const auto take = [&](auto part) {
-        for (std::size_t i = 1; i < all.size(); ++i)
-            add(mean.*part, all[i].*part);
-        scale(mean.*part, 1. / static_cast<double>(all.size()));
+//! Returns a scene of which the light of each face is counted for itself.
+Scene with_a_group_per_face(Scene scene) {
+    const auto split = [](Mesh& mesh) {
+        std::vector<Group> groups;
+        groups.reserve(mesh.faces.size());
+        for (const std::uint32_t group : mesh.face_group)
+            groups.push_back(mesh.groups[group]);
+        mesh.groups = std::move(groups);
+        std::iota(mesh.face_group.begin(), mesh.face_group.end(), 0u);
     };
-    (take(parts), ...);
-    return mean;
+    for (Component& each : scene.components) split(each.mesh);
+    for (FixedObject& each : scene.objects) split(each.mesh);
+    return scene;
 }
 
-std::vector<double> mean_of(const std::vector<std::vector<double>>& all) {
-    std::vector<double> mean = all.front();
-    for (std::size_t i = 1; i < all.size(); ++i) add(mean, all[i]);
-    scale(mean, 1. / static_cast<double>(all.size()));
-    return mean;
-}
-
-Tally mean_of(const std::vector<Tally>& tallies) {
-    const auto n = static_cast<double>(tallies.size());
-    Tally mean = tallies.front();
-    for (std::size_t i = 1; i < tallies.size(); ++i) {
-        const Tally& more = tallies[i];
-        for (std::size_t s = 0; s < mean.sources.size(); ++s)
-            mean.sources[s] += more.sources[s];
-        add(mean.groups, more.groups);
-        add(mean.layers, more.layers);
-        mean.adaxial += more.adaxial;
-        mean.abaxial += more.abaxial;
-        mean.rays += more.rays;
-        mean.next_rays += more.next_rays;
-    }
-    for (Budget& budget : mean.sources) budget *= 1 / n;
-    scale(mean.groups, 1 / n);
-    scale(mean.layers, 1 / n);
-    mean.adaxial /= n;
-    mean.abaxial /= n;
-    Resolution resolution = *mean.resolution;
-    scale(resolution.path_energy, 1 / n);
-    mean.resolution = std::make_shared<const Resolution>(resolution);
-    return mean;
-}
-
-template <class All>
-void append(All& all, All more) {
-    all.insert(all.end(), std::make_move_iterator(more.begin()),
-               std::make_move_iterator(more.end()));
-}
-
-void append(SunlitFractions& all, SunlitFractions more) {
-    append(all.fractions, std::move(more.fractions));
-    all.steps = std::move(more.steps);
-}
-
-//! One request on its way to its report.
-class Evaluation {
-  public:
-    Evaluation(const CanopyRequest& request, const Device& device,
-               const Clock& clock)
-        : request_(request), device_(device), clock_(clock), last_(time()) {
-        result_.layers = request.layers;
-        result_.days = request.scenario.light.series.days;
-    }
-
-    //! Fields of plants that are drawn at random, each with its part of the
-    //! randomisations.
-    void trace(const Plant& plant) {
-        if (request_.details.lines)
-            result_.lines = distance(*request_.details.lines, plant);
-        const Mesh mesh = split(build_plant(plant, request_.tessellation));
-        std::optional<Pieces> pieces;
-        if (needs_pieces())
-            pieces = cut_leaves(mesh, {}, request_.details.pieces);
-        Accuracy accuracy = request_.accuracy;
-        Randomness randomness = request_.randomness;
-        if (varies()) set_rates(mesh);
-        const bool is_each = randomness.fields == Randomness::Fields::each;
-        const int fields = is_each ? accuracy.randomisations : 1;
+//! The fields of an evaluation, and how light is traced in each.
+struct Plan {
+    explicit Plan(const CanopyRequest& request)
+        : accuracy(request.accuracy), randomness(request.randomness) {
+        const bool is_each = randomness.fields == Randomness::Fields::each &&
+                             are_drawn(request.scene);
+        fields = is_each ? accuracy.randomisations : 1;
         accuracy.randomisations /= fields;
         // Assimilation in a field needs several, see assimilate().
-        if (pieces && accuracy.randomisations < fewest_in_field) {
+        if (request.scene.assimilates() && !request.details.exact &&
+            accuracy.randomisations < fewest_in_field) {
             accuracy.paths /= fewest_in_field;
             accuracy.randomisations = fewest_in_field;
         }
-        is_one_of_many_ = fields > 1 && accuracy.randomisations > 1;
-        Randomness of_light = randomness;
-        for (int f = 0; f < fields; ++f, ++randomness.first_randomisation) {
-            of_light.first_randomisation =
-                randomness.first_randomisation *
-                static_cast<std::uint32_t>(
-                    is_one_of_many_ ? accuracy.randomisations : 1);
-            Field field =
-                draw_field(plant, pieces ? pieces->mesh : mesh,
-                           request_.tessellation, request_.scenario.field,
-                           randomness.fields == Randomness::Fields::common
-                               ? Randomness{randomness.seed}
-                               : randomness);
-            std::optional<Pieces> of_field;
-            if (pieces)
-                of_field = pieces_of_field(*pieces, std::move(field.mesh),
-                                           field.face_plant);
-            trace(field, mesh.groups, std::move(of_field), accuracy, of_light);
-        }
+        is_one_of_many = fields > 1 && accuracy.randomisations > 1;
     }
 
-    void trace(const Field& field) {
-        Field copy = field;
-        copy.mesh = split(std::move(copy.mesh));
-        const std::vector<Group> groups = copy.mesh.groups;
-        std::optional<Pieces> pieces;
-        if (needs_pieces())
-            pieces =
-                cut_leaves(copy.mesh, copy.face_plant, request_.details.pieces);
-        trace(copy, groups, std::move(pieces), request_.accuracy,
-              request_.randomness);
+    //! The random numbers of the plants of a field.
+    Randomness of_plants(int field) const {
+        return randomness.fields == Randomness::Fields::common
+                   ? Randomness{randomness.seed}
+                   : of_field(field, 1);
     }
 
-    CanopyReport report() {
-        const SeriesIllumination& light = request_.scenario.light;
-        if (varies()) {
-            result_.lai = area_of_fields_.leaves / fields_;
-            result_.plant_area_index =
-                result_.lai + area_of_fields_.other_organs / fields_;
+    //! The random numbers of the light in a field.
+    Randomness of_light(int field) const {
+        return of_field(field, is_one_of_many ? accuracy.randomisations : 1);
+    }
+
+    Accuracy accuracy;  //!< in each field
+    int fields = 1;
+    //! Each field is one of many randomisations, with several of its own.
+    bool is_one_of_many = false;
+
+  private:
+    //! Whether fields may differ from each other.
+    static bool are_drawn(const Scene& scene) {
+        return std::any_of(scene.components.begin(), scene.components.end(),
+                           [](const Component& each) {
+                               return each.plant || each.jitter > 0;
+                           });
+    }
+
+    Randomness of_field(int field, int times) const {
+        Randomness numbers = randomness;
+        numbers.first_randomisation =
+            (numbers.first_randomisation + static_cast<std::uint32_t>(field)) *
+            static_cast<std::uint32_t>(times);
+        return numbers;
+    }
+
+    Randomness randomness;
+};
+
+//! One plant of each component, as fields are made of them.
+struct Lines {
+    Lines(const Scene& scene, const Details& details)
+        : groups(groups_of(scene)) {
+        if (!scene.assimilates() || details.exact) return;
+        for (const Component& each : scene.components) {
+            pieces.push_back(each.photosynthesis
+                                 ? cut_leaves(each.mesh, details.pieces)
+                                 : uncut(each.mesh));
+            meshes.push_back(std::move(pieces.back().mesh));
         }
-        for (const Tally& tally : tallies_) {
-            result_.budget_by_randomisation.push_back(tally.budget());
-            if (request_.details.faces) continue;
-            result_.groups_by_randomisation.push_back(tally.groups);
-            result_.layers_by_randomisation.push_back(tally.layers);
-        }
-        result_.light = ideotype::report(tallies_, light);
-        if (request_.details.sunlit) {
-            const SunlitReport sunlit = ideotype::report(sunlit_, light);
-            for (std::size_t h = 0; h < sunlit.hours.size(); ++h)
-                result_.light.steps[h].sunlit = sunlit.hours[h];
-        }
-        if (request_.details.faces) result_.faces = per_area();
-        if (request_.details.photosynthesis) {
-            for (double& area : leaf_area_index_) area /= fields_;
-            result_.assimilation = ideotype::report(
-                std::move(assimilation_), rates_, leaf_area_index_, light,
-                *request_.details.photosynthesis);
-            if (needs_pieces())
-                result_.hit_by_sun = ideotype::report(hit_by_sun_, light);
-            if (!light_classes_.empty())
-                result_.light_classes = ideotype::report(light_classes_);
-        }
-        if (!(result_.light.balance_error < balance_tolerance))
-            throw Error(fmt::format("the energy balance is off by {:.3g}",
-                                    result_.light.balance_error));
+        are_cut = true;
+    }
+
+    bool are_cut = false;        //!< so that there are:
+    std::vector<Pieces> pieces;  //!< without their meshes
+    std::vector<Mesh> meshes;    //!< of the pieces
+    std::vector<Group> groups;   //!< of the scene before leaves were cut
+};
+
+//! Leaf area index of each group of a scene, of plants that do not deviate from
+//! their line.
+std::vector<double> leaf_area_of_lines(const Scene& scene, std::size_t groups) {
+    std::vector<double> index;
+    index.reserve(groups);
+    for (const Component& each : scene.components) {
+        const std::vector<double> of_faces = face_areas(each.mesh);
+        const std::size_t first = index.size();
+        index.resize(first + each.mesh.groups.size());
+        for (std::size_t f = 0; f < of_faces.size(); ++f)
+            if (each.mesh.groups[each.mesh.face_group[f]].id.is_leaf())
+                index[first + each.mesh.face_group[f]] +=
+                    of_faces[f] / each.ground_per_plant;
+    }
+    index.resize(groups);
+    return index;
+}
+
+//! One request on its way to its report, field by field.
+class Evaluation {
+  public:
+    //! @param scene of the request, or with other groups
+    Evaluation(const CanopyRequest& request, const Scene& scene,
+               const Device& device, const Clock& clock)
+        : scene_(scene),
+          details_(request.details),
+          device_(device),
+          clock_(clock),
+          last_(time()),
+          plan_(request),
+          lines_(scene, request.details),
+          tallies_(scene.bands.size()),
+          leaf_area_index_(lines_.groups.size()),
+          areas_(scene.components.size()) {
+        result_.layers = request.layers;
+        result_.days = scene.light().series.days;
+        result_.groups = lines_.groups;
+        result_.boundary = scene.cell.boundary;
+        result_.ground_area = scene.cell.ground_area;
+        if (details_.lines && !scene.components.empty() &&
+            scene.components.front().plant)
+            result_.lines =
+                distance(*details_.lines, *scene.components.front().plant);
+        if (scene.varies())
+            leaves_ =
+                leaf_groups(scene, lines_.groups,
+                            leaf_area_of_lines(scene, lines_.groups.size()));
+    }
+
+    CanopyReport result() {
+        for (int field = 0; field < plan_.fields; ++field) add_field(field);
+        report_areas();
+        report_light();
+        if (scene_.assimilates()) report_assimilation();
         return std::move(result_);
     }
 
   private:
-    bool varies() const { return request_.scenario.field.variation.is_any(); }
-
-    //! Those of leaves of plants that do not deviate from their line.
-    void set_rates(const Mesh& plant) {
-        if (!request_.details.photosynthesis) return;
-        const Spacing& spacing = request_.scenario.field.spacing;
-        std::vector<double> areas(plant.groups.size());
-        const std::vector<double> of_faces = face_areas(plant);
-        for (std::size_t f = 0; f < of_faces.size(); ++f)
-            if (plant.groups[plant.face_group[f]].tissue == Tissue::leaf)
-                areas[plant.face_group[f]] +=
-                    of_faces[f] / (spacing.row * spacing.plant);
-        rates_ = rates_of_groups(*request_.details.photosynthesis, plant.groups,
-                                 areas);
-    }
-
-    bool needs_pieces() const {
-        return request_.details.photosynthesis && !request_.details.exact;
-    }
-
-    Mesh split(Mesh mesh) const {
-        if (!request_.details.faces) return mesh;
-        return with_a_group_per_face(std::move(mesh));
-    }
-
-    //! @param groups of the mesh before it was cut into pieces
-    void trace(Field& field, const std::vector<Group>& groups,
-               std::optional<Pieces> pieces, Accuracy accuracy,
-               const Randomness& randomness) {
-        if (pieces) std::swap(field.mesh, pieces->mesh);
+    //! Draws a field, and follows light and assimilation in it.
+    void add_field(int number) {
+        Field field =
+            draw_field(scene_, plan_.of_plants(number), lines_.meshes);
+        Pieces pieces;
+        if (lines_.are_cut) {
+            pieces = pieces_of_field(lines_.pieces, field);
+            field.mesh = std::move(pieces.mesh);
+        }
         const Mesh& mesh = field.mesh;
-        const Illumination& light = request_.scenario.light.light;
-        result_.groups = groups;
-        result_.boundary = field.boundary;
-        result_.ground_area = field.ground_area;
-        const PlantArea area = plant_area(mesh);
-        result_.lai = area.leaves / field.ground_area;
-        result_.plant_area_index =
-            result_.lai + area.other_organs / field.ground_area;
-        area_of_fields_.leaves += area.leaves / field.ground_area;
-        area_of_fields_.other_organs += area.other_organs / field.ground_area;
-        if (request_.details.faces) add_areas(mesh);
-        ++fields_;
+        add_areas(mesh, pieces);
         take(result_.seconds.geometry);
 
-        // Each source has a path of its own.
-        accuracy.paths =
-            std::max(accuracy.paths, static_cast<int>(light.sources.size()));
-        const Scene scene = build_scene(device_, field);
+        const RayScene scene = build_scene(device_, field);
         Layers& layers = result_.layers;
         if (!(layers.thickness > 0))
             layers.thickness = scene.top() / static_cast<double>(layers.count);
         take(result_.seconds.scene);
 
+        const Illumination& light = scene_.light().light;
+        Accuracy accuracy = plan_.accuracy;
+        // Each source has a path of its own.
+        accuracy.paths =
+            std::max(accuracy.paths, static_cast<int>(light.sources.size()));
+        const Randomness randomness = plan_.of_light(number);
         Simulation found = simulate_to_tolerance(
-            scene, mesh.groups, request_.scenario.optics, light, accuracy,
-            randomness, layers, pieces ? Detail::leaf_light : Detail::sums);
-        if (pieces)
-            assimilate_in(scene, *pieces, groups, found.tallies);
-        else if (request_.details.photosynthesis)
-            assimilate_exactly_in(scene, mesh, accuracy, randomness);
+            {scene, mesh.groups, scene_.bands, layers, pieces.count}, accuracy,
+            randomness);
+        if (lines_.are_cut)
+            assimilate(scene, mesh, pieces, found.tallies.front());
+        else if (scene_.assimilates())
+            assimilate_exactly(scene, mesh, accuracy, randomness);
         accuracy.paths = found.paths;
         result_.paths += accuracy.all_paths();
-        if (is_one_of_many_) found.tallies = {mean_of(found.tallies)};
-        append(tallies_, std::move(found.tallies));
         result_.is_capped |= found.is_capped;
-        if (request_.details.sunlit) {
+        add_light(std::move(found.tallies), pieces);
+        if (details_.sunlit) {
             accuracy.paths = std::min(accuracy.paths, most_sunlit_points);
             append(sunlit_,
                    sunlit_fractions(scene, mesh, light, accuracy, randomness));
@@ -303,81 +220,173 @@ class Evaluation {
         take(result_.seconds.light);
     }
 
-    //! Assimilation in one field; afterwards its tallies are those of the mesh
-    //! that was cut.
-    void assimilate_in(const Scene& scene, const Pieces& pieces,
-                       const std::vector<Group>& groups,
-                       std::vector<Tally>& tallies) {
+    //! Adds the areas of a field per ground area, and those of groups if they
+    //! are faces.
+    void add_areas(const Mesh& mesh, const Pieces& pieces) {
+        const std::vector<double> of_faces = face_areas(mesh);
+        std::vector<PlantArea> areas(areas_.size());
+        for (std::size_t f = 0; f < of_faces.size(); ++f) {
+            const SurfaceId& id = mesh.groups[mesh.face_group[f]].id;
+            if (id.is_leaf())
+                areas[id.component].leaves += of_faces[f];
+            else if (!id.is_object())
+                areas[id.component].other_organs += of_faces[f] / 2;
+        }
+        for (std::size_t c = 0; c < areas.size(); ++c) {
+            const PlantArea per_ground{
+                areas[c].leaves / result_.ground_area,
+                areas[c].other_organs / result_.ground_area};
+            if (scene_.varies())
+                areas_[c] += per_ground;
+            else
+                areas_[c] = per_ground;
+        }
+        // Until all fields are known, those of this one.
+        result_.assimilating_lai = 0;
+        for (std::size_t c = 0; c < areas.size(); ++c)
+            if (scene_.components[c].photosynthesis)
+                result_.assimilating_lai +=
+                    areas[c].leaves / result_.ground_area;
+        if (!details_.faces) return;
+        areas_of_groups_.resize(lines_.groups.size());
+        for (std::size_t f = 0; f < of_faces.size(); ++f) {
+            const std::uint32_t group = mesh.face_group[f];
+            areas_of_groups_[lines_.are_cut ? pieces.group[group] : group] +=
+                of_faces[f];
+        }
+    }
+
+    //! Adds the light of a field.
+    void add_light(BandTallies found, const Pieces& pieces) {
+        for (std::size_t b = 0; b < found.size(); ++b) {
+            if (lines_.are_cut)
+                add_up_pieces(found[b], pieces, lines_.groups.size());
+            if (plan_.is_one_of_many) found[b] = {mean_of(found[b])};
+            append(tallies_[b], std::move(found[b]));
+        }
+    }
+
+    LitLeaves lit(const RayScene& scene, const Mesh& mesh) {
+        // They are the same in all fields.
+        if (leaves_.empty())
+            leaves_ = leaf_groups(scene_, lines_.groups, leaf_area_index_);
+        return {scene,          mesh.groups, scene_.bands.front(),
+                scene_.photons, leaves_,     result_.layers};
+    }
+
+    void assimilate(const RayScene& scene, const Mesh& mesh,
+                    const Pieces& pieces, const std::vector<Tally>& tallies) {
         for (std::size_t v = 0; v < pieces.count; ++v)
-            add_leaf_area(groups.size(), pieces.group[v], pieces.area[v]);
-        const SeriesIllumination& light = request_.scenario.light;
-        const Optics& optics = request_.scenario.optics;
-        const double absorptance = 1 - optics.leaf.scattered();
-        std::vector<AssimilationTally> found = assimilate(
-            tallies, scene, pieces, optics, light,
-            *request_.details.photosynthesis, rates(groups), result_.layers);
+            leaf_area_index_[pieces.group[v]] +=
+                pieces.area[v] / result_.ground_area;
+        const LitLeaves leaves = lit(scene, mesh);
+        std::vector<AssimilationTally> found =
+            ideotype::assimilate(tallies, pieces, leaves);
         SunlitFractions sunlit =
-            sunlit_fractions(tallies, scene, light.light, absorptance,
-                             result_.lai * result_.ground_area);
+            sunlit_fractions(tallies, scene, mesh.groups, leaves.par.optics,
+                             leaves.par.light.light,
+                             result_.assimilating_lai * result_.ground_area);
         std::vector<LightClasses> classes;
-        if (request_.details.sunlit && absorptance > 0)
-            classes =
-                leaf_area_by_light(tallies, scene, pieces, light, absorptance,
-                                   request_.details.photosynthesis->photons);
-        if (is_one_of_many_) {
-            found = {mean_of(found, &AssimilationTally::groups,
-                             &AssimilationTally::layers,
-                             &AssimilationTally::steps)};
+        if (details_.sunlit)
+            classes = leaf_area_by_light(tallies, pieces, leaves);
+        if (plan_.is_one_of_many) {
+            found = {mean_of(found)};
             sunlit.fractions = {mean_of(sunlit.fractions)};
-            if (!classes.empty())
-                classes = {mean_of(classes, &LightClasses::sunlit,
-                                   &LightClasses::shaded)};
+            if (!classes.empty()) classes = {mean_of(classes)};
         }
         append(assimilation_, std::move(found));
         append(hit_by_sun_, std::move(sunlit));
         append(light_classes_, std::move(classes));
-        add_up_pieces(tallies, pieces.group, groups.size());
     }
 
-    void assimilate_exactly_in(const Scene& scene, const Mesh& mesh,
-                               const Accuracy& accuracy,
-                               const Randomness& randomness) {
+    void assimilate_exactly(const RayScene& scene, const Mesh& mesh,
+                            const Accuracy& accuracy,
+                            const Randomness& randomness) {
         const std::vector<double> areas = face_areas(mesh);
         for (std::size_t f = 0; f < areas.size(); ++f)
-            if (mesh.groups[mesh.face_group[f]].tissue == Tissue::leaf)
-                add_leaf_area(mesh.groups.size(), mesh.face_group[f], areas[f]);
-        ExactAssimilation found = assimilate_exactly(
-            scene, mesh, request_.scenario.optics, request_.scenario.light,
-            *request_.details.photosynthesis, rates(mesh.groups),
-            result_.layers, accuracy, randomness);
+            if (mesh.groups[mesh.face_group[f]].id.is_leaf())
+                leaf_area_index_[mesh.face_group[f]] +=
+                    areas[f] / result_.ground_area;
+        ExactAssimilation found = ideotype::assimilate_exactly(
+            mesh, lit(scene, mesh), accuracy, randomness);
         append(assimilation_, std::move(found.tallies));
         result_.is_capped |= found.is_capped;
     }
 
-    void add_leaf_area(std::size_t groups, std::uint32_t group, double area) {
-        leaf_area_index_.resize(groups);
-        leaf_area_index_[group] += area / result_.ground_area;
+    void report_areas() {
+        const double fields = scene_.varies() ? plan_.fields : 1;
+        result_.assimilating_lai = 0;
+        for (std::size_t c = 0; c < areas_.size(); ++c) {
+            const double lai = areas_[c].leaves / fields;
+            const double index = lai + areas_[c].other_organs / fields;
+            result_.components.push_back(
+                {scene_.components[c].name, lai, index});
+            result_.lai += lai;
+            result_.plant_area_index += index;
+            if (scene_.components[c].photosynthesis)
+                result_.assimilating_lai += lai;
+        }
     }
 
-    //! The same in all fields.
-    const std::vector<LeafRates>& rates(const std::vector<Group>& groups) {
-        if (rates_.empty())
-            rates_ = rates_of_groups(*request_.details.photosynthesis, groups,
-                                     leaf_area_index_);
-        return rates_;
+    void report_light() {
+        for (std::size_t b = 0; b < scene_.bands.size(); ++b) {
+            const Band& band = scene_.bands[b];
+            BandReport& report = result_.bands.emplace_back();
+            report.name = band.name;
+            for (const Tally& tally : tallies_[b]) {
+                report.budget_by_randomisation.push_back(tally.budget());
+                if (details_.faces) continue;
+                report.groups_by_randomisation.push_back(tally.groups);
+                report.layers_by_randomisation.push_back(tally.layers);
+            }
+            report.light = ideotype::report(tallies_[b], band.light);
+            report.parts = parts_of(tallies_[b]);
+            if (details_.faces) report.faces = per_area(report.light.groups);
+            if (!(report.light.balance_error < balance_tolerance))
+                throw Error(fmt::format("the energy balance is off by {:.3g}",
+                                        report.light.balance_error));
+        }
+        if (!details_.sunlit) return;
+        const SunlitReport sunlit = ideotype::report(sunlit_, scene_.light());
+        for (std::size_t h = 0; h < sunlit.hours.size(); ++h)
+            result_.bands.front().light.steps[h].sunlit = sunlit.hours[h];
     }
 
-    void add_areas(const Mesh& mesh) {
-        const std::vector<double> areas = face_areas(mesh);
-        areas_.resize(mesh.groups.size());
-        for (std::size_t f = 0; f < areas.size(); ++f)
-            areas_[mesh.face_group[f]] += areas[f];
+    void report_assimilation() {
+        for (double& index : leaf_area_index_) index /= plan_.fields;
+        result_.assimilation =
+            ideotype::report(std::move(assimilation_), leaves_,
+                             leaf_area_index_, scene_.light());
+        if (lines_.are_cut)
+            result_.hit_by_sun = ideotype::report(hit_by_sun_, scene_.light());
+        if (!light_classes_.empty())
+            result_.light_classes = ideotype::report(light_classes_);
     }
 
-    std::vector<Estimate> per_area() const {
-        std::vector<Estimate> faces = result_.light.groups;
+    //! Returns the light of each component and then of each object.
+    std::vector<PartReport> parts_of(const std::vector<Tally>& tallies) const {
+        std::vector<PartReport> parts;
+        const std::size_t count =
+            scene_.components.size() + scene_.objects.size();
+        if (count == 1 || details_.faces) return parts;
+        for (std::uint32_t c = 0; c < count; ++c) {
+            std::vector<std::size_t> leaves, all;
+            for (std::size_t g = 0; g < lines_.groups.size(); ++g) {
+                const SurfaceId& id = lines_.groups[g].id;
+                if (id.component != c) continue;
+                all.push_back(g);
+                if (id.is_leaf()) leaves.push_back(g);
+            }
+            parts.push_back({absorbed_by_groups(tallies, leaves),
+                             absorbed_by_groups(tallies, all)});
+        }
+        return parts;
+    }
+
+    //! Returns the light of groups that are faces, per area of the face.
+    std::vector<Estimate> per_area(std::vector<Estimate> faces) const {
         for (std::size_t face = 0; face < faces.size(); ++face) {
-            const double area = areas_[face] / fields_;
+            const double area = areas_of_groups_[face] / plan_.fields;
             faces[face] = area > 0
                               ? scaled(faces[face], result_.ground_area / area)
                               : Estimate{};
@@ -392,39 +401,40 @@ class Evaluation {
         part += now - std::exchange(last_, now);
     }
 
-    const CanopyRequest& request_;
+    const Scene& scene_;
+    const Details& details_;
     const Device& device_;
     const Clock& clock_;
     double last_;
-    //! Each field is one of many randomisations, with several of its own.
-    bool is_one_of_many_ = false;
+    const Plan plan_;
+    const Lines lines_;
     CanopyReport result_;
-    std::vector<Tally> tallies_;
+    BandTallies tallies_;
     SunlitFractions sunlit_;      //!< by points of leaves
     SunlitFractions hit_by_sun_;  //!< by first hits
     std::vector<LightClasses> light_classes_;
     std::vector<AssimilationTally> assimilation_;
-    std::vector<LeafRates> rates_;         //!< of each group
+    std::vector<LeafGroup> leaves_;        //!< of each group
     std::vector<double> leaf_area_index_;  //!< of each group, of all fields
-    std::vector<double> areas_;            //!< of all copies of each face [m2]
-    PlantArea area_of_fields_;             //!< sum, per ground area
-    int fields_ = 0;
+    std::vector<PlantArea> areas_;  //!< of components, of all fields [m2 m-2]
+    std::vector<double> areas_of_groups_;  //!< of all copies of faces [m2]
 };
 
 }  // namespace
 
 CanopyReport evaluate(const CanopyRequest& request, const Device& device,
                       const Clock& clock) {
-    Evaluation evaluation(request, device, clock);
-    std::visit([&](const auto& stand) { evaluation.trace(stand); },
-               request.stand);
-    return evaluation.report();
+    if (!request.details.faces)
+        return Evaluation(request, request.scene, device, clock).result();
+    const Scene scene = with_a_group_per_face(request.scene);
+    return Evaluation(request, scene, device, clock).result();
 }
 
-Scene build_scene(const Device& device, const Field& field) {
-    return field.boundary == Boundary::isolated
-               ? Scene::isolated(device, field.mesh, field.ground_area)
-               : Scene(device, field.mesh, field.period_x, field.period_y);
+RayScene build_scene(const Device& device, const Field& field) {
+    const Cell& cell = field.cell;
+    return cell.boundary == Boundary::isolated
+               ? RayScene::isolated(device, field.mesh, cell.ground_area)
+               : RayScene(device, field.mesh, cell.period_x, cell.period_y);
 }
 
 Accuracy face_accuracy(const Accuracy& accuracy, std::size_t faces) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -20,21 +22,41 @@ using TakeNumbers = std::function<std::vector<Estimate>(const CanopyReport&)>;
 //! The same with each number by randomisation too.
 using TakeProfile = std::function<std::vector<Randomised>(const CanopyReport&)>;
 
+// Units of light and of CO2 on a mean day, per ground area.
+inline constexpr auto daily = "MJ m-2 day-1", rate = "mol m-2 day-1";
+
+//! What there is to be measured in a canopy.
+struct Scope {
+    std::size_t components = 1;
+    std::vector<std::string> bands;
+    bool assimilates = false;
+    bool has_lines = false;
+
+    bool has_band(const std::string& name) const {
+        return std::find(bands.begin(), bands.end(), name) != bands.end();
+    }
+};
+
 //! What is measured, and how it is taken from a report.
 struct Declaration {
     Quantity quantity;
     std::variant<TakeNumber, TakeNumbers, TakeProfile> take;
     bool is_of_method = false;  //!< tells how light was traced, of no plant
+    //! Whether a canopy has it; none: all that the others of its kind have.
+    std::function<bool(const Scope&)> is_in{};
 };
 
-//! In the order of their columns.
+//! Quantities of PAR, in the order of their columns.
 std::vector<Declaration> light_quantities();
 
-//! Of reports with assimilation, after those of light.
+//! Quantities of reports with assimilation, after those of light.
 std::vector<Declaration> assimilation_quantities();
 
-//! Of reports with measured lines, after those of assimilation.
+//! Quantities of reports with measured lines, after those of assimilation.
 std::vector<Declaration> line_quantities();
+
+//! Quantities of several components or wavebands, after all others.
+std::vector<Declaration> part_quantities();
 
 inline Randomised scaled(Randomised x, double factor) {
     x.estimate = scaled(x.estimate, factor);
@@ -60,8 +82,7 @@ inline std::vector<Randomised> randomised(
 
 //! What is the same in all randomisations.
 inline Randomised certain(const CanopyReport& report, double value) {
-    return {{value, 0},
-            std::vector(report.budget_by_randomisation.size(), value)};
+    return {{value, 0}, std::vector(report.randomisations(), value)};
 }
 
 //! The numbers of the groups that are leaves.
@@ -70,8 +91,7 @@ std::vector<Number> of_leaves(const CanopyReport& report,
                               const std::vector<Number>& groups) {
     std::vector<Number> leaves;
     for (std::size_t g = 0; g < groups.size(); ++g)
-        if (report.groups[g].tissue == Tissue::leaf)
-            leaves.push_back(groups[g]);
+        if (report.groups[g].id.is_leaf()) leaves.push_back(groups[g]);
     return leaves;
 }
 

@@ -24,26 +24,34 @@ using Sums = std::vector<double>;
 
 class Referee {
   public:
-    Referee(const Scene& scene, const Mesh& mesh, const Optics& optics,
-            const SeriesIllumination& light,
-            const Photosynthesis& photosynthesis,
-            const std::vector<LeafRates>& rates, const Layers& layers,
+    Referee(const Mesh& mesh, const LitLeaves& lit,
             const Randomness& randomness)
-        : scene_(scene),
-          leaves_(mesh),
-          backward_(scene, mesh.groups, optics, light.light.sources),
-          light_(light),
-          layers_(layers),
+        : scene_(lit.scene),
+          leaves_(mesh,
+                  [&](std::uint32_t group) {
+                      return mesh.groups[group].id.is_leaf() &&
+                             lit.leaves[group].photosynthesis;
+                  }),
+          backward_(lit.scene, mesh.groups, lit.par.optics,
+                    lit.par.light.light.sources),
+          light_(lit.par.light),
+          layers_(lit.layers),
           randomness_(randomness),
-          absorbed_((1 - optics.leaf.scattered()) * photosynthesis.photons),
-          empty_{Sums(rates.size()), Sums(layers.count),
-                 Sums(light.series.steps.size())} {
-        for (const TimeStep& step : light.series.steps)
-            amount_.push_back(step.seconds * mol_per_umol / light.series.days);
-        for (const LeafRates& each : rates)
-            for (const TimeStep& step : light.series.steps)
+          empty_{Sums(lit.leaves.size()), Sums(lit.layers.count),
+                 Sums(light_.series.steps.size())} {
+        for (const TimeStep& step : light_.series.steps)
+            amount_.push_back(step.seconds * mol_per_umol / light_.series.days);
+        for (std::size_t g = 0; g < lit.leaves.size(); ++g) {
+            const auto& [rates, photosynthesis] = lit.leaves[g];
+            absorbed_.push_back(
+                lit.par.optics.of(mesh.groups[g].material).most_absorbed() *
+                lit.photons);
+            for (const TimeStep& step : light_.series.steps)
                 response_.push_back(
-                    response(each, air_of(step, photosynthesis)));
+                    photosynthesis
+                        ? response(rates, air_of(step, *photosynthesis))
+                        : LeafResponse{});
+        }
     }
 
     ExactAssimilation result(const Accuracy& accuracy) {
@@ -155,8 +163,9 @@ class Referee {
             };
             const int beam = light_.beam_of[i], sky = light_.sky_of[i];
             const double absorbed =
-                absorbed_ * (par.beam * (of(beam, beam_) + of(beam, diffuse)) +
-                             par.diffuse * of(sky, diffuse));
+                absorbed_[point.group] *
+                (par.beam * (of(beam, beam_) + of(beam, diffuse)) +
+                 par.diffuse * of(sky, diffuse));
             if (!(absorbed > 0)) continue;
             double rate = 0;
             gross(response_[point.group * rate_.size() + i], {&absorbed, 1},
@@ -165,13 +174,15 @@ class Referee {
         }
     }
 
-    const Scene& scene_;
+    const RayScene& scene_;
     LeafPoints leaves_;
     BackwardLight backward_;
     const SeriesIllumination& light_;
     Layers layers_;
     Randomness randomness_;
-    double absorbed_;
+    //! Photons that leaves of each group absorb of a unit of irradiance by the
+    //! face that absorbs most, which the light at points is relative to.
+    std::vector<double> absorbed_;
     AssimilationTally empty_;
     std::vector<double> amount_;          //!< of each step [mol s umol-1]
     std::vector<LeafResponse> response_;  //!< [group][step]
@@ -183,14 +194,10 @@ class Referee {
 
 }  // namespace
 
-ExactAssimilation assimilate_exactly(
-    const Scene& scene, const Mesh& mesh, const Optics& optics,
-    const SeriesIllumination& light, const Photosynthesis& photosynthesis,
-    const std::vector<LeafRates>& rates, const Layers& layers,
-    const Accuracy& accuracy, const Randomness& randomness) {
-    return Referee(scene, mesh, optics, light, photosynthesis, rates, layers,
-                   randomness)
-        .result(accuracy);
+ExactAssimilation assimilate_exactly(const Mesh& mesh, const LitLeaves& lit,
+                                     const Accuracy& accuracy,
+                                     const Randomness& randomness) {
+    return Referee(mesh, lit, randomness).result(accuracy);
 }
 
 }  // namespace ideotype

@@ -12,7 +12,72 @@
 
 namespace ideotype {
 
+Cell cell_of(const FieldForm& form) {
+    Cell cell;
+    cell.boundary = form.boundary;
+    cell.period_x = form.rows * form.spacing.row;
+    cell.period_y = form.plants * form.spacing.plant;
+    cell.ground_area = cell.period_x * cell.period_y;
+    for (int row = 0; row < form.rows; ++row)
+        cell.rows.push_back((row + 0.5) * form.spacing.row);
+    cell.row_distance = form.spacing.row;
+    if (form.border_rows == 0) return cell;
+    if (form.rows <= 2 * form.border_rows ||
+        form.plants <= 2 * form.border_rows)
+        throw Error(
+            fmt::format("nothing is left of a plot of {} x {} plants "
+                        "with {} cut away on each side",
+                        form.rows, form.plants, form.border_rows));
+    const double x = form.border_rows * form.spacing.row;
+    const double y = form.border_rows * form.spacing.plant;
+    cell.kept = {x, y, cell.period_x - 2 * x, cell.period_y - 2 * y};
+    cell.ground_area = cell.kept->width * cell.kept->depth;
+    return cell;
+}
+
+std::vector<Place> places_of(const FieldForm& form,
+                             const std::vector<int>& rows) {
+    std::vector<Place> places;
+    for (int row = 0; row < form.rows; ++row) {
+        if (!rows.empty() &&
+            std::find(rows.begin(), rows.end(), row) == rows.end())
+            continue;
+        for (int plant = 0; plant < form.plants; ++plant)
+            places.push_back({(row + 0.5) * form.spacing.row,
+                              (plant + 0.5) * form.spacing.plant});
+    }
+    return places;
+}
+
+void set_places(Component& component, const FieldForm& form,
+                const std::vector<int>& rows) {
+    component.places = places_of(form, rows);
+    component.jitter = form.jitter;
+    component.variation = form.variation;
+    const double share = static_cast<double>(form.rows * form.plants) /
+                         static_cast<double>(component.places.size());
+    component.ground_per_plant = form.spacing.row * form.spacing.plant * share;
+}
+
+Component component_of(const Plant& plant, const FieldForm& form,
+                       const Tessellation& tessellation) {
+    Component component;
+    component.name = plant.name;
+    component.tessellation = tessellation;
+    set_plant(component, plant);
+    set_places(component, form);
+    return component;
+}
+
 namespace {
+
+//! Random numbers of a component that no other one has.
+RandomStream stream_of(const Randomness& randomness, Purpose purpose,
+                       std::uint32_t component) {
+    constexpr std::uint32_t apart = 1u << 24;
+    return {randomness.seed, purpose, randomness.generation,
+            randomness.first_randomisation + component * apart};
+}
 
 //! Puts a list into a random order.
 template <class Item>
@@ -22,7 +87,7 @@ void shuffle(std::vector<Item>& items, RandomStream& stream) {
                   items[stream.below(static_cast<std::uint32_t>(i + 1))]);
 }
 
-//! As many as this fraction of so many is on average, within one.
+//! Returns as many as this fraction of so many is on average, within one.
 std::size_t number_of(double fraction, std::size_t count,
                       RandomStream& stream) {
     return static_cast<std::size_t>(fraction * static_cast<double>(count) +
@@ -31,25 +96,25 @@ std::size_t number_of(double fraction, std::size_t count,
 
 }  // namespace
 
-std::vector<double> draw_plant_azimuths(const FieldForm& form,
-                                        const Randomness& randomness) {
-    RandomStream stream(randomness.seed, Purpose::jitter, randomness.generation,
-                        randomness.first_randomisation);
-    std::vector<double> turns(form.count());
-    const auto across = form.variation.across_row;
+std::vector<double> draw_plant_azimuths(const Component& component,
+                                        const Randomness& randomness,
+                                        std::uint32_t number) {
+    RandomStream stream = stream_of(randomness, Purpose::jitter, number);
+    std::vector<double> turns(component.places.size());
+    const auto across = component.variation.across_row;
     if (!across) {
         for (double& turn : turns)
-            turn = stream.uniform(-form.jitter, form.jitter);
+            turn = stream.uniform(-component.jitter, component.jitter);
         return turns;
     }
     // One turn in each of equal parts of both ranges.
-    const std::size_t number =
+    const std::size_t crossing =
         std::min(number_of(*across, turns.size(), stream), turns.size());
     for (std::size_t i = 0; i < turns.size(); ++i) {
-        const bool is_across = i < number;
+        const bool is_across = i < crossing;
         const auto parts =
-            static_cast<double>(is_across ? number : turns.size() - number);
-        const auto part = static_cast<double>(is_across ? i : i - number);
+            static_cast<double>(is_across ? crossing : turns.size() - crossing);
+        const auto part = static_cast<double>(is_across ? i : i - crossing);
         turns[i] =
             (is_across ? 0 : 90) - 45 + 90 * (part + stream.uniform()) / parts;
     }
@@ -75,18 +140,9 @@ void drop_unused_vertices(Mesh& mesh) {
         for (std::uint32_t& v : face) v = place[v];
 }
 
-//! Keeps the faces whose centre is above the ground of the inner plants.
-void remove_border(Field& field, const FieldForm& form) {
-    const double x = form.border_rows * form.spacing.row;
-    const double y = form.border_rows * form.spacing.plant;
-    const double width = field.period_x - 2 * x;
-    const double depth = field.period_y - 2 * y;
-    if (form.rows <= 2 * form.border_rows ||
-        form.plants <= 2 * form.border_rows)
-        throw Error(
-            fmt::format("nothing is left of a plot of {} x {} plants "
-                        "with {} cut away on each side",
-                        form.rows, form.plants, form.border_rows));
+//! Keeps the faces whose centre is above the ground that is kept.
+void cut_border(Field& field) {
+    const auto [x, y, width, depth] = *field.cell.kept;
     Mesh& mesh = field.mesh;
     std::size_t kept = 0;
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
@@ -104,83 +160,21 @@ void remove_border(Field& field, const FieldForm& form) {
     mesh.face_group.resize(kept);
     field.face_plant.resize(kept);
     drop_unused_vertices(mesh);
-    field.ground_area = width * depth;
 }
-
-}  // namespace
-
-Field build_field(std::span<const Mesh> plants, const FieldForm& form,
-                  const std::vector<double>& turns) {
-    const std::size_t count = form.count();
-    if (turns.size() != count)
-        throw Error(
-            fmt::format("a field of {} plants needs as many turns, not {}",
-                        count, turns.size()));
-    Field field;
-    field.boundary = form.boundary;
-    field.period_x = form.rows * form.spacing.row;
-    field.period_y = form.plants * form.spacing.plant;
-    field.ground_area = field.period_x * field.period_y;
-    Mesh& mesh = field.mesh;
-    mesh.groups = plants.front().groups;
-    mesh.vertices.reserve(count * plants.front().vertices.size());
-    mesh.faces.reserve(count * plants.front().faces.size());
-    mesh.face_group.reserve(count * plants.front().faces.size());
-    field.face_plant.reserve(count * plants.front().faces.size());
-    std::uint32_t present = 0;
-    for (std::size_t p = 0; p < count; ++p) {
-        const Mesh& plant = plants.size() == 1 ? plants.front() : plants[p];
-        if (plant.faces.empty()) continue;
-        const auto per_row = static_cast<std::size_t>(form.plants);
-        const std::size_t row = p / per_row;
-        const std::size_t place = p % per_row;
-        const double x = (static_cast<double>(row) + 0.5) * form.spacing.row;
-        const double y =
-            (static_cast<double>(place) + 0.5) * form.spacing.plant;
-        const double sine = std::sin(turns[p] * degree);
-        const double cosine = std::cos(turns[p] * degree);
-        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-        for (const glm::dvec3& v : plant.vertices)
-            mesh.vertices.push_back({x + v.x * cosine + v.y * sine,
-                                     y + v.y * cosine - v.x * sine, v.z});
-        for (const auto& face : plant.faces)
-            mesh.faces.push_back({first + face[0], first + face[1],
-                                  first + face[2], first + face[3]});
-        mesh.face_group.insert(mesh.face_group.end(), plant.face_group.begin(),
-                               plant.face_group.end());
-        field.face_plant.insert(field.face_plant.end(), plant.faces.size(),
-                                present++);
-    }
-    if (form.border_rows > 0) remove_border(field, form);
-    return field;
-}
-
-Field build_field(const Mesh& plant, const FieldForm& form,
-                  const std::vector<double>& turns) {
-    return build_field(std::span(&plant, 1), form, turns);
-}
-
-Field draw_field(const Mesh& plant, const FieldForm& form,
-                 const Randomness& randomness) {
-    return build_field(plant, form, draw_plant_azimuths(form, randomness));
-}
-
-namespace {
 
 enum class Emergence { usual, late, none };
 
-//! A fraction of the places of a field is without a plant, and another one has
-//! a late plant. The numbers of both differ from these fractions by less than
-//! one, and are right on average.
-std::vector<Emergence> draw_emergence(const FieldForm& form,
+//! Draws which places are without a plant and which have a late one. The
+//! numbers of both differ from the fractions of the variation by less than one,
+//! and are right on average.
+std::vector<Emergence> draw_emergence(const Component& component,
                                       RandomStream& stream) {
-    const std::size_t missing =
-        std::min(number_of(form.variation.missing, form.count(), stream),
-                 form.count() - 1);
-    const std::size_t late =
-        std::min(number_of(form.variation.late, form.count(), stream),
-                 form.count() - missing);
-    std::vector<Emergence> places(form.count(), Emergence::usual);
+    const std::size_t count = component.places.size();
+    const std::size_t missing = std::min(
+        number_of(component.variation.missing, count, stream), count - 1);
+    const std::size_t late = std::min(
+        number_of(component.variation.late, count, stream), count - missing);
+    std::vector<Emergence> places(count, Emergence::usual);
     std::fill_n(places.begin(), missing, Emergence::none);
     std::fill_n(places.begin() + static_cast<std::ptrdiff_t>(missing), late,
                 Emergence::late);
@@ -188,40 +182,123 @@ std::vector<Emergence> draw_emergence(const FieldForm& form,
     return places;
 }
 
-}  // namespace
-
-Field draw_field(const Plant& plant, const Mesh& mesh,
-                 const Tessellation& tessellation, const FieldForm& form,
-                 const Randomness& randomness) {
-    const PlantVariation& variation = form.variation;
-    if (!variation.is_any()) return draw_field(mesh, form, randomness);
-    RandomStream stream(randomness.seed, Purpose::variation,
-                        randomness.generation, randomness.first_randomisation);
-    const std::vector<Emergence> places = draw_emergence(form, stream);
+//! Draws the plants of a component, place by place; those that are missing have
+//! no faces.
+//! @param line mesh of a plant that does not deviate
+std::vector<Mesh> draw_plants(const Component& component, const Mesh& line,
+                              const Randomness& randomness,
+                              std::uint32_t number) {
+    const PlantVariation& variation = component.variation;
+    RandomStream stream = stream_of(randomness, Purpose::variation, number);
+    const std::vector<Emergence> places = draw_emergence(component, stream);
     // Plants of the second half deviate as those of the first half, but to the
     // other side: what is linear in deviations has no noise then.
     std::vector<RandomStream> pairs;
-    std::vector<Mesh> plants;
-    plants.reserve(form.count());
+    std::vector<Mesh> plants(places.size());
     for (std::size_t p = 0; p < places.size(); ++p) {
         const Emergence emergence = places[p];
         const std::size_t half = (places.size() + 1) / 2;
         if (p < half) pairs.push_back(stream);
-        Plant one = p < half ? deviating(plant, variation, stream)
-                             : deviating(plant, variation, pairs[p - half], -1);
-        plants.emplace_back();
-        Mesh& built = plants.back();
-        if (emergence != Emergence::none) {
-            if (emergence == Emergence::late)
-                one = scaled(std::move(one), variation.late_size);
-            built = build_plant(one, tessellation);
-            if (built.faces.size() != mesh.faces.size())
-                throw Error("a plant has other faces than its line");
-            built.face_group = mesh.face_group;
-        }
-        built.groups = mesh.groups;
+        Plant one = p < half ? deviating(*component.plant, variation, stream)
+                             : deviating(*component.plant, variation,
+                                         pairs[p - half], -1);
+        if (emergence == Emergence::none) continue;
+        if (emergence == Emergence::late)
+            one = scaled(std::move(one), variation.late_size);
+        plants[p] = build_plant(one, component.tessellation);
+        if (plants[p].faces.size() != line.faces.size())
+            throw Error("a plant has other faces than its line");
+        plants[p].face_group = line.face_group;
     }
-    return build_field(plants, form, draw_plant_azimuths(form, randomness));
+    return plants;
+}
+
+//! Adds a turned plant.
+//! @param first_group of its component
+void add_plant(Field& field, const Mesh& plant, const Place& place, double turn,
+               std::uint32_t first_group, std::uint32_t number) {
+    const double sine = std::sin(turn * degree);
+    const double cosine = std::cos(turn * degree);
+    Mesh& mesh = field.mesh;
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const glm::dvec3& v : plant.vertices)
+        mesh.vertices.push_back({place.x + v.x * cosine + v.y * sine,
+                                 place.y + v.y * cosine - v.x * sine, v.z});
+    for (const auto& face : plant.faces)
+        mesh.faces.push_back({first + face[0], first + face[1], first + face[2],
+                              first + face[3]});
+    for (const std::uint32_t group : plant.face_group)
+        mesh.face_group.push_back(first_group + group);
+    field.face_plant.insert(field.face_plant.end(), plant.faces.size(), number);
+}
+
+void reserve(Field& field, const Scene& scene) {
+    std::size_t vertices = 0, faces = 0;
+    for (const Component& each : scene.components) {
+        vertices += each.places.size() * each.mesh.vertices.size();
+        faces += each.places.size() * each.mesh.faces.size();
+    }
+    field.mesh.vertices.reserve(vertices);
+    field.mesh.faces.reserve(faces);
+    field.mesh.face_group.reserve(faces);
+    field.face_plant.reserve(faces);
+}
+
+}  // namespace
+
+Field draw_field(const Scene& scene, const Randomness& randomness,
+                 std::span<const Mesh> lines) {
+    Field field;
+    field.cell = scene.cell;
+    field.mesh.groups = groups_of(scene, lines);
+    reserve(field, scene);
+    std::uint32_t present = 0, first_group = 0, number = 0;
+    for (const Component& component : scene.components) {
+        const Mesh& line = lines.empty() ? component.mesh : lines[number];
+        field.first_plant.push_back(present);
+        const std::vector<double> turns =
+            draw_plant_azimuths(component, randomness, number);
+        std::vector<Mesh> plants;
+        if (component.variation.is_any())
+            plants = draw_plants(component, line, randomness, number);
+        for (std::size_t p = 0; p < component.places.size(); ++p) {
+            const Mesh& plant = plants.empty() ? line : plants[p];
+            if (plant.faces.empty()) continue;
+            add_plant(field, plant, component.places[p], turns[p], first_group,
+                      present++);
+        }
+        first_group += static_cast<std::uint32_t>(line.groups.size());
+        ++number;
+    }
+    field.first_plant.push_back(present);
+    for (const FixedObject& object : scene.objects) {
+        add_plant(field, object.mesh, {}, 0, first_group, present);
+        first_group += static_cast<std::uint32_t>(object.mesh.groups.size());
+    }
+    if (field.cell.kept) cut_border(field);
+    return field;
+}
+
+Scene as_drawn(Scene scene, const Field& field) {
+    std::uint32_t first_group = 0;
+    for (std::uint32_t c = 0; c < scene.components.size(); ++c) {
+        Component& component = scene.components[c];
+        Mesh mesh;
+        mesh.groups = std::move(component.mesh.groups);
+        mesh.vertices = field.mesh.vertices;
+        for (std::size_t f = 0; f < field.mesh.faces.size(); ++f) {
+            if (field.face_plant[f] < field.first_plant[c] ||
+                field.face_plant[f] >= field.first_plant[c + 1])
+                continue;
+            mesh.faces.push_back(field.mesh.faces[f]);
+            mesh.face_group.push_back(field.mesh.face_group[f] - first_group);
+        }
+        first_group += static_cast<std::uint32_t>(mesh.groups.size());
+        drop_unused_vertices(mesh);
+        component = {.name = component.name, .mesh = std::move(mesh)};
+    }
+    scene.cell.kept.reset();
+    return scene;
 }
 
 }  // namespace ideotype

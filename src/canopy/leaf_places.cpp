@@ -8,7 +8,7 @@
 
 namespace ideotype {
 
-LeafPlaces::LeafPlaces(const Pieces& pieces, double ground_area, bool is_each)
+LeafPlaces::LeafPlaces(const Pieces& pieces, const LitLeaves& lit, bool is_each)
     : of(pieces.count) {
     for (std::uint32_t v = 0; v < pieces.count; ++v) {
         if (is_each || pieces.like[v] == v) {
@@ -16,10 +16,12 @@ LeafPlaces::LeafPlaces(const Pieces& pieces, double ground_area, bool is_each)
             index.push_back(0);
             group.push_back(pieces.group[v]);
             height.push_back(pieces.height[v]);
+            absorptance.push_back(
+                lit.par.optics.of(lit.groups[v].material).most_absorbed());
         } else {
             of[v] = of[pieces.like[v]];
         }
-        const double of_piece = pieces.area[v] / ground_area;
+        const double of_piece = pieces.area[v] / lit.scene.ground_area();
         index[of[v]] += of_piece;
         per_index.push_back(of_piece > 0 ? 1 / of_piece : 0);
     }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "ideotype/canopy/assimilation.hpp"
 #include "ideotype/canopy/pieces.hpp"
 #include "ideotype/light/tally.hpp"
 
@@ -13,7 +14,7 @@ namespace ideotype {
 //! are the same part of plants that are alike.
 struct LeafPlaces {
     //! @param is_each whether each piece is a place of its own
-    LeafPlaces(const Pieces& pieces, double ground_area, bool is_each);
+    LeafPlaces(const Pieces& pieces, const LitLeaves& lit, bool is_each);
 
     std::size_t count() const { return index.size(); }
     std::size_t pieces() const { return of.size(); }
@@ -23,6 +24,8 @@ struct LeafPlaces {
     std::vector<double> index;         //!< leaf area index, of places
     std::vector<std::uint32_t> group;  //!< of places, each in a run
     std::vector<double> height;        //!< of places [m]
+    //! Of places: the part of light that the face that absorbs most absorbs.
+    std::vector<double> absorptance;
 };
 
 //! Diffuse light of one source [J m-2 of ground].

@@ -26,6 +26,7 @@ void add(std::vector<double>& classes, double ppfd, double area) {
 struct Hit {
     std::uint32_t place;
     double cosine;
+    double absorptance;
     std::vector<double> area;  //!< all, and without each [m2 m-2]
 };
 
@@ -42,18 +43,15 @@ std::vector<double> all_and_without(const std::vector<double>& values) {
 
 class Classification {
   public:
-    Classification(const std::vector<Tally>& tallies, const Scene& scene,
-                   const Pieces& pieces, const SeriesIllumination& light,
-                   double absorptance, double photons)
+    Classification(const std::vector<Tally>& tallies, const Pieces& pieces,
+                   const LitLeaves& lit)
         : tallies_(tallies),
-          scene_(scene),
-          light_(light),
-          absorptance_(absorptance),
-          photons_(photons),
-          places_(pieces, scene.ground_area(), tallies.size() == 1),
+          lit_leaves_(lit),
+          light_(lit.par.light),
+          places_(pieces, lit, tallies.size() == 1),
           expectation_(places_, tallies),
           classes_(tallies.size() + 1, LightClasses(ppfd_classes)) {
-        for (std::size_t s = 0; s < light.light.sources.size(); ++s)
+        for (std::size_t s = 0; s < light_.light.sources.size(); ++s)
             diffuse_.push_back(diffuse_of(static_cast<int>(s)));
     }
 
@@ -93,19 +91,24 @@ class Classification {
         const auto s = static_cast<std::size_t>(beam);
         const Source& source = light_.light.sources[s];
         if (!source.direction) return hits;
-        std::vector<std::size_t> number(scene_.surfaces().normals.size());
+        const RayScene& scene = lit_leaves_.scene;
+        std::vector<std::size_t> number(scene.surfaces().normals.size());
         for (std::size_t r = 0; r < tallies_.size(); ++r)
             for (const auto& [t, energy] : tallies_[r].leaf_light[s].beam) {
-                const double cosine = beam_cosine(scene_, t, *source.direction);
+                const double cosine = beam_cosine(scene, t, *source.direction);
                 if (!(cosine > 0)) continue;
                 if (number[t] == 0) {
                     hits.push_back(
-                        {places_.of[scene_.surfaces().face_group[t / 2]],
-                         cosine, std::vector<double>(tallies_.size())});
+                        {places_.of[scene.surfaces().face_group[t / 2]], cosine,
+                         beam_absorptance(scene, lit_leaves_.groups,
+                                          lit_leaves_.par.optics, t,
+                                          *source.direction),
+                         std::vector<double>(tallies_.size())});
                     number[t] = hits.size();
                 }
-                hits[number[t] - 1].area[r] +=
-                    energy / (source.energy * absorptance_ * cosine);
+                Hit& hit = hits[number[t] - 1];
+                hit.area[r] +=
+                    energy / (source.energy * hit.absorptance * cosine);
             }
         for (Hit& hit : hits) hit.area = all_and_without(hit.area);
         return hits;
@@ -113,14 +116,13 @@ class Classification {
 
     void add_step(std::size_t i, double weight, const std::vector<Hit>& hits) {
         const Irradiance& par = light_.series.steps[i].par;
-        const double on_leaf = absorptance_ * par.beam * photons_;
         for (std::size_t r = 0; r < classes_.size(); ++r) {
             std::vector<double> shaded(places_.count());
             const auto add_source = [&](int source, double irradiance) {
                 if (source < 0) return;
                 const auto s = static_cast<std::size_t>(source);
-                const double scale =
-                    irradiance * photons_ / light_.light.sources[s].energy;
+                const double scale = irradiance * lit_leaves_.photons /
+                                     light_.light.sources[s].energy;
                 for (std::size_t p = 0; p < shaded.size(); ++p)
                     shaded[p] += scale * diffuse_[s][r][p];
             };
@@ -132,7 +134,9 @@ class Classification {
             for (const Hit& hit : hits) {
                 const double area = weight * hit.area[r];
                 add(classes.shaded, shaded[hit.place], -area);
-                add(classes.sunlit, shaded[hit.place] + on_leaf * hit.cosine,
+                add(classes.sunlit,
+                    shaded[hit.place] + hit.absorptance * par.beam *
+                                            lit_leaves_.photons * hit.cosine,
                     area);
             }
         }
@@ -158,9 +162,8 @@ class Classification {
     }
 
     const std::vector<Tally>& tallies_;
-    const Scene& scene_;
+    const LitLeaves& lit_leaves_;
     const SeriesIllumination& light_;
-    double absorptance_, photons_;
     LeafPlaces places_;
     ExpectedLight expectation_;
     //! [source][all and without each][place]
@@ -170,11 +173,10 @@ class Classification {
 
 }  // namespace
 
-std::vector<LightClasses> leaf_area_by_light(
-    const std::vector<Tally>& tallies, const Scene& scene, const Pieces& pieces,
-    const SeriesIllumination& light, double absorptance, double photons) {
-    return Classification(tallies, scene, pieces, light, absorptance, photons)
-        .result();
+std::vector<LightClasses> leaf_area_by_light(const std::vector<Tally>& tallies,
+                                             const Pieces& pieces,
+                                             const LitLeaves& lit) {
+    return Classification(tallies, pieces, lit).result();
 }
 
 LightClassReport report(const std::vector<LightClasses>& replicates) {

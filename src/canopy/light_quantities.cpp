@@ -11,7 +11,6 @@ namespace {
 
 using Values = std::vector<Estimate>;
 
-constexpr auto daily = "MJ m-2 day-1";
 constexpr Certainty exact = Certainty::exact;
 
 Values to_mj(Values joules) {
@@ -19,12 +18,12 @@ Values to_mj(Values joules) {
     return joules;
 }
 
-//! Part of the light of a mean day.
+//! Returns a part of the light of a mean day.
 Randomised part_of_light(const CanopyReport& report,
                          Estimate BudgetEstimate::*part,
                          double (*of)(const Budget&)) {
-    Randomised result{report.light.day.*part, {}};
-    for (const Budget& budget : report.budget_by_randomisation)
+    Randomised result{report.par().light.day.*part, {}};
+    for (const Budget& budget : report.par().budget_by_randomisation)
         result.by_randomisation.push_back(of(budget));
     return result;
 }
@@ -34,11 +33,11 @@ Randomised absorbed_by_leaves(const CanopyReport& report) {
                          [](const Budget& day) { return day.leaves; });
 }
 
-//! Of the incident light; nothing of nothing is nothing.
+//! Takes a part of the incident light; nothing of nothing is nothing.
 TakeNumber fraction(Estimate BudgetEstimate::*part,
                     double (*of)(const Budget&)) {
     return [=](const CanopyReport& report) {
-        const double incident = report.light.day.incident;
+        const double incident = report.par().light.day.incident;
         return scaled(part_of_light(report, part, of),
                       incident > 0 ? 1 / incident : 0);
     };
@@ -66,18 +65,25 @@ std::optional<Randomised> extinction_coefficient(const CanopyReport& report) {
     return result;
 }
 
-//! All leaves, then each of organ_names() of the plant.
+//! Returns the light of the leaves of each component, each followed by that of
+//! its other organs.
 Values by_organ(const CanopyReport& report) {
-    Values organs{report.light.day.leaves};
-    for (std::size_t g = 0; g < report.groups.size(); ++g)
-        if (report.groups[g].tissue != Tissue::leaf)
-            organs.push_back(report.light.groups[g]);
+    const BandReport& par = report.par();
+    Values organs;
+    for (std::uint32_t c = 0; c < report.components.size(); ++c) {
+        organs.push_back(par.parts.empty() ? par.light.day.leaves
+                                           : par.parts[c].leaves);
+        for (std::size_t g = 0; g < report.groups.size(); ++g)
+            if (const SurfaceId& id = report.groups[g].id;
+                id.component == c && !id.is_leaf())
+                organs.push_back(par.light.groups[g]);
+    }
     return organs;
 }
 
 Values by_hour(const CanopyReport& report) {
     Values hours;
-    for (const StepReport& step : report.light.steps)
+    for (const StepReport& step : report.par().light.steps)
         hours.push_back(step.budget.leaves);
     return hours;
 }
@@ -99,7 +105,7 @@ std::vector<Declaration> light_quantities() {
          }},
         {{"incident", daily, "PAR on level ground above the canopy", {}, exact},
          [](const Report& r) {
-             return scaled(certain(r, r.light.day.incident),
+             return scaled(certain(r, r.par().light.day.incident),
                            1 / joule_per_megajoule);
          }},
         {{"absorbed_fraction", "1",
@@ -129,7 +135,9 @@ std::vector<Declaration> light_quantities() {
           "light that entered",
           {},
           exact},
-         [](const Report& r) { return certain(r, r.light.balance_error); },
+         [](const Report& r) {
+             return certain(r, r.par().light.balance_error);
+         },
          true},
         {{"paths", "1", "paths of light in all randomisations", {}, exact},
          [](const Report& r) {
@@ -153,9 +161,9 @@ std::vector<Declaration> light_quantities() {
          [](const Report& r) { return certain(r, r.plant_area_index); }},
         {{"absorbed_by_leaf", daily, "PAR that each leaf absorbs", {"leaf"}},
          [](const Report& r) {
-             return of_leaves(
-                 r, randomised(r.light.groups, r.groups_by_randomisation,
-                               1 / joule_per_megajoule));
+             return of_leaves(r, randomised(r.par().light.groups,
+                                            r.par().groups_by_randomisation,
+                                            1 / joule_per_megajoule));
          }},
         {{"absorbed_by_organ",
           daily,
@@ -167,7 +175,8 @@ std::vector<Declaration> light_quantities() {
           "PAR that leaves in each layer absorb",
           {"layer"}},
          [](const Report& r) {
-             return randomised(r.light.layers, r.layers_by_randomisation,
+             return randomised(r.par().light.layers,
+                               r.par().layers_by_randomisation,
                                1 / joule_per_megajoule);
          }},
         {{"absorbed_by_source",
@@ -175,7 +184,7 @@ std::vector<Declaration> light_quantities() {
           "PAR that leaves absorb, by where it came from at last",
           {"light_source"}},
          [](const Report& r) {
-             const BudgetEstimate& day = r.light.day;
+             const BudgetEstimate& day = r.par().light.day;
              return to_mj(
                  {day.leaves_beam, day.leaves_sky, day.leaves_scattered});
          }},
@@ -184,7 +193,7 @@ std::vector<Declaration> light_quantities() {
           "PAR that each side of leaves absorbs",
           {"leaf_side"}},
          [](const Report& r) {
-             return to_mj({r.light.adaxial, r.light.abaxial});
+             return to_mj({r.par().light.adaxial, r.par().light.abaxial});
          }},
         {{"absorbed_by_hour",
           "W m-2",
@@ -195,7 +204,7 @@ std::vector<Declaration> light_quantities() {
           daily,
           "PAR that leaves absorb on each day",
           {"day"}},
-         [](const Report& r) { return to_mj(r.light.dates); }},
+         [](const Report& r) { return to_mj(r.par().light.dates); }},
     };
 }
 

@@ -43,9 +43,9 @@ SkyLight::SkyLight(const std::vector<Tally>& tallies, int number,
         }
 }
 
-PairLight::PairLight(const std::vector<Tally>& tallies, const Scene& scene,
-                     const Illumination& light, const LeafPlaces& places,
-                     const ExpectedLight& expectation, int beam, SkyLight& sky)
+PairLight::PairLight(const std::vector<Tally>& tallies, const LitLeaves& lit,
+                     const LeafPlaces& places, const ExpectedLight& expectation,
+                     int beam, SkyLight& sky)
     : tallies_(tallies),
       n_(static_cast<double>(tallies.size())),
       places_(places),
@@ -57,7 +57,7 @@ PairLight::PairLight(const std::vector<Tally>& tallies, const Scene& scene,
       differ_(places.pieces()) {
     compare();
     if (beam < 0) return;
-    find_hits(scene, light.sources[static_cast<std::size_t>(beam)]);
+    find_hits(lit, lit.par.light.light.sources[static_cast<std::size_t>(beam)]);
     sort_hits();
 }
 
@@ -96,8 +96,8 @@ void PairLight::compare() {
     }
 }
 
-void PairLight::find_hits(const Scene& scene, const Source& source) {
-    const Surfaces& all = scene.surfaces();
+void PairLight::find_hits(const LitLeaves& lit, const Source& source) {
+    const Surfaces& all = lit.scene.surfaces();
     const glm::dvec3 direction = *source.direction;
     hit_.resize(all.normals.size());
     std::vector<double> sun(places_.pieces());
@@ -106,8 +106,13 @@ void PairLight::find_hits(const Scene& scene, const Source& source) {
         for (const auto& [t, energy] :
              tallies_[r].leaf_light[static_cast<std::size_t>(beam_)].beam) {
             if (hit_[t] == 0) {
+                const std::uint32_t v = all.face_group[t / 2];
+                const double relative =
+                    beam_absorptance(lit.scene, lit.groups, lit.par.optics, t,
+                                     direction) /
+                    places_.absorptance[places_.of[v]];
                 hits_.push_back(
-                    {all.face_group[t / 2], beam_cosine(scene, t, direction)});
+                    {v, relative * beam_cosine(lit.scene, t, direction)});
                 hit_[t] = static_cast<std::uint32_t>(hits_.size());
             }
             Hit& hit = hits_[hit_[t] - 1];

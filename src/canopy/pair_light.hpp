@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ideotype/light/illumination.hpp"
-#include "ideotype/light/scene.hpp"
+#include "ideotype/light/ray_scene.hpp"
 #include "leaf_places.hpp"
 
 namespace ideotype {
@@ -43,7 +43,8 @@ struct SkyLight {
 class PairLight {
   public:
     //! Hits of beams at one place that have about the same cosine: beam on the
-    //! leaf over that on level ground.
+    //! leaf over that on level ground, as the face that absorbs most of the
+    //! leaf's would have to have to absorb as much.
     struct Bin {
         std::uint32_t place = 0;
         double cosine = 0;
@@ -51,9 +52,9 @@ class PairLight {
     };
 
     //! @param beam source; -1: none
-    PairLight(const std::vector<Tally>& tallies, const Scene& scene,
-              const Illumination& light, const LeafPlaces& places,
-              const ExpectedLight& expectation, int beam, SkyLight& sky);
+    PairLight(const std::vector<Tally>& tallies, const LitLeaves& lit,
+              const LeafPlaces& places, const ExpectedLight& expectation,
+              int beam, SkyLight& sky);
 
     const std::vector<double>& expected() const { return expected_; }
     const std::vector<Moments>& moments() const { return moments_; }
@@ -82,7 +83,7 @@ class PairLight {
 
     double product(double x, double y, double sum) const;
     void compare();
-    void find_hits(const Scene& scene, const Source& source);
+    void find_hits(const LitLeaves& lit, const Source& source);
     void sort_hits();
     void add(const Hit& hit, Bin& bin) const;
     std::vector<Moments> weights_of_pieces(const std::vector<Moments>& weights);

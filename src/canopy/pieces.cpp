@@ -38,33 +38,31 @@ class Joined {
 };
 
 bool is_leaf(const Mesh& mesh, std::uint32_t face) {
-    return mesh.groups[mesh.face_group[face]].tissue == Tissue::leaf;
+    return mesh.groups[mesh.face_group[face]].id.is_leaf();
 }
 
 //! The faces of each blade, in the order of groups and first faces.
-std::vector<Faces> blades(const Mesh& mesh, const Faces& whole) {
+std::vector<Faces> blades(const Mesh& mesh) {
     // Corners by what they are of and where they are.
-    using Corner = std::tuple<std::uint32_t, std::uint32_t, double, double,
-                              double, std::uint32_t>;
+    using Corner =
+        std::tuple<std::uint32_t, double, double, double, std::uint32_t>;
     std::vector<Corner> corners;
     for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
         if (!is_leaf(mesh, f)) continue;
         for (const std::uint32_t v : mesh.faces[f]) {
             const glm::dvec3& p = mesh.vertices[v];
-            corners.emplace_back(mesh.face_group[f],
-                                 whole.empty() ? 0 : whole[f], p.x, p.y, p.z,
-                                 f);
+            corners.emplace_back(mesh.face_group[f], p.x, p.y, p.z, f);
         }
     }
     std::sort(corners.begin(), corners.end());
     const auto place = [](const Corner& c) {
         return std::tie(std::get<0>(c), std::get<1>(c), std::get<2>(c),
-                        std::get<3>(c), std::get<4>(c));
+                        std::get<3>(c));
     };
     Joined joined(mesh.faces.size());
     for (std::size_t i = 1; i < corners.size(); ++i)
         if (place(corners[i - 1]) == place(corners[i]))
-            joined.join(std::get<5>(corners[i - 1]), std::get<5>(corners[i]));
+            joined.join(std::get<4>(corners[i - 1]), std::get<4>(corners[i]));
 
     std::vector<std::pair<std::uint32_t, std::uint32_t>> order;
     for (std::uint32_t f = 0; f < mesh.faces.size(); ++f)
@@ -88,6 +86,7 @@ class Cutter {
     explicit Cutter(const Mesh& mesh) : areas_(face_areas(mesh)) {
         result_.mesh = mesh;
         result_.mesh.groups.clear();
+        result_.uncut_groups = mesh.groups.size();
         centres_.reserve(mesh.faces.size());
         for (const auto& face : mesh.faces) {
             glm::dvec3 sum(0);
@@ -171,53 +170,107 @@ class Cutter {
 
 }  // namespace
 
-Pieces cut_leaves(const Mesh& mesh, const std::vector<std::uint32_t>& whole,
-                  std::size_t per_blade) {
+Pieces cut_leaves(const Mesh& mesh, std::size_t per_blade) {
     // Pieces of very fine meshes may be small too.
     constexpr std::size_t faces_of_piece = 16;
     Cutter cutter(mesh);
-    for (Faces& blade : blades(mesh, whole))
+    for (Faces& blade : blades(mesh))
         cutter.cut(mesh, blade.data(), blade.data() + blade.size(),
                    std::max(per_blade, blade.size() / faces_of_piece));
     return cutter.result(mesh);
 }
 
-Pieces pieces_of_field(const Pieces& plant, Mesh field,
-                       const std::vector<std::uint32_t>& face_plant) {
-    const std::vector<double> areas = face_areas(field);
-    std::size_t plants = 0;
-    for (const std::uint32_t p : face_plant)
-        plants = std::max(plants, std::size_t{p} + 1);
-    const auto count = static_cast<std::uint32_t>(plant.count);
-    const auto all = static_cast<std::uint32_t>(count * plants);
+Pieces uncut(const Mesh& mesh) {
+    Pieces pieces;
+    pieces.mesh = mesh;
+    pieces.uncut_groups = mesh.groups.size();
+    for (std::uint32_t g = 0; g < mesh.groups.size(); ++g)
+        pieces.group.push_back(g);
+    return pieces;
+}
+
+namespace {
+
+//! Where the groups of a component are in the field of pieces.
+struct Share {
+    std::uint32_t groups;    //!< the first of the field before
+    std::uint32_t cut_from;  //!< the first of the meshes that were cut
+    std::uint32_t pieces;    //!< the first piece
+    std::uint32_t first_plant;
+    std::uint32_t others = 0;  //!< the first that is not cut
+};
+
+}  // namespace
+
+Pieces pieces_of_field(std::span<const Pieces> lines, Field& field) {
+    const std::vector<double> areas = face_areas(field.mesh);
+    const std::vector<Group> groups = std::move(field.mesh.groups);
     Pieces result;
-    result.count = all;
-    const std::vector<Group> groups = std::move(field.groups);
-    field.groups.clear();
-    for (std::size_t p = 0; p < plants; ++p) {
-        field.groups.insert(field.groups.end(), groups.begin(),
-                            groups.begin() + count);
-        result.group.insert(result.group.end(), plant.group.begin(),
-                            plant.group.begin() + count);
+    Mesh& mesh = result.mesh;
+    mesh = std::move(field.mesh);
+    mesh.groups.clear();
+    // Up to the last that has not been cut away.
+    std::vector<std::uint32_t> plants(lines.size());
+    for (std::size_t f = 0, c = 0; f < field.face_plant.size(); ++f) {
+        while (c < lines.size() &&
+               field.face_plant[f] >= field.first_plant[c + 1])
+            ++c;
+        if (c == lines.size()) break;
+        plants[c] = field.face_plant[f] - field.first_plant[c] + 1;
     }
-    field.groups.insert(field.groups.end(), groups.begin() + count,
-                        groups.end());
-    result.group.insert(result.group.end(), plant.group.begin() + count,
-                        plant.group.end());
-    for (std::uint32_t v = 0; v < all; ++v) result.like.push_back(v % count);
-    result.area.resize(all);
-    result.height.resize(all);
-    for (std::size_t f = 0; f < field.faces.size(); ++f) {
-        std::uint32_t& group = field.face_group[f];
-        if (group >= count) {
-            group += all - count;
+    std::vector<Share> shares;
+    std::uint32_t first = 0, cut_from = 0;
+    for (std::size_t c = 0; c < lines.size(); ++c) {
+        const Pieces& line = lines[c];
+        const auto pieces = static_cast<std::uint32_t>(mesh.groups.size());
+        shares.push_back({first, cut_from, pieces, field.first_plant[c]});
+        const auto begin = groups.begin() + first;
+        for (std::uint32_t p = 0; p < plants[c]; ++p)
+            for (std::uint32_t v = 0; v < line.count; ++v) {
+                mesh.groups.push_back(begin[v]);
+                result.group.push_back(cut_from + line.group[v]);
+                result.like.push_back(pieces + v);
+            }
+        first += static_cast<std::uint32_t>(line.group.size());
+        cut_from += static_cast<std::uint32_t>(line.uncut_groups);
+    }
+    result.count = mesh.groups.size();
+    // What is not cut, also of fixed objects.
+    for (std::size_t c = 0; c < lines.size(); ++c) {
+        shares[c].others = static_cast<std::uint32_t>(mesh.groups.size());
+        for (std::size_t g = lines[c].count; g < lines[c].group.size(); ++g) {
+            mesh.groups.push_back(groups[shares[c].groups + g]);
+            result.group.push_back(shares[c].cut_from + lines[c].group[g]);
+        }
+    }
+    const std::uint32_t objects = first;
+    const auto all = static_cast<std::uint32_t>(mesh.groups.size());
+    for (std::size_t g = objects; g < groups.size(); ++g) {
+        mesh.groups.push_back(groups[g]);
+        result.group.push_back(cut_from++);
+    }
+    result.area.resize(result.count);
+    result.height.resize(result.count);
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        std::uint32_t& group = mesh.face_group[f];
+        if (group >= objects) {
+            group += all - objects;
             continue;
         }
-        result.height[face_plant[f] * count + group] = plant.height[group];
-        group += face_plant[f] * count;
+        std::size_t c = shares.size() - 1;
+        while (group < shares[c].groups) --c;
+        const Share& share = shares[c];
+        const auto count = static_cast<std::uint32_t>(lines[c].count);
+        const std::uint32_t of_line = group - share.groups;
+        if (of_line >= count) {
+            group = share.others + of_line - count;
+            continue;
+        }
+        group = share.pieces + of_line +
+                count * (field.face_plant[f] - share.first_plant);
+        result.height[group] = lines[c].height[of_line];
         result.area[group] += areas[f];
     }
-    result.mesh = std::move(field);
     return result;
 }
 

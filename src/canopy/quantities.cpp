@@ -21,21 +21,44 @@ const std::vector<Declaration>& all_of() {
     return all;
 }
 
-//! All that a report may have, in the order of their columns.
-std::vector<const Declaration*> declared(bool with_assimilation,
-                                         bool with_lines) {
+//! Returns all that a canopy of some scope has, in the order of columns.
+std::vector<const Declaration*> declared(const Scope& scope) {
     std::vector<const Declaration*> all;
     const auto add = [&](const std::vector<Declaration>& more) {
-        for (const Declaration& each : more) all.push_back(&each);
+        for (const Declaration& each : more)
+            if (!each.is_in || each.is_in(scope)) all.push_back(&each);
     };
     add(all_of<light_quantities>());
-    if (with_assimilation) add(all_of<assimilation_quantities>());
-    if (with_lines) add(all_of<line_quantities>());
+    if (scope.assimilates) add(all_of<assimilation_quantities>());
+    if (scope.has_lines) add(all_of<line_quantities>());
+    add(all_of<part_quantities>());
     return all;
 }
 
+//! A canopy that has every quantity.
+const Scope everything{2, {"par", "nir"}, true, true};
+
+Scope scope_of(const CanopyReport& report) {
+    Scope scope{report.components.size(),
+                {},
+                report.assimilation.has_value(),
+                report.lines.has_value()};
+    for (const BandReport& band : report.bands)
+        scope.bands.push_back(band.name);
+    return scope;
+}
+
+Scope scope_of(const Scene& scene, const Details& details) {
+    Scope scope{scene.components.size(),
+                {},
+                scene.assimilates(),
+                details.lines.has_value()};
+    for (const Band& band : scene.bands) scope.bands.push_back(band.name);
+    return scope;
+}
+
 std::vector<const Declaration*> declared(const CanopyReport& report) {
-    return declared(report.assimilation.has_value(), report.lines.has_value());
+    return declared(scope_of(report));
 }
 
 bool is_in(const std::vector<Declaration>& all, const std::string& quantity) {
@@ -44,9 +67,10 @@ bool is_in(const std::vector<Declaration>& all, const std::string& quantity) {
     });
 }
 
-//! The declaration of a quantity that any report may have; or null.
-const Declaration* find(const std::string& quantity) {
-    for (const Declaration* each : declared(true, true))
+//! Returns the declaration of a quantity that a canopy has; or null.
+const Declaration* find(const std::string& quantity,
+                        const Scope& scope = everything) {
+    for (const Declaration* each : declared(scope))
         if (each->quantity.name == quantity) return each;
     return nullptr;
 }
@@ -73,30 +97,79 @@ Axis day_axis(const LightSeries& series) {
 
 }  // namespace
 
-QuantitySet canopy_quantities(const Plant& plant, const Layers& layers,
-                              const LightSeries& series, Boundary boundary,
+namespace {
+
+using Names = std::vector<std::string>;
+
+//! The name of a part of a component, where there are several.
+std::string part_name(const Scene& scene, const Component& component,
+                      const std::string& part) {
+    return scene.components.size() == 1 ? part : component.name + '_' + part;
+}
+
+Axis leaf_axis(const Scene& scene) {
+    if (scene.components.size() == 1)
+        return counted("leaf", "leaf rank, 1 is the lowest",
+                       scene.components.front().plant->leaves.size(), 1);
+    Names names;
+    for (const Component& each : scene.components)
+        for (const Group& group : each.mesh.groups)
+            if (group.id.is_leaf())
+                names.push_back(part_name(scene, each, group.name));
+    return {"leaf", "", "component, and leaf rank, 01 is the lowest",
+            std::move(names)};
+}
+
+Axis organ_axis(const Scene& scene) {
+    Names names;
+    for (const Component& each : scene.components) {
+        names.push_back(part_name(scene, each, "leaves"));
+        for (const std::string& organ : organ_names(*each.plant))
+            names.push_back(part_name(scene, each, organ));
+    }
+    return {"organ", "", "leaves together, or another organ", std::move(names)};
+}
+
+//! Leaves out the axes that have a single place.
+Quantity without_short_axes(Quantity quantity, const Scene& scene) {
+    std::erase_if(quantity.axes, [&](const std::string& axis) {
+        return (axis == "component" && scene.components.size() == 1) ||
+               (axis == "band" && scene.bands.size() == 1);
+    });
+    return quantity;
+}
+
+}  // namespace
+
+QuantitySet canopy_quantities(const Scene& scene, const Layers& layers,
                               const Details& details) {
-    using Names = std::vector<std::string>;
+    const LightSeries& series = scene.light().series;
     QuantitySet set;
-    Names organs = organ_names(plant);
-    organs.insert(organs.begin(), "leaves");
-    set.axes = {
-        counted("leaf", "leaf rank, 1 is the lowest", plant.leaves.size(), 1),
-        {"organ", "", "leaves together, or another organ", std::move(organs)},
-        layer_axis(layers),
-        hour_axis(series),
-        {"light_source", "", "where light came from at last",
-         Names{"beam", "sky", "scattered"}},
-        {"leaf_side", "", "upper or lower side of leaves",
-         Names{"adaxial", "abaxial"}}};
+    set.axes = {leaf_axis(scene),
+                organ_axis(scene),
+                layer_axis(layers),
+                hour_axis(series),
+                {"light_source", "", "where light came from at last",
+                 Names{"beam", "sky", "scattered"}},
+                {"leaf_side", "", "upper or lower side of leaves",
+                 Names{"adaxial", "abaxial"}}};
     const bool has_days = series.days > 1;
     if (has_days) set.axes.push_back(day_axis(series));
-    for (const Declaration* each : declared(details.photosynthesis.has_value(),
-                                            details.lines.has_value()))
+    const Scope scope = scope_of(scene, details);
+    if (scope.components > 1) {
+        Names names;
+        for (const Component& each : scene.components)
+            names.push_back(each.name);
+        set.axes.push_back(
+            {"component", "", "kind of plant", std::move(names)});
+    }
+    if (scope.bands.size() > 1)
+        set.axes.push_back({"band", "", "waveband", scope.bands});
+    for (const Declaration* each : declared(scope))
         if ((has_days || each->quantity.axes != Names{"day"}) &&
-            (boundary == Boundary::periodic ||
+            (scene.cell.boundary == Boundary::periodic ||
              each->quantity.name != extinction))
-            set.quantities.push_back(each->quantity);
+            set.quantities.push_back(without_short_axes(each->quantity, scene));
     return set;
 }
 
@@ -128,7 +201,7 @@ std::vector<Measured> measure_numbers(const CanopyReport& report) {
 
 std::vector<std::string> objective_names() {
     std::vector<std::string> names;
-    for (const Declaration* each : declared(true, true))
+    for (const Declaration* each : declared(everything))
         if (each->quantity.axes.empty() && !each->is_of_method)
             names.push_back(each->quantity.name);
     return names;
@@ -142,6 +215,12 @@ bool is_of_lines(const std::string& quantity) {
     return is_in(all_of<line_quantities>(), quantity);
 }
 
+bool is_of_nir(const std::string& quantity) {
+    Scope par = everything;
+    par.bands = {"par"};
+    return find(quantity) && !find(quantity, par);
+}
+
 std::string unit_of(const std::string& quantity) {
     if (const Declaration* found = find(quantity)) return found->quantity.unit;
     throw std::out_of_range("no quantity " + quantity);
@@ -149,10 +228,7 @@ std::string unit_of(const std::string& quantity) {
 
 Randomised measure_objective(const std::string& name,
                              const CanopyReport& report) {
-    const bool is_missing =
-        (is_of_assimilation(name) && !report.assimilation) ||
-        (is_of_lines(name) && !report.lines);
-    const Declaration* found = is_missing ? nullptr : find(name);
+    const Declaration* found = find(name, scope_of(report));
     if (const auto* number =
             found ? std::get_if<TakeNumber>(&found->take) : nullptr)
         if (auto randomised = (*number)(report)) return *randomised;
@@ -161,11 +237,10 @@ Randomised measure_objective(const std::string& name,
 
 std::vector<Randomised> measure_profile(const std::string& name,
                                         const CanopyReport& report) {
-    const Declaration* found = find(name);
+    const Declaration* found = find(name, scope_of(report));
     const auto* profile =
         found ? std::get_if<TakeProfile>(&found->take) : nullptr;
-    if (!profile || (is_of_assimilation(name) && !report.assimilation))
-        throw Error("this canopy has no profile " + name);
+    if (!profile) throw Error("this canopy has no profile " + name);
     return (*profile)(report);
 }
 

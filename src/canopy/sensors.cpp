@@ -34,24 +34,22 @@ void add_instants(const SeriesIllumination& light,
 std::vector<std::vector<Estimate>> light_on_sensors(
     const CanopyRequest& request, const Device& device,
     std::span<const Sensor> sensors, int points) {
-    const auto* plant = std::get_if<Plant>(&request.stand);
+    const Scene& scene = request.scene;
+    const Cell& cell = scene.cell;
     const int fields = request.accuracy.randomisations;
-    if (!plant || fields < 2)
-        throw Error("sensors stand in two fields or more of plants");
-    const SeriesIllumination& light = request.scenario.light;
-    const FieldForm& form = request.scenario.field;
+    if (cell.rows.empty() || fields < 2)
+        throw Error("sensors stand in two fields or more of plants in rows");
+    const SeriesIllumination& light = scene.light();
     const std::size_t steps = light.series.steps.size();
-    const Mesh mesh = build_plant(*plant, request.tessellation);
     // [sensor, instant, field]
     std::vector found(sensors.size(),
                       std::vector(steps, std::vector<double>()));
     Randomness randomness = request.randomness;
     for (int f = 0; f < fields; ++f, ++randomness.first_randomisation) {
-        const Field field =
-            draw_field(*plant, mesh, request.tessellation, form, randomness);
-        const Scene scene = build_scene(device, field);
-        const BackwardLight backward(scene, field.mesh.groups,
-                                     request.scenario.optics,
+        const Field field = draw_field(scene, randomness);
+        const RayScene surfaces = build_scene(device, field);
+        const BackwardLight backward(surfaces, field.mesh.groups,
+                                     scene.bands.front().optics,
                                      light.light.sources);
         RandomStream random(randomness.seed, Purpose::backward,
                             randomness.generation,
@@ -59,17 +57,15 @@ std::vector<std::vector<Estimate>> light_on_sensors(
         for (std::size_t s = 0; s < sensors.size(); ++s) {
             std::vector<double> sums(steps);
             for (int i = 0; i < points; ++i) {
-                // A row stands half of the spacing inside of the field.
-                const double row =
-                    random.below(static_cast<std::uint32_t>(form.rows)) + 0.5;
+                const double row = cell.rows[random.below(
+                    static_cast<std::uint32_t>(cell.rows.size()))];
                 // Both sides of the row are alike, or their mean is wanted.
                 const double side = random.bits() % 2 == 0 ? 1 : -1;
-                const double across = random.uniform(0, form.spacing.row);
+                const double across = random.uniform(0, cell.row_distance);
                 const double position = sensors[s].position;
                 const glm::dvec3 place{
-                    row * form.spacing.row +
-                        side * (std::isnan(position) ? across : position),
-                    random.uniform(0, field.period_y), sensors[s].height};
+                    row + side * (std::isnan(position) ? across : position),
+                    random.uniform(0, cell.period_y), sensors[s].height};
                 std::vector<double> sources(light.light.sources.size());
                 backward.add_level(place, random, sources);
                 add_instants(light, sources, sums);

@@ -6,7 +6,7 @@
 
 #include "campaign_size.hpp"
 #include "history/history.hpp"
-#include "ideotype/light/scene.hpp"
+#include "ideotype/light/ray_scene.hpp"
 #include "json.hpp"
 #include "run/disk.hpp"
 #include "run/masters.hpp"
@@ -105,15 +105,13 @@ struct Findings {
 Findings look_at(const Campaign& campaign) {
     const std::vector<Case> all = cases(campaign);
     const Case& first = all.front();
-    const Scenario scenario = scenario_of(campaign, first);
+    const Scene scene = scene_of(campaign, first);
     const Mesh plant =
         build_plant(campaign.crop.baseline, campaign.tessellation);
-    const Field field =
-        draw_field(campaign.crop.baseline, plant, campaign.tessellation,
-                   scenario.field, randomness_of({}, campaign, first));
+    const Field field = draw_field(scene, randomness_of({}, campaign, first));
     const GeneSpace genes = gene_space(campaign, first);
     Findings found{plant,
-                   scenario.light.series,
+                   scene.light().series,
                    field,
                    stands_of(campaign, plant_area(plant).leaves),
                    CampaignCost(campaign, first),
@@ -121,9 +119,9 @@ Findings look_at(const Campaign& campaign) {
                    0,
                    genes.size(),
                    count_free(genes)};
-    found.excess = violation(campaign.constraints, campaign.crop.traits,
-                             campaign.crop.baseline,
-                             plant_area(field.mesh).leaves / field.ground_area);
+    found.excess = violation(
+        campaign.constraints, campaign.crop.traits, campaign.crop.baseline,
+        plant_area(field.mesh).leaves / field.cell.ground_area);
     return found;
 }
 
@@ -145,10 +143,10 @@ Json to_json(const CheckOptions& options, const Campaign& campaign,
             {"field",
              {{"rows", campaign.field.rows},
               {"plants_per_row", campaign.field.plants},
-              {"period_x_m", found.field.period_x},
-              {"period_y_m", found.field.period_y},
-              {"lai",
-               plant_area(found.field.mesh).leaves / found.field.ground_area},
+              {"period_x_m", found.field.cell.period_x},
+              {"period_y_m", found.field.cell.period_y},
+              {"lai", plant_area(found.field.mesh).leaves /
+                          found.field.cell.ground_area},
               {"lai_of_cases", found.stands.lai.json()},
               {"faces", found.field.mesh.faces.size()}}},
             {"light",

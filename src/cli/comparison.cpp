@@ -54,7 +54,7 @@ std::vector<ComparedCase> cases_of(const Campaign& campaign) {
                 first.push_back(
                     {scenario,
                      scenario.name.substr(0, scenario.name.rfind("_r")),
-                     scenario_of(campaign, scenario)});
+                     scene_of(campaign, scenario)});
     return first;
 }
 
@@ -96,11 +96,11 @@ std::vector<Figure> figures_of(const QuantitySet& measured,
 void choose_figures(Comparison& all) {
     const Case& first = all.cases.front().chosen;
     for (ComparedPlant& each : all.plants) {
-        each.figures =
-            figures_of(canopy_quantities(
-                           each.plant, all.layers, light_of(all.under, first),
-                           all.under.field.boundary, details_of(all.under)),
-                       aims(all.under));
+        Scene scene = all.cases.front().scene;
+        set_plant(scene.components.front(), each.plant);
+        each.figures = figures_of(
+            canopy_quantities(scene, all.layers, details_of(all.under)),
+            aims(all.under));
         for (const Figure& figure : each.figures)
             each.schema.objectives.push_back(
                 {figure.quantity.name, figure.quantity.unit});
@@ -170,7 +170,7 @@ Outcome evaluate(const Comparison& comparison, std::size_t plant,
     const Sampling sampling =
         sampling_in(comparison.under, in.chosen, comparison.tolerance);
     CanopyRequest request =
-        request_of(sampling, comparison.under, in.scenario, compared.plant);
+        request_of(sampling, comparison.under, in.scene, compared.plant);
     request.layers = comparison.layers;
     const CanopyReport report = evaluate(request, device);
     std::map<std::string, std::vector<Randomised>> profiles;

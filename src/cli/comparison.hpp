@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
-#include "ideotype/canopy/scenario.hpp"
+#include "ideotype/canopy/scene.hpp"
 #include "json.hpp"
 #include "search/outcome.hpp"
 #include "stand/stand.hpp"
@@ -38,7 +38,7 @@ struct ComparedPlant {
 struct ComparedCase {
     Case chosen;
     std::string name;
-    Scenario scenario;
+    Scene scene;
 };
 
 //! Plants in the light of cases.

@@ -27,7 +27,7 @@ void print_report(const CanopyReport& report, const Case& chosen,
     fmt::print("case {}, {:.0f} ms\n", chosen.name, seconds * 1e3);
     print_light(report, Span::day);
     fmt::print("\nleaves absorb {}\n",
-               format_daily(scaled(report.light.day.leaves, 1e-6)));
+               format_daily(scaled(report.par().light.day.leaves, 1e-6)));
 }
 
 bool same_bits(const std::vector<Estimate>& a, const std::vector<Estimate>& b) {
@@ -81,7 +81,7 @@ std::vector<Study> studies(const Task& task, const Campaign& campaign,
     for (const Case& each : scenarios(chosen)) {
         CanopyRequest request =
             request_of(sampling_of(task, campaign, each), campaign,
-                       scenario_of(campaign, each), plant);
+                       scene_of(campaign, each), plant);
         request.details.sunlit = true;
         const double began = now();
         CanopyReport report = evaluate(request, device);

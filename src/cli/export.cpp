@@ -52,22 +52,25 @@ std::vector<std::string> about(const std::string& title, const Case& chosen) {
 }
 
 std::string about_ground(const Field& field) {
-    if (field.boundary == Boundary::isolated)
+    const Cell& cell = field.cell;
+    if (cell.boundary == Boundary::isolated)
         return fmt::format("a plot alone; its plants have {:.6f} m2 of ground",
-                           field.ground_area);
+                           cell.ground_area);
     return fmt::format("repeats every {:.6f} m in x and {:.6f} m in y",
-                       field.period_x, field.period_y);
+                       cell.period_x, cell.period_y);
 }
 
-//! What the faces of a request's stand absorb as the row's evaluation draws
-//! it [J m-2 day-1].
+//! The PAR that faces of a request's first component absorb, or, as the row's
+//! evaluation draws it, of its field [J m-2 day-1].
 std::vector<Estimate> light_on_faces(CanopyRequest request, std::size_t faces,
                                      std::optional<int> paths,
                                      const std::string& isa) {
     request.details.faces = true;
     request.accuracy = paths ? Accuracy{*paths, request.accuracy.randomisations}
                              : face_accuracy(request.accuracy, faces);
-    return evaluate(request, Device(isa)).faces;
+    std::vector<Estimate> light = evaluate(request, Device(isa)).par().faces;
+    light.resize(faces);
+    return light;
 }
 
 //! The surfaces of a plant or its field, with the light on them or without.
@@ -75,20 +78,16 @@ void write_shape(const ExportOptions& options, const ChosenRow& row,
                  const std::string& title, bool is_lit, const Plant& grown) {
     CanopyRequest request =
         request_of(sampling_of(row.task, row.campaign, row.chosen),
-                   row.campaign, scenario_of(row.campaign, row.chosen), grown);
-    const Mesh plant = build_plant(grown, request.tessellation);
-    const Spacing& spacing = request.scenario.field.spacing;
-    Shape shape{
-        about(title, row.chosen), plant, {}, spacing.row * spacing.plant};
+                   row.campaign, scene_of(row.campaign, row.chosen), grown);
+    const Component& bred = request.scene.components.front();
+    Shape shape{about(title, row.chosen), bred.mesh, {}, bred.ground_per_plant};
     if (options.is_field) {
-        const Field field =
-            draw_field(grown, plant, request.tessellation,
-                       request.scenario.field, request.randomness);
+        const Field field = draw_field(request.scene, request.randomness);
         shape.about.push_back(about_ground(field));
         shape.mesh = field.mesh;
         shape.face_plant = field.face_plant;
-        shape.ground_area = field.ground_area;
-        request.stand = field;
+        shape.ground_area = field.cell.ground_area;
+        request.scene = as_drawn(std::move(request.scene), field);
     }
     if (is_lit)
         write_vtp(options.to, shape,

@@ -37,7 +37,7 @@ std::string light_name(const MeshOptions& options) {
 
 //! Of the leaves' light; infinite if no path has met a leaf.
 double relative_error(const MeshReport& report) {
-    const Estimate& leaves = report.canopy.light.day.leaves;
+    const Estimate& leaves = report.canopy.par().light.day.leaves;
     return leaves.standard_error > 0 ? leaves.standard_error / leaves.mean : 0;
 }
 
@@ -76,9 +76,9 @@ Json to_json(const MeshReport& report, const MeshOptions& options,
     json.update(to_json(report.canopy, span_of(options)));
     if (report.canopy.assimilation)
         json["assimilation"]["method"] = options.is_exact ? "exact" : "pieces";
-    json["optics"] = {{"leaf", to_json(options.leaf)},
-                      {"stalk", to_json(options.stalk)},
-                      {"sheath", to_json(options.sheath)},
+    json["optics"] = {{"leaf", to_json(options.optics.leaf)},
+                      {"stalk", to_json(options.optics.stalk)},
+                      {"sheath", to_json(options.optics.sheath)},
                       {"soil_albedo", options.soil_albedo}};
     json["paths"] = report.canopy.paths;
     json["relative_standard_error"] = relative_error_json(report);
@@ -99,8 +99,8 @@ void print_report(const MeshReport& report, const MeshOptions& options,
                report.canopy.ground_area, report.canopy.paths, seconds);
     fmt::print(
         "reflectance and transmittance: leaf {} {}, stalk {} {}, soil {} 0\n",
-        options.leaf.reflectance, options.leaf.transmittance,
-        options.stalk.reflectance, options.stalk.transmittance,
+        options.optics.leaf.reflectance, options.optics.leaf.transmittance,
+        options.optics.stalk.reflectance, options.optics.stalk.transmittance,
         options.soil_albedo);
     print_light(report.canopy, span_of(options));
 }

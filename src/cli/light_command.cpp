@@ -123,13 +123,13 @@ void add_ground(CLI::App& verb, MeshOptions& options) {
         ->needs(field);
 }
 
-//! What surfaces of a tissue do with light.
-void add_surface(CLI::App& verb, const std::string& tissue, Lambertian& surface,
-                 const std::string& meaning) {
-    verb.add_option(tissue + "-reflectance", surface.reflectance,
+//! Adds options for what surfaces of a material do with light.
+void add_surface(CLI::App& verb, const std::string& material,
+                 Lambertian& surface, const std::string& meaning) {
+    verb.add_option(material + "-reflectance", surface.reflectance,
                     "reflected part of the light, " + meaning)
         ->capture_default_str();
-    verb.add_option(tissue + "-transmittance", surface.transmittance,
+    verb.add_option(material + "-transmittance", surface.transmittance,
                     "transmitted part of the light, " + meaning)
         ->capture_default_str();
 }
@@ -141,11 +141,11 @@ void declare_light(CLI::App& verb, MeshOptions& options) {
         ->required();
     add_ground(verb, options);
     add_light(verb, options);
-    add_surface(verb, "--leaf", options.leaf, "of both faces");
-    add_surface(verb, "--stalk", options.stalk,
+    add_surface(verb, "--leaf", options.optics.leaf, "of both faces");
+    add_surface(verb, "--stalk", options.optics.stalk,
                 "of groups whose names begin with stalk, or with plantN_stalk");
     add_surface(
-        verb, "--sheath", options.sheath,
+        verb, "--sheath", options.optics.sheath,
         "of groups whose names begin with sheath, or with plantN_sheath");
     verb.add_option("--soil-albedo", options.soil_albedo,
                     "part of the light that the soil reflects")

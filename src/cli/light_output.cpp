@@ -21,9 +21,8 @@ Estimate fraction(Estimate part, double incident) {
 }
 
 bool has_stalks(const CanopyReport& report) {
-    return std::any_of(
-        report.groups.begin(), report.groups.end(),
-        [](const Group& group) { return group.tissue != Tissue::leaf; });
+    return std::any_of(report.groups.begin(), report.groups.end(),
+                       [](const Group& group) { return !group.id.is_leaf(); });
 }
 
 //! The sunlit leaf area of an instant is known only with a sun.
@@ -79,7 +78,7 @@ class Totals {
 };
 
 void print_budget(const CanopyReport& report, const Totals& totals) {
-    const DayReport& light = report.light;
+    const DayReport& light = report.par().light;
     const BudgetEstimate& day = light.day;
     totals.head(fmt::format("LAI {:.4g}", report.lai));
     totals.line("incident", {day.incident, 0});
@@ -130,7 +129,7 @@ void print_assimilation(const CanopyReport& report, Span span) {
                "gross assimilation", "net");
     line("leaf", all.gross, all.net_loss());
     for (std::size_t g = 0; g < report.groups.size(); ++g)
-        if (report.groups[g].tissue == Tissue::leaf)
+        if (report.groups[g].id.is_leaf())
             line("  " + report.groups[g].name, all.groups[g],
                  all.respiration[g].in_light);
     if (!report.light_classes) return;
@@ -145,11 +144,11 @@ void print_assimilation(const CanopyReport& report, Span span) {
 
 void print_hours(const CanopyReport& report) {
     fmt::print("\nhours are on the clock of the site, {}",
-               clock_name(report.light.utc_offset));
+               clock_name(report.par().light.utc_offset));
     fmt::print("\n{:<5} {:>8} {:>20} {:>20} {:>20} {:>20} {:>20}\n", "hour",
                "W m-2", "leaf", "  of the sun", "soil", "reflected",
                "sunlit leaf area");
-    for (const StepReport& step : report.light.steps) {
+    for (const StepReport& step : report.par().light.steps) {
         const BudgetEstimate& budget = step.budget;
         const auto part = [&](Estimate x) {
             return format(fraction(x, budget.incident));
@@ -204,7 +203,7 @@ Json assimilation_json(const CanopyReport& report, Span span) {
         json["carbon_balance"] = part(lowered(all.gross, all.carbon_loss()));
     Json groups = Json::object();
     for (std::size_t g = 0; g < report.groups.size(); ++g)
-        if (report.groups[g].tissue == Tissue::leaf)
+        if (report.groups[g].id.is_leaf())
             groups.get_ref<Json::object_t&>().emplace_back(
                 report.groups[g].name,
                 both(all.groups[g], all.respiration[g].in_light));
@@ -218,7 +217,7 @@ Json assimilation_json(const CanopyReport& report, Span span) {
 }  // namespace
 
 Json to_json(const CanopyReport& report, Span span) {
-    const DayReport& light = report.light;
+    const DayReport& light = report.par().light;
     const auto part = [&](Estimate x) {
         return to_json(fraction(x, light.day.incident));
     };
@@ -265,7 +264,7 @@ Json to_json(const CanopyReport& report, Span span) {
 }
 
 void print_light(const CanopyReport& report, Span span) {
-    const DayReport& light = report.light;
+    const DayReport& light = report.par().light;
     if (!(light.day.incident > 0))
         fmt::print("\nThe sun stays below the horizon.\n");
     const Totals totals(light.day.incident, span);

@@ -31,11 +31,13 @@ std::vector<double> face_areas(const Mesh& mesh) {
 PlantArea plant_area(const Mesh& mesh) {
     const std::vector<double> areas = face_areas(mesh);
     PlantArea sum;
-    for (std::size_t f = 0; f < areas.size(); ++f)
-        if (mesh.groups[mesh.face_group[f]].tissue == Tissue::leaf)
+    for (std::size_t f = 0; f < areas.size(); ++f) {
+        const SurfaceId& id = mesh.groups[mesh.face_group[f]].id;
+        if (id.is_leaf())
             sum.leaves += areas[f];
-        else
+        else if (!id.is_object())
             sum.other_organs += areas[f] / 2;
+    }
     return sum;
 }
 

@@ -15,22 +15,44 @@
 
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/file.hpp"
+#include "ideotype/crop/plant.hpp"
 #include "ideotype/crop/polygon.hpp"
 #include "obj_statements.hpp"
 
 namespace ideotype {
 
-Tissue tissue_of(std::string_view name) {
+std::uint32_t leaf_rank(std::string_view name) {
+    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+    constexpr std::string_view leaf = "leaf";
+    constexpr std::size_t most_digits = 4;
+    if (digits == name.size() || name.size() - digits > most_digits ||
+        !name.substr(0, digits).ends_with(leaf))
+        return 0;
+    return static_cast<std::uint32_t>(
+        std::stoul(std::string(name.substr(digits))));
+}
+
+namespace {
+
+PlantMaterial material_of(std::string_view name) {
     constexpr std::string_view plant = "plant";
     if (name.starts_with(plant)) {
         const std::size_t end =
             name.find_first_not_of("0123456789", plant.size());
         if (end == plant.size() || end == name.npos || name[end] != '_')
-            return Tissue::leaf;
+            return PlantMaterial::leaf;
         name.remove_prefix(end + 1);
     }
-    if (name.starts_with("stalk")) return Tissue::stalk;
-    return name.starts_with("sheath") ? Tissue::sheath : Tissue::leaf;
+    if (name.starts_with("stalk")) return PlantMaterial::stalk;
+    return name.starts_with("sheath") ? PlantMaterial::sheath
+                                      : PlantMaterial::leaf;
+}
+
+}  // namespace
+
+Group group_of_name(const std::string& name) {
+    const auto material = static_cast<std::uint32_t>(material_of(name));
+    return {name, {0, material, leaf_rank(name)}, material};
 }
 
 namespace {
@@ -131,7 +153,7 @@ class ObjBuilder {
         std::vector<Group>& groups = result_.mesh.groups;
         const auto [found, is_new] = index_of_.try_emplace(
             name_, static_cast<std::uint32_t>(groups.size()));
-        if (is_new) groups.push_back({name_, tissue_of(name_)});
+        if (is_new) groups.push_back(group_of_name(name_));
         return found->second;
     }
 

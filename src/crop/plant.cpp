@@ -151,10 +151,10 @@ void add_organ(Mesh& mesh, const Plant& plant, const Organ& organ) {
     }
 }
 
-//! Those of a file are taken for stalks or sheaths by the beginnings of their
-//! names.
+//! Names an organ so that a mesh file tells its material, see group_of_name().
 std::string group_name(const Organ& organ) {
-    return (organ.tissue == Tissue::sheath ? "sheath_" : "stalk_") + organ.name;
+    return (organ.material == PlantMaterial::sheath ? "sheath_" : "stalk_") +
+           organ.name;
 }
 
 }  // namespace
@@ -183,8 +183,12 @@ void set_present(Plant& plant, const std::string& organ, bool is_present) {
 
 Mesh build_plant(const Plant& plant, const Tessellation& tessellation) {
     Mesh mesh;
-    const auto begin = [&](const std::string& name, Tissue tissue) {
-        mesh.groups.push_back({name, tissue});
+    std::uint32_t organs = 0;
+    const auto begin = [&](const std::string& name, PlantMaterial material,
+                           std::uint32_t rank = 0) {
+        mesh.groups.push_back({name,
+                               {0, rank > 0 ? 0 : ++organs, rank},
+                               static_cast<std::uint32_t>(material)});
         return static_cast<std::uint32_t>(mesh.groups.size() - 1);
     };
     for (const Leaf& leaf : plant.leaves) {
@@ -192,23 +196,24 @@ Mesh build_plant(const Plant& plant, const Tessellation& tessellation) {
                                 plant.stalk.leaf_base == LeafBase::surface;
         const double distance =
             is_outside ? plant.stalk.radius(leaf.insertion_height) : 0;
-        const std::uint32_t group = begin(
-            fmt::format("leaf{:02}", mesh.groups.size() + 1), Tissue::leaf);
+        const auto rank = static_cast<std::uint32_t>(mesh.groups.size() + 1);
+        const std::uint32_t group =
+            begin(fmt::format("leaf{:02}", rank), PlantMaterial::leaf, rank);
         add_leaf(mesh, group, LeafSurface(leaf, plant.blade, distance),
                  leaf.azimuth, tessellation.cells_along);
     }
     const int sides = tessellation.stalk_sides;
     if (plant.stalk.is_present) {
-        begin("stalk", Tissue::stalk);
+        begin("stalk", PlantMaterial::stalk);
         add_sections(mesh, plant, false, sides);
     }
     if (plant.sheath.is_present) {
-        begin("sheath", Tissue::sheath);
+        begin("sheath", PlantMaterial::sheath);
         add_sections(mesh, plant, true, sides);
     }
     for (const Organ& organ : plant.organs) {
         if (!organ.is_present) continue;
-        begin(group_name(organ), organ.tissue);
+        begin(group_name(organ), organ.material);
         add_organ(mesh, plant, organ);
     }
     return mesh;

@@ -13,7 +13,7 @@ namespace ideotype {
 namespace {
 
 //! From a surface, on the side of a normal.
-bool sees_sky(const Scene& scene, const glm::dvec3& position,
+bool sees_sky(const RayScene& scene, const glm::dvec3& position,
               const glm::dvec3& normal, const glm::dvec3& direction) {
     return travel(scene, scene.offset_origin(position, normal), direction)
                .group == Hit::sky;
@@ -25,14 +25,14 @@ glm::dvec3 on_side_of(const glm::dvec3& direction, const glm::dvec3& normal) {
 
 }  // namespace
 
-bool is_lit(const Scene& scene, const LeafPoint& point,
+bool is_lit(const RayScene& scene, const LeafPoint& point,
             const glm::dvec3& travel) {
     const glm::dvec3 sun = -not_level(travel);
     return !point.is_hidden && sees_sky(scene, scene.placed(point.position),
                                         on_side_of(sun, point.normal), sun);
 }
 
-BackwardLight::BackwardLight(const Scene& scene,
+BackwardLight::BackwardLight(const RayScene& scene,
                              const std::vector<Group>& groups,
                              const Optics& optics,
                              const std::vector<Source>& sources)
@@ -44,31 +44,39 @@ BackwardLight::BackwardLight(const Scene& scene,
 
 double BackwardLight::beam(const LeafPoint& point, std::size_t source) const {
     const glm::dvec3 d = not_level(*sources_[source].direction);
-    return is_lit(scene_, point, d) ? std::abs(glm::dot(point.normal, d) / d.z)
-                                    : 0;
+    const double cosine = glm::dot(point.normal, d) / d.z;
+    return is_lit(scene_, point, d)
+               ? weight(point, cosine > 0) * std::abs(cosine)
+               : 0;
+}
+
+double BackwardLight::weight(const LeafPoint& point, bool is_adaxial) const {
+    const Material& leaf = optics_.of(groups_[point.group].material);
+    const double most = leaf.most_absorbed();
+    return most > 0 ? (1 - leaf.face(is_adaxial).scattered()) / most : 1;
 }
 
 void BackwardLight::add_diffuse(const LeafPoint& point, RandomStream& random,
                                 std::vector<double>& light) const {
     if (point.is_hidden) return;
     for (const double side : {1., -1.})
-        follow(scene_.placed(point.position), side * point.normal, random,
-               light);
+        follow(scene_.placed(point.position), side * point.normal,
+               weight(point, side > 0), random, light);
 }
 
 void BackwardLight::add_level(const glm::dvec3& place, RandomStream& random,
                               std::vector<double>& light) const {
     static constexpr glm::dvec3 up{0, 0, 1};
     // It lets through all of a beam.
-    add_beams(scene_.placed(place), up, {1, 0}, light);
-    follow(scene_.placed(place), up, random, light);
+    add_beams(scene_.placed(place), up, {1, 0}, 1, light);
+    follow(scene_.placed(place), up, 1, random, light);
 }
 
 void BackwardLight::follow(glm::dvec3 position, glm::dvec3 normal,
-                           RandomStream& random,
+                           double weight, RandomStream& random,
                            std::vector<double>& light) const {
-    // Directions by Lambert's law and ends with the right odds: what a path
-    // finds has a weight of one.
+    // Directions by Lambert's law and ends with the right odds: all that a path
+    // finds has the same weight.
     for (;;) {
         const double u = random.uniform();
         const glm::dvec3 d = lambertian(normal, u, random.uniform());
@@ -77,14 +85,15 @@ void BackwardLight::follow(glm::dvec3 position, glm::dvec3 normal,
         if (hit.group == Hit::sky) {
             for (std::size_t s = 0; s < sources_.size(); ++s)
                 if (!sources_[s].direction)
-                    light[s] += sources_[s].sky.relative_brightness(-d);
+                    light[s] +=
+                        weight * sources_[s].sky.relative_brightness(-d);
             return;
         }
-        const Lambertian& met = surface(hit.group);
+        const Lambertian& met = surface(hit.group, glm::dot(d, hit.normal) < 0);
         if (met.scattered() == 0) return;
         position = hit.position;
         normal = on_side_of(-d, hit.normal);
-        add_beams(position, normal, met, light);
+        add_beams(position, normal, met, weight, light);
         const double choice = random.uniform();
         if (choice >= met.scattered()) return;
         if (choice >= met.reflectance) normal = -normal;
@@ -93,7 +102,7 @@ void BackwardLight::follow(glm::dvec3 position, glm::dvec3 normal,
 
 void BackwardLight::add_beams(const glm::dvec3& position,
                               const glm::dvec3& normal,
-                              const Lambertian& surface,
+                              const Lambertian& surface, double weight,
                               std::vector<double>& light) const {
     for (std::size_t s = 0; s < sources_.size(); ++s) {
         if (!sources_[s].direction) continue;
@@ -103,7 +112,7 @@ void BackwardLight::add_beams(const glm::dvec3& position,
             cosine > 0 ? surface.reflectance : surface.transmittance;
         if (part > 0 &&
             sees_sky(scene_, position, on_side_of(sun, normal), sun))
-            light[s] += part * std::abs(cosine) / sun.z;
+            light[s] += weight * part * std::abs(cosine) / sun.z;
     }
 }
 

@@ -19,7 +19,7 @@ constexpr int room = 2 * width;
 
 }  // namespace
 
-BeamLattice lattice_of(const Scene& scene, const glm::dvec3& direction,
+BeamLattice lattice_of(const RayScene& scene, const glm::dvec3& direction,
                        std::uint32_t first_hits, int randomisations) {
     return beam_lattice(scene.period_x(), scene.period_y(), first_hits,
                         std::max(1, room / randomisations), direction);
@@ -31,7 +31,7 @@ std::size_t replicates_together(const BeamLattice& lattice) {
     return std::max<std::size_t>(most_points / points / width * width, width);
 }
 
-double cost_of_drawing(const Scene& scene, const glm::dvec3& direction,
+double cost_of_drawing(const RayScene& scene, const glm::dvec3& direction,
                        std::uint32_t first_hits, int randomisations) {
     constexpr double triangle = 0.05, pixel = 0.008, point = 0.006;
     const double fine =
@@ -49,7 +49,7 @@ double cost_of_drawing(const Scene& scene, const glm::dvec3& direction,
            point * first_hits * randomisations;
 }
 
-bool is_drawn(const Scene& scene, const Source& source,
+bool is_drawn(const RayScene& scene, const Source& source,
               std::uint32_t first_hits, int randomisations) {
     return source.direction && scene.boundary() == Boundary::periodic &&
            cost_of_drawing(scene, not_level(*source.direction), first_hits,

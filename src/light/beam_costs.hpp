@@ -6,7 +6,7 @@
 
 #include "beam_lattice.hpp"
 #include "ideotype/light/illumination.hpp"
-#include "ideotype/light/scene.hpp"
+#include "ideotype/light/ray_scene.hpp"
 
 namespace ideotype {
 
@@ -18,19 +18,19 @@ struct Costs {
 };
 
 //! The lattice for first hits of a beam in so many randomisations.
-BeamLattice lattice_of(const Scene& scene, const glm::dvec3& direction,
+BeamLattice lattice_of(const RayScene& scene, const glm::dvec3& direction,
                        std::uint32_t first_hits, int randomisations);
 
 //! For how many replicates there should be one depth buffer.
 std::size_t replicates_together(const BeamLattice& lattice);
 
 //! What a depth buffer of all first hits of a beam takes [us].
-double cost_of_drawing(const Scene& scene, const glm::dvec3& direction,
+double cost_of_drawing(const RayScene& scene, const glm::dvec3& direction,
                        std::uint32_t first_hits, int randomisations);
 
 //! Whether a depth buffer finds the first hits of a source for less than rays
 //! do. Only beams over periodic stands can be drawn.
-bool is_drawn(const Scene& scene, const Source& source,
+bool is_drawn(const RayScene& scene, const Source& source,
               std::uint32_t first_hits, int randomisations);
 
 }  // namespace ideotype

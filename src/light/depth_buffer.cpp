@@ -236,7 +236,7 @@ void draw(const Surfaces& surfaces, const std::vector<Corner>& corners,
 
 }  // namespace
 
-DepthBuffer::DepthBuffer(const Scene& scene, const glm::dvec3& direction,
+DepthBuffer::DepthBuffer(const RayScene& scene, const glm::dvec3& direction,
                          const BeamLattice& lattice,
                          const std::vector<glm::dvec2>& shifts)
     : lattice_(lattice),

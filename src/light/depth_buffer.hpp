@@ -8,7 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "beam_lattice.hpp"
-#include "ideotype/light/scene.hpp"
+#include "ideotype/light/ray_scene.hpp"
 
 namespace ideotype {
 
@@ -38,7 +38,7 @@ class DepthBuffer {
 
     //! @param direction of the light, downwards
     //! @param shifts of the lattices, in [0, 1) of a pixel
-    DepthBuffer(const Scene& scene, const glm::dvec3& direction,
+    DepthBuffer(const RayScene& scene, const glm::dvec3& direction,
                 const BeamLattice& lattice,
                 const std::vector<glm::dvec2>& shifts);
 

@@ -10,7 +10,7 @@
 #endif
 
 #include "ideotype/light/device.hpp"
-#include "ideotype/light/scene.hpp"
+#include "ideotype/light/ray_scene.hpp"
 
 namespace ideotype {
 
@@ -23,7 +23,7 @@ struct Device::Handle {
 //! @param device null: what kept one from being created
 void require_no_error(RTCDeviceTy* device, const std::string& action);
 
-struct Scene::Handle {
+struct RayScene::Handle {
     explicit Handle(RTCScene s) : scene(s) {}
     ~Handle() { rtcReleaseScene(scene); }
     Handle(const Handle&) = delete;

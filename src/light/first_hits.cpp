@@ -10,7 +10,7 @@
 
 namespace ideotype {
 
-FirstHits::FirstHits(const Scene& scene, const DepthBuffer& buffer,
+FirstHits::FirstHits(const RayScene& scene, const DepthBuffer& buffer,
                      std::size_t replicate, double energy)
     : scene_(scene), buffer_(&buffer), replicate_(replicate) {
     const std::vector<std::uint32_t>& groups = scene.surfaces().face_group;
@@ -23,7 +23,7 @@ FirstHits::FirstHits(const Scene& scene, const DepthBuffer& buffer,
     }
 }
 
-FirstHits::FirstHits(const Scene& scene, const Launcher& launcher,
+FirstHits::FirstHits(const RayScene& scene, const Launcher& launcher,
                      PathSampler& sampler, std::uint32_t rays, double energy)
     : scene_(scene) {
     hits_.reserve(rays);

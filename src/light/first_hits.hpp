@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "depth_buffer.hpp"
+#include "ideotype/light/ray_scene.hpp"
 #include "ideotype/light/sampler.hpp"
-#include "ideotype/light/scene.hpp"
 #include "launch.hpp"
 
 namespace ideotype {
@@ -28,11 +28,11 @@ class FirstHits {
   public:
     //! What a replicate of a beam's depth buffer sees.
     //! @param scene,buffer must outlive it
-    FirstHits(const Scene& scene, const DepthBuffer& buffer,
+    FirstHits(const RayScene& scene, const DepthBuffer& buffer,
               std::size_t replicate, double energy);
 
     //! Follows so many rays of this energy.
-    FirstHits(const Scene& scene, const Launcher& launcher,
+    FirstHits(const RayScene& scene, const Launcher& launcher,
               PathSampler& sampler, std::uint32_t rays, double energy);
 
     bool are_drawn() const { return buffer_; }
@@ -49,7 +49,7 @@ class FirstHits {
   private:
     void order();
 
-    const Scene& scene_;
+    const RayScene& scene_;
     const DepthBuffer* buffer_ = nullptr;
     std::size_t replicate_ = 0;
     std::vector<FirstHit> hits_;

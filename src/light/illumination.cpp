@@ -118,4 +118,23 @@ SeriesIllumination illuminate(LightSeries series, SkyModel sky_model,
     return result;
 }
 
+SeriesIllumination in_band(SeriesIllumination light,
+                           Irradiance TimeStep::*band) {
+    for (Source& source : light.light.sources) source.energy = 0;
+    for (std::size_t i = 0; i < light.series.steps.size(); ++i) {
+        TimeStep& step = light.series.steps[i];
+        step.par = step.*band;
+        const auto add = [&](int source, double& irradiance) {
+            if (source < 0)
+                irradiance = 0;
+            else
+                light.light.sources[static_cast<std::size_t>(source)].energy +=
+                    irradiance * step.seconds / light.series.days;
+        };
+        add(light.beam_of[i], step.par.beam);
+        add(light.sky_of[i], step.par.diffuse);
+    }
+    return light;
+}
+
 }  // namespace ideotype

@@ -10,7 +10,8 @@
 
 namespace ideotype {
 
-Launcher::Launcher(const Scene& scene, const Source& source, double soil_albedo)
+Launcher::Launcher(const RayScene& scene, const Source& source,
+                   double soil_albedo)
     : scene_(scene), source_(source) {
     if (scene.boundary() == Boundary::isolated) add_portals(soil_albedo);
 }

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "ideotype/light/illumination.hpp"
+#include "ideotype/light/ray_scene.hpp"
 #include "ideotype/light/sampler.hpp"
-#include "ideotype/light/scene.hpp"
 #include "travel.hpp"
 
 namespace ideotype {
@@ -21,7 +21,7 @@ namespace ideotype {
 //! the bottom and all sides, without that from soil in the box's own shadow.
 class Launcher {
   public:
-    Launcher(const Scene& scene, const Source& source, double soil_albedo);
+    Launcher(const RayScene& scene, const Source& source, double soil_albedo);
 
     //! What all paths share, over the energy of the source. Paths from a sky
     //! that is not uniform through the sides carry more or less than their
@@ -49,7 +49,7 @@ class Launcher {
     glm::dvec3 from_above(PathSampler& sampler) const;
     bool is_lit(const glm::dvec3& soil, PathSampler& sampler) const;
 
-    const Scene& scene_;
+    const RayScene& scene_;
     const Source& source_;
     std::vector<Portal> portals_;  //!< empty for a periodic stand
     double entering_ = 1;

@@ -9,22 +9,27 @@
 
 namespace ideotype {
 
-double own_part(const Scene& scene, const LeafPoint& point) {
+double own_part(const RayScene& scene, const LeafPoint& point) {
     if (point.is_hidden) return 0;
     return 1. / std::max(1, scene.faces_at(scene.placed(point.position)));
 }
 
-LeafPoints::LeafPoints(const Mesh& mesh) {
+LeafPoints::LeafPoints(const Mesh& mesh, const Wanted& is_wanted) {
     const std::vector<bool> repeated = repeated_faces(mesh);
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
         const std::uint32_t group = mesh.face_group[f];
-        if (mesh.groups[group].tissue != Tissue::leaf) continue;
+        if (!is_wanted(group)) continue;
         const auto& [a, b, c, d] = mesh.faces[f];
         const auto& v = mesh.vertices;
         add(v[a], v[b], v[d], group, repeated[f]);
         add(v[c], v[d], v[b], group, repeated[f]);
     }
 }
+
+LeafPoints::LeafPoints(const Mesh& mesh)
+    : LeafPoints(mesh, [&mesh](std::uint32_t group) {
+          return mesh.groups[group].id.is_leaf();
+      }) {}
 
 LeafPoint LeafPoints::at(double share, double s, double t) const {
     const auto found =

@@ -19,17 +19,17 @@ Ledger::Ledger(const Counted& counted, std::uint32_t source, bool is_beam,
     leaf_light_ = &tally.leaf_light[source];
     leaf_sums.diffuse.resize(tally.sources.size());
     diffuse_ = &leaf_sums.diffuse[source];
-    diffuse_->resize(counted.groups.size());
+    diffuse_->resize(counted.pieces);
     if (!is_beam) return;
     beam_ = &leaf_sums.beam;
     beam_->resize(counted.scene.surfaces().normals.size());
 }
 
-void Ledger::arrive(const FirstHit& hit, double sent_on) {
+void Ledger::arrive(const FirstHit& hit, double energy, double sent_on) {
     Budget& part = next();
-    part.incident += hit.energy;
+    part.incident += energy;
     part.sent_on += sent_on;
-    keep(hit.group, hit.height, hit.is_adaxial, hit.energy - sent_on,
+    keep(hit.group, hit.height, hit.is_adaxial, energy - sent_on,
          hit.is_direct ? &hit : nullptr);
 }
 
@@ -57,15 +57,16 @@ void Ledger::keep(std::uint32_t group, double height, bool is_adaxial,
         return;
     }
     tally_.groups[group] += energy;
-    if (counted_.groups[group].tissue != Tissue::leaf) {
-        part_.stalks += energy;
+    const SurfaceId& id = counted_.groups[group].id;
+    if (!id.is_leaf()) {
+        (id.is_object() ? part_.objects : part_.stalks) += energy;
         return;
     }
     part_.leaves += energy;
     if (direct) part_.unscattered += energy;
     tally_.layers[counted_.layers.at(height)] += energy;
     (is_adaxial ? tally_.adaxial : tally_.abaxial) += energy;
-    if (!leaf_light_) return;
+    if (!leaf_light_ || group >= counted_.pieces) return;
     if (direct && beam_)
         beam_->add(direct->triangle, energy);
     else

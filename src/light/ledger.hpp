@@ -37,9 +37,10 @@ struct LeafSums {
 
 //! What tallies count by, besides sources.
 struct Counted {
-    const Scene& scene;
+    const RayScene& scene;
     const std::vector<Group>& groups;
     const Layers& layers;
+    std::size_t pieces = 0;  //!< leading groups whose light is told by place
 };
 
 //! Counts where light of one source goes in one randomisation. Many small parts
@@ -51,7 +52,8 @@ class Ledger {
            Tally& tally, LeafSums& leaf_sums);
 
     //! Light that arrives for the first time, part of which is sent on.
-    void arrive(const FirstHit& hit, double sent_on);
+    //! @param energy of the hit in the band that is counted
+    void arrive(const FirstHit& hit, double energy, double sent_on);
 
     //! What something keeps of light that has been scattered.
     void keep(const Hit& hit, bool is_adaxial, double energy);

@@ -18,7 +18,7 @@ std::uint32_t spread(std::uint32_t x) {
 
 }  // namespace
 
-Blocks::Blocks(const Scene& scene, std::size_t points) : scene_(scene) {
+Blocks::Blocks(const RayScene& scene, std::size_t points) : scene_(scene) {
     while (bits_ < 8 && count() < points) ++bits_;
     const bool is_periodic = scene.boundary() == Boundary::periodic;
     const glm::dvec3 all{is_periodic ? scene.period_x() : scene.box().upper.x,

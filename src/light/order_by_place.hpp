@@ -4,33 +4,35 @@
 #include <cstdint>
 #include <vector>
 
-#include "ideotype/light/scene.hpp"
+#include "ideotype/light/ray_scene.hpp"
 
 namespace ideotype {
 
 //! Of so many points of a scene an order in which neighbours are near each
 //! other: by blocks of the cell or the plot.
 template <class PositionOf>
-std::vector<std::uint32_t> order_by_place(const Scene& scene, std::size_t count,
+std::vector<std::uint32_t> order_by_place(const RayScene& scene,
+                                          std::size_t count,
                                           const PositionOf& position_of);
 
 //! The blocks of a scene, in Morton's order: near ones have near numbers.
 class Blocks {
   public:
     //! Some for each of so many points.
-    Blocks(const Scene& scene, std::size_t points);
+    Blocks(const RayScene& scene, std::size_t points);
 
     std::uint32_t at(const glm::dvec3& position) const;
     std::size_t count() const { return std::size_t{1} << (3 * bits_); }
 
   private:
-    const Scene& scene_;
+    const RayScene& scene_;
     unsigned bits_ = 1;  //!< of each coordinate
     glm::dvec3 per_metre_;
 };
 
 template <class PositionOf>
-std::vector<std::uint32_t> order_by_place(const Scene& scene, std::size_t count,
+std::vector<std::uint32_t> order_by_place(const RayScene& scene,
+                                          std::size_t count,
                                           const PositionOf& position_of) {
     const Blocks blocks(scene, count);
     std::vector<std::uint32_t> of, ends(blocks.count() + 1);

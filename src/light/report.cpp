@@ -85,6 +85,7 @@ BudgetEstimate weighted_budget(const std::vector<Tally>& tallies,
             weighted(tallies, resolution, weights,
                      std::max(resolution.leaves, resolution.stalks),
                      [](const Budget& b) { return b.leaves + b.stalks; }),
+            part(resolution.objects, &Budget::objects),
             part(resolution.soil, &Budget::soil),
             part(resolution.reflected, &Budget::reflected),
             unscattered(of_beams),
@@ -184,6 +185,19 @@ std::vector<Estimate> absorbed_by_group(const std::vector<Tally>& tallies) {
                               part_of(resolution.groups, g),
                               [g](const Tally& t) { return t.groups[g]; }));
     return result;
+}
+
+Estimate absorbed_by_groups(const std::vector<Tally>& tallies,
+                            const std::vector<std::size_t>& groups) {
+    const Resolution resolution = resolution_of(tallies);
+    double part = 0;
+    for (const std::size_t g : groups)
+        part = std::max(part, part_of(resolution.groups, g));
+    return over(tallies, resolution, part, [&](const Tally& t) {
+        double sum = 0;
+        for (const std::size_t g : groups) sum += t.groups[g];
+        return sum;
+    });
 }
 
 Estimate absorbed_by_leaves(const std::vector<Tally>& tallies) {

@@ -5,15 +5,15 @@
 
 #include "ideotype/light/layers.hpp"
 #include "ideotype/light/optics.hpp"
+#include "ideotype/light/ray_scene.hpp"
 #include "ideotype/light/resolution.hpp"
-#include "ideotype/light/scene.hpp"
 
 namespace ideotype {
 
 //! Which figures of a scene depend on the paths of light, and the energy of a
 //! path of each source.
-Resolution resolution_of(const Scene& scene, const std::vector<Group>& groups,
-                         const Optics& optics, const Layers& layers,
-                         std::vector<double> path_energy);
+Resolution resolution_of(const RayScene& scene,
+                         const std::vector<Group>& groups, const Optics& optics,
+                         const Layers& layers, std::vector<double> path_energy);
 
 }  // namespace ideotype

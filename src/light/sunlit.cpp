@@ -12,7 +12,7 @@
 
 namespace ideotype {
 
-SunlitFractions sunlit_fractions(const Scene& scene, const Mesh& mesh,
+SunlitFractions sunlit_fractions(const RayScene& scene, const Mesh& mesh,
                                  const Illumination& illumination,
                                  const Accuracy& accuracy,
                                  const Randomness& randomness) {
@@ -56,15 +56,17 @@ constexpr double least_cosine = 1e-3;
 }  // namespace
 
 SunlitFractions sunlit_fractions(const std::vector<Tally>& tallies,
-                                 const Scene& scene,
+                                 const RayScene& scene,
+                                 const std::vector<Group>& groups,
+                                 const Optics& optics,
                                  const Illumination& illumination,
-                                 double absorptance, double leaf_area) {
+                                 double leaf_area) {
     const std::vector<Source>& sources = illumination.sources;
     SunlitFractions result;
     result.fractions.assign(tallies.size(),
                             std::vector<double>(sources.size()));
     result.steps.resize(sources.size());
-    if (!(leaf_area > 0 && absorptance > 0)) return result;
+    if (!(leaf_area > 0)) return result;
     for (std::size_t s = 0; s < sources.size(); ++s) {
         const auto& sun = sources[s].direction;
         if (!sun || !(sources[s].energy > 0)) continue;
@@ -74,14 +76,24 @@ SunlitFractions sunlit_fractions(const std::vector<Tally>& tallies,
             for (const auto& [triangle, energy] : tallies[r].leaf_light[s].beam)
                 result.fractions[r][s] +=
                     share * energy /
-                    (absorptance * std::max(beam_cosine(scene, triangle, *sun),
-                                            least_cosine));
+                    (beam_absorptance(scene, groups, optics, triangle, *sun) *
+                     std::max(beam_cosine(scene, triangle, *sun),
+                              least_cosine));
         result.steps[s] = share * tallies.front().resolution->path_energy[s];
     }
     return result;
 }
 
-double beam_cosine(const Scene& scene, std::uint32_t triangle,
+double beam_absorptance(const RayScene& scene, const std::vector<Group>& groups,
+                        const Optics& optics, std::uint32_t triangle,
+                        const glm::dvec3& direction) {
+    const Surfaces& all = scene.surfaces();
+    const bool is_adaxial = glm::dot(all.normals[triangle], direction) < 0;
+    const Group& group = groups[all.face_group[triangle / 2]];
+    return 1 - optics.of(group.material).face(is_adaxial).scattered();
+}
+
+double beam_cosine(const RayScene& scene, std::uint32_t triangle,
                    const glm::dvec3& direction) {
     return std::abs(glm::dot(scene.surfaces().normals[triangle], direction) /
                     direction.z);

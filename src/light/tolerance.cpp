@@ -57,39 +57,25 @@ double squared(double x) {
     return x * x;
 }
 
-//! The simulations on the way to one result.
+//! The workload that a tolerance asks for in one band.
 class Search {
   public:
-    Search(const Subject& subject, const Accuracy& accuracy,
-           const Randomness& randomness, Detail detail)
+    //! @param has_pieces whether leaves are to be known piece by piece
+    Search(const Subject& subject, bool has_pieces, const Accuracy& accuracy,
+           const Randomness& randomness)
         : subject_(subject),
-          detail_(detail),
-          light_(subject.light),
+          has_pieces_(has_pieces),
+          light_(subject.light()),
           accuracy_(accuracy),
           randomness_(randomness),
           energy_(light_.energy()),
           trials_(std::max(trial_randomisations, accuracy.randomisations)) {}
 
-    Simulation result() {
-        Workload work = enough();
-        Simulation found;
-        found.tallies = subject_.simulate(work, accuracy_.randomisations,
-                                          randomness_, detail_);
-        for (const std::uint32_t hits : work.first_hits)
-            found.paths += static_cast<int>(hits);
-        found.work = std::move(work);
-        const Estimate leaves = absorbed_by_leaves(found.tallies);
-        found.is_capped = is_capped_ && leaves.standard_error >
-                                            accuracy_.tolerance * leaves.mean;
-        return found;
-    }
-
-  private:
-    //! The workload that the tolerance asks for.
     Workload enough() {
         is_capped_ = false;
         Workload work{share_paths(light_, fewest()), {}};
-        work.path_energy.assign(work.first_hits.size(), energy_ / fewest());
+        work.path_energy = {
+            std::vector(work.first_hits.size(), energy_ / fewest())};
         const Amounts least = amounts_of(work, light_);
         Amounts amounts = least;
         bool is_drawn = false;
@@ -133,6 +119,10 @@ class Search {
         }
     }
 
+    //! Whether more first hits would be needed than there may be.
+    bool is_capped() const { return is_capped_; }
+
+  private:
     //! From the amounts of a trial, which may have more randomisations than the
     //! result, to those of the result.
     double step() const {
@@ -181,7 +171,7 @@ class Search {
         numbers.first_randomisation += ++trial_ * first_of_trials;
         const Findings last = found_;
         found_ = ideotype::try_out(subject_, work, trials_, numbers, is_drawn);
-        if (detail_ == Detail::leaf_light)
+        if (has_pieces_)
             for (std::size_t o = 0; o < origins; ++o)
                 found_.laws[o].variance *= worth_to_leaves[o];
         if (!found_.is_whole) {
@@ -257,7 +247,7 @@ class Search {
             std::max(amounts[LightOrigin::scattered], coarsest);
         for (std::size_t o = 0; o < origins; ++o)
             amounts[o] = std::max(amounts[o], least[o]);
-        if (detail_ == Detail::leaf_light) {
+        if (has_pieces_) {
             const double more = for_pieces(amounts);
             amounts[LightOrigin::skies] *= more;
             amounts[LightOrigin::scattered] *= more;
@@ -284,7 +274,7 @@ class Search {
     }
 
     Subject subject_;
-    Detail detail_;
+    bool has_pieces_;
     const Illumination& light_;
     const Accuracy& accuracy_;
     const Randomness& randomness_;
@@ -296,21 +286,99 @@ class Search {
     Findings found_;  //!< by the last trial
 };
 
+//! Workloads of bands, of which some are bounded, as one.
+class Demands {
+  public:
+    Demands(const Subject& subject, const Accuracy& accuracy,
+            const Randomness& randomness)
+        : subject_(subject), accuracy_(accuracy) {
+        for (std::size_t b = 0; b < subject.bands.size(); ++b) {
+            if (!is_bounded(b)) continue;
+            const Subject one{subject.scene, subject.groups,
+                              subject.bands.subspan(b, 1), subject.layers};
+            Search search(one, b == 0 && subject.pieces > 0, accuracy,
+                          randomness);
+            add(b, search.enough());
+            is_capped_.resize(b + 1);
+            is_capped_[b] = search.is_capped();
+        }
+        for (std::size_t b = 0; b < subject.bands.size(); ++b)
+            if (!is_bounded(b)) follow_as_often(b);
+    }
+
+    Workload work() const { return work_; }
+
+    //! Whether a band has a larger error than the tolerance, because there may
+    //! be no more paths.
+    bool are_unmet(const BandTallies& tallies) const {
+        for (std::size_t b = 0; b < is_capped_.size(); ++b) {
+            if (!is_capped_[b]) continue;
+            const Estimate leaves = absorbed_by_leaves(tallies[b]);
+            if (leaves.standard_error > accuracy_.tolerance * leaves.mean)
+                return true;
+        }
+        return false;
+    }
+
+  private:
+    //! Where none is bounded, the first one is.
+    bool is_bounded(std::size_t b) const {
+        const std::span<const Band> bands = subject_.bands;
+        return bands[b].is_bounded ||
+               (b == 0 &&
+                std::none_of(bands.begin(), bands.end(),
+                             [](const Band& band) { return band.is_bounded; }));
+    }
+
+    void add(std::size_t b, Workload of_band) {
+        if (work_.first_hits.empty()) {
+            reference_ = b;
+            work_.first_hits = of_band.first_hits;
+            work_.path_energy.resize(subject_.bands.size());
+        }
+        for (std::size_t s = 0; s < work_.first_hits.size(); ++s)
+            work_.first_hits[s] =
+                std::max(work_.first_hits[s], of_band.first_hits[s]);
+        if (!of_band.path_energy.empty())
+            work_.path_energy[b] = std::move(of_band.path_energy.front());
+    }
+
+    void follow_as_often(std::size_t b) {
+        const Band& reference = subject_.bands[reference_];
+        const Band& other = subject_.bands[b];
+        const double scattered = reference.optics.most_scattered();
+        double factor =
+            other.light.light.energy() / reference.light.light.energy();
+        if (scattered > 0)
+            factor *= std::max(1., other.optics.most_scattered() / scattered);
+        work_.path_energy[b] = work_.path_energy[reference_];
+        for (double& energy : work_.path_energy[b]) energy *= factor;
+    }
+
+    const Subject& subject_;
+    const Accuracy& accuracy_;
+    Workload work_;
+    std::size_t reference_ = 0;    //!< the first bounded band
+    std::vector<bool> is_capped_;  //!< by band
+};
+
 }  // namespace
 
-Simulation simulate_to_tolerance(
-    const Scene& scene, const std::vector<Group>& groups, const Optics& optics,
-    const Illumination& illumination, const Accuracy& accuracy,
-    const Randomness& randomness, const Layers& layers, Detail detail) {
-    if (accuracy.tolerance > 0 && !illumination.sources.empty())
-        return Search({scene, groups, optics, illumination, layers}, accuracy,
-                      randomness, detail)
-            .result();
-    return {simulate(scene, groups, optics, illumination, accuracy, randomness,
-                     layers, detail),
-            accuracy.paths,
-            false,
-            {}};
+Simulation simulate_to_tolerance(const Subject& subject,
+                                 const Accuracy& accuracy,
+                                 const Randomness& randomness) {
+    if (!(accuracy.tolerance > 0) || subject.light().sources.empty())
+        return {
+            simulate(subject, accuracy, randomness), accuracy.paths, false, {}};
+    const Demands demands(subject, accuracy, randomness);
+    Simulation found;
+    found.work = demands.work();
+    found.tallies =
+        simulate(subject, found.work, accuracy.randomisations, randomness);
+    for (const std::uint32_t hits : found.work.first_hits)
+        found.paths += static_cast<int>(hits);
+    found.is_capped = demands.are_unmet(found.tallies);
+    return found;
 }
 
 }  // namespace ideotype

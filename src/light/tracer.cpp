@@ -39,20 +39,20 @@ Tracer::Tracer(const Counted& counted, const Optics& optics)
     : counted_(counted), scene_(counted.scene) {
     static_assert(Hit::soil == ~std::uint32_t{0} &&
                   Hit::sky == ~std::uint32_t{1});
-    surfaces_ = {{optics.soil_albedo, 0}, {}};
+    surfaces_ = {{optics.soil_albedo, 0.}, {}};
     for (const Group& group : counted.groups)
-        surfaces_.push_back(optics.of(group.tissue));
+        surfaces_.push_back(optics.of(group.material));
 }
 
-void Tracer::arrive(const FirstHits& hits, std::uint32_t source, bool is_beam,
-                    double start, double path_energy, Tally& tally,
+void Tracer::arrive(const FirstHits& hits, const Arrival& how, Tally& tally,
                     std::vector<ScatteredPath>& paths,
                     LeafSums& leaf_sums) const {
+    const double start = how.start;
     std::vector<double> sent_on;
     sent_on.reserve(hits.size());
     double whole = 0;
     for (const FirstHit& hit : hits) {
-        sent_on.push_back(surface(hit.group).scattered());
+        sent_on.push_back(surface(hit.group, hit.is_adaxial).scattered());
         whole += sent_on.back();
     }
     if (whole < 1) {
@@ -63,14 +63,17 @@ void Tracer::arrive(const FirstHits& hits, std::uint32_t source, bool is_beam,
             passed -= part;
         }
     }
-    Ledger ledger(counted_, source, is_beam, tally, leaf_sums);
+    Ledger ledger(counted_, how.source, how.is_beam, tally, leaf_sums);
     for (std::size_t i = 0; i < hits.size(); ++i) {
-        sent_on[i] *= hits[i].energy;
-        ledger.arrive(hits[i], sent_on[i]);
+        const double energy =
+            hits[i].energy *
+            (hits[i].is_direct ? how.scale : how.scale_by_soil);
+        sent_on[i] *= energy;
+        ledger.arrive(hits[i], energy, sent_on[i]);
     }
     const double all = ledger.close().sent_on;
     if (!(all > 0)) return;
-    const double count = std::max(1., std::ceil(all / path_energy - 1e-9));
+    const double count = std::max(1., std::ceil(all / how.path_energy - 1e-9));
     const double energy = all / count;
     // Rounding must not lose the last one.
     std::size_t last = hits.size() - 1;
@@ -81,7 +84,7 @@ void Tracer::arrive(const FirstHits& hits, std::uint32_t source, bool is_beam,
         for (; path < count && ((start + path) * energy < passed || i == last);
              ++path)
             paths.push_back(
-                {hits.at(i), hits[i].is_adaxial, source, energy, energy});
+                {hits.at(i), hits[i].is_adaxial, how.source, energy, energy});
     }
 }
 
@@ -114,7 +117,7 @@ void Tracer::follow(std::vector<ScatteredPath>& paths,
 
 void Tracer::go_on(ScatteredPath& path, PathSampler& numbers,
                    Ledger& ledger) const {
-    const Lambertian& from = surface(path.hit.group);
+    const Lambertian& from = surface(path.hit.group, path.is_adaxial);
     const bool is_reflected =
         from.transmittance == 0 ||
         numbers.next() * from.scattered() < from.reflectance;
@@ -125,7 +128,8 @@ void Tracer::go_on(ScatteredPath& path, PathSampler& numbers,
     path.hit =
         travel(scene_, scene_.offset_origin(path.hit.position, n), direction);
     path.is_adaxial = glm::dot(direction, path.hit.normal) < 0;
-    const double scattered = surface(path.hit.group).scattered();
+    const double scattered =
+        surface(path.hit.group, path.is_adaxial).scattered();
     ledger.keep(path.hit, path.is_adaxial,
                 scattered > 0
                     ? absorb_and_continue(path, scattered, numbers.next())

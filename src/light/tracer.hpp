@@ -20,7 +20,17 @@ struct ScatteredPath {
     double started;  //!< with that much
 };
 
-//! Follows light from its first hits on.
+//! How light of a source arrives at its first hits in a band.
+struct Arrival {
+    std::uint32_t source;
+    bool is_beam;
+    double start;              //!< of the first path: uniform in [0, 1)
+    double path_energy;        //!< [J m-2 of ground]
+    double scale = 1;          //!< energy in the band over that of the hits
+    double scale_by_soil = 1;  //!< the same of light that soil sent into a plot
+};
+
+//! Follows light of one band from its first hits on.
 class Tracer {
   public:
     //! @param counted must outlive it
@@ -32,9 +42,7 @@ class Tracer {
     //! spread over all the energy that is sent on, in the order of the hits.
     //! Where all hits together send on less than one brings, that is not worth
     //! a path: instead all or nothing of a hit is sent on, with the right odds.
-    //! @param start uniform in [0, 1)
-    void arrive(const FirstHits& hits, std::uint32_t source, bool is_beam,
-                double start, double path_energy, Tally& tally,
+    void arrive(const FirstHits& hits, const Arrival& how, Tally& tally,
                 std::vector<ScatteredPath>& paths, LeafSums& leaf_sums) const;
 
     //! Until surfaces have absorbed all paths or they have left upwards; none
@@ -48,18 +56,20 @@ class Tracer {
                 std::uint32_t net, Tally& tally, LeafSums& leaf_sums) const;
 
   private:
-    //! What light meets: soil is a surface too, and the sky is a black one.
-    const Lambertian& surface(std::uint32_t group) const {
+    //! The face of what light meets: soil is a surface too, and the sky is a
+    //! black one.
+    const Lambertian& surface(std::uint32_t group, bool is_adaxial) const {
         const std::size_t others = ~group;
-        return others < 2 ? surfaces_[others] : surfaces_[2 + group];
+        return (others < 2 ? surfaces_[others] : surfaces_[2 + group])
+            .face(is_adaxial);
     }
 
     //! To the next thing it meets, which keeps some or all of it.
     void go_on(ScatteredPath& path, PathSampler& numbers, Ledger& ledger) const;
 
     const Counted& counted_;
-    const Scene& scene_;
-    std::vector<Lambertian> surfaces_;  //!< soil, sky and those of groups
+    const RayScene& scene_;
+    std::vector<Material> surfaces_;  //!< soil, sky and those of groups
 };
 
 }  // namespace ideotype

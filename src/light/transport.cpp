@@ -28,7 +28,7 @@ class SourceRun {
     //! uniform in [0, 1).
     using Use = std::function<void(std::size_t, const FirstHits&, double)>;
 
-    SourceRun(const Scene& scene, const Source& source, std::uint32_t number,
+    SourceRun(const RayScene& scene, const Source& source, std::uint32_t number,
               const Launcher& launcher, const Randomness& randomness)
         : scene_(scene),
           source_(source),
@@ -88,95 +88,149 @@ class SourceRun {
         }
     }
 
-    const Scene& scene_;
+    const RayScene& scene_;
     const Source& source_;
     std::uint32_t number_;
     const Launcher& launcher_;
     const Randomness& randomness_;
 };
 
-//! The largest part of light that anything scatters.
-double most_scattered(const Optics& optics) {
-    return std::max({optics.leaf.scattered(), optics.stalk.scattered(),
-                     optics.sheath.scattered(), optics.soil_albedo});
-}
+//! Nets of paths of scattered light in a band, which no other band has.
+constexpr std::uint32_t nets_of_band = 1u << 26;
+
+//! Light of one band on its way from surface to surface.
+struct BandRun {
+    BandRun(const Counted& counted, const Subject& subject, std::size_t number,
+            const Workload& work, const std::vector<Launcher>& launchers,
+            double brightest_soil)
+        : band(subject.bands[number]),
+          first_net(static_cast<std::uint32_t>(number) * nets_of_band),
+          tracer(counted, band.optics),
+          has_leaf_light(number == 0 && counted.pieces > 0) {
+        const std::vector<Source>& sources = band.light.light.sources;
+        for (std::size_t s = 0; s < sources.size(); ++s) {
+            const double all = sources[s].energy * launchers[s].entering();
+            of_hit.push_back(all / std::max(1u, work.first_hits[s]));
+            const bool is_told = number < work.path_energy.size() &&
+                                 !work.path_energy[number].empty();
+            of_path.push_back(is_told ? work.path_energy[number][s]
+                                      : of_hit[s]);
+            if (work.first_hits[s] > 0)
+                most_paths += band.optics.most_scattered() * all / of_path[s];
+            scale.push_back(sources[s].energy /
+                            subject.light().sources[s].energy);
+        }
+        if (brightest_soil > 0)
+            from_soil = band.optics.soil_albedo / brightest_soil;
+    }
+
+    const Band& band;
+    std::uint32_t first_net;
+    Tracer tracer;
+    bool has_leaf_light;
+    std::vector<double> of_hit, of_path;  //!< of sources [J m-2]
+    std::vector<double> scale;            //!< energy over that of first hits
+    double from_soil = 1;   //!< the same of light that soil sends into a plot
+    double most_paths = 0;  //!< of a randomisation
+    LeafSums leaf_sums{};
+};
 
 }  // namespace
 
-std::vector<Tally> simulate(
-    const Scene& scene, const std::vector<Group>& groups, const Optics& optics,
-    const Illumination& illumination, const Workload& work, int randomisations,
-    const Randomness& randomness, const Layers& layers, Detail detail) {
-    const std::vector<Source>& sources = illumination.sources;
-    std::vector<Tally> tallies(static_cast<std::size_t>(randomisations),
-                               {std::vector<Budget>(sources.size()),
-                                std::vector<double>(groups.size()),
-                                std::vector<double>(layers.count)});
-    if (detail == Detail::leaf_light)
-        for (Tally& tally : tallies) tally.leaf_light.resize(sources.size());
-    if (sources.empty()) return tallies;
-    const Counted counted{scene, groups, layers};
-    const Tracer tracer(counted, optics);
+BandTallies simulate(const Subject& subject, const Workload& work,
+                     int randomisations, const Randomness& randomness) {
+    const RayScene& scene = subject.scene;
+    const std::vector<Source>& sources = subject.light().sources;
+    const Counted counted{scene, subject.groups, subject.layers,
+                          subject.pieces};
+    double brightest_soil = 0;
+    for (const Band& band : subject.bands)
+        brightest_soil = std::max(brightest_soil, band.optics.soil_albedo);
     std::vector<Launcher> launchers;
-    std::vector<double> of_path, of_hit;
+    for (const Source& source : sources)
+        launchers.emplace_back(scene, source, brightest_soil);
+    std::vector<BandRun> bands;
     double most_paths = 0;
-    for (std::size_t s = 0; s < sources.size(); ++s) {
-        launchers.emplace_back(scene, sources[s], optics.soil_albedo);
-        const double all = sources[s].energy * launchers[s].entering();
-        of_hit.push_back(all / std::max(1u, work.first_hits[s]));
-        of_path.push_back(work.path_energy.empty() ? of_hit[s]
-                                                   : work.path_energy[s]);
-        if (work.first_hits[s] > 0)
-            most_paths += most_scattered(optics) * all / of_path[s];
+    for (std::size_t b = 0; b < subject.bands.size(); ++b) {
+        bands.emplace_back(counted, subject, b, work, launchers,
+                           brightest_soil);
+        most_paths += bands.back().most_paths;
     }
-    LeafSums leaf_sums;
+    BandTallies tallies(
+        bands.size(),
+        std::vector<Tally>(static_cast<std::size_t>(randomisations),
+                           {std::vector<Budget>(sources.size()),
+                            std::vector<double>(subject.groups.size()),
+                            std::vector<double>(subject.layers.count)}));
+    for (std::size_t b = 0; b < bands.size(); ++b)
+        if (bands[b].has_leaf_light)
+            for (Tally& tally : tallies[b])
+                tally.leaf_light.resize(sources.size());
+    if (sources.empty()) return tallies;
     // So many randomisations at a time as memory is reasonable for.
     constexpr std::size_t room = 1 << 18;
+    const auto all = static_cast<std::size_t>(randomisations);
     const auto together = static_cast<std::size_t>(
         std::max(1., static_cast<double>(room) / (1 + most_paths)));
-    for (std::size_t first = 0; first < tallies.size(); first += together) {
-        const std::size_t last = std::min(first + together, tallies.size());
-        std::vector<std::vector<ScatteredPath>> paths(last - first);
-        const auto follow = [&](std::size_t r, std::uint32_t source) {
+    for (std::size_t first = 0; first < all; first += together) {
+        const std::size_t last = std::min(first + together, all);
+        // By band and randomisation.
+        std::vector paths(bands.size(), std::vector<std::vector<ScatteredPath>>(
+                                            last - first));
+        const auto follow = [&](std::size_t b, std::size_t r,
+                                std::uint32_t source) {
             Randomness numbers = randomness;
             numbers.first_randomisation += static_cast<std::uint32_t>(r);
-            tracer.follow(paths[r - first], numbers,
-                          static_cast<std::uint32_t>(sources.size()) + source,
-                          tallies[r], leaf_sums);
+            bands[b].tracer.follow(
+                paths[b][r - first], numbers,
+                bands[b].first_net +
+                    static_cast<std::uint32_t>(sources.size()) + source,
+                tallies[b][r], bands[b].leaf_sums);
         };
         for (std::uint32_t s = 0; s < sources.size(); ++s) {
             const std::uint32_t hits = work.first_hits[s];
             if (hits == 0) continue;
             const bool is_beam = sources[s].direction.has_value();
+            const auto use = [&](std::size_t r, const FirstHits& found,
+                                 double start) {
+                if (!found.are_drawn()) tallies.front()[r].rays += hits;
+                for (std::size_t b = 0; b < bands.size(); ++b) {
+                    BandRun& band = bands[b];
+                    std::vector<ScatteredPath>& on = paths[b][r - first];
+                    band.tracer.arrive(
+                        found,
+                        {s, is_beam, start, band.of_path[s], band.scale[s],
+                         band.scale[s] * band.from_soil},
+                        tallies[b][r], on, band.leaf_sums);
+                    if (on.size() > room) follow(b, r, s);
+                }
+            };
             SourceRun(scene, sources[s], s, launchers[s], randomness)
-                .find(hits, randomisations, first, last,
-                      [&](std::size_t r, const FirstHits& found, double start) {
-                          if (!found.are_drawn()) tallies[r].rays += hits;
-                          tracer.arrive(found, s, is_beam, start, of_path[s],
-                                        tallies[r], paths[r - first],
-                                        leaf_sums);
-                          if (paths[r - first].size() > room) follow(r, s);
-                      });
+                .find(hits, randomisations, first, last, use);
         }
         const auto last_source = static_cast<std::uint32_t>(sources.size() - 1);
-        for (std::size_t r = first; r < last; ++r) follow(r, last_source);
+        for (std::size_t b = 0; b < bands.size(); ++b)
+            for (std::size_t r = first; r < last; ++r)
+                follow(b, r, last_source);
     }
-    std::vector<double> largest = of_hit;
-    for (std::size_t s = 0; s < sources.size(); ++s)
-        for (const Tally& tally : tallies)
-            largest[s] = std::max(
-                largest[s], std::min(of_path[s], tally.sources[s].sent_on));
-    const auto resolution = std::make_shared<const Resolution>(
-        resolution_of(scene, groups, optics, layers, std::move(largest)));
-    for (Tally& tally : tallies) tally.resolution = resolution;
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+        std::vector<double> largest = bands[b].of_hit;
+        for (std::size_t s = 0; s < sources.size(); ++s)
+            for (const Tally& tally : tallies[b])
+                largest[s] = std::max(
+                    largest[s],
+                    std::min(bands[b].of_path[s], tally.sources[s].sent_on));
+        const auto resolution = std::make_shared<const Resolution>(
+            resolution_of(scene, subject.groups, bands[b].band.optics,
+                          subject.layers, std::move(largest)));
+        for (Tally& tally : tallies[b]) tally.resolution = resolution;
+    }
     return tallies;
 }
 
-std::vector<Tally> simulate(
-    const Scene& scene, const std::vector<Group>& groups, const Optics& optics,
-    const Illumination& illumination, const Accuracy& accuracy,
-    const Randomness& randomness, const Layers& layers, Detail detail) {
-    const std::vector<Source>& sources = illumination.sources;
+BandTallies simulate(const Subject& subject, const Accuracy& accuracy,
+                     const Randomness& randomness) {
+    const std::vector<Source>& sources = subject.light().sources;
     const auto paths = static_cast<std::uint32_t>(accuracy.paths);
     if (accuracy.paths < 1 || paths < sources.size())
         throw Error(fmt::format(
@@ -185,9 +239,28 @@ std::vector<Tally> simulate(
             "longer step",
             paths, sources.size()));
     Workload work;
-    if (!sources.empty()) work.first_hits = share_paths(illumination, paths);
-    return simulate(scene, groups, optics, illumination, work,
-                    accuracy.randomisations, randomness, layers, detail);
+    if (!sources.empty()) work.first_hits = share_paths(subject.light(), paths);
+    return simulate(subject, work, accuracy.randomisations, randomness);
+}
+
+std::vector<Tally> simulate(const RayScene& scene,
+                            const std::vector<Group>& groups,
+                            const Optics& optics,
+                            const Illumination& illumination,
+                            const Accuracy& accuracy,
+                            const Randomness& randomness, const Layers& layers,
+                            std::size_t pieces) {
+    const Band band = band_of(optics, illumination);
+    return std::move(simulate({scene, groups, {&band, 1}, layers, pieces},
+                              accuracy, randomness)
+                         .front());
+}
+
+Band band_of(const Optics& optics, const Illumination& illumination) {
+    Band band;
+    band.optics = optics;
+    band.light.light = illumination;
+    return band;
 }
 
 }  // namespace ideotype

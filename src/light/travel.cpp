@@ -13,7 +13,7 @@ Hit end_at(const glm::dvec3& point, const glm::dvec3& direction) {
     return {point, {0, 0, 1}, direction.z < 0 ? Hit::soil : Hit::sky};
 }
 
-Hit travel_periodic(const Scene& scene, glm::dvec3 p, const glm::dvec3& d) {
+Hit travel_periodic(const RayScene& scene, glm::dvec3 p, const glm::dvec3& d) {
     constexpr double never = std::numeric_limits<double>::infinity();
     // Rounding may hide a face at the very end of a segment or, as its image,
     // at the very start of the next one. Both look a little over the seam.
@@ -41,7 +41,7 @@ Hit travel_periodic(const Scene& scene, glm::dvec3 p, const glm::dvec3& d) {
     }
 }
 
-Hit travel_isolated(const Scene& scene, const glm::dvec3& p,
+Hit travel_isolated(const RayScene& scene, const glm::dvec3& p,
                     const glm::dvec3& d) {
     const double margin = scene.clearance() / 2;
     const auto [lower, upper] = scene.box();
@@ -63,7 +63,8 @@ Hit travel_isolated(const Scene& scene, const glm::dvec3& p,
 
 }  // namespace
 
-Hit travel(const Scene& scene, glm::dvec3 from, const glm::dvec3& direction) {
+Hit travel(const RayScene& scene, glm::dvec3 from,
+           const glm::dvec3& direction) {
     return scene.boundary() == Boundary::periodic
                ? travel_periodic(scene, from, direction)
                : travel_isolated(scene, from, direction);

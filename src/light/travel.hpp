@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ideotype/light/scene.hpp"
+#include "ideotype/light/ray_scene.hpp"
 
 namespace ideotype {
 
@@ -17,6 +17,6 @@ struct PhotonPacket {
 //! soil or the sky. In a periodic stand the way goes on at the other side of
 //! the cell wherever it leaves it; what leaves an isolated plot finds only soil
 //! or sky.
-Hit travel(const Scene& scene, glm::dvec3 from, const glm::dvec3& direction);
+Hit travel(const RayScene& scene, glm::dvec3 from, const glm::dvec3& direction);
 
 }  // namespace ideotype

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "workload.hpp"
 
@@ -49,9 +50,9 @@ double variance_of(const std::vector<double>& replicates) {
 Findings try_out(const Subject& subject, const Workload& work,
                  int randomisations, const Randomness& randomness,
                  bool is_drawn) {
-    const Illumination& light = subject.light;
+    const Illumination& light = subject.light();
     const std::vector<Tally> tallies =
-        subject.simulate(work, randomisations, randomness);
+        std::move(simulate(subject, work, randomisations, randomness).front());
     Budget all;
     double rays = 0;
     for (const Tally& tally : tallies) {
@@ -88,9 +89,10 @@ Findings try_out(const Subject& subject, const Workload& work,
             resolution.unscattered * incident / work.first_hits[s];
         largest[origin] = std::max(largest[origin], of_hit);
         if (of_hit > 0) hits[origin] += unscattered / of_hit;
-        largest[LightOrigin::scattered] = std::max(
-            largest[LightOrigin::scattered],
-            resolution.scattered * std::min(sent_on, work.path_energy[s]));
+        largest[LightOrigin::scattered] =
+            std::max(largest[LightOrigin::scattered],
+                     resolution.scattered *
+                         std::min(sent_on, work.path_energy.front()[s]));
         variance[origin] += variance_of(first) *
                             (origin == LightOrigin::beams ? suns.by_root : 1);
         kept += light.sources[s].energy;

@@ -6,22 +6,6 @@
 
 namespace ideotype {
 
-//! All that a simulation is of.
-struct Subject {
-    const Scene& scene;
-    const std::vector<Group>& groups;
-    const Optics& optics;
-    const Illumination& light;
-    const Layers& layers;
-
-    std::vector<Tally> simulate(const Workload& work, int randomisations,
-                                const Randomness& randomness,
-                                Detail detail = Detail::sums) const {
-        return ideotype::simulate(scene, groups, optics, light, work,
-                                  randomisations, randomness, layers, detail);
-    }
-};
-
 //! What a trial shows.
 struct Findings {
     ByOrigin<Law> laws{};      //!< how variances fall
@@ -32,6 +16,7 @@ struct Findings {
     bool is_whole = true;      //!< whether it had all suns
 };
 
+//! Learns from a simulation of one band.
 //! @param is_drawn whether beams are
 Findings try_out(const Subject& subject, const Workload& work,
                  int randomisations, const Randomness& randomness,

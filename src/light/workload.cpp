@@ -41,7 +41,8 @@ Amounts amounts_of(const Workload& work, const Illumination& light) {
     Amounts amounts{};
     for (std::size_t s = 0; s < work.first_hits.size(); ++s)
         amounts[origin_of(light.sources[s])] += work.first_hits[s];
-    amounts[LightOrigin::scattered] = light.energy() / work.path_energy.front();
+    amounts[LightOrigin::scattered] =
+        light.energy() / work.path_energy.front().front();
     return amounts;
 }
 
@@ -66,8 +67,8 @@ Workload work_of(const Amounts& amounts, const Illumination& light) {
             if (origin_of(sources[s]) == origin)
                 work.first_hits[s] = shares[next++];
     }
-    work.path_energy.assign(sources.size(),
-                            light.energy() / amounts[LightOrigin::scattered]);
+    work.path_energy = {std::vector(
+        sources.size(), light.energy() / amounts[LightOrigin::scattered])};
     return work;
 }
 

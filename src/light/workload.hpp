@@ -8,11 +8,11 @@ namespace ideotype {
 
 LightOrigin origin_of(const Source& source);
 
-//! What a workload amounts to.
+//! What a workload of one band amounts to.
 Amounts amounts_of(const Workload& work, const Illumination& light);
 
-//! The workload of amounts: first hits in proportion to the energy and effort
-//! of sources, and paths of scattered light of equal energy.
+//! The workload, in one band, of amounts: first hits in proportion to the
+//! energy and effort of sources, and paths of scattered light of equal energy.
 Workload work_of(const Amounts& amounts, const Illumination& light);
 
 //! Keeps so many suns, evenly over the day.

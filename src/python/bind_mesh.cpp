@@ -53,7 +53,7 @@ Divided divide(const Input<double, 2>& vertices,
     }
     result.polygons = counts.size();
     for (const std::string& name : names)
-        mesh.groups.push_back({name, tissue_of(name)});
+        mesh.groups.push_back(group_of_name(name));
     if (mesh.faces.empty()) throw Error("no face has an area");
     return result;
 }
@@ -84,7 +84,7 @@ nb::tuple to_tuple(const Estimate& x) {
 nb::dict to_dict(const MeshReport& report, bool is_day,
                  const std::vector<Estimate>& faces) {
     const CanopyReport& canopy = report.canopy;
-    const BudgetEstimate& day = canopy.light.day;
+    const BudgetEstimate& day = canopy.par().light.day;
     nb::dict dict;
     dict["incident"] = day.incident;
     nb::dict budget;
@@ -98,8 +98,8 @@ nb::dict to_dict(const MeshReport& report, bool is_day,
     std::vector<std::string> names;
     for (const Group& group : canopy.groups) names.push_back(group.name);
     dict["groups"] = names;
-    dict["absorbed_by_group"] = to_array(canopy.light.groups);
-    dict["absorbed_by_layer"] = to_array(canopy.light.layers);
+    dict["absorbed_by_group"] = to_array(canopy.par().light.groups);
+    dict["absorbed_by_layer"] = to_array(canopy.par().light.layers);
     dict["layer_thickness"] = canopy.layers.thickness;
     dict["absorbed_by_face"] = to_array(faces);
     nb::list numbers;
@@ -116,7 +116,7 @@ nb::dict to_dict(const MeshReport& report, bool is_day,
         dict["gross_assimilation"] = to_tuple(all.gross);
         dict["net_loss"] = all.net_loss();
     }
-    dict["balance_error"] = canopy.light.balance_error;
+    dict["balance_error"] = canopy.par().light.balance_error;
     dict["ground_area"] = canopy.ground_area;
     dict["paths"] = canopy.paths;
     dict["is_capped"] = canopy.is_capped;
@@ -183,9 +183,9 @@ void bind_mesh(nb::module_& module) {
         .def("set_optics",
              [](MeshOptions& x, const Two& leaf, const Two& stalk,
                 const Two& sheath, double soil) {
-                 x.leaf = to_surface(leaf);
-                 x.stalk = to_surface(stalk);
-                 x.sheath = to_surface(sheath);
+                 x.optics.leaf = to_surface(leaf);
+                 x.optics.stalk = to_surface(stalk);
+                 x.optics.sheath = to_surface(sheath);
                  x.soil_albedo = soil;
              })
         .def_rw("tolerance", &MeshOptions::tolerance)
@@ -207,7 +207,7 @@ void bind_mesh(nb::module_& module) {
                     divide(vertices, corners, counts, group, names);
                 const std::vector<double> areas = face_areas(divided.mesh);
                 report = study(std::move(divided.mesh), options);
-                faces = by_polygon(divided, areas, report.canopy.faces);
+                faces = by_polygon(divided, areas, report.canopy.par().faces);
             }
             return to_dict(report, has_day(options), faces);
         },

@@ -43,9 +43,8 @@ double mean_of(const std::vector<double>& values) {
 }  // namespace
 
 QuantitySet measured_in(const Campaign& campaign, const Case& scenario) {
-    return canopy_quantities(campaign.crop.baseline, canopy_layers(campaign),
-                             light_of(campaign, scenario),
-                             campaign.field.boundary, details_of(campaign));
+    return canopy_quantities(scene_of(campaign, scenario),
+                             canopy_layers(campaign), details_of(campaign));
 }
 
 AcrossScenarios::AcrossScenarios(const Campaign& campaign, const Case& chosen)

@@ -105,7 +105,11 @@ void check_light(const MeshOptions& options) {
                 options.photosynthesis.empty(),
             "--photosynthesis needs how strong the light is: --beam-ppfd, "
             "--sky-ppfd, a day with --site and --date, or --climate");
-    require(!options.is_exact || !options.photosynthesis.empty(),
+    require(options.scene.empty() || options.photosynthesis.empty(),
+            "--scene tells the photosynthesis of each component; leave out "
+            "--photosynthesis");
+    require(!options.is_exact || !options.photosynthesis.empty() ||
+                !options.scene.empty(),
             "--exact is a way to find assimilation; it needs --photosynthesis");
     for (const auto& [name, ppfd] :
          {std::pair("--beam-ppfd", options.beam_ppfd),
@@ -140,9 +144,9 @@ void check_surface(const std::string& name, const Lambertian& surface) {
 }
 
 void check_optics(const MeshOptions& options) {
-    check_surface("--leaf", options.leaf);
-    check_surface("--stalk", options.stalk);
-    check_surface("--sheath", options.sheath);
+    check_surface("--leaf", options.optics.leaf);
+    check_surface("--stalk", options.optics.stalk);
+    check_surface("--sheath", options.optics.sheath);
     require(is_fraction(options.soil_albedo), "--soil-albedo: from 0 to 1");
 }
 

@@ -8,8 +8,7 @@
 #include "ideotype/canopy/field.hpp"
 #include "ideotype/climate/sky_sampler.hpp"
 #include "ideotype/climate/sun.hpp"
-#include "ideotype/light/optics.hpp"
-#include "ideotype/light/scene.hpp"
+#include "ideotype/light/ray_scene.hpp"
 
 namespace ideotype {
 
@@ -37,13 +36,12 @@ struct MeshOptions {
     std::optional<double> beam_ppfd, sky_ppfd;
     std::string climate;         //!< file of a season's light; "": none
     std::string photosynthesis;  //!< file with this table; "": none
+    std::string scene;           //!< file of materials and components; "": none
     bool is_exact = false;       //!< assimilation without bias, slowly
     bool is_by_face = false;     //!< also the light on each face
 
-    Lambertian leaf{0.05, 0.05};
-    Lambertian stalk{0.31, 0.12};
-    Lambertian sheath{0.09, 0};
-    double soil_albedo = 0.1;
+    PlantOptics optics = usual_optics;
+    double soil_albedo = usual_soil_albedo;
 
     double tolerance = 1e-3;             //!< relative standard error
     std::optional<std::uint64_t> paths;  //!< instead of a tolerance

@@ -5,8 +5,11 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "campaign/campaign.hpp"
+#include "campaign/mesh_scene.hpp"
+#include "ideotype/canopy/field.hpp"
 #include "ideotype/crop/obj_reader.hpp"
 #include "ideotype/light/device.hpp"
 
@@ -20,7 +23,7 @@ constexpr std::uint64_t usual_randomisations = 32;
 
 constexpr std::size_t layers = 10;
 
-//! A single light is that of a second.
+//! Returns a single light, which is that of a second, or that of a clear day.
 LightSeries day_of(const MeshOptions& options) {
     constexpr double par_fraction = 0.45;
     if (options.site)
@@ -29,7 +32,9 @@ LightSeries day_of(const MeshOptions& options) {
     Irradiance one = options.sky ? Irradiance{0, 1} : Irradiance{1, 0};
     if (options.beam_ppfd || options.sky_ppfd)
         one = {options.beam_ppfd.value_or(0), options.sky_ppfd.value_or(0)};
-    return {{{0, 1, options.sun.value_or(SunPosition{}), one}}};
+    LightSeries series{{{0, 1, options.sun.value_or(SunPosition{}), one}}};
+    series.steps.front().nir = one;
+    return series;
 }
 
 SeriesIllumination light_of(const MeshOptions& options,
@@ -55,87 +60,288 @@ constexpr double usual_height = 20;
 //! Light may have to cross a periodic cell this often to get through.
 constexpr double most_crossings = 1000;
 
-Field field_of(Mesh mesh, const MeshOptions& options) {
-    Field field;
-    if (options.field) {
-        const FieldForm& form = *options.field;
-        const double plants = 1.0 * form.rows * form.plants;
-        if (plants * static_cast<double>(mesh.faces.size()) > most_faces)
+Cell ground_of(const MeshOptions& options) {
+    Cell cell;
+    if (options.field) cell = cell_of(*options.field);
+    if (options.period) {
+        cell.period_x = options.period->x;
+        cell.period_y = options.period->y;
+        cell.ground_area = cell.period_x * cell.period_y;
+    }
+    cell.boundary = options.boundary;
+    if (options.ground_area) cell.ground_area = *options.ground_area;
+    return cell;
+}
+
+//! Checks whether a mesh that stands so often on some ground can be traced.
+class MeshCheck {
+  public:
+    MeshCheck(const Mesh& mesh, double plants, const Cell& cell)
+        : mesh_(mesh), plants_(plants), cell_(cell) {}
+
+    //! @return warnings
+    //! @throws Error if it cannot.
+    std::vector<std::string> run() const {
+        if (plants_ * static_cast<double>(mesh_.faces.size()) > most_faces)
             throw Error(
                 fmt::format("a field of {} plants of {} faces is too "
                             "large (at most {:.0e} faces)",
-                            plants, mesh.faces.size(), most_faces));
-        field = draw_field(mesh, form, {options.seed});
-    } else {
-        field.mesh = std::move(mesh);
-        if (options.period) {
-            field.period_x = options.period->x;
-            field.period_y = options.period->y;
-            field.ground_area = field.period_x * field.period_y;
+                            plants_, mesh_.faces.size(), most_faces));
+        const auto [bottom, top] = heights();
+        std::vector<std::string> warnings;
+        constexpr double below = -1e-3;  // more than rounding
+        if (bottom < below)
+            warnings.push_back(
+                fmt::format("the mesh reaches {:.4g} m below the soil (z = 0), "
+                            "where there is no light; lift it",
+                            -bottom));
+        if (top > usual_height)
+            warnings.push_back(fmt::format(
+                "the mesh is {:.4g} m high (coordinates are taken as metres); "
+                "if they are centimetres, divide them by 100",
+                top));
+        check_area();
+        if (cell_.boundary == Boundary::periodic) {
+            check_images();
+            check_height(top);
+        }
+        return warnings;
+    }
+
+  private:
+    //! Faces much larger than the period have very many images in the cell.
+    void check_images() const {
+        double images = 0;
+        for (const auto& face : mesh_.faces) {
+            const auto count = [&](double glm::dvec3::*axis, double period) {
+                const auto [least, largest] =
+                    std::minmax({mesh_.vertices[face[0]].*axis,
+                                 mesh_.vertices[face[1]].*axis,
+                                 mesh_.vertices[face[2]].*axis,
+                                 mesh_.vertices[face[3]].*axis});
+                return 1 + (largest - least) / period;
+            };
+            images += count(&glm::dvec3::x, cell_.period_x) *
+                      count(&glm::dvec3::y, cell_.period_y);
+        }
+        if (!(plants_ * images <= most_faces))
+            throw Error(fmt::format(
+                "the mesh covers its period of {} x {} m so often that {:.1e} "
+                "faces would be needed (at most {:.0e}); is it in metres?",
+                cell_.period_x, cell_.period_y, plants_ * images, most_faces));
+    }
+
+    //! Heights of the lowest and the highest face, and of the soil [m].
+    Range heights() const {
+        Range all{0, 0};
+        for (const auto& face : mesh_.faces)
+            for (const std::uint32_t vertex : face) {
+                const double z = mesh_.vertices[vertex].z;
+                all = {std::min(all.lower, z), std::max(all.upper, z)};
+            }
+        return all;
+    }
+
+    //! Light would have to fall almost for ever to meet so few faces, or to get
+    //! out of so many.
+    void check_area() const {
+        constexpr double least = 1e-6, most = 1e4;
+        double area = 0;
+        for (const double each : face_areas(mesh_)) area += each;
+        area *= plants_;
+        const bool is_much = area > most * cell_.ground_area;
+        if (is_much || (cell_.boundary == Boundary::periodic &&
+                        area < least * cell_.ground_area))
+            throw Error(fmt::format(
+                "the mesh has {:.2g} m2 over {:.4g} m2 of ground (the {} is "
+                "{:.0e} of it); is it in metres?",
+                area, cell_.ground_area, is_much ? "most" : "least",
+                is_much ? most : least));
+    }
+
+    //! Light would take almost for ever through a tower in a narrow cell.
+    void check_height(double height) const {
+        const double period = std::min(cell_.period_x, cell_.period_y);
+        if (height > most_crossings * period)
+            throw Error(fmt::format(
+                "the mesh is {:.6g} m high over a period of {:.6g} m (the "
+                "limit is {:.0f} times the period); is it in metres?",
+                height, period, most_crossings));
+    }
+
+    const Mesh& mesh_;
+    double plants_;
+    const Cell& cell_;
+};
+
+//! Returns the faces of some groups of a mesh with the vertices that they need.
+Mesh part_of(const Mesh& mesh, const std::vector<bool>& is_wanted) {
+    constexpr std::uint32_t none = ~std::uint32_t{0};
+    Mesh part;
+    std::vector<std::uint32_t> group(mesh.groups.size(), none);
+    for (std::size_t g = 0; g < mesh.groups.size(); ++g) {
+        if (!is_wanted[g]) continue;
+        group[g] = static_cast<std::uint32_t>(part.groups.size());
+        part.groups.push_back(mesh.groups[g]);
+    }
+    std::vector<std::uint32_t> vertex(mesh.vertices.size(), none);
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        if (!is_wanted[mesh.face_group[f]]) continue;
+        part.face_group.push_back(group[mesh.face_group[f]]);
+        part.faces.push_back(mesh.faces[f]);
+        for (std::uint32_t& v : part.faces.back()) {
+            if (vertex[v] == none) {
+                vertex[v] = static_cast<std::uint32_t>(part.vertices.size());
+                part.vertices.push_back(mesh.vertices[v]);
+            }
+            v = vertex[v];
         }
     }
-    field.boundary = options.boundary;
-    if (options.ground_area) field.ground_area = *options.ground_area;
-    return field;
+    return part;
 }
 
-//! Faces much larger than the period have very many images in the cell.
-void check_images(const Field& field) {
-    double images = 0;
-    for (const auto& face : field.mesh.faces) {
-        const auto count = [&](double glm::dvec3::*axis, double period) {
-            const auto [least, largest] =
-                std::minmax({field.mesh.vertices[face[0]].*axis,
-                             field.mesh.vertices[face[1]].*axis,
-                             field.mesh.vertices[face[2]].*axis,
-                             field.mesh.vertices[face[3]].*axis});
-            return 1 + (largest - least) / period;
+//! Places the parts of a mesh in a scene as a scene file tells it.
+class SceneBuilder {
+  public:
+    SceneBuilder(Mesh mesh, const MeshScene& file,
+                 std::vector<std::string>& warnings)
+        : mesh_(std::move(mesh)), file_(file), warnings_(warnings) {}
+
+    //! @throws Error if a group fits no material or no component.
+    std::vector<Component> components() {
+        assign();
+        std::vector<Component> all;
+        for (std::size_t c = 0; c < file_.components.size(); ++c) {
+            const MeshScene::Kind& kind = file_.components[c];
+            std::vector<bool> is_own;
+            for (const std::size_t of : component_) is_own.push_back(of == c);
+            Component one{.name = kind.name,
+                          .mesh = part_of(mesh_, is_own),
+                          .photosynthesis = kind.photosynthesis};
+            if (one.mesh.faces.empty())
+                warnings_.push_back(fmt::format(
+                    "{}: component \"{}\" has no surfaces (no group of the "
+                    "mesh begins with {}); it is left out",
+                    file_.file, kind.name, fmt::join(kind.groups, " or ")));
+            else if (kind.photosynthesis && !has_leaves(one.mesh))
+                throw Error(fmt::format(
+                    "{}: component \"{}\" has photosynthesis, but none of its "
+                    "groups is a leaf; let their names end in leaf01, leaf02, "
+                    "...",
+                    file_.file, kind.name));
+            else
+                all.push_back(std::move(one));
+        }
+        return all;
+    }
+
+  private:
+    static bool has_leaves(const Mesh& mesh) {
+        return std::any_of(
+            mesh.groups.begin(), mesh.groups.end(),
+            [](const Group& group) { return group.id.is_leaf(); });
+    }
+
+    template <class Entry>
+    static std::size_t first_that_fits(const std::vector<Entry>& entries,
+                                       const std::string& name) {
+        const auto fits = [&](const Entry& entry) {
+            return std::any_of(entry.groups.begin(), entry.groups.end(),
+                               [&](const std::string& prefix) {
+                                   return name.starts_with(prefix);
+                               });
         };
-        images += count(&glm::dvec3::x, field.period_x) *
-                  count(&glm::dvec3::y, field.period_y);
+        return static_cast<std::size_t>(
+            std::find_if(entries.begin(), entries.end(), fits) -
+            entries.begin());
     }
-    if (!(images <= most_faces))
-        throw Error(fmt::format(
-            "the mesh covers its period of {} x {} m so often that {:.1e} "
-            "faces would be needed (at most {:.0e}); is it in metres?",
-            field.period_x, field.period_y, images, most_faces));
-}
 
-//! Heights of the lowest and the highest face, and of the soil [m].
-Range heights(const Mesh& mesh) {
-    Range all{0, 0};
-    for (const auto& face : mesh.faces)
-        for (const std::uint32_t vertex : face) {
-            const double z = mesh.vertices[vertex].z;
-            all = {std::min(all.lower, z), std::max(all.upper, z)};
+    //! Tells what each group is. Where none is called a leaf, all are.
+    void assign() {
+        const bool has_ranks = std::any_of(
+            mesh_.groups.begin(), mesh_.groups.end(),
+            [](const Group& group) { return leaf_rank(group.name) > 0; });
+        std::vector<std::string> problems;
+        for (Group& group : mesh_.groups) {
+            const std::uint32_t rank = leaf_rank(group.name);
+            group.id = {0, has_ranks && rank == 0 ? 1u : 0u, rank};
+            group.material = static_cast<std::uint32_t>(
+                first_that_fits(file_.materials, group.name));
+            component_.push_back(first_that_fits(file_.components, group.name));
+            const auto require = [&](bool holds, const std::string& table) {
+                if (!holds)
+                    problems.push_back(fmt::format(
+                        "{}: group {} fits no [[{}]] (none has groups that it "
+                        "begins with); add one",
+                        file_.file, group.name, table));
+            };
+            require(group.material < file_.materials.size(), "material");
+            require(component_.back() < file_.components.size(), "component");
         }
-    return all;
+        if (!problems.empty())
+            throw Error(fmt::format("{}", fmt::join(problems, "\n")));
+    }
+
+    Mesh mesh_;
+    const MeshScene& file_;
+    std::vector<std::string>& warnings_;
+    std::vector<std::size_t> component_;  //!< of each group
+};
+
+//! Returns the light of a band that a scene file names.
+SeriesIllumination light_in(const std::string& band, SeriesIllumination light,
+                            const MeshOptions& options) {
+    if (band == "nir") return in_band(std::move(light), &TimeStep::nir);
+    if (has_day(options) && band != "par")
+        throw Error(
+            fmt::format("{}: there is no light in band \"{}\" (a day and a "
+                        "climate have light in \"par\" and \"nir\"); name the "
+                        "band so, or give --sun or --sky",
+                        options.scene, band),
+            ExitCode::usage);
+    return light;
 }
 
-//! Light would have to fall almost for ever to meet so few faces, or to get
-//! out of so many.
-void check_area(const Field& field) {
-    constexpr double least = 1e-6, most = 1e4;
-    double area = 0;
-    for (const double each : face_areas(field.mesh)) area += each;
-    const bool is_much = area > most * field.ground_area;
-    if (is_much || (field.boundary == Boundary::periodic &&
-                    area < least * field.ground_area))
-        throw Error(fmt::format(
-            "the mesh has {:.2g} m2 over {:.4g} m2 of ground (the {} is {:.0e} "
-            "of it); is it in metres?",
-            area, field.ground_area, is_much ? "most" : "least",
-            is_much ? most : least));
-}
-
-//! Light would take almost for ever through a tower in a narrow cell.
-void check_height(const Field& field, double height) {
-    const double period = std::min(field.period_x, field.period_y);
-    if (height > most_crossings * period)
-        throw Error(fmt::format(
-            "the mesh is {:.6g} m high over a period of {:.6g} m (the limit is "
-            "{:.0f} times the period); is it in metres?",
-            height, period, most_crossings));
+Scene scene_of(Mesh mesh, const MeshOptions& options,
+               std::vector<std::string>& warnings) {
+    Scene scene;
+    scene.cell = ground_of(options);
+    if (!has_day(options)) scene.photons = 1;
+    std::optional<Photosynthesis> photosynthesis;
+    if (!options.photosynthesis.empty())
+        photosynthesis = read_photosynthesis(options.photosynthesis);
+    SeriesIllumination light = light_of(options, warnings);
+    if (options.scene.empty()) {
+        scene.components = {{.name = "",
+                             .mesh = std::move(mesh),
+                             .photosynthesis = photosynthesis}};
+        scene.bands = {{"par",
+                        std::move(light),
+                        {options.optics.materials(), options.soil_albedo}}};
+    } else {
+        const MeshScene file = read_mesh_scene(options.scene);
+        scene.components =
+            SceneBuilder(std::move(mesh), file, warnings).components();
+        if (scene.assimilates() && !has_day(options) && !options.beam_ppfd &&
+            !options.sky_ppfd)
+            throw Error(options.scene +
+                            ": photosynthesis needs how strong the light is: "
+                            "--beam-ppfd, --sky-ppfd, a day with --site and "
+                            "--date, or --climate",
+                        ExitCode::usage);
+        for (std::size_t b = 0; b < file.bands.size(); ++b) {
+            Optics optics{{}, file.soil_albedo[b]};
+            for (const MeshScene::Matter& each : file.materials)
+                optics.materials.push_back(each.bands[b]);
+            scene.bands.push_back({file.bands[b],
+                                   light_in(file.bands[b], light, options),
+                                   std::move(optics)});
+        }
+    }
+    if (options.field)
+        for (Component& each : scene.components)
+            set_places(each, *options.field);
+    return scene;
 }
 
 //! At least as many paths as asked for.
@@ -146,25 +352,6 @@ Accuracy accuracy_of(const MeshOptions& options) {
     return {static_cast<int>((paths + randomisations - 1) / randomisations),
             static_cast<int>(randomisations),
             options.paths ? 0 : options.tolerance};
-}
-
-CanopyRequest to_request(const MeshOptions& options, Field field,
-                         std::vector<std::string>& warnings) {
-    Details details{
-        .sunlit = true, .faces = options.is_by_face, .exact = options.is_exact};
-    if (!options.photosynthesis.empty()) {
-        details.photosynthesis = read_photosynthesis(options.photosynthesis);
-        if (!has_day(options)) details.photosynthesis->photons = 1;
-    }
-    return {
-        std::move(field),
-        {{},
-         light_of(options, warnings),
-         {options.leaf, options.stalk, options.soil_albedo, options.sheath}},
-        {0, layers},
-        accuracy_of(options),
-        {options.seed},
-        details};
 }
 
 }  // namespace
@@ -180,28 +367,24 @@ MeshReport study(const MeshOptions& options) {
 
 MeshReport study(Mesh mesh, const MeshOptions& options) {
     check(options);
+    const double plants =
+        options.field ? 1.0 * options.field->rows * options.field->plants : 1;
     MeshReport result;
-    Field field = field_of(std::move(mesh), options);
-    const auto [bottom, top] = heights(field.mesh);
-    constexpr double below = -1e-3;  // more than rounding
-    if (bottom < below)
-        result.warnings.push_back(
-            fmt::format("the mesh reaches {:.4g} m below the soil (z = 0), "
-                        "where there is no light; lift it",
-                        -bottom));
-    if (top > usual_height)
-        result.warnings.push_back(fmt::format(
-            "the mesh is {:.4g} m high (coordinates are taken as metres); if "
-            "they are centimetres, divide them by 100",
-            top));
-    check_area(field);
-    if (field.boundary == Boundary::periodic) {
-        check_images(field);
-        check_height(field, top);
-    }
-    result.canopy =
-        evaluate(to_request(options, std::move(field), result.warnings),
-                 Device(Device::supported_isas().back()));
+    result.warnings = MeshCheck(mesh, plants, ground_of(options)).run();
+    CanopyRequest request{scene_of(std::move(mesh), options, result.warnings),
+                          {0, layers},
+                          accuracy_of(options),
+                          {options.seed},
+                          {.sunlit = true,
+                           .faces = options.is_by_face,
+                           .exact = options.is_exact}};
+    if (request.scene.components.size() > 1 && options.field &&
+        options.field->jitter > 0)
+        throw Error(
+            "--jitter: components of a mesh cannot turn together; "
+            "leave it out",
+            ExitCode::usage);
+    result.canopy = evaluate(request, Device(Device::supported_isas().back()));
     return result;
 }
 

@@ -27,27 +27,31 @@ Layers canopy_layers(const Campaign& campaign) {
             static_cast<std::size_t>(std::ceil(campaign.reach / thickness))};
 }
 
-Scenario scenario_of(const Campaign& campaign, const Case& chosen) {
-    FieldForm field = campaign.field;
-    field.spacing = chosen.spacing;
-    return {field,
-            illuminate(light_of(campaign, chosen), campaign.sky_model,
-                       chosen.spacing.row_direction, Skies::shared,
-                       campaign.sun_dates),
-            campaign.optics};
+Scene scene_of(const Campaign& campaign, const Case& chosen) {
+    FieldForm form = campaign.field;
+    form.spacing = chosen.spacing;
+    Scene scene;
+    scene.cell = cell_of(form);
+    scene.components = {
+        component_of(campaign.crop.baseline, form, campaign.tessellation)};
+    scene.components.front().photosynthesis = campaign.photosynthesis;
+    scene.bands = {{"par",
+                    illuminate(light_of(campaign, chosen), campaign.sky_model,
+                               chosen.spacing.row_direction, Skies::shared,
+                               campaign.sun_dates),
+                    {campaign.optics.materials(), campaign.soil_albedo}}};
+    return scene;
 }
 
 Details details_of(const Campaign& campaign) {
-    return {.photosynthesis = campaign.photosynthesis,
-            .lines = campaign.feasibility.lines};
+    return {.lines = campaign.feasibility.lines};
 }
 
 CanopyRequest request_of(const Sampling& sampling, const Campaign& campaign,
-                         const Scenario& scenario, Plant plant) {
-    return {std::move(plant),        scenario,
-            canopy_layers(campaign), sampling.accuracy,
-            sampling.randomness,     details_of(campaign),
-            campaign.tessellation};
+                         Scene scene, const Plant& plant) {
+    set_plant(scene.components.front(), plant);
+    return {std::move(scene), canopy_layers(campaign), sampling.accuracy,
+            sampling.randomness, details_of(campaign)};
 }
 
 OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
@@ -70,7 +74,7 @@ namespace {
 double lai_of_line(const Campaign& campaign, const Plant& plant,
                    const CanopyReport& report) {
     const FieldForm& field = campaign.field;
-    if (!field.variation.is_any()) return report.lai;
+    if (!field.variation.is_any()) return report.components.front().lai;
     const double plants = (field.rows - 2. * field.border_rows) *
                           (field.plants - 2. * field.border_rows);
     return plants *
@@ -110,19 +114,19 @@ Stand::Stand(const Campaign& campaign, const Case& chosen)
 }
 
 void Stand::prepare() {
-    if (!scenarios_.empty()) return;
+    if (!scenes_.empty()) return;
     for (const Case& each : cases_)
-        scenarios_.push_back(scenario_of(campaign_, each));
+        scenes_.push_back(scene_of(campaign_, each));
 }
 
 Outcome Stand::evaluate(const Plant& plant, const Sampling& sampling,
                         const Device& device) {
     prepare();
     std::vector<Outcome> outcomes;
-    for (const Scenario& scenario : scenarios_)
+    for (const Scene& scene : scenes_)
         outcomes.push_back(to_outcome(
             campaign_, plant,
-            ideotype::evaluate(request_of(sampling, campaign_, scenario, plant),
+            ideotype::evaluate(request_of(sampling, campaign_, scene, plant),
                                device)));
     return across_ ? across_->combine(outcomes) : std::move(outcomes.front());
 }

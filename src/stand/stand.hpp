@@ -19,16 +19,16 @@ double final_effort(const Campaign& campaign);
 //! Layers of 0.25 m, up to what the highest leaf could reach.
 Layers canopy_layers(const Campaign& campaign);
 
-//! What the plants of a case are evaluated under, or in the first of its
-//! scenarios; worth keeping for all of them.
-Scenario scenario_of(const Campaign& campaign, const Case& chosen);
+//! The scene of the baseline in a case, or in the first of its scenarios; worth
+//! keeping for all other plants.
+Scene scene_of(const Campaign& campaign, const Case& chosen);
 
 //! What is found out about all plants of a campaign.
 Details details_of(const Campaign& campaign);
 
-//! How a plant is evaluated in a scenario of a campaign.
+//! How a plant is evaluated in a scene of a campaign.
 CanopyRequest request_of(const Sampling& sampling, const Campaign& campaign,
-                         const Scenario& scenario, Plant plant);
+                         Scene scene, const Plant& plant);
 
 //! The form of a case's outcomes, with this accuracy.
 OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
@@ -63,7 +63,7 @@ class Stand {
   private:
     const Campaign& campaign_;
     std::vector<Case> cases_;                //!< of each scenario
-    std::vector<Scenario> scenarios_;        //!< empty until they are set up
+    std::vector<Scene> scenes_;              //!< empty until they are set up
     std::optional<AcrossScenarios> across_;  //!< of several
     OutcomeSchema schema_, final_schema_;
 };

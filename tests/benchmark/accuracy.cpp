@@ -48,13 +48,12 @@ Campaign ames(int plants) {
 }
 
 void change(BenchStand& stand, const Setting& setting) {
-    Scenario& scenario = stand.request.scenario;
-    scenario.optics = {setting.surface, setting.surface, setting.soil_albedo};
+    Band& par = stand.request.scene.bands.front();
+    par.optics = {{setting.surface, setting.surface}, setting.soil_albedo};
     if (!setting.has_sky) {
-        std::erase_if(scenario.light.light.sources,
+        std::erase_if(par.light.light.sources,
                       [](const Source& source) { return !source.direction; });
-        std::fill(scenario.light.sky_of.begin(), scenario.light.sky_of.end(),
-                  -1);
+        std::fill(par.light.sky_of.begin(), par.light.sky_of.end(), -1);
     }
 }
 
@@ -67,17 +66,16 @@ struct Origins {
 //! With the workload that a tolerance takes.
 Origins origins_of(const BenchStand& stand, const Accuracy& accuracy) {
     const Field field = stand.field(stand.baseline);
-    const Scene scene = stand.scene(field);
-    const Illumination& light = stand.request.scenario.light.light;
-    const Optics& optics = stand.request.scenario.optics;
+    const RayScene scene = stand.scene(field);
+    const Bands& bands = stand.request.scene.bands;
+    const Illumination& light = bands.front().light.light;
+    const Layers layers;
+    const Subject subject{scene, field.mesh.groups, bands, layers};
     const Workload work =
-        simulate_to_tolerance(scene, field.mesh.groups, optics, light, accuracy,
-                              {3, 0, 0})
-            .work;
+        simulate_to_tolerance(subject, accuracy, {3, 0, 0}).work;
     const double n = accuracy.randomisations;
     const std::vector<Tally> tallies =
-        simulate(scene, field.mesh.groups, optics, light, work,
-                 4 * accuracy.randomisations, {4, 0, 0});
+        simulate(subject, work, 4 * accuracy.randomisations, {4, 0, 0}).front();
     Budget all;
     for (const Tally& tally : tallies)
         for (const Budget& budget : tally.sources) all += budget;

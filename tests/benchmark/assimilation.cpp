@@ -51,48 +51,51 @@ class Canopy {
             for (std::size_t i = 0; i < plant.leaves.size(); ++i)
                 plant.leaves[i].azimuth =
                     *which.azimuth + (i % 2 == 0 ? 0 : 180);
-        const Mesh mesh = build_plant(plant, {cells_along});
-        const Pieces pieces = cut_leaves(mesh, {}, per_blade);
-        field_ = draw_field(pieces.mesh, stand_.request.scenario.field, {1});
-        pieces_ = pieces_of_field(pieces, field_.mesh, field_.face_plant);
+        Component& component = stand_.request.scene.components.front();
+        component.tessellation = {cells_along};
+        set_plant(component, plant);
+        component.photosynthesis.emplace();
+        const Pieces line = cut_leaves(component.mesh, per_blade);
+        field_ = draw_field(scene(), {1}, {&line.mesh, 1});
+        pieces_ = pieces_of_field({&line, 1}, field_);
         field_.mesh = pieces_.mesh;
-        scene_.emplace(build_scene(stand_.device, field_));
-        std::vector<double> index(mesh.groups.size());
+        surfaces_.emplace(build_scene(stand_.device, field_));
+        std::vector<double> index(line.uncut_groups);
         for (std::size_t v = 0; v < pieces_.count; ++v)
-            index[pieces_.group[v]] += pieces_.area[v] / field_.ground_area;
-        rates_ = rates_of_groups(photosynthesis_, mesh.groups, index);
+            index[pieces_.group[v]] +=
+                pieces_.area[v] / field_.cell.ground_area;
+        leaves_ = leaf_groups(scene(), component.mesh.groups, index);
     }
 
+    //! @param has_pieces whether the light is told piece by piece
     std::vector<Tally> light(double tolerance, std::uint64_t seed,
-                             Detail detail = Detail::leaf_light) const {
-        return simulate_to_tolerance(*scene_, pieces_.mesh.groups,
-                                     scenario().optics, scenario().light.light,
-                                     {1 << 22, 16, tolerance}, {seed}, {},
-                                     detail)
-            .tallies;
+                             bool has_pieces = true) const {
+        return simulate_to_tolerance(
+                   {*surfaces_, pieces_.mesh.groups, scene().bands, layers_,
+                    has_pieces ? pieces_.count : 0},
+                   {1 << 22, 16, tolerance}, {seed})
+            .tallies.front();
     }
 
     //! Gross assimilation of a day [mol m-2].
     Estimate gross(const std::vector<Tally>& tallies) const {
         std::vector<double> values;
         for (const AssimilationTally& tally :
-             assimilate(tallies, *scene_, pieces_, scenario().optics,
-                        scenario().light, photosynthesis_, rates_, {}))
+             assimilate(tallies, pieces_, lit(leaves_)))
             values.push_back(tally.gross());
         return values.size() > 1 ? estimate(values)
                                  : Estimate{values.front(), 0};
     }
 
-    //! The same without pieces.
+    //! Gross assimilation of a day without pieces [mol m-2].
     Estimate exact(double tolerance) const {
-        std::vector<LeafRates> of_pieces;
+        std::vector<LeafGroup> of_pieces;
         for (const std::uint32_t group : pieces_.group)
-            of_pieces.push_back(rates_[group]);
+            of_pieces.push_back(leaves_[group]);
         std::vector<double> values;
         for (const AssimilationTally& tally :
-             assimilate_exactly(*scene_, field_.mesh, scenario().optics,
-                                scenario().light, photosynthesis_, of_pieces,
-                                {}, {1 << 22, 16, tolerance}, {1})
+             assimilate_exactly(field_.mesh, lit(of_pieces),
+                                {1 << 22, 16, tolerance}, {1})
                  .tallies)
             values.push_back(tally.gross());
         return estimate(values);
@@ -124,14 +127,23 @@ class Canopy {
         return campaign;
     }
 
-    const Scenario& scenario() const { return stand_.request.scenario; }
+    const Scene& scene() const { return stand_.request.scene; }
+
+    LitLeaves lit(const std::vector<LeafGroup>& leaves) const {
+        return {*surfaces_,
+                pieces_.mesh.groups,
+                scene().bands.front(),
+                scene().photons,
+                leaves,
+                layers_};
+    }
 
     BenchStand stand_;
     Field field_;
     Pieces pieces_;
-    std::optional<Scene> scene_;
-    Photosynthesis photosynthesis_;
-    std::vector<LeafRates> rates_;
+    std::optional<RayScene> surfaces_;
+    std::vector<LeafGroup> leaves_;
+    Layers layers_;
 };
 
 constexpr double along = 0, across = 90;
@@ -229,9 +241,9 @@ class Costs {
         request.accuracy = {1 << 22, 16, tolerance};
         for (int i = 1; i <= repeats; ++i) {
             request.randomness.seed = static_cast<std::uint64_t>(i);
-            request.details.photosynthesis.reset();
+            request.scene.components[0].photosynthesis.reset();
             add(light_, request, stand.device);
-            request.details.photosynthesis.emplace();
+            request.scene.components[0].photosynthesis.emplace();
             add(assimilation_, request, stand.device);
         }
     }
@@ -255,8 +267,9 @@ class Costs {
         const double began = processor_time();
         const CanopyReport report = evaluate(request, device);
         runs.times.push_back(processor_time() - began);
-        const Estimate& found = report.assimilation ? report.assimilation->gross
-                                                    : report.light.day.leaves;
+        const Estimate& found = report.assimilation
+                                    ? report.assimilation->gross
+                                    : report.par().light.day.leaves;
         runs.errors.push_back(100 * found.standard_error / found.mean);
     }
 

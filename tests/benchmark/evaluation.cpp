@@ -31,13 +31,13 @@ BENCHMARK(scene)->Unit(benchmark::kMillisecond);
 void light(benchmark::State& state) {
     const BenchStand stand(BenchStand::ames());
     const Field field = stand.field(stand.baseline);
-    const Scene traced = stand.scene(field);
+    const RayScene traced = stand.scene(field);
     const Accuracy accuracy = stand.campaign.sampling;
     for (auto _ : state)
-        benchmark::DoNotOptimize(simulate(traced, field.mesh.groups,
-                                          stand.campaign.optics,
-                                          stand.request.scenario.light.light,
-                                          accuracy, {stand.chosen.seed, 0, 0}));
+        benchmark::DoNotOptimize(
+            simulate(traced, field.mesh.groups, stand.campaign.optics,
+                     stand.request.scene.bands[0].light.light, accuracy,
+                     {stand.chosen.seed, 0, 0}));
     state.counters["paths"] =
         benchmark::Counter(1.0 * accuracy.paths * accuracy.randomisations,
                            benchmark::Counter::kIsIterationInvariantRate);

@@ -55,14 +55,14 @@ class RawScene {
         bool is_inside[4] = {};
         for (std::size_t k = 0; k < 4; ++k) {
             const glm::dvec3& v = field.mesh.vertices[face[k]];
-            const double x = v.x + i * field.period_x;
-            const double y = v.y + j * field.period_y;
+            const double x = v.x + i * field.cell.period_x;
+            const double y = v.y + j * field.cell.period_y;
             quad[k] = {static_cast<float>(x), static_cast<float>(y),
                        static_cast<float>(v.z), 0};
             is_inside[0] |= x >= 0;
-            is_inside[1] |= x <= field.period_x;
+            is_inside[1] |= x <= field.cell.period_x;
             is_inside[2] |= y >= 0;
-            is_inside[3] |= y <= field.period_y;
+            is_inside[3] |= y <= field.cell.period_y;
         }
         if (is_inside[0] && is_inside[1] && is_inside[2] && is_inside[3])
             corners_.insert(corners_.end(), quad.begin(), quad.end());
@@ -84,8 +84,9 @@ struct Rays {
                 const int x = b % (side / tile) * tile + t % tile;
                 const int y = b / (side / tile) * tile + t / tile;
                 origins.push_back(
-                    {static_cast<float>((x + 0.5) / side * field.period_x),
-                     static_cast<float>((y + 0.5) / side * field.period_y)});
+                    {static_cast<float>((x + 0.5) / side * field.cell.period_x),
+                     static_cast<float>((y + 0.5) / side *
+                                        field.cell.period_y)});
             }
     }
 

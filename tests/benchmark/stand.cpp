@@ -12,22 +12,21 @@ BenchStand::BenchStand(Campaign changed)
       chosen(cases(campaign).front()),
       baseline(baseline_numbers(campaign.crop)),
       request(request_of(sampling_of(Task{}, campaign, chosen), campaign,
-                         scenario_of(campaign, chosen),
-                         campaign.crop.baseline)),
+                         scene_of(campaign, chosen), campaign.crop.baseline)),
       device(Device::supported_isas().back()) {}
 
 Field BenchStand::field(const Genome& genome) const {
-    return draw_field(
-        build_plant(grow(campaign.crop, genome), campaign.tessellation),
-        request.scenario.field, request.randomness);
+    Scene scene = request.scene;
+    set_plant(scene.components.front(), grow(campaign.crop, genome));
+    return draw_field(scene, request.randomness);
 }
 
-Scene BenchStand::scene(const Field& field) const {
+RayScene BenchStand::scene(const Field& field) const {
     return build_scene(device, field);
 }
 
 double relative_error(const CanopyReport& report) {
-    const Estimate& leaves = report.light.day.leaves;
+    const Estimate& leaves = report.par().light.day.leaves;
     return leaves.standard_error / leaves.mean;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ideotype/light/illumination.hpp"
-#include "ideotype/light/scene.hpp"
+#include "ideotype/light/ray_scene.hpp"
 #include "stand/stand.hpp"
 
 namespace ideotype {
@@ -16,7 +16,7 @@ struct BenchStand {
     explicit BenchStand(Campaign changed);
 
     Field field(const Genome& genome) const;
-    Scene scene(const Field& field) const;
+    RayScene scene(const Field& field) const;
 
     Campaign campaign;
     Case chosen;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <optional>
-#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -19,40 +18,40 @@ namespace {
 class FieldOfTwoLeaves : public ::testing::Test {
   protected:
     FieldOfTwoLeaves() {
-        request.scenario.field.jitter = 45;
-        request.details.photosynthesis.emplace();
-        const Mesh mesh = build_plant(std::get<Plant>(request.stand), {});
-        const Pieces plant = cut_leaves(mesh);
-        Field field = draw_field(plant.mesh, request.scenario.field, {1});
-        pieces = pieces_of_field(plant, field.mesh, field.face_plant);
+        Component& component = request.scene.components[0];
+        component.jitter = 45;
+        component.photosynthesis.emplace();
+        const Pieces plant = cut_leaves(component.mesh);
+        Field field = draw_field(request.scene, {1}, {&plant.mesh, 1});
+        pieces = pieces_of_field({&plant, 1}, field);
         field.mesh = pieces.mesh;
         scene.emplace(build_scene(device, field));
-        std::vector<double> index(mesh.groups.size());
+        std::vector<double> index(plant.uncut_groups);
         for (std::size_t v = 0; v < pieces.count; ++v)
-            index[pieces.group[v]] += pieces.area[v] / field.ground_area;
-        rates = rates_of_groups(*request.details.photosynthesis, mesh.groups,
-                                index);
+            index[pieces.group[v]] += pieces.area[v] / field.cell.ground_area;
+        leaves = leaf_groups(request.scene, component.mesh.groups, index);
     }
 
     //! Gross assimilation of a day [mol m-2].
     Estimate gross(const Accuracy& accuracy, std::uint64_t seed) const {
-        const Scenario& scenario = request.scenario;
+        const Band& par = request.scene.bands[0];
         std::vector<double> values;
-        for (const AssimilationTally& tally :
-             assimilate(simulate(*scene, pieces.mesh.groups, scenario.optics,
-                                 scenario.light.light, accuracy, {seed}, {},
-                                 Detail::leaf_light),
-                        *scene, pieces, scenario.optics, scenario.light,
-                        *request.details.photosynthesis, rates, {}))
+        for (const AssimilationTally& tally : assimilate(
+                 simulate(*scene, pieces.mesh.groups, par.optics,
+                          par.light.light, accuracy, {seed}, {}, pieces.count),
+                 pieces,
+                 {*scene, pieces.mesh.groups, par, request.scene.photons,
+                  leaves, layers}))
             values.push_back(tally.gross());
         return estimate(values);
     }
 
     const Device device{Device::supported_isas().back()};
+    const Layers layers;
     CanopyRequest request = two_leaves({});
     Pieces pieces;
-    std::optional<Scene> scene;
-    std::vector<LeafRates> rates;
+    std::optional<RayScene> scene;
+    std::vector<LeafGroup> leaves;
 };
 
 //! See tests/benchmark/README.md for larger fields and more paths.

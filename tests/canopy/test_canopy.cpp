@@ -29,13 +29,14 @@ class TwoLeaves : public ::testing::Test {
 
 TEST_F(TwoLeaves, PartsOfTheLightSumToWhatFalls) {
     const CanopyReport report = evaluated();
-    const BudgetEstimate& day = report.light.day;
+    const BudgetEstimate& day = report.par().light.day;
     EXPECT_NEAR((day.leaves.mean + day.stalks.mean + day.soil.mean +
                  day.reflected.mean) /
                     day.incident,
                 1, 1e-12);
     double leaves = 0;
-    for (const Estimate& layer : report.light.layers) leaves += layer.mean;
+    for (const Estimate& layer : report.par().light.layers)
+        leaves += layer.mean;
     EXPECT_NEAR(leaves / day.leaves.mean, 1, 1e-12);
     // Eight randomisations know their error to a quarter.
     EXPECT_LT(day.leaves.standard_error, .03 * day.leaves.mean);
@@ -48,14 +49,14 @@ TEST_F(TwoLeaves, PartsOfTheLightSumToWhatFalls) {
 }
 
 TEST_F(TwoLeaves, AFieldForEachRandomisationAgreesWithOne) {
-    const Estimate one = evaluated().light.day.leaves;
-    const Estimate each = evaluated(Fields::each).light.day.leaves;
+    const Estimate one = evaluated().par().light.day.leaves;
+    const Estimate each = evaluated(Fields::each).par().light.day.leaves;
     EXPECT_NE(one.mean, each.mean);
     EXPECT_NEAR(one.mean / each.mean, 1, .05);
 }
 
 TEST_F(TwoLeaves, ProfilesAreKnownByRandomisation) {
-    request.details.photosynthesis.emplace();
+    request.scene.components[0].photosynthesis.emplace();
     for (const auto fields : {Fields::one, Fields::each}) {
         const CanopyReport report = evaluated(fields);
         for (const std::string name :
@@ -63,8 +64,9 @@ TEST_F(TwoLeaves, ProfilesAreKnownByRandomisation) {
               "net_assimilation_by_leaf", "assimilation_by_layer"}) {
             const std::vector<Randomised> profile =
                 measure_profile(name, report);
-            ASSERT_EQ(profile.size(),
-                      name.ends_with("leaf") ? 2 : report.light.layers.size());
+            ASSERT_EQ(profile.size(), name.ends_with("leaf")
+                                          ? 2
+                                          : report.par().light.layers.size());
             double sum = 0;
             for (const auto& [estimated, values] : profile) {
                 const Estimate again = estimate(values);
@@ -80,18 +82,19 @@ TEST_F(TwoLeaves, ProfilesAreKnownByRandomisation) {
         EXPECT_THROW(measure_profile("absorbed_by_hour", report), Error);
         EXPECT_THROW(measure_profile("lai", report), Error);
     }
-    request.details.photosynthesis.reset();
+    request.scene.components[0].photosynthesis.reset();
     EXPECT_THROW(measure_profile("assimilation_by_leaf", evaluated()), Error);
 }
 
 TEST_F(TwoLeaves, EveryNumberIsKnownByRandomisation) {
-    request.details.photosynthesis.emplace();
+    request.scene.components[0].photosynthesis.emplace();
     request.details.lines = {{{"leaf.length", "top", 1, 0.1}}, {}};
     for (const auto fields : {Fields::one, Fields::each}) {
         const CanopyReport report = evaluated(fields);
         // Paths, caps and the balance of energy are of the method, and the
-        // nearest line is a name.
-        ASSERT_EQ(measure_numbers(report).size(), objective_names().size() + 4);
+        // nearest line is a name; near infrared and shortwave need a band.
+        ASSERT_EQ(measure_numbers(report).size(),
+                  objective_names().size() + 4 - 2);
         for (const auto& [quantity, estimated] : measure_numbers(report)) {
             const auto [same, values] =
                 measure_objective(quantity.name, report);
@@ -119,77 +122,82 @@ TEST_F(TwoLeaves, SaysWhichNumbersItDoesNotHave) {
 }
 
 TEST_F(TwoLeaves, WithoutSunAllFiguresAreZero) {
-    request.scenario.light = illuminate({}, SkyModel::uniform, 90);
+    request.scene.bands[0].light = illuminate({}, SkyModel::uniform, 90);
     const CanopyReport report = evaluated();
-    EXPECT_EQ(report.light.day.leaves.mean, 0);
-    EXPECT_EQ(report.light.day.leaves.standard_error, 0);
+    EXPECT_EQ(report.par().light.day.leaves.mean, 0);
+    EXPECT_EQ(report.par().light.day.leaves.standard_error, 0);
 }
 
 TEST_F(TwoLeaves, EachSunHasAPathHoweverFewThereAre) {
-    const double usual = evaluated().light.day.leaves.mean;
+    const double usual = evaluated().par().light.day.leaves.mean;
     request.accuracy = {2, 64};
     const CanopyReport few = evaluated();
-    const auto sources = request.scenario.light.light.sources.size();
+    const auto sources = request.scene.bands[0].light.light.sources.size();
     ASSERT_GT(sources, 10u);
     EXPECT_EQ(few.paths, 64 * sources);
-    const Estimate& leaves = few.light.day.leaves;
+    const Estimate& leaves = few.par().light.day.leaves;
     EXPECT_LT(std::abs(leaves.mean - usual), 4 * leaves.standard_error);
 }
 
 TEST_F(TwoLeaves, SheathsHaveOpticsOfTheirOwn) {
-    Plant& plant = std::get<Plant>(request.stand);
+    Component& component = request.scene.components[0];
+    Plant plant = *component.plant;
     plant.sheath = {true, 1, .001};
-    request.scenario.optics.soil_albedo = 0;
-    request.scenario.optics.leaf = request.scenario.optics.stalk = {};
-    request.scenario.optics.sheath = {};
+    set_plant(component, plant);
+    Optics& optics = request.scene.bands[0].optics;
+    optics = {};
     const CanopyReport black = evaluated();
-    EXPECT_EQ(black.light.day.reflected.mean, 0);
-    request.scenario.optics.sheath = {.9, 0};
+    EXPECT_EQ(black.par().light.day.reflected.mean, 0);
+    optics.materials = {{}, {}, {.9, 0}};
     const CanopyReport bright = evaluated();
-    EXPECT_GT(bright.light.day.reflected.mean, 0);
-    EXPECT_LT(bright.light.groups[3].mean, black.light.groups[3].mean / 5);
+    EXPECT_GT(bright.par().light.day.reflected.mean, 0);
+    EXPECT_LT(bright.par().light.groups[3].mean,
+              black.par().light.groups[3].mean / 5);
     EXPECT_EQ(bright.lai, black.lai);
 }
 
 TEST_F(TwoLeaves, AReadyFieldHasTheLightOfItsPlants) {
     const CanopyReport drawn = evaluated();
-    request.stand = draw_field(build_plant(std::get<Plant>(request.stand), {}),
-                               request.scenario.field, request.randomness);
+    request.scene =
+        as_drawn(request.scene, draw_field(request.scene, request.randomness));
     for (const Fields fields : {Fields::one, Fields::each})
-        EXPECT_EQ(evaluated(fields).budget_by_randomisation,
-                  drawn.budget_by_randomisation);
+        EXPECT_EQ(evaluated(fields).par().budget_by_randomisation,
+                  drawn.par().budget_by_randomisation);
 }
 
 TEST_F(TwoLeaves, LayersWithoutAThicknessReachTheTop) {
     request.layers = {0, 10};
     const CanopyReport report = evaluated();
-    ASSERT_EQ(report.light.layers.size(), 10u);
+    ASSERT_EQ(report.par().light.layers.size(), 10u);
     EXPECT_NEAR(report.layers.thickness, .2001, 1e-9);
     double leaves = 0;
-    for (const Estimate& layer : report.light.layers) leaves += layer.mean;
-    EXPECT_NEAR(leaves / report.light.day.leaves.mean, 1, 1e-12);
+    for (const Estimate& layer : report.par().light.layers)
+        leaves += layer.mean;
+    EXPECT_NEAR(leaves / report.par().light.day.leaves.mean, 1, 1e-12);
 }
 
 TEST_F(TwoLeaves, TheSunlitLeafAreaIsToldOnlyOnDemand) {
     const CanopyReport without = evaluated();
-    EXPECT_FALSE(without.light.steps.front().sunlit);
+    EXPECT_FALSE(without.par().light.steps.front().sunlit);
     request.details.sunlit = true;
     const CanopyReport with = evaluated();
-    ASSERT_TRUE(with.light.steps[6].sunlit);
-    EXPECT_GT(with.light.steps[6].sunlit->mean, .3);
-    EXPECT_EQ(with.budget_by_randomisation, without.budget_by_randomisation);
+    ASSERT_TRUE(with.par().light.steps[6].sunlit);
+    EXPECT_GT(with.par().light.steps[6].sunlit->mean, .3);
+    EXPECT_EQ(with.par().budget_by_randomisation,
+              without.par().budget_by_randomisation);
 }
 
 TEST_F(TwoLeaves, FirstHitsTellTheSunlitLeafAreaToo) {
     request = two_leaves({4096, 16});
-    request.details = {.sunlit = true, .photosynthesis = Photosynthesis{}};
+    request.details.sunlit = true;
+    request.scene.components[0].photosynthesis.emplace();
     for (const auto fields : {Fields::one, Fields::each}) {
         const CanopyReport report = evaluated(fields);
-        const auto& steps = request.scenario.light.series.steps;
+        const auto& steps = request.scene.bands[0].light.series.steps;
         double mean = 0, seconds = 0;
         for (std::size_t i = 0; i < steps.size(); ++i) {
             const Estimate hits = report.hit_by_sun->hours.at(i);
-            const Estimate points = *report.light.steps[i].sunlit;
+            const Estimate points = *report.par().light.steps[i].sunlit;
             EXPECT_NEAR(
                 hits.mean, points.mean,
                 4 * std::hypot(hits.standard_error, points.standard_error))
@@ -203,7 +211,7 @@ TEST_F(TwoLeaves, FirstHitsTellTheSunlitLeafAreaToo) {
 }
 
 TEST_F(TwoLeaves, LeafAreaByLightSumsToAllLeafArea) {
-    request.details.photosynthesis.emplace();
+    request.scene.components[0].photosynthesis.emplace();
     EXPECT_FALSE(evaluated().light_classes);
     request.details.sunlit = true;
     for (const auto fields : {Fields::one, Fields::each}) {
@@ -220,8 +228,8 @@ TEST_F(TwoLeaves, LeafAreaByLightSumsToAllLeafArea) {
         EXPECT_NEAR(sunlit / (report.hit_by_sun->mean.mean * report.lai), 1,
                     1e-12);
         // The middles of classes tell the light that leaves absorb.
-        const double light = 4.57 * report.light.day.leaves.mean /
-                             request.scenario.light.series.lit_seconds();
+        const double light = 4.57 * report.par().light.day.leaves.mean /
+                             request.scene.bands[0].light.series.lit_seconds();
         EXPECT_NEAR(absorbed / light, 1, .05);
     }
 }
@@ -242,10 +250,10 @@ TEST_F(TwoLeaves, AClockTimesGeometrySceneAndLightApart) {
 
 TEST_F(TwoLeaves, MoreEffortMakesTheLightOfASourceMoreCertain) {
     request.accuracy = {512, 64};
-    const Estimate usual = evaluated().light.day.leaves_sky;
-    for (Source& source : request.scenario.light.light.sources)
+    const Estimate usual = evaluated().par().light.day.leaves_sky;
+    for (Source& source : request.scene.bands[0].light.light.sources)
         if (!source.direction) source.effort = 8;
-    const Estimate more = evaluated().light.day.leaves_sky;
+    const Estimate more = evaluated().par().light.day.leaves_sky;
     EXPECT_LT(more.standard_error, .7 * usual.standard_error);
     EXPECT_NEAR(more.mean, usual.mean,
                 4 * std::hypot(more.standard_error, usual.standard_error));
@@ -255,16 +263,16 @@ TEST_F(TwoLeaves, MoreEffortMakesTheLightOfASourceMoreCertain) {
 TEST_F(TwoLeaves, SkiesOfInstantsFollowTheSunWithTheRows) {
     const auto leaves = [&](double rows, double sun) {
         const LightSeries day{{{12, 3600, {60, sun}, {0, 300}}}};
-        request.scenario.light =
+        request.scene.bands[0].light =
             illuminate(day, SkyModel::clear, rows, Skies::each);
-        return evaluated().light.day.leaves.mean;
+        return evaluated().par().light.day.leaves.mean;
     };
     EXPECT_NEAR(leaves(0, 0) / leaves(90, 90), 1, 1e-12);
     EXPECT_GT(std::abs(leaves(0, 0) / leaves(90, 0) - 1), .005);
 }
 
 TEST_F(TwoLeaves, PartsOfAssimilationSumToTheWhole) {
-    request.details.photosynthesis.emplace();
+    request.scene.components[0].photosynthesis.emplace();
     for (const auto fields : {Fields::one, Fields::each}) {
         const CanopyReport report = evaluated(fields);
         const AssimilationReport& all = *report.assimilation;
@@ -272,7 +280,7 @@ TEST_F(TwoLeaves, PartsOfAssimilationSumToTheWhole) {
         double leaves = 0, layers = 0, hours = 0;
         for (const Estimate& leaf : all.groups) leaves += leaf.mean;
         for (const Estimate& layer : all.layers) layers += layer.mean;
-        const auto& steps = request.scenario.light.series.steps;
+        const auto& steps = request.scene.bands[0].light.series.steps;
         for (std::size_t i = 0; i < steps.size(); ++i)
             hours += 1e-6 * steps[i].seconds * all.hours[i].mean;
         EXPECT_GT(all.gross.mean, .1);
@@ -285,14 +293,14 @@ TEST_F(TwoLeaves, PartsOfAssimilationSumToTheWhole) {
 }
 
 TEST_F(TwoLeaves, AssimilationOfDaysAndHoursSumsToThatOfTheMeanDay) {
-    request.details.photosynthesis.emplace();
-    request.scenario.light = illuminate(
+    request.scene.components[0].photosynthesis.emplace();
+    request.scene.bands[0].light = illuminate(
         clear_days({"ames", 42, -93.6, -5},
                    {{{2025, 7, 7}, {2025, 8, 7}, {2025, 9, 20}}, 7, 20, 60},
                    .45),
         SkyModel::uniform, 90, Skies::shared, 2);
     const AssimilationReport all = *evaluated().assimilation;
-    const LightSeries& series = request.scenario.light.series;
+    const LightSeries& series = request.scene.bands[0].light.series;
     ASSERT_EQ(all.dates.size(), 3u);
     double days = 0, hours = 0;
     for (const Estimate& date : all.dates) days += date.mean / 3;
@@ -307,20 +315,21 @@ TEST_F(TwoLeaves, AssimilationOfDaysAndHoursSumsToThatOfTheMeanDay) {
 
 //! A horizontal black leaf over all of the ground, in so many instants.
 CanopyRequest black_sheet(const std::vector<TimeStep>& steps) {
-    Field field;
-    field.mesh.vertices = {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
-    field.mesh.faces = {{0, 1, 2, 3}};
-    field.mesh.face_group = {0};
-    field.mesh.groups = {{"leaf01", Tissue::leaf}};
-    field.period_x = field.period_y = field.ground_area = 1;
     CanopyRequest request = two_leaves({64, 8});
-    request.stand = field;
-    request.scenario.light = illuminate({steps}, SkyModel::uniform, 90);
-    request.scenario.optics = {};
-    Photosynthesis& leaves = request.details.photosynthesis.emplace();
+    Scene& scene = request.scene;
+    scene.components = {{.name = "sheet",
+                         .mesh = {{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
+                                  {{0, 1, 2, 3}},
+                                  {0},
+                                  {{"leaf01", {0, 0, 1}}}}}};
+    scene.cell = {Boundary::periodic, 1, 1, 1};
+    scene.photons = 1;
+    request.scene.bands[0].light = illuminate({steps}, SkyModel::uniform, 90);
+    scene.bands[0].optics = {};
+    Photosynthesis& leaves =
+        request.scene.components[0].photosynthesis.emplace();
     leaves.rates = {CollatzLeaf{}};
     leaves.profile = CapacityProfile::none;
-    leaves.photons = 1;
     return request;
 }
 
@@ -353,22 +362,24 @@ TEST(BlackSheet, AssimilatesAsCollatzSaysInEachInstantsAir) {
 
 TEST_F(TwoLeaves, LightDoesNotDependOnWhetherLeavesAssimilate) {
     const CanopyReport dark = evaluated();
-    request.details.photosynthesis.emplace();
+    request.scene.components[0].photosynthesis.emplace();
     const CanopyReport report = evaluated();
-    EXPECT_EQ(report.budget_by_randomisation, dark.budget_by_randomisation);
+    EXPECT_EQ(report.par().budget_by_randomisation,
+              dark.par().budget_by_randomisation);
     ASSERT_EQ(report.groups.size(), dark.groups.size());
     for (std::size_t g = 0; g < dark.groups.size(); ++g) {
-        EXPECT_NEAR(report.light.groups[g].mean, dark.light.groups[g].mean,
-                    1e-9 * dark.light.day.incident);
+        EXPECT_NEAR(report.par().light.groups[g].mean,
+                    dark.par().light.groups[g].mean,
+                    1e-9 * dark.par().light.day.incident);
         EXPECT_EQ(report.groups[g].name, dark.groups[g].name);
     }
 }
 
 //! Plants that differ from each other, where even pieces of the same place do.
 TEST_F(TwoLeaves, PiecesOfPlantsThatDifferAssimilateAsExactly) {
-    request.scenario.field.variation = {.15,  .15,  {15}, {20}, .1,
-                                        {20}, {30}, {86}, .3,   .3};
-    request.details.photosynthesis.emplace();
+    request.scene.components[0].variation = {.15,  .15,  {15}, {20}, .1,
+                                             {20}, {30}, {86}, .3,   .3};
+    request.scene.components[0].photosynthesis.emplace();
     request.accuracy = {1 << 14, 16};
     const CanopyReport report = evaluated();
     request.details.exact = true;
@@ -384,7 +395,7 @@ TEST_F(TwoLeaves, PiecesOfPlantsThatDifferAssimilateAsExactly) {
 
 TEST_F(TwoLeaves, PlantsThatDifferHaveTheMeanLeafAreaOfTheirFields) {
     const double line = evaluated().lai;
-    request.scenario.field.variation = {.length = .2, .width = .2};
+    request.scene.components[0].variation = {.length = .2, .width = .2};
     const double one = evaluated().lai;
     EXPECT_NE(one, line);
     EXPECT_NEAR(one, line, .3 * line);
@@ -399,20 +410,21 @@ TEST_F(TwoLeaves, PlantsThatDifferHaveTheMeanLeafAreaOfTheirFields) {
 //! The standard error knows of fields that differ more than their light does.
 TEST_F(TwoLeaves, FieldsOfPlantsThatDifferAreLessCertain) {
     request.accuracy = {4096, 16};
-    const Estimate alike = evaluated(Fields::each).light.day.leaves;
-    request.scenario.field.variation = {.2, .2, {15}, {30}, .1};
-    const Estimate differing = evaluated(Fields::each).light.day.leaves;
+    const Estimate alike = evaluated(Fields::each).par().light.day.leaves;
+    request.scene.components[0].variation = {.2, .2, {15}, {30}, .1};
+    const Estimate differing = evaluated(Fields::each).par().light.day.leaves;
     EXPECT_GT(differing.standard_error, 1.5 * alike.standard_error);
-    EXPECT_LT(evaluated().light.day.leaves.standard_error,
+    EXPECT_LT(evaluated().par().light.day.leaves.standard_error,
               differing.standard_error / 2);
 }
 
 TEST_F(TwoLeaves, AssimilationIsConcaveInLight) {
-    request.details.photosynthesis.emplace();
+    request.scene.components[0].photosynthesis.emplace();
     const CanopyReport report = evaluated();
-    const double linear = .06 * 4.57e-6 * report.light.day.leaves.mean;
+    const double linear = .06 * 4.57e-6 * report.par().light.day.leaves.mean;
     EXPECT_LT(report.assimilation->gross.mean, .8 * linear);
-    request.details.photosynthesis->rates = {HyperbolaLeaf{{.06, 1, 1e9}, {}}};
+    request.scene.components[0].photosynthesis->rates = {
+        HyperbolaLeaf{{.06, 1, 1e9}, {}}};
     EXPECT_NEAR(evaluated().assimilation->gross.mean / linear, 1, 1e-9);
 }
 

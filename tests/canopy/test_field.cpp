@@ -15,32 +15,47 @@ namespace {
 
 const FieldForm form{6, 4, {0.762, 0.1524}, 10};
 
+Field drawn(const Plant& plant, const FieldForm& in,
+            const Randomness& randomness) {
+    Scene scene;
+    scene.components = {component_of(plant, in)};
+    scene.cell = cell_of(in);
+    return draw_field(scene, randomness);
+}
+
+std::vector<double> azimuths(const FieldForm& in,
+                             const Randomness& randomness) {
+    Component component;
+    set_places(component, in);
+    return draw_plant_azimuths(component, randomness);
+}
+
 TEST(Field, PeriodIsSpacingTimesNumberWhateverTheLeavesReach) {
     const Plant sample = sample_plant();
     const Mesh plant = build_plant(sample, {});
-    const Field field = draw_field(plant, form, {1, 0, 0});
-    EXPECT_DOUBLE_EQ(field.period_x, 6 * 0.762);
-    EXPECT_DOUBLE_EQ(field.period_y, 4 * 0.1524);
+    const Field field = drawn(sample, form, {1, 0, 0});
+    EXPECT_DOUBLE_EQ(field.cell.period_x, 6 * 0.762);
+    EXPECT_DOUBLE_EQ(field.cell.period_y, 4 * 0.1524);
     EXPECT_EQ(field.mesh.faces.size(), 24 * plant.faces.size());
     EXPECT_NEAR(plant_area(field.mesh).leaves, 24 * plant_area(plant).leaves,
                 1e-9);
 }
 
 TEST(Field, EveryPlantIsTurnedByItsOwnDraw) {
-    const auto turns = draw_plant_azimuths(form, {1, 0, 0});
+    const auto turns = azimuths(form, {1, 0, 0});
     EXPECT_EQ(std::set<double>(turns.begin(), turns.end()).size(), 24u);
     for (const double turn : turns) EXPECT_LE(std::abs(turn), 10);
-    EXPECT_EQ(draw_plant_azimuths(form, {1, 0, 0}), turns);
-    EXPECT_NE(draw_plant_azimuths(form, {2, 0, 0}), turns);
-    EXPECT_NE(draw_plant_azimuths(form, {1, 1, 0}), turns);
-    EXPECT_NE(draw_plant_azimuths(form, {1, 0, 1}), turns);
+    EXPECT_EQ(azimuths(form, {1, 0, 0}), turns);
+    EXPECT_NE(azimuths(form, {2, 0, 0}), turns);
+    EXPECT_NE(azimuths(form, {1, 1, 0}), turns);
+    EXPECT_NE(azimuths(form, {1, 0, 1}), turns);
 }
 
 TEST(Field, AFractionOfPlantsPointsAcrossTheRow) {
     FieldForm many{50, 40, {0.762, 0.1524}, 10};
     many.variation.across_row = 0.7;
     int across = 0;
-    for (const double turn : draw_plant_azimuths(many, {1, 0, 0})) {
+    for (const double turn : azimuths(many, {1, 0, 0})) {
         EXPECT_GE(turn, -45);
         EXPECT_LT(turn, 135);
         across += turn < 45;
@@ -60,8 +75,7 @@ TEST(Field, AFractionOfPlantsIsMissingOrLate) {
     double plants = 0, area = 0;
     constexpr int fields = 200;
     for (std::uint32_t generation = 0; generation < fields; ++generation) {
-        const Field field =
-            draw_field(sample, plant, {}, gaps, {1, generation, 0});
+        const Field field = drawn(sample, gaps, {1, generation, 0});
         const std::size_t present =
             field.mesh.faces.size() / plant.faces.size();
         numbers.insert(present);
@@ -82,16 +96,17 @@ TEST(Field, OfManyMissingPlantsOneStays) {
     const Plant sample = sample_plant();
     FieldForm two{2, 1, {0.762, 0.1524}, 10};
     two.variation.missing = 1;
-    EXPECT_FALSE(draw_field(sample, build_plant(sample, {}), {}, two, {1, 0, 0})
-                     .mesh.faces.empty());
+    EXPECT_FALSE(drawn(sample, two, {1, 0, 0}).mesh.faces.empty());
 }
 
 TEST(Field, TurningByAnAngleEqualsChangingTheLeafAzimuths) {
     Plant sample = sample_plant();
-    const FieldForm single{1, 1, {0.76, 0.15}, 10};
-    const Field turned = build_field(build_plant(sample, {}), single, {7.5});
-    for (Leaf& leaf : sample.leaves) leaf.azimuth += 7.5;
-    const Field changed = build_field(build_plant(sample, {}), single, {0});
+    FieldForm single{1, 1, {0.76, 0.15}, 10};
+    const double turn = azimuths(single, {1, 0, 0}).front();
+    const Field turned = drawn(sample, single, {1, 0, 0});
+    for (Leaf& leaf : sample.leaves) leaf.azimuth += turn;
+    single.jitter = 0;
+    const Field changed = drawn(sample, single, {1, 0, 0});
     const std::size_t leaf_vertices = 3 * 13 * 3;
     for (std::size_t v = 0; v < leaf_vertices; ++v) {
         EXPECT_NEAR(turned.mesh.vertices[v].x, changed.mesh.vertices[v].x,
@@ -106,9 +121,9 @@ TEST(Field, APlotHasTheGroundOfItsPlants) {
     FieldForm plot = form;
     plot.boundary = Boundary::isolated;
     const Mesh plant = build_plant(sample, {});
-    const Field field = draw_field(plant, plot, {1, 0, 0});
-    EXPECT_EQ(field.boundary, Boundary::isolated);
-    EXPECT_NEAR(field.ground_area, 24 * 0.762 * 0.1524, 1e-12);
+    const Field field = drawn(sample, plot, {1, 0, 0});
+    EXPECT_EQ(field.cell.boundary, Boundary::isolated);
+    EXPECT_NEAR(field.cell.ground_area, 24 * 0.762 * 0.1524, 1e-12);
     EXPECT_EQ(field.mesh.faces.size(), 24 * plant.faces.size());
 }
 
@@ -118,8 +133,8 @@ TEST(Field, ACutPlotEndsAtItsEdge) {
     plot.boundary = Boundary::isolated;
     plot.border_rows = 1;
     const Mesh plant = build_plant(sample, {});
-    const Field field = draw_field(plant, plot, {1, 0, 0});
-    EXPECT_NEAR(field.ground_area, 4 * 2 * 0.762 * 0.1524, 1e-12);
+    const Field field = drawn(sample, plot, {1, 0, 0});
+    EXPECT_NEAR(field.cell.ground_area, 4 * 2 * 0.762 * 0.1524, 1e-12);
     // What is cut off its plants, its neighbours hang over the edge.
     EXPECT_NEAR(plant_area(field.mesh).leaves / (8 * plant_area(plant).leaves),
                 1, .2);
@@ -130,7 +145,7 @@ TEST(Field, ACutPlotEndsAtItsEdge) {
             EXPECT_LT(field.mesh.vertices[v].x, 5 * 0.762 + half_a_face);
         }
     plot.border_rows = 2;
-    EXPECT_THROW(draw_field(plant, plot, {1, 0, 0}), Error);
+    EXPECT_THROW(drawn(sample, plot, {1, 0, 0}), Error);
 }
 
 TEST(Field, EveryFaceKnowsItsPlantAlsoInACutPlot) {
@@ -139,7 +154,7 @@ TEST(Field, EveryFaceKnowsItsPlantAlsoInACutPlot) {
     plot.boundary = Boundary::isolated;
     plot.border_rows = 1;
     const Mesh plant = build_plant(sample, {});
-    const Field field = draw_field(plant, plot, {1, 0, 0});
+    const Field field = drawn(sample, plot, {1, 0, 0});
     ASSERT_EQ(field.face_plant.size(), field.mesh.faces.size());
     // Stalks stand where their plants do.
     const std::uint32_t stalk =
@@ -162,7 +177,7 @@ TEST(Field, ACutPlotKeepsNoVertexWithoutAFace) {
     plot.boundary = Boundary::isolated;
     plot.border_rows = 1;
     const Mesh plant = build_plant(sample, {});
-    const Field field = draw_field(plant, plot, {1, 0, 0});
+    const Field field = drawn(sample, plot, {1, 0, 0});
     std::set<std::uint32_t> used;
     for (const auto& face : field.mesh.faces)
         used.insert(face.begin(), face.end());
@@ -170,10 +185,32 @@ TEST(Field, ACutPlotKeepsNoVertexWithoutAFace) {
     EXPECT_EQ(*used.rbegin(), field.mesh.vertices.size() - 1);
 }
 
-TEST(Field, RefusesAWrongNumberOfTurns) {
+//! Components have random numbers of their own, so that a further one changes
+//! nothing for those before it.
+TEST(Field, HasThePlantsOfAllComponents) {
     const Plant sample = sample_plant();
-    const Mesh plant = build_plant(sample, {});
-    EXPECT_THROW(build_field(plant, form, {0, 0}), Error);
+    Scene scene;
+    scene.components = {component_of(sample, form)};
+    scene.cell = cell_of(form);
+    set_places(scene.components[0], form, {0, 2, 4});
+    const Field alone = draw_field(scene, {1, 0, 0});
+    scene.components.push_back(scene.components[0]);
+    set_places(scene.components[1], form, {1, 3, 5});
+    scene.objects = {{"post", build_plant(sample, {})}};
+    const Field both = draw_field(scene, {1, 0, 0});
+    const std::size_t faces = build_plant(sample, {}).faces.size();
+    ASSERT_EQ(alone.mesh.faces.size(), 12 * faces);
+    ASSERT_EQ(both.mesh.faces.size(), (24 + 1) * faces);
+    EXPECT_EQ(both.first_plant, (std::vector<std::uint32_t>{0, 12, 24}));
+    for (std::size_t v = 0; v < alone.mesh.vertices.size(); ++v)
+        EXPECT_EQ(both.mesh.vertices[v], alone.mesh.vertices[v]);
+    const std::size_t groups = build_plant(sample, {}).groups.size();
+    for (std::size_t f = 0; f < both.mesh.faces.size(); ++f) {
+        const std::uint32_t group = both.mesh.face_group[f];
+        EXPECT_EQ(group / groups, std::min<std::size_t>(f / (12 * faces), 2));
+        EXPECT_EQ(both.mesh.groups[group].id.component, group / groups);
+    }
+    EXPECT_EQ(scene.components[0].ground_per_plant, 2 * 0.762 * 0.1524);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 //! Blades of so many square cells along x and across y, each of 1 cm.
 Mesh blades(int count, int along, int across) {
     Mesh mesh;
-    mesh.groups = {{"leaf01", Tissue::leaf}, {"stalk", Tissue::stalk}};
+    mesh.groups = {{"leaf01"}, {"stalk", {0, 1}, 1}};
     for (int blade = 0; blade < count; ++blade)
         for (int i = 0; i < along; ++i)
             for (int j = 0; j < across; ++j) {
@@ -31,7 +31,7 @@ Mesh blades(int count, int along, int across) {
 }
 
 TEST(Pieces, HaveTheAreaOfTheirLeaves) {
-    const Pieces pieces = cut_leaves(blades(2, 12, 2), {}, 8);
+    const Pieces pieces = cut_leaves(blades(2, 12, 2), 8);
     ASSERT_EQ(pieces.count, 16u);
     for (std::size_t v = 0; v < pieces.count; ++v) {
         EXPECT_NEAR(pieces.area[v], 3e-4, 1e-12);
@@ -43,7 +43,7 @@ TEST(Pieces, HaveTheAreaOfTheirLeaves) {
 TEST(Pieces, HalveBladesAlongFirstAndThenAcross) {
     const Mesh mesh = blades(1, 8, 2);
     const auto groups = [&](std::size_t pieces) {
-        return cut_leaves(mesh, {}, pieces).mesh.face_group;
+        return cut_leaves(mesh, pieces).mesh.face_group;
     };
     const std::vector<std::uint32_t> two = groups(2), all = groups(16);
     for (std::uint32_t f = 0; f < 16; ++f)
@@ -54,46 +54,69 @@ TEST(Pieces, HalveBladesAlongFirstAndThenAcross) {
 
 TEST(Pieces, AreNeverOfTwoBladesOrPlants) {
     const Mesh apart = blades(3, 6, 2);
-    Mesh touching = blades(1, 6, 2);
-    std::vector<std::uint32_t> plant(touching.faces.size());
-    for (std::size_t f = 6; f < plant.size(); ++f) plant[f] = 1;
     for (const std::size_t most : {1, 2, 5, 48}) {
-        const Pieces pieces = cut_leaves(apart, {}, most);
+        const Pieces pieces = cut_leaves(apart, most);
         EXPECT_LE(pieces.count, 3 * std::min<std::size_t>(most, 12));
         std::map<std::uint32_t, std::set<std::size_t>> blades_of;
         for (std::size_t f = 0; f < apart.faces.size(); ++f)
             blades_of[pieces.mesh.face_group[f]].insert(f / 12);
         for (const auto& [piece, of] : blades_of) EXPECT_EQ(of.size(), 1u);
-        const Pieces of_plants = cut_leaves(touching, plant, most);
-        std::map<std::uint32_t, std::set<std::uint32_t>> plants_of;
-        for (std::size_t f = 0; f < plant.size(); ++f)
-            plants_of[of_plants.mesh.face_group[f]].insert(plant[f]);
-        for (const auto& [piece, of] : plants_of) EXPECT_EQ(of.size(), 1u);
     }
 }
 
-TEST(Rates, OfGroupsGoByTheNumbersOfLeaves) {
-    Photosynthesis photosynthesis;
+TEST(Pieces, OfAFieldAreThoseOfEachPlantThenWhatIsNotCut) {
+    Scene scene;
+    for (const int along : {2, 3}) {
+        Component& one = scene.components.emplace_back();
+        one.mesh = blades(1, along, 2);
+        one.places = {{0, 0}, {1, 0}};
+        // A face of the stalk.
+        one.mesh.faces.push_back(one.mesh.faces.front());
+        one.mesh.face_group.push_back(1);
+    }
+    scene.objects = {{"post", scene.components[0].mesh}};
+    const std::vector<Pieces> lines{cut_leaves(scene.components[0].mesh),
+                                    cut_leaves(scene.components[1].mesh)};
+    const std::vector<Mesh> meshes{lines[0].mesh, lines[1].mesh};
+    Field field = draw_field(scene, {}, meshes);
+    const Pieces all = pieces_of_field(lines, field);
+    ASSERT_EQ(all.count, 2u * (4 + 6));
+    ASSERT_EQ(all.mesh.groups.size(), all.count + 2 + 2);
+    std::map<std::uint32_t, int> faces;  // of each group that was cut
+    for (const std::uint32_t group : all.mesh.face_group)
+        ++faces[all.group[group]];
+    // Leaf and stalk of both components, then of the post, which is not cut.
+    EXPECT_EQ(faces, (std::map<std::uint32_t, int>{
+                         {0, 8}, {1, 2}, {2, 12}, {3, 2}, {4, 4}, {5, 1}}));
+    for (std::size_t g = 0; g < all.mesh.groups.size(); ++g) {
+        const SurfaceId& id = all.mesh.groups[g].id;
+        EXPECT_EQ(id.component, all.group[g] / 2) << g;
+        EXPECT_EQ(id.is_object(), all.group[g] >= 4) << g;
+    }
+    for (std::size_t v = 0; v < all.count; ++v)
+        EXPECT_EQ(all.like[v], v < 8 ? v % 4 : 8 + (v - 8) % 6) << v;
+}
+
+TEST(Rates, OfGroupsGoByTheRanksOfLeaves) {
+    Scene scene;
+    Photosynthesis& photosynthesis =
+        scene.components.emplace_back().photosynthesis.emplace();
     photosynthesis.profile = CapacityProfile::none;
     photosynthesis.rates = {HyperbolaLeaf{{.06, .7, 30}},
                             HyperbolaLeaf{{.06, .7, 40}}};
-    const auto capacity = [&](const std::vector<Group>& groups) {
+    const auto capacity = [&](const std::vector<std::uint32_t>& ranks) {
+        std::vector<Group> groups;
+        for (const std::uint32_t rank : ranks)
+            groups.push_back({"leaf", {0, 0, rank}});
         std::vector<double> result;
-        for (const LeafRates& each : rates_of_groups(
-                 photosynthesis, groups, std::vector<double>(groups.size(), 1)))
-            result.push_back(std::get<HyperbolaLeaf>(each).response.amax);
+        for (const LeafGroup& each :
+             leaf_groups(scene, groups, std::vector<double>(groups.size(), 1)))
+            result.push_back(std::get<HyperbolaLeaf>(each.rates).response.amax);
         return result;
     };
-    EXPECT_EQ(capacity({{"plant1_leaf02", Tissue::leaf},
-                        {"leaf01", Tissue::leaf},
-                        {"plant2_leaf02", Tissue::leaf}}),
-              (std::vector{40., 30., 40.}));
-    EXPECT_THROW(capacity({{"leaf01", Tissue::leaf}, {"tip", Tissue::leaf}}),
-                 Error);
-    EXPECT_THROW(capacity({{"leaf01", Tissue::leaf},
-                           {"leaf02", Tissue::leaf},
-                           {"leaf03", Tissue::leaf}}),
-                 Error);
+    EXPECT_EQ(capacity({2, 1, 2}), (std::vector{40., 30., 40.}));
+    EXPECT_THROW(capacity({1, 0}), Error);
+    EXPECT_THROW(capacity({1, 2, 3}), Error);
 }
 
 }  // namespace

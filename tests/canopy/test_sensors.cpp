@@ -37,18 +37,18 @@ TEST_F(Sensors, AboveThePlantsReceiveAllLight) {
 
 //! On the ground, sensors all over the row distance know what the soil absorbs.
 TEST_F(Sensors, OnTheSoilReceiveWhatItAbsorbs) {
-    const double row = request.scenario.field.spacing.row;
+    const double row = request.scene.cell.row_distance;
     std::vector<Sensor> sensors;
     for (int i = 0; i < 10; ++i) sensors.push_back({0, (i + .5) / 10 * row});
     request.randomness.fields = Randomness::Fields::each;
     const auto found = light_on_sensors(request, device, sensors, 64);
     double mean = 0;
     for (const auto& sensor : found)
-        mean += day_mean(sensor, request.scenario.light.series) / 10;
+        mean += day_mean(sensor, request.scene.bands[0].light.series) / 10;
     const CanopyReport report = evaluate(request, device);
-    const double soil = report.light.day.soil.mean /
-                        (1 - request.scenario.optics.soil_albedo) /
-                        report.light.day.incident;
+    const double soil = report.par().light.day.soil.mean /
+                        (1 - request.scene.bands[0].optics.soil_albedo) /
+                        report.par().light.day.incident;
     EXPECT_NEAR(mean, soil, .01);
 }
 

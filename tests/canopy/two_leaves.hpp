@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ideotype/canopy/field.hpp"
 #include "ideotype/canopy/request.hpp"
 
 namespace ideotype {
@@ -11,13 +12,16 @@ inline CanopyRequest two_leaves(const Accuracy& accuracy) {
     plant.leaves = {{.7, .08, 40, 60, 90, .2}, {.5, .06, 30, 40, 270, .5}};
     plant.blade.width_controls = {.28, .89, .9, 1.15, .38, 0};
     plant.stalk = {true, 2, .027, 0, LeafBase::axis};
-    Scenario ames;
-    ames.field = {2, 2, {.76, .15, 90}};
-    ames.light = illuminate(
-        clear_days({"ames", 42, -93.6, -5}, {{{2025, 8, 7}}, 7, 20, 60}, .45),
-        SkyModel::uniform, ames.field.spacing.row_direction);
-    ames.optics = {{.05, .05}, {.31, .12}, .1};
-    return {plant, ames, {.25, 4}, accuracy, {1}, {}};
+    const FieldForm form{2, 2, {.76, .15, 90}};
+    Scene ames;
+    ames.components = {component_of(plant, form)};
+    ames.cell = cell_of(form);
+    ames.bands = {{"par",
+                   illuminate(clear_days({"ames", 42, -93.6, -5},
+                                         {{{2025, 8, 7}}, 7, 20, 60}, .45),
+                              SkyModel::uniform, form.spacing.row_direction),
+                   {PlantOptics{{.05, .05}, {.31, .12}, {}}.materials(), .1}}};
+    return {std::move(ames), {.25, 4}, accuracy, {1}};
 }
 
 }  // namespace ideotype

@@ -31,7 +31,7 @@ MeshOptions mesh(const std::string& name, MeshOptions::Period period) {
     MeshOptions options;
     options.path = std::string(IDEOTYPE_MESHES) + "/" + name + ".obj";
     options.period = period;
-    options.leaf = {.05, .05};
+    options.optics.leaf = {.05, .05};
     options.tolerance = 3e-4;
     return options;
 }
@@ -99,7 +99,7 @@ TEST_F(MaizeAssimilation, IsThatOfEveryLeafPoint) {
             MeshOptions options = mesh("maize1", {.76, .15});
             options.photosynthesis = sets_[set];
             const Json& input = instant.at("input");
-            options.leaf = {input.at("rho"), input.at("tau")};
+            options.optics.leaf = {input.at("rho"), input.at("tau")};
             options.soil_albedo = input.at("soil_albedo");
             set_light(options, input, "beam_horizontal_ppfd",
                       "sky_horizontal_ppfd");
@@ -143,7 +143,7 @@ TEST_P(ExactAssimilation, AgreesWithPieces) {
         options.boundary = Boundary::isolated;
     }
     options.photosynthesis = table("exact", "amax = 50\n");
-    options.leaf = {.45, .35};
+    options.optics.leaf = {.45, .35};
     options.soil_albedo = .3;
     options.sun = {45, 120};
     options.beam_ppfd = 900;
@@ -193,10 +193,10 @@ TEST(Assimilation, OfALinearResponseIsAbsorbedLight) {
     options.sky_ppfd = 300;
     const CanopyReport report = study(options).canopy;
     EXPECT_NEAR(report.assimilation->gross.mean * 1e6 /
-                    (.06 * report.light.day.leaves.mean),
+                    (.06 * report.par().light.day.leaves.mean),
                 1, 1e-12);
     EXPECT_NEAR(report.assimilation->gross.standard_error * 1e6 /
-                    (.06 * report.light.day.leaves.standard_error),
+                    (.06 * report.par().light.day.leaves.standard_error),
                 1, 1e-9);
 }
 
@@ -209,7 +209,7 @@ TEST(Assimilation, OfSheetsIsExact) {
     const Estimate one = rates(options).gross;
     EXPECT_NEAR(one.mean, 33.6839, 4 * one.standard_error);
     options.path = data("reference/sheets5.obj");
-    options.leaf = {.45, .45};
+    options.optics.leaf = {.45, .45};
     options.soil_albedo = .3;
     options.beam_ppfd = 2000;
     const Estimate five = rates(options).gross;
@@ -244,7 +244,7 @@ TEST(Assimilation, OfBlackSphericalLeavesIsExact) {
          {std::pair(90, 45.665), {60, 41.899}, {15, 15.167}}) {
         MeshOptions options = mesh("poisson_spherical_L3", {1, 1});
         options.photosynthesis = table("black", "amax = 50\n");
-        options.leaf = {0, 0};
+        options.optics.leaf = {0, 0};
         options.soil_albedo = 0;
         options.sun = {90. - elevation, 90};
         options.beam_ppfd =
@@ -258,7 +258,7 @@ TEST(Assimilation, OfBlackSphericalLeavesIsExact) {
 TEST(Assimilation, OfWeakLeavesCountsThoseInTheSun) {
     MeshOptions options = mesh("maize1", {.76, .15});
     options.photosynthesis = table("weak", "amax = 1e-9\n");
-    options.leaf = {0, 0};
+    options.optics.leaf = {0, 0};
     options.soil_albedo = 0;
     options.sun = {30, 180};
     options.beam_ppfd = 1500;
@@ -292,7 +292,7 @@ TEST(Assimilation, ByCollatzFollowsTheWeather) {
     options.photosynthesis =
         table("air", "model = 'collatz'\nweather = true\n");
     const CanopyReport moved = study(options).canopy;
-    const double linear = .067 * 4.57e-6 * moved.light.day.leaves.mean;
+    const double linear = .067 * 4.57e-6 * moved.par().light.day.leaves.mean;
     EXPECT_LT(moved.assimilation->gross.mean, .9 * linear);
     EXPECT_GT(moved.assimilation->gross.mean, .4 * linear);
     // In the same light: a night below 30 deg C costs less, the day gives less.
@@ -327,7 +327,7 @@ MeshOptions halves(const std::string& first, const std::string& second) {
     std::ofstream(options.path)
         << "v 0 0 1\nv .5 0 1\nv .5 1 1\nv 0 1 1\nv 1 0 1\nv 1 1 1\n"
         << "g " << first << "\nf 1 2 3 4\ng " << second << "\nf 2 5 6 3\n";
-    options.leaf = {0, 0};
+    options.optics.leaf = {0, 0};
     options.soil_albedo = 0;
     options.sun = {30, 90};
     options.beam_ppfd = 1000;
@@ -363,7 +363,7 @@ TEST(Assimilation, OfGroupsGoesByTheNumbersOfLeavesOfAnyMesh) {
 TEST(Assimilation, OfASingleLeafIsThatOfItsLight) {
     MeshOptions options = halves("leaf", "stalk");
     options.photosynthesis = table("one", "amax = 40\n");
-    options.stalk = {0, 0};
+    options.optics.stalk = {0, 0};
     const Rates found = rates(options);
     const Hyperbola response{.06, .7, 40};
     EXPECT_NEAR(found.gross.mean, response.gross(1000) / 2,

@@ -22,7 +22,7 @@ MeshOptions reference(const std::string& name, MeshOptions::Period period) {
 MeshOptions maize(double elevation, double azimuth) {
     MeshOptions options = reference("maize1", {.76, .15});
     options.sun = {90 - elevation, azimuth};
-    options.leaf = {0, 0};
+    options.optics.leaf = {0, 0};
     options.soil_albedo = 0;
     return options;
 }
@@ -30,7 +30,7 @@ MeshOptions maize(double elevation, double azimuth) {
 //! Some light is scattered, so that totals are not whole numbers of paths.
 MeshOptions lit_maize() {
     MeshOptions options = maize(60, 180);
-    options.leaf = {.05, .05};
+    options.optics.leaf = {.05, .05};
     return options;
 }
 
@@ -47,13 +47,13 @@ TEST(MeshStudy, MaizeAgreesWithADoublePrecisionTracer) {
     MeshOptions options = maize(60, 180);
     options.tolerance = 1e-4;
     const MeshReport report = study(options);
-    const Estimate leaf = report.canopy.light.day.leaves;
+    const Estimate leaf = report.canopy.par().light.day.leaves;
     // 32 randomisations know their error to an eighth, and so do the trials.
     EXPECT_LE(leaf.standard_error, 1.5e-4 * leaf.mean);
     EXPECT_NEAR(leaf.mean, .9206372,
                 4 * std::hypot(leaf.standard_error, 3.39e-5));
     EXPECT_NEAR(report.canopy.ground_area, .114, 1e-12);
-    EXPECT_LT(report.canopy.light.balance_error, 1e-12);
+    EXPECT_LT(report.canopy.par().light.balance_error, 1e-12);
 }
 
 TEST(MeshStudy, OneSheetOverSoilIsExact) {
@@ -61,7 +61,7 @@ TEST(MeshStudy, OneSheetOverSoilIsExact) {
     options.sky = SkyModel::uniform;
     options.soil_albedo = .2;
     options.tolerance = 1e-4;
-    const BudgetEstimate day = study(options).canopy.light.day;
+    const BudgetEstimate day = study(options).canopy.par().light.day;
     const auto expect = [](Estimate ours, double exact) {
         EXPECT_LT(ours.standard_error, 2e-4);
         EXPECT_NEAR(ours.mean, exact, 4 * ours.standard_error + 1e-7);
@@ -73,7 +73,7 @@ TEST(MeshStudy, OneSheetOverSoilIsExact) {
 
 TEST(MeshStudy, ExtinctionOfBlackHorizontalLeavesIsThatOfBeersLaw) {
     MeshOptions options = reference("poisson_horizontal_L3", {1, 1});
-    options.leaf = {0, 0};
+    options.optics.leaf = {0, 0};
     options.soil_albedo = 0;
     options.sky = SkyModel::uniform;
     for (const Measured& each : measure_numbers(study(options).canopy))
@@ -99,12 +99,12 @@ TEST(MeshStudy, StalksAreNoLeavesAndHaveTheirOwnOptics) {
     options.period = {1, 1};
     options.sun = {30, 180};
     options.soil_albedo = 0;
-    options.leaf = {0, 0};
-    options.stalk = {.3, 0};
+    options.optics.leaf = {0, 0};
+    options.optics.stalk = {.3, 0};
     options.tolerance = 1e-3;
     const CanopyReport canopy = study(options).canopy;
     EXPECT_NEAR(canopy.lai, .5, 1e-12);
-    const BudgetEstimate& day = canopy.light.day;
+    const BudgetEstimate& day = canopy.par().light.day;
     EXPECT_NEAR(day.leaves.mean, .5, 4 * day.leaves.standard_error + 1e-6);
     EXPECT_NEAR(day.stalks.mean, .35, 4 * day.stalks.standard_error + 1e-6);
     EXPECT_NEAR(day.reflected.mean, .15,
@@ -153,11 +153,12 @@ TEST(MeshStudy, AMeshBelowTheSoilIsWarnedOfAndATinyOneRefused) {
 TEST(MeshStudy, TheSameOptionsGiveTheSameBits) {
     const MeshReport a = study(lit_maize()), b = study(lit_maize());
     EXPECT_EQ(a.canopy.paths, b.canopy.paths);
-    EXPECT_EQ(a.canopy.light.day.leaves.mean, b.canopy.light.day.leaves.mean);
+    EXPECT_EQ(a.canopy.par().light.day.leaves.mean,
+              b.canopy.par().light.day.leaves.mean);
     MeshOptions other = lit_maize();
     other.seed = 2;
-    EXPECT_NE(study(other).canopy.light.day.leaves.mean,
-              a.canopy.light.day.leaves.mean);
+    EXPECT_NE(study(other).canopy.par().light.day.leaves.mean,
+              a.canopy.par().light.day.leaves.mean);
 }
 
 TEST(MeshStudy, ATighterToleranceTakesMorePathsAndIsMet) {
@@ -167,7 +168,7 @@ TEST(MeshStudy, ATighterToleranceTakesMorePathsAndIsMet) {
     options.tolerance = 3e-4;
     const MeshReport report = study(options);
     EXPECT_GT(report.canopy.paths, few);
-    const Estimate& leaves = report.canopy.light.day.leaves;
+    const Estimate& leaves = report.canopy.par().light.day.leaves;
     EXPECT_LE(leaves.standard_error, 4.5e-4 * leaves.mean);
     EXPECT_FALSE(report.canopy.is_capped);
 }
@@ -180,7 +181,7 @@ TEST(MeshStudy, AtLeastTheAskedPathsAreFollowed) {
         EXPECT_GE(report.canopy.paths, paths);
         EXPECT_LE(report.canopy.paths, 4 * paths);
         EXPECT_TRUE(
-            std::isfinite(report.canopy.light.day.leaves.standard_error));
+            std::isfinite(report.canopy.par().light.day.leaves.standard_error));
     }
 }
 
@@ -193,12 +194,12 @@ TEST(MeshStudy, AFieldOfUnturnedPlantsIsThePlantInItsCell) {
     const MeshReport stand = study(field);
     EXPECT_NEAR(stand.canopy.ground_area, 6 * .76 * .15, 1e-12);
     EXPECT_NEAR(stand.canopy.lai, plant.canopy.lai, 1e-9);
-    const Estimate a = plant.canopy.light.day.leaves,
-                   b = stand.canopy.light.day.leaves;
+    const Estimate a = plant.canopy.par().light.day.leaves,
+                   b = stand.canopy.par().light.day.leaves;
     EXPECT_NEAR(a.mean, b.mean,
                 4 * std::hypot(a.standard_error, b.standard_error));
     field.field->jitter = 20;
-    EXPECT_NE(study(field).canopy.light.day.leaves.mean, b.mean);
+    EXPECT_NE(study(field).canopy.par().light.day.leaves.mean, b.mean);
 }
 
 TEST(MeshStudy, ADayHasHoursThatSumToIt) {
@@ -206,7 +207,7 @@ TEST(MeshStudy, ADayHasHoursThatSumToIt) {
     options.sun.reset();
     options.site = Site{"", 42, -93.6, -5};
     options.date = Date{2025, 8, 7};
-    const DayReport light = study(options).canopy.light;
+    const DayReport light = study(options).canopy.par().light;
     EXPECT_NEAR(light.day.incident / 12.2e6, 1, .05);
     double leaves = 0;
     for (const StepReport& step : light.steps)
@@ -221,11 +222,12 @@ TEST(MeshStudy, AnIsolatedPlotAbsorbsMoreThanItsGroundReceives) {
     options.boundary = Boundary::isolated;
     options.ground_area = .114;
     const CanopyReport alone = study(options).canopy;
-    EXPECT_GT(alone.light.day.leaves.mean, 1.5);
-    EXPECT_GT(alone.light.day.entered.mean, alone.light.day.leaves.mean);
-    EXPECT_LT(alone.light.balance_error, 1e-11);
-    ASSERT_TRUE(alone.light.steps[0].sunlit);
-    EXPECT_GT(alone.light.steps[0].sunlit->mean, .3);
+    EXPECT_GT(alone.par().light.day.leaves.mean, 1.5);
+    EXPECT_GT(alone.par().light.day.entered.mean,
+              alone.par().light.day.leaves.mean);
+    EXPECT_LT(alone.par().light.balance_error, 1e-11);
+    ASSERT_TRUE(alone.par().light.steps[0].sunlit);
+    EXPECT_GT(alone.par().light.steps[0].sunlit->mean, .3);
 }
 
 TEST(MeshStudy, PolarNightIsDarkAndFinite) {
@@ -234,8 +236,8 @@ TEST(MeshStudy, PolarNightIsDarkAndFinite) {
     options.site = Site{"", 85, 0, 0};
     options.date = Date{2025, 12, 21};
     const MeshReport report = study(options);
-    EXPECT_EQ(report.canopy.light.day.incident, 0);
-    EXPECT_EQ(report.canopy.light.day.leaves.mean, 0);
+    EXPECT_EQ(report.canopy.par().light.day.incident, 0);
+    EXPECT_EQ(report.canopy.par().light.day.leaves.mean, 0);
 }
 
 TEST(MeshStudy, ContradictionsAreWrongUsage) {
@@ -256,10 +258,10 @@ TEST(MeshStudy, ContradictionsAreWrongUsage) {
     refuses([](auto& o) { o.sun->zenith = -1; });
     refuses([](auto& o) { o.sky = SkyModel::uniform; });
     refuses([](auto& o) { o.site = Site{}; });
-    refuses([](auto& o) { o.leaf = {.6, .5}; });
-    refuses([](auto& o) { o.leaf = {-.1, .5}; });
-    refuses([](auto& o) { o.stalk = {.6, .5}; });
-    refuses([](auto& o) { o.stalk = {.6, -.5}; });
+    refuses([](auto& o) { o.optics.leaf = {.6, .5}; });
+    refuses([](auto& o) { o.optics.leaf = {-.1, .5}; });
+    refuses([](auto& o) { o.optics.stalk = {.6, .5}; });
+    refuses([](auto& o) { o.optics.stalk = {.6, -.5}; });
     refuses([](auto& o) { o.soil_albedo = 1.1; });
     refuses([](auto& o) { o.tolerance = 0; });
     refuses([](auto& o) { o.paths = 0; });

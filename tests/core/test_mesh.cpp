@@ -16,9 +16,7 @@ Mesh sample_mesh() {
                      {0, 0, 0}, {0, 1, 0}, {0, 1, 3}, {0, 0, 3}};
     mesh.faces = {{0, 1, 2, 3}, {0, 1, 2, 2}, {4, 5, 6, 7}};
     mesh.face_group = {0, 2, 1};
-    mesh.groups = {{"leaf01", Tissue::leaf},
-                   {"stalk", Tissue::stalk},
-                   {"leaf02", Tissue::leaf}};
+    mesh.groups = {{"leaf01"}, {"stalk", {0, 1}, 1}, {"leaf02"}};
     return mesh;
 }
 

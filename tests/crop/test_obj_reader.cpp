@@ -77,17 +77,25 @@ TEST(ObjReader, CrossingPolygonsAreCounted) {
 }
 
 TEST(ObjReader, GroupsNamedAsExportedStalksAreStalks) {
-    const std::pair<const char*, Tissue> groups[] = {
-        {"stalk", Tissue::stalk},          {"stalk_2", Tissue::stalk},
-        {"plant004_stalk", Tissue::stalk}, {"plant12_stalk01", Tissue::stalk},
-        {"leaf07", Tissue::leaf},          {"plant004_leaf07", Tissue::leaf},
-        {"plant_stalk", Tissue::leaf},     {"plant004", Tissue::leaf},
-        {"beanstalk", Tissue::leaf},       {"plant4stalk", Tissue::leaf}};
-    for (const auto& [name, tissue] : groups) {
+    struct Named {
+        const char* name;
+        std::uint32_t material, rank;
+    };
+    const Named groups[] = {
+        {"stalk", 1, 0},           {"stalk_2", 1, 0},
+        {"plant004_stalk", 1, 0},  {"plant12_stalk01", 1, 0},
+        {"sheath", 2, 0},          {"leaf07", 0, 7},
+        {"plant004_leaf07", 0, 7}, {"plant_stalk", 0, 0},
+        {"plant004", 0, 0},        {"beanstalk", 0, 0},
+        {"plant4stalk", 0, 0},     {"leaf12345", 0, 0}};
+    for (const auto& [name, material, rank] : groups) {
         const ObjMesh obj =
             parse(square + std::string("g ") + name + "\nf 1 2 3 4\n");
         ASSERT_EQ(obj.mesh.groups.size(), 1u);
-        EXPECT_EQ(obj.mesh.groups[0].tissue, tissue) << name;
+        const Group& group = obj.mesh.groups[0];
+        EXPECT_EQ(group.material, material) << name;
+        EXPECT_EQ(group.id.is_leaf(), material == 0) << name;
+        EXPECT_EQ(group.id.rank, rank) << name;
     }
 }
 

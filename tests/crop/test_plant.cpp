@@ -42,7 +42,10 @@ TEST(Plant, GroupsAreLeavesFromTheLowestAndThenTheStalk) {
     EXPECT_EQ(mesh.groups[0].name, "leaf01");
     EXPECT_EQ(mesh.groups[2].name, "leaf03");
     EXPECT_EQ(mesh.groups[3].name, "stalk");
-    EXPECT_EQ(mesh.groups[3].tissue, Tissue::stalk);
+    EXPECT_EQ(mesh.groups[2].id.rank, 3u);
+    EXPECT_TRUE(mesh.groups[2].id.is_leaf());
+    EXPECT_FALSE(mesh.groups[3].id.is_leaf());
+    EXPECT_EQ(mesh.groups[3].material, 1u);
     EXPECT_EQ(mesh.faces.size(), mesh.face_group.size());
 }
 
@@ -125,7 +128,8 @@ TEST(Plant, SheathsCoverTheStalkBelowEachLeafAndAreNoLeaves) {
     EXPECT_EQ(organ_names(sample),
               (std::vector<std::string>{"stalk", "sheath"}));
     EXPECT_EQ(mesh.groups.back().name, "sheath");
-    EXPECT_EQ(mesh.groups.back().tissue, Tissue::sheath);
+    EXPECT_EQ(mesh.groups.back().material, 2u);
+    EXPECT_EQ(mesh.groups.back().id.organ, 2u);
     EXPECT_NEAR(plant_area(mesh).leaves, leaves, 1e-9);
     // Leaves at .1, .9 and 1.6 m: .1, .5 and .5 m of sheath show, and .3 and .2
     // m of stalk; only sheaths are closed by flat tops.
@@ -157,7 +161,7 @@ TEST(Plant, OtherOrgansStandOnTheStalkOrAtALeaf) {
     branches.inclination = 90;
     Organ ear = branches;
     ear.name = "ear";
-    ear.tissue = Tissue::sheath;
+    ear.material = PlantMaterial::sheath;
     ear.leaf = 2;
     ear.count = 1;
     ear.offset = 0;

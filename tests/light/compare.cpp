@@ -55,7 +55,7 @@ SceneResult compare(const ReferenceScene& reference, const Setup& setup,
     const Accuracy accuracy = spare(reference, setup, thrift);
 
     Setting stand;
-    std::optional<Scene> scene;
+    std::optional<RayScene> scene;
     const auto build = [&](std::uint32_t realisation) {
         stand = {reference.mesh(realisation), reference.period, {}};
         for (const ReferenceCase& one : reference.cases)

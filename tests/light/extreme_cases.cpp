@@ -7,16 +7,16 @@
 #include <fmt/format.h>
 
 #include "extremes.hpp"
-#include "ideotype/canopy/field.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/units.hpp"
+#include "lattice.hpp"
 
 namespace ideotype {
 
 namespace {
 
 //! A sheet over the whole period in n x n faces that share edges.
-Mesh tiles(Cell period, double height, int n) {
+Mesh tiles(Period period, double height, int n) {
     Mesh mesh = leaves_only();
     for (int i = 0; i <= n; ++i)
         for (int j = 0; j <= n; ++j)
@@ -97,7 +97,7 @@ void clear_sky_on_the_horizon(Findings& findings) {
 
 void edges_and_vertices(Findings& findings) {
     const Mesh mesh = tiles(own_cell, 0.3, 7);
-    const Scene scene(widest_device(), mesh, own_cell.x, own_cell.y);
+    const RayScene scene(widest_device(), mesh, own_cell.x, own_cell.y);
     int through = 0, rays = 0;
     for (const double slope : {0., 1e-3, 1., 100.})
         for (int i = 0; i <= 14; ++i)
@@ -132,12 +132,11 @@ void closed_mirror(Findings& findings) {
 
 Estimate leaves_of_field(Findings& findings, int n, Accuracy accuracy) {
     const FieldForm form{n, n, {.76, .15}, 0};
-    const Field field =
-        build_field(two_leaves(.7, .08, 40), form,
-                    std::vector<double>(static_cast<std::size_t>(n * n), 0.));
+    const Cell cell = cell_of(form);
     return findings
-        .closing(field.mesh, {field.period_x, field.period_y}, par,
-                 sun_from(35, 200), accuracy)
+        .closing(in_lattice(two_leaves(.7, .08, 40), form),
+                 {cell.period_x, cell.period_y}, par, sun_from(35, 200),
+                 accuracy)
         .leaves;
 }
 
@@ -148,11 +147,11 @@ void many_plants(Findings& findings) {
 }
 
 void one_centimetre_apart(Findings& findings) {
-    const Field field =
-        build_field(two_leaves(.7, .08, 40), {1, 1, {.01, .01}, 0}, {0});
+    const Mesh field =
+        in_lattice(two_leaves(.7, .08, 40), {1, 1, {.01, .01}, 0});
     for (const double elevation : {90., 1., .01}) {
-        const Fractions f = findings.closing(field.mesh, {.01, .01}, par,
-                                             sun_from(elevation, 10));
+        const Fractions f =
+            findings.closing(field, {.01, .01}, par, sun_from(elevation, 10));
         findings.require(f.leaves.mean > .9, "leaves take more than .9");
         findings.require(f.soil.mean < 1e-3, "soil gets less than .001");
     }
@@ -163,11 +162,11 @@ void fifty_metres_apart(Findings& findings) {
     // area; so do four of them in a field of two rows.
     Mesh mesh = leaves_only();
     add_leaf(mesh, {-2, -2, .4}, {4, 0, 0}, {0, 4, 1});
-    const Field field = build_field(mesh, {2, 2, {50, 50}, 0}, {0, 0, 0, 0});
-    const Fractions f = findings.closing(field.mesh, {100, 100}, black,
+    const Mesh field = in_lattice(mesh, {2, 2, {50, 50}, 0});
+    const Fractions f = findings.closing(field, {100, 100}, black,
                                          sun_from(90, 0), {65536, 16});
     findings.require_agreement(f.leaves, {16. / 2500, 0}, 5e-5, "plant");
-    findings.closing(field.mesh, {100, 100}, par, sun_from(.01, 40));
+    findings.closing(field, {100, 100}, par, sun_from(.01, 40));
 }
 
 void ten_kilometres_away(Findings& findings) {
@@ -193,7 +192,7 @@ void vertices_beyond_reason(Findings& findings) {
         add_leaf(mesh, {0, 0, 1}, {x, 0, 0}, {0, 2, 0});
         bool is_refused = false;
         try {
-            const Scene scene(widest_device(), mesh, .1, .1);
+            const RayScene scene(widest_device(), mesh, .1, .1);
         } catch (const Error&) {
             is_refused = true;
         }

@@ -68,7 +68,7 @@ void polar_night(Findings& findings) {
         findings.require(day.steps.empty(), "no instant has light");
         const SeriesIllumination light = illuminate(day, SkyModel::uniform, 90);
         const Mesh mesh = load_reference_mesh("maize1");
-        const Scene scene(widest_device(), mesh, own_cell.x, own_cell.y);
+        const RayScene scene(widest_device(), mesh, own_cell.x, own_cell.y);
         const DayReport result = report(
             simulate(scene, mesh.groups, par, light.light, {64, 2}, {}), light);
         findings.require(result.day.incident == 0 &&
@@ -105,7 +105,7 @@ void one_path(Findings& findings) {
 void paths_beyond_two_to_the_32(Findings& findings) {
     // Path p of randomisation r is path r x paths + p of all.
     const Mesh mesh = load_reference_mesh("maize1");
-    const Scene scene(widest_device(), mesh, own_cell.x, own_cell.y);
+    const RayScene scene(widest_device(), mesh, own_cell.x, own_cell.y);
     const Accuracy accuracy{4096, 16};
     const auto at = [&](std::uint32_t first) {
         const Fractions f =
@@ -150,7 +150,7 @@ void last_paths_of_the_largest_net(Findings& findings) {
 
 void too_few_paths(Findings& findings) {
     const Mesh mesh = load_reference_mesh("sheets1");
-    const Scene scene(widest_device(), mesh, 1, 1);
+    const RayScene scene(widest_device(), mesh, 1, 1);
     for (const int paths : {0, -1, std::numeric_limits<int>::min()}) {
         bool is_refused = false;
         try {

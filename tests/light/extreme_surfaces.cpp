@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "extremes.hpp"
-#include "ideotype/canopy/field.hpp"
 #include "ideotype/core/units.hpp"
+#include "lattice.hpp"
 
 namespace ideotype {
 
@@ -27,11 +27,11 @@ void vertical_leaves(Findings& findings) {
 }
 
 void upright_plant(Findings& findings) {
-    const Field field =
-        build_field(two_leaves(.7, .08, 0), {1, 1, {.76, .15}, 0}, {0});
+    const Mesh field =
+        in_lattice(two_leaves(.7, .08, 0), {1, 1, {.76, .15}, 0});
     for (const double elevation : {90., 30., 1.})
-        findings.closing(field.mesh, own_cell, par, sun_from(elevation, 20));
-    findings.closing(field.mesh, own_cell, par, uniform_sky());
+        findings.closing(field, own_cell, par, sun_from(elevation, 20));
+    findings.closing(field, own_cell, par, uniform_sky());
 }
 
 void leaf_in_the_boundary(Findings& findings) {
@@ -58,21 +58,20 @@ void horizontal_leaves(Findings& findings) {
 }
 
 void leaves_of_a_millimetre(Findings& findings) {
-    const Field field =
-        build_field(two_leaves(1e-3, 1e-4, 90), {1, 1, {.01, .01}, 0}, {0});
-    const Fractions f = findings.closing(field.mesh, {.01, .01}, black,
-                                         uniform_sky(), {16384, 16});
+    const Mesh field =
+        in_lattice(two_leaves(1e-3, 1e-4, 90), {1, 1, {.01, .01}, 0});
+    const Fractions f =
+        findings.closing(field, {.01, .01}, black, uniform_sky(), {16384, 16});
     // At most both faces of all area; the leaves hardly shade each other.
-    const double share = f.leaves.mean / (plant_area(field.mesh).leaves / 1e-4);
+    const double share = f.leaves.mean / (plant_area(field).leaves / 1e-4);
     findings.require(share > .3 && share < 1, ".3 to 1 of the area's light");
     findings.say(fmt::format("{:.2f} of the light on their area", share));
 }
 
 void leaves_of_three_metres(Findings& findings) {
-    const Field field =
-        build_field(two_leaves(3, .14, 40), {1, 1, {.76, .15}, 0}, {0});
-    const Fractions f =
-        findings.closing(field.mesh, own_cell, par, uniform_sky());
+    const Mesh field =
+        in_lattice(two_leaves(3, .14, 40), {1, 1, {.76, .15}, 0});
+    const Fractions f = findings.closing(field, own_cell, par, uniform_sky());
     findings.require(f.leaves.mean > .9, "leaves take more than .9");
     findings.say(fmt::format("leaves take {:.3f}", f.leaves.mean));
 }

@@ -10,8 +10,9 @@
 
 namespace ideotype {
 
-Fractions Findings::closing(const Mesh& mesh, Cell period, const Optics& optics,
-                            const Illumination& light, Accuracy accuracy) {
+Fractions Findings::closing(const Mesh& mesh, Period period,
+                            const Optics& optics, const Illumination& light,
+                            Accuracy accuracy) {
     const Fractions fractions = trace(mesh, period, optics, light, accuracy);
     require_closed(fractions);
     return fractions;
@@ -67,7 +68,7 @@ std::vector<ExtremeCase> extreme_cases() {
 
 Mesh leaves_only() {
     Mesh mesh;
-    mesh.groups.push_back({"leaf", Tissue::leaf});
+    mesh.groups.push_back({"leaf"});
     return mesh;
 }
 

@@ -33,7 +33,7 @@ bool is_same(const Seen& a, const Seen& b) {
 }
 
 //! By a ray from above through a point of the beam.
-Seen by_ray(const Scene& scene, const glm::dvec3& direction,
+Seen by_ray(const RayScene& scene, const glm::dvec3& direction,
             const glm::dvec3& point) {
     const double up = (scene.top() - point.z) / direction.z;
     glm::dvec3 from = scene.wrapped(point + up * direction);
@@ -51,7 +51,7 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) {
 //! By looking through all images of all faces in double precision.
 class Exact {
   public:
-    Exact(const Scene& scene, const glm::dvec3& direction,
+    Exact(const RayScene& scene, const glm::dvec3& direction,
           const glm::dvec3& point)
         : scene_(scene),
           direction_(direction),
@@ -100,7 +100,7 @@ class Exact {
             }
     }
 
-    const Scene& scene_;
+    const RayScene& scene_;
     glm::dvec3 direction_;
     glm::dvec2 ground_;
     Seen seen_;
@@ -108,7 +108,7 @@ class Exact {
 
 class Referee {
   public:
-    Referee(std::string name, const Mesh& mesh, Cell period, int points)
+    Referee(std::string name, const Mesh& mesh, Period period, int points)
         : scene_(widest_device(), mesh, period.x, period.y),
           result_{std::move(name)},
           points_(points) {}
@@ -149,7 +149,7 @@ class Referee {
             ++result_.wrong;
     }
 
-    Scene scene_;
+    RayScene scene_;
     FirstHitsCompared result_;
     int points_;
 };
@@ -182,8 +182,8 @@ Mesh at_the_soil() {
 //! Faces on each other: with the same corners, the first one is met.
 Mesh on_each_other() {
     Mesh mesh = leaves_only();
-    mesh.groups.push_back({"again", Tissue::leaf});
-    mesh.groups.push_back({"reversed", Tissue::leaf});
+    mesh.groups.push_back({"again"});
+    mesh.groups.push_back({"reversed"});
     add_leaf(mesh, {.2, .2, .5}, {.6, 0, .1}, {0, .5, .2});
     mesh.faces.push_back(mesh.faces[0]);
     mesh.faces.push_back({3, 2, 1, 0});
@@ -203,7 +203,7 @@ Mesh overhanging() {
 std::vector<FirstHitsCompared> compare_first_hits(int points) {
     std::vector<FirstHitsCompared> all;
     const auto add = [&](const std::string& name, const Mesh& mesh,
-                         Cell period) {
+                         Period period) {
         Referee referee(name, mesh, period, points);
         for (const double elevation : {90., 60., 30., 10., 1., .1, .01})
             for (const double azimuth : {0., 37., 90., 200.})

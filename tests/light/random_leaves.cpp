@@ -49,7 +49,7 @@ Mesh random_leaves(LeafAngles angles, double lai, double height,
     const auto count =
         static_cast<std::uint32_t>(std::lround(lai / (side * side)));
     Mesh mesh;
-    mesh.groups.push_back({"leaves", Tissue::leaf});
+    mesh.groups.push_back({"leaves"});
     RandomStream stream(realisation, Purpose::jitter);
     for (std::uint32_t i = 0; i < count; ++i) {
         const double t = angle_of(angles, (i + .5) / count);

@@ -64,10 +64,10 @@ Fractions fractions_of(const std::vector<Tally>& tallies, std::size_t groups,
     return result;
 }
 
-Fractions trace(const Mesh& mesh, Cell period, const Optics& optics,
+Fractions trace(const Mesh& mesh, Period period, const Optics& optics,
                 const Illumination& light, Accuracy accuracy,
                 std::uint64_t seed) {
-    const Scene scene(widest_device(), mesh, period.x, period.y);
+    const RayScene scene(widest_device(), mesh, period.x, period.y);
     return fractions_of(
         simulate(scene, mesh.groups, optics, light, accuracy, {seed, 0, 0}),
         mesh.groups.size(), light.energy());
@@ -75,7 +75,7 @@ Fractions trace(const Mesh& mesh, Cell period, const Optics& optics,
 
 Optics leaf_optics(double reflectance, double transmittance,
                    double soil_albedo) {
-    return {{reflectance, transmittance}, {0, 0}, soil_albedo};
+    return {{{reflectance, transmittance}}, soil_albedo};
 }
 
 double deviation(Estimate ours, Estimate reference) {
@@ -84,7 +84,7 @@ double deviation(Estimate ours, Estimate reference) {
            (std::hypot(ours.standard_error, reference.standard_error) + 1e-12);
 }
 
-void add_sheet(Mesh& mesh, Cell period, double height, std::uint32_t group) {
+void add_sheet(Mesh& mesh, Period period, double height, std::uint32_t group) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), {{0, 0, height},
                                                {period.x, 0, height},

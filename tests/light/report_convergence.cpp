@@ -48,7 +48,7 @@ struct Baseline {
     Scenario scenario;
     Field field;
     Device device;
-    Scene scene;
+    RayScene scene;
 };
 
 //! A straight line by least squares.

@@ -53,7 +53,7 @@ Estimate ratio(const std::vector<std::vector<Tally>>& all,
 
 void report_honesty() {
     const Mesh mesh = load_reference_mesh("maize1");
-    const Scene scene(widest_device(), mesh, own_cell.x, own_cell.y);
+    const RayScene scene(widest_device(), mesh, own_cell.x, own_cell.y);
     Illumination day = uniform_sky();
     for (const double elevation : {10., 40., 65.})
         day.sources.push_back(sun_from(elevation, 100).sources[0]);

@@ -50,7 +50,7 @@ TEST(Energy, EverySourceKeepsItsOwnEnergy) {
     light.sources.push_back(
         {std::nullopt, 1, SkySampler({SkyModel::clear, {70, 180}})});
     const Mesh mesh = load_reference_mesh("maize1");
-    const Scene scene(widest_device(), mesh, 0.76, 0.15);
+    const RayScene scene(widest_device(), mesh, 0.76, 0.15);
     for (const Tally& tally : simulate(
              scene, mesh.groups, leaf_optics(.4, .4, .1), light, {128, 3}, {}))
         for (std::size_t s = 0; s < 4; ++s)
@@ -90,7 +90,7 @@ TEST(Energy, StandardErrorIsThatOfTheSpread) {
 
 TEST(Energy, RefusesWrongNumbersOfPaths) {
     const Mesh mesh = load_reference_mesh("sheets1");
-    const Scene scene(widest_device(), mesh, 1, 1);
+    const RayScene scene(widest_device(), mesh, 1, 1);
     Illumination two = uniform_sky();
     two.sources.push_back(two.sources[0]);
     const Optics optics;

@@ -11,6 +11,7 @@
 #include "extremes.hpp"
 #include "first_hits_referee.hpp"
 #include "ideotype/light/sunlit.hpp"
+#include "one_band.hpp"
 
 namespace ideotype {
 namespace {
@@ -57,7 +58,7 @@ Estimate leaf_light(std::uint32_t first_hits, int randomisations,
                     const Optics& optics = {}) {
     Mesh mesh = leaves_only();
     add_leaf(mesh, {.8, .9, .4}, {.5, 0, 0}, {0, .4, 0});
-    const Scene scene(widest_device(), mesh, 1, 1);
+    const RayScene scene(widest_device(), mesh, 1, 1);
     Workload work;
     work.first_hits = {first_hits};
     std::vector<double> leaves;
@@ -92,7 +93,7 @@ TEST(FirstHits, ErrorsFallFasterThanThoseOfIndependentPoints) {
 TEST(FirstHits, ARandomisationIsTheSameHoweverManyFollow) {
     Mesh mesh = leaves_only();
     add_leaf(mesh, {.8, .9, .4}, {.5, .1, .1}, {0, .4, 0});
-    const Scene scene(widest_device(), mesh, 1, 1);
+    const RayScene scene(widest_device(), mesh, 1, 1);
     const auto first = [&](int randomisations) {
         Workload work;
         work.first_hits = {1000};
@@ -107,11 +108,11 @@ TEST(FirstHits, ARandomisationIsTheSameHoweverManyFollow) {
 //! Of faces with the same corners only the first is there, to all engines.
 TEST(Coincident, OnlyTheFirstFaceIsLit) {
     Mesh mesh = leaves_only();
-    mesh.groups.push_back({"again", Tissue::leaf});
+    mesh.groups.push_back({"again"});
     add_leaf(mesh, {0, 0, .5}, {1, 0, 0}, {0, 1, 0});
     mesh.faces.push_back({3, 2, 1, 0});
     mesh.face_group = {0, 1};
-    const Scene scene(widest_device(), mesh, 1, 1);
+    const RayScene scene(widest_device(), mesh, 1, 1);
     EXPECT_EQ(scene.surfaces().faces.size(), 1u);
     for (const Illumination& light : {sun_from(40, 10), uniform_sky()}) {
         const Fractions f =
@@ -139,7 +140,7 @@ TEST(Coincident, FacesOnEachOtherAreOneSurface) {
         add(two, .4, .4);
         const Illumination sun = sun_from(70, 0);
         const auto sunlit_of = [&](const Mesh& mesh) {
-            const Scene scene(widest_device(), mesh, 1, 1);
+            const RayScene scene(widest_device(), mesh, 1, 1);
             return sunlit_fractions(scene, mesh, sun, {4096, 4}, {1, 0, 0})
                 .fractions[0][0];
         };

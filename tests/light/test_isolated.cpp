@@ -20,7 +20,8 @@ struct Plot {
 Plot trace_plot(const Mesh& mesh, const Optics& optics,
                 const Illumination& light, double ground_area = 1,
                 Accuracy accuracy = {16384, 16}) {
-    const Scene scene = Scene::isolated(widest_device(), mesh, ground_area);
+    const RayScene scene =
+        RayScene::isolated(widest_device(), mesh, ground_area);
     const auto tallies =
         simulate(scene, mesh.groups, optics, light, accuracy, {1, 0, 0});
     const auto part = [&](double Budget::*member) {
@@ -171,7 +172,7 @@ TEST(Isolated, APlotWithoutFacesTakesNothing) {
 }
 
 TEST(Isolated, RefusesAGroundAreaThatIsNotPositive) {
-    EXPECT_THROW(Scene::isolated(widest_device(), Mesh{}, 0), Error);
+    EXPECT_THROW(RayScene::isolated(widest_device(), Mesh{}, 0), Error);
 }
 
 }  // namespace

@@ -17,10 +17,10 @@ LightSeries instant(SunPosition sun, double beam, double diffuse) {
     return {{{12, 1, sun, {beam, diffuse}}}};
 }
 
-DayReport report_of(const Mesh& mesh, Cell period, const Optics& optics,
+DayReport report_of(const Mesh& mesh, Period period, const Optics& optics,
                     const LightSeries& day, const Layers& layers = {},
                     const Accuracy& accuracy = {4096, 16}) {
-    const Scene scene(widest_device(), mesh, period.x, period.y);
+    const RayScene scene(widest_device(), mesh, period.x, period.y);
     const SeriesIllumination light = illuminate(day, SkyModel::uniform, 0);
     DayReport result = report(simulate(scene, mesh.groups, optics, light.light,
                                        accuracy, {1, 0, 0}, layers),
@@ -122,17 +122,16 @@ TEST(Parts, WithoutASunNothingIsSunlit) {
 TEST(Parts, AHitOfALeafThatIsEdgeOnToTheSunStandsForALimitedArea) {
     Mesh mesh = leaves_only();
     add_leaf(mesh, {.5, 0, 0}, {0, 1, 0}, {0, 0, 1});
-    const Scene scene(widest_device(), mesh, 1, 1);
+    const RayScene scene(widest_device(), mesh, 1, 1);
     const Illumination sun = sun_from(45, 0);
     Tally tally;
-    tally.resolution = std::make_shared<const Resolution>(
-        Resolution{{1e-3}, 0, 0, 0, 0, 0, 0, {}, {}});
+    tally.resolution = std::make_shared<const Resolution>(Resolution{{1e-3}});
     LeafLight hit;
     hit.beam = {{0, 1e-9}};
     tally.leaf_light = {hit};
-    const double fraction =
-        sunlit_fractions({tally}, scene, sun, 1, plant_area(mesh).leaves)
-            .fractions[0][0];
+    const double fraction = sunlit_fractions({tally}, scene, mesh.groups, {},
+                                             sun, plant_area(mesh).leaves)
+                                .fractions[0][0];
     EXPECT_TRUE(std::isfinite(fraction));
     EXPECT_LT(fraction, 1e-5);
 }
@@ -141,7 +140,7 @@ TEST(Parts, APlotIsSunlitWhereverItStands) {
     Mesh mesh = leaves_only();
     add_leaf(mesh, {500, -30, 1}, {1, 0, 0}, {0, 1, 0});
     add_leaf(mesh, {500, -30, .5}, {1, 0, 0}, {0, 1, 0});
-    const Scene plot = Scene::isolated(widest_device(), mesh, 1);
+    const RayScene plot = RayScene::isolated(widest_device(), mesh, 1);
     // The lower sheet is shifted out of the shade by half its width.
     const SunlitFractions sunlit =
         sunlit_fractions(plot, mesh, sun_from(45, 90), {4096, 2}, {1, 0, 0});

@@ -156,9 +156,7 @@ class Certainty : public ::testing::Test {
     //! Of the light of one second.
     DayReport seen(double side, const Optics& optics, double stalk = 0) const {
         Mesh mesh;
-        mesh.groups = {{"leaf01", Tissue::leaf},
-                       {"leaf02", Tissue::leaf},
-                       {"stalk", Tissue::stalk}};
+        mesh.groups = {{"leaf01"}, {"leaf02"}, {"stalk", {0, 1}, 1}};
         const auto add_square = [&](double size, std::uint32_t group) {
             if (size > 0) add_sheet(mesh, {size, size}, .3, group);
         };
@@ -167,7 +165,7 @@ class Certainty : public ::testing::Test {
         LightSeries day;
         day.steps = {{8, 1, {60, 90}, {1, 0}}, {9, 1, {40, 90}, {1, 0}}};
         const SeriesIllumination light = illuminate(day, SkyModel::uniform, 0);
-        const Scene scene(widest_device(), mesh, 1, 1);
+        const RayScene scene(widest_device(), mesh, 1, 1);
         const Layers layers{.25, 3};
         return report(simulate(scene, mesh.groups, optics, light.light,
                                {512, 8}, {1, 0, 0}, layers),
@@ -210,7 +208,7 @@ TEST_F(Certainty, IsFullOfWhatTheSceneDoesNotHave) {
     expect_none(r.day.leaves_sky);        // no source
     EXPECT_NEAR(seen(0, {}).day.soil.standard_error, 0, 1e-15);
     Optics white;
-    white.leaf = {.5, .5};
+    white.materials = {{.5, .5}};
     expect_none(seen(1e-5, white).day.leaves);
 }
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "ideotype/core/error.hpp"
-#include "ideotype/light/scene.hpp"
+#include "ideotype/light/ray_scene.hpp"
 #include "reference.hpp"
 
 namespace ideotype {
@@ -13,19 +13,19 @@ namespace {
 
 Mesh sheet(double x, double y) {
     Mesh mesh;
-    mesh.groups.push_back({"sheet", Tissue::leaf});
+    mesh.groups.push_back({"sheet"});
     add_sheet(mesh, {0.2, 0.2}, 0.5, 0);
     for (glm::dvec3& v : mesh.vertices) v = {v.x + x, v.y + y, v.z};
     return mesh;
 }
 
-bool is_hit(const Scene& scene, double x, double y) {
+bool is_hit(const RayScene& scene, double x, double y) {
     Hit hit;
     return scene.intersect({x, y, 1}, {0, 0, -1}, 2, hit);
 }
 
-TEST(Scene, OverhangingFacesReEnterOnTheOtherSide) {
-    const Scene scene(widest_device(), sheet(0.9, 0.95), 1, 1);
+TEST(RayScene, OverhangingFacesReEnterOnTheOtherSide) {
+    const RayScene scene(widest_device(), sheet(0.9, 0.95), 1, 1);
     EXPECT_TRUE(is_hit(scene, 0.95, 0.99));
     EXPECT_TRUE(is_hit(scene, 0.05, 0.99));
     EXPECT_TRUE(is_hit(scene, 0.95, 0.10));
@@ -34,23 +34,23 @@ TEST(Scene, OverhangingFacesReEnterOnTheOtherSide) {
     EXPECT_FALSE(is_hit(scene, 0.15, 0.10));
 }
 
-TEST(Scene, ShiftsByWholePeriodsAreTheSameScene) {
-    const Scene far_away(widest_device(), sheet(0.9 + 300, 0.95 - 70), 1, 1);
+TEST(RayScene, ShiftsByWholePeriodsAreTheSameScene) {
+    const RayScene far_away(widest_device(), sheet(0.9 + 300, 0.95 - 70), 1, 1);
     EXPECT_TRUE(is_hit(far_away, 0.05, 0.10));
     EXPECT_FALSE(is_hit(far_away, 0.5, 0.5));
 }
 
-TEST(Scene, AFaceLargerThanTheCellCoversItSeveralTimes) {
+TEST(RayScene, AFaceLargerThanTheCellCoversItSeveralTimes) {
     Mesh mesh;
-    mesh.groups.push_back({"sheet", Tissue::leaf});
+    mesh.groups.push_back({"sheet"});
     add_sheet(mesh, {3.5, 0.1}, 0.5, 0);
-    const Scene scene(widest_device(), mesh, 1, 1);
+    const RayScene scene(widest_device(), mesh, 1, 1);
     EXPECT_GE(scene.faces(), 4u);
     EXPECT_TRUE(is_hit(scene, 0.7, 0.05));
 }
 
-TEST(Scene, HitsLieOnTheFace) {
-    const Scene scene(widest_device(), sheet(0.4, 0.4), 1, 1);
+TEST(RayScene, HitsLieOnTheFace) {
+    const RayScene scene(widest_device(), sheet(0.4, 0.4), 1, 1);
     Hit hit;
     const double slope = 1e-3;
     ASSERT_TRUE(scene.intersect({0.5, 0.5, 0.5 + slope * 0.03}, {1, 0, -slope},
@@ -60,32 +60,32 @@ TEST(Scene, HitsLieOnTheFace) {
     EXPECT_NEAR(std::abs(hit.normal.z), 1, 1e-12);
 }
 
-TEST(Scene, FacesBelowTheSoilOrWithoutAreaAreLeftOut) {
+TEST(RayScene, FacesBelowTheSoilOrWithoutAreaAreLeftOut) {
     Mesh mesh = sheet(0.4, 0.4);
     add_sheet(mesh, {1, 1}, -0.1, 0);
     mesh.faces.push_back({0, 0, 1, 1});
     mesh.face_group.push_back(0);
-    EXPECT_EQ(Scene(widest_device(), mesh, 1, 1).faces(), 1u);
+    EXPECT_EQ(RayScene(widest_device(), mesh, 1, 1).faces(), 1u);
 }
 
-TEST(Scene, BothHalvesOfAFaceWithThreeCornersHaveItsNormal) {
+TEST(RayScene, BothHalvesOfAFaceWithThreeCornersHaveItsNormal) {
     Mesh mesh;
     mesh.vertices = {{0, 0, 1}, {1, 0, 1}, {0, 1, 1.5}};
     mesh.faces = {{0, 1, 2, 2}};
-    mesh.groups = {{"leaf01", Tissue::leaf}};
+    mesh.groups = {{"leaf01"}};
     mesh.face_group = {0};
-    const Scene scene(widest_device(), mesh, 2, 2);
+    const RayScene scene(widest_device(), mesh, 2, 2);
     const auto& normals = scene.surfaces().normals;
     ASSERT_EQ(normals.size(), 2u);
     EXPECT_NEAR(glm::length(normals[0]), 1, 1e-12);
     EXPECT_EQ(normals[0], normals[1]);
 }
 
-TEST(Scene, RefusesWhatCannotBeTraced) {
+TEST(RayScene, RefusesWhatCannotBeTraced) {
     Mesh broken = sheet(0, 0);
     broken.vertices[0].z = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THROW(Scene(widest_device(), broken, 1, 1), Error);
-    EXPECT_THROW(Scene(widest_device(), sheet(0, 0), 0, 1), Error);
+    EXPECT_THROW(RayScene(widest_device(), broken, 1, 1), Error);
+    EXPECT_THROW(RayScene(widest_device(), sheet(0, 0), 0, 1), Error);
 }
 
 }  // namespace

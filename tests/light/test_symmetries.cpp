@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "expectations.hpp"
-#include "ideotype/canopy/field.hpp"
+#include "lattice.hpp"
 
 namespace ideotype {
 namespace {
@@ -77,14 +77,13 @@ TEST(Symmetry, TheOrderOfPlantsIsOfNoMatter) {
     const Mesh plant = two_leaves(.7, .08, 40);
     const FieldForm form{1, 3, {.76, .15}, 0};
     const auto with = [&](const std::vector<double>& turns) {
-        const Field field = build_field(plant, form, turns);
-        return closing(field.mesh, {field.period_x, field.period_y}, nir,
+        return closing(in_lattice(plant, form, turns), {.76, .45}, nir,
                        sun_from(50, 30), fine);
     };
     // A rotation of the three is a shift along the row.
     expect_same(with({20, -8, 3}), with({-8, 3, 20}), 8e-4, "rotated");
 
-    Mesh mesh = build_field(plant, form, {20, -8, 3}).mesh;
+    Mesh mesh = in_lattice(plant, form, {20, -8, 3});
     std::reverse(mesh.faces.begin(), mesh.faces.end());
     std::reverse(mesh.face_group.begin(), mesh.face_group.end());
     expect_same(closing(mesh, {.76, .45}, nir, sun_from(50, 30), fine),
@@ -122,7 +121,7 @@ TEST(Symmetry, AStandUpsideDownTransmitsAsMuch) {
 
 TEST(StandardError, IsTheSpreadOfATotalALeafRankAndAnHour) {
     const Mesh mesh = load_reference_mesh("maize1");
-    const Scene scene(widest_device(), mesh, own_cell.x, own_cell.y);
+    const RayScene scene(widest_device(), mesh, own_cell.x, own_cell.y);
     Illumination day = uniform_sky();
     for (const double elevation : {10., 40., 65.})
         day.sources.push_back(sun_from(elevation, 100).sources[0]);

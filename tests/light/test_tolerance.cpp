@@ -7,7 +7,7 @@
 #include "extremes.hpp"
 #include "ideotype/light/device.hpp"
 #include "ideotype/light/report.hpp"
-#include "ideotype/light/tolerance.hpp"
+#include "one_band.hpp"
 #include "setups.hpp"
 
 namespace ideotype {
@@ -22,7 +22,7 @@ class LitLeaf : public ::testing::Test {
         mesh.vertices = {
             {0, 0, 1}, {side, 0, 1}, {side, side, 1}, {0, side, 1}};
         mesh.faces = {{0, 1, 2, 3}};
-        mesh.groups = {{"leaf01", Tissue::leaf}};
+        mesh.groups = {{"leaf01"}};
         mesh.face_group = {0};
         return mesh;
     }
@@ -30,7 +30,7 @@ class LitLeaf : public ::testing::Test {
     Simulation found(double tolerance, std::uint64_t seed = 1, double side = .7,
                      const Optics& optics = {}) const {
         const Mesh mesh = leaf(side);
-        return simulate_to_tolerance(Scene(device, mesh, 1, 1), mesh.groups,
+        return simulate_to_tolerance(RayScene(device, mesh, 1, 1), mesh.groups,
                                      optics, light, {most_paths, 16, tolerance},
                                      {seed, 0, 0});
     }
@@ -46,7 +46,7 @@ class LitLeaf : public ::testing::Test {
         for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
             const Simulation one = found(tolerance, seed, side, optics);
             EXPECT_FALSE(one.is_capped);
-            const Estimate x = absorbed_by_leaves(one.tallies);
+            const Estimate x = absorbed_by_leaves(one.tallies.front());
             means.push_back(x.mean);
             reported += x.standard_error * x.standard_error / seeds;
             largest = std::max(largest, x.standard_error);
@@ -58,7 +58,7 @@ class LitLeaf : public ::testing::Test {
 
     static Estimate leaves(const Simulation& simulation) {
         std::vector<double> all;
-        for (const Tally& tally : simulation.tallies)
+        for (const Tally& tally : simulation.tallies.front())
             all.push_back(tally.groups[0]);
         return estimate(all);
     }
@@ -83,11 +83,11 @@ TEST_F(LitLeaf, GivesWhatThesePathsGiveWithoutATolerance) {
     const Simulation adaptive = found(2e-3);
     const Mesh mesh = leaf(.7);
     const std::vector<Tally> tallies =
-        simulate(Scene(device, mesh, 1, 1), mesh.groups, {}, light,
+        simulate(RayScene(device, mesh, 1, 1), mesh.groups, {}, light,
                  adaptive.work, 16, {1, 0, 0});
-    ASSERT_EQ(adaptive.tallies.size(), tallies.size());
+    ASSERT_EQ(adaptive.tallies.front().size(), tallies.size());
     for (std::size_t i = 0; i < tallies.size(); ++i)
-        EXPECT_EQ(adaptive.tallies[i].groups, tallies[i].groups);
+        EXPECT_EQ(adaptive.tallies.front()[i].groups, tallies[i].groups);
 }
 
 TEST_F(LitLeaf, SaysWhenTheMostPathsAreTooFew) {
@@ -117,7 +117,7 @@ TEST_F(LitLeaf, DoesNotTakeALeafThatNoPathMeetsForCertain) {
     EXPECT_EQ(rare.paths, most_paths);
     EXPECT_TRUE(rare.is_capped);
     EXPECT_EQ(leaves(rare).mean, 0);
-    EXPECT_NEAR(absorbed_by_leaves(rare.tallies).standard_error,
+    EXPECT_NEAR(absorbed_by_leaves(rare.tallies.front()).standard_error,
                 1000. / (16. * most_paths), 1e-3);
 }
 
@@ -125,7 +125,7 @@ TEST_F(LitLeaf, DoesNotTakeALeafThatNoPathMeetsForCertain) {
 //! to it, took far too few paths.
 TEST_F(LitLeaf, IsMetOftenEnoughWhereLeavesAreFew) {
     Optics optics;
-    optics.leaf = {.05, .05};
+    optics.materials = {{.05, .05}};
     optics.soil_albedo = .2;
     constexpr double tolerance = .05;
     const Errors found = errors(tolerance, .06, optics);
@@ -138,7 +138,7 @@ TEST_F(LitLeaf, IsMetOftenEnoughWhereLeavesAreFew) {
 //! Such a leaf keeps little of a path, so one path more or less tells little.
 TEST_F(LitLeaf, ReportsTheErrorsOfALeafThatIsNearlyWhite) {
     Optics optics;
-    optics.leaf = {.499, .499};
+    optics.materials = {{.499, .499}};
     optics.soil_albedo = .2;
     const Errors found = errors(1e-2, .7, optics);
     EXPECT_NEAR(found.reported / found.spread, 1, .15);
@@ -147,20 +147,20 @@ TEST_F(LitLeaf, ReportsTheErrorsOfALeafThatIsNearlyWhite) {
 TEST_F(LitLeaf, IsCertainWhereItCannotAbsorb) {
     const Mesh mesh = leaf(.7);
     Optics white;
-    white.leaf = {.4, .6};
+    white.materials = {{.4, .6}};
     const Simulation found =
-        simulate_to_tolerance(Scene(device, mesh, 1, 1), mesh.groups, white,
+        simulate_to_tolerance(RayScene(device, mesh, 1, 1), mesh.groups, white,
                               light, {most_paths, 16, 1e-3}, {1, 0, 0});
     EXPECT_FALSE(found.is_capped);
     EXPECT_LE(found.paths, 64);
-    EXPECT_EQ(absorbed_by_leaves(found.tallies).standard_error, 0);
+    EXPECT_EQ(absorbed_by_leaves(found.tallies.front()).standard_error, 0);
 }
 
 //! Rows of maize, as campaigns have them: neither too few paths nor, as when
 //! paths were doubled until the error was met, twice as many.
 TEST(Tolerance, IsWhatTheErrorIsExpectedToBe) {
     const Mesh mesh = load_reference_mesh("maize1");
-    const Scene scene(widest_device(), mesh, own_cell.x, own_cell.y);
+    const RayScene scene(widest_device(), mesh, own_cell.x, own_cell.y);
     constexpr double tolerance = 4e-3;
     std::vector<double> relative;
     double made = 0;
@@ -173,7 +173,7 @@ TEST(Tolerance, IsWhatTheErrorIsExpectedToBe) {
         const Simulation found = simulate_to_tolerance(
             scene, mesh.groups, par, sun_from(40, 160),
             {1 << 16, 16, tolerance}, {static_cast<std::uint64_t>(seed), 0, 0});
-        const Estimate x = absorbed_by_leaves(found.tallies);
+        const Estimate x = absorbed_by_leaves(found.tallies.front());
         relative.push_back(x.standard_error / x.mean / tolerance);
         made += std::pow(x.mean / truth - 1, 2) / runs;
     }
@@ -188,7 +188,7 @@ TEST(Tolerance, IsWhatTheErrorIsExpectedToBe) {
 TEST_F(LitLeaf, HasNothingToTraceInTheDark) {
     const Mesh mesh = leaf(.7);
     const Simulation dark =
-        simulate_to_tolerance(Scene(device, mesh, 1, 1), mesh.groups, {}, {},
+        simulate_to_tolerance(RayScene(device, mesh, 1, 1), mesh.groups, {}, {},
                               {most_paths, 16, 1e-3}, {1, 0, 0});
     EXPECT_FALSE(dark.is_capped);
     EXPECT_EQ(leaves(dark).mean, 0);

@@ -87,10 +87,10 @@ TEST_F(Ames, CandidatesOfAGenerationShareTheirRandomNumbers) {
 TEST_F(Ames, TheElitePlantAbsorbsMoreThanTheBaseline) {
     const Device device(Device::supported_isas().back());
     const auto absorbed = [&](const Plant& plant) {
-        return evaluate(
-                   request_of(sampling_of(Task{}, campaign, all[0]), campaign,
-                              scenario_of(campaign, all[0]), plant),
-                   device)
+        return evaluate(request_of(sampling_of(Task{}, campaign, all[0]),
+                                   campaign, scene_of(campaign, all[0]), plant),
+                        device)
+            .par()
             .light.day.leaves;
     };
     const Estimate b = absorbed(campaign.crop.baseline);
@@ -218,15 +218,15 @@ TEST(Canopy, InThePolarNightAllFiguresAreZero) {
         Case night = cases(campaign)[0];
         night.site.latitude = pole;
         night.day.dates = {{2025, pole > 0 ? 12 : 6, 21}};
-        const Scenario scenario = scenario_of(campaign, night);
-        ASSERT_TRUE(scenario.light.series.steps.empty());
+        const Scene scene = scene_of(campaign, night);
+        ASSERT_TRUE(scene.light().series.steps.empty());
         const Device device(Device::supported_isas().back());
         const Plant& baseline = campaign.crop.baseline;
         const Outcome outcome = checked_outcome(
             outcome_schema(campaign, night, campaign.sampling),
             to_outcome(campaign, baseline,
                        evaluate(request_of(sampling_of(Task{}, campaign, night),
-                                           campaign, scenario, baseline),
+                                           campaign, scene, baseline),
                                 device)));
         EXPECT_EQ(outcome.status, Status::done) << outcome.message;
         EXPECT_EQ(outcome.objectives[0].mean, 0);

@@ -12,7 +12,7 @@ namespace {
 class FaceLight : public ::testing::Test {
   protected:
     FaceLight() {
-        request.scenario.field.rows = request.scenario.field.plants = 3;
+        stand_in({3, 3, chosen.spacing, campaign.field.jitter});
         request.accuracy = {512, 4};
         request.randomness = {5, 2};
     }
@@ -20,11 +20,12 @@ class FaceLight : public ::testing::Test {
     std::vector<Estimate> of_faces() const {
         CanopyRequest by_face = request;
         by_face.details.faces = true;
-        return evaluate(by_face, device).faces;
+        return evaluate(by_face, device).par().faces;
     }
 
-    Field field() const {
-        return draw_field(plant, request.scenario.field, request.randomness);
+    void stand_in(const FieldForm& form) {
+        set_places(request.scene.components[0], form);
+        request.scene.cell = cell_of(form);
     }
 
     //! What the faces of leaves, or of all else, absorb, for each area of
@@ -35,8 +36,7 @@ class FaceLight : public ::testing::Test {
         EXPECT_EQ(light.size(), areas.size());
         double energy = 0;
         for (std::size_t f = 0; f < areas.size(); ++f)
-            if ((mesh.groups[mesh.face_group[f]].tissue == Tissue::leaf) ==
-                is_leaf)
+            if ((mesh.groups[mesh.face_group[f]].id.is_leaf()) == is_leaf)
                 energy += light[f].mean * areas[f];
         return energy / ground_area;
     }
@@ -44,7 +44,7 @@ class FaceLight : public ::testing::Test {
     //! The light on the faces of a mesh against the request's evaluation.
     void expect_totals(const Mesh& mesh, const std::vector<Estimate>& light,
                        double ground_area) const {
-        const BudgetEstimate whole = evaluate(request, device).light.day;
+        const BudgetEstimate whole = evaluate(request, device).par().light.day;
         EXPECT_NEAR(sum(mesh, light, ground_area, true) / whole.leaves.mean, 1,
                     1e-12);
         EXPECT_NEAR(sum(mesh, light, ground_area, false) / whole.stalks.mean, 1,
@@ -53,11 +53,12 @@ class FaceLight : public ::testing::Test {
 
     //! The light on the faces of the request's field against its evaluation.
     void expect_totals_of_field() {
-        const Field ready = field();
-        const auto plants = std::exchange(request.stand, ready);
+        const Field ready = draw_field(request.scene, request.randomness);
+        const Scene drawn = as_drawn(request.scene, ready);
+        const Scene plants = std::exchange(request.scene, drawn);
         const std::vector<Estimate> light = of_faces();
-        request.stand = plants;
-        expect_totals(ready.mesh, light, ready.ground_area);
+        request.scene = plants;
+        expect_totals(ready.mesh, light, ready.cell.ground_area);
     }
 
     const Campaign campaign =
@@ -66,7 +67,7 @@ class FaceLight : public ::testing::Test {
     const double ground = chosen.spacing.row * chosen.spacing.plant;
     CanopyRequest request =
         request_of(sampling_of(Task{}, campaign, chosen), campaign,
-                   scenario_of(campaign, chosen), campaign.crop.baseline);
+                   scene_of(campaign, chosen), campaign.crop.baseline);
     const Mesh plant =
         build_plant(campaign.crop.baseline, campaign.tessellation);
     const Device device{Device::supported_isas().back()};
@@ -85,17 +86,21 @@ TEST_F(FaceLight, FacesOfAFieldSumToItsEvaluation) {
 }
 
 TEST_F(FaceLight, FacesOfACutPlotSumToItsEvaluation) {
-    request.scenario.field.boundary = Boundary::isolated;
-    request.scenario.field.border_rows = 1;
+    stand_in({.rows = 3,
+              .plants = 3,
+              .spacing = chosen.spacing,
+              .jitter = campaign.field.jitter,
+              .boundary = Boundary::isolated,
+              .border_rows = 1});
     expect_totals_of_field();
     // A face that is there in one field only counts by what is there of it.
     EXPECT_NEAR(sum(plant, of_faces(), ground, true) /
-                    evaluate(request, device).light.day.leaves.mean,
+                    evaluate(request, device).par().light.day.leaves.mean,
                 1, .2);
 }
 
 TEST_F(FaceLight, StandardErrorsOfFacesAreHonestAndSmall) {
-    request.scenario.field.jitter = 0;
+    request.scene.components[0].jitter = 0;
     request.accuracy = face_accuracy({16, 16}, plant.faces.size());
     const std::vector<Estimate> one = of_faces();
     request.randomness.seed = 6;

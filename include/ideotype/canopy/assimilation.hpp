@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "ideotype/canopy/pieces.hpp"
+#include "ideotype/canopy/scene.hpp"
 #include "ideotype/core/estimate.hpp"
-#include "ideotype/light/illumination.hpp"
+#include "ideotype/light/band.hpp"
 #include "ideotype/light/layers.hpp"
-#include "ideotype/light/optics.hpp"
-#include "ideotype/light/scene.hpp"
+#include "ideotype/light/ray_scene.hpp"
 #include "ideotype/light/tally.hpp"
 #include "ideotype/physiology/photosynthesis.hpp"
 
@@ -43,7 +43,9 @@ struct AssimilationReport {
     std::vector<Estimate> hours;
     std::vector<Estimate> dates;           //!< gross on each, of several days
     std::vector<Respiration> respiration;  //!< of each group of the mesh
-    double building = 0;                   //!< carbon that leaves are built of
+    //! Carbon that leaves of each group of the mesh are built of, and of all.
+    std::vector<double> building_of_groups;
+    double building = 0;
 
     //! Respiration of all leaves.
     Respiration all_respiration() const;
@@ -56,23 +58,42 @@ struct AssimilationReport {
     double carbon_loss() const;
 };
 
-//! @param rates,leaf_area_index of each group of the mesh
-AssimilationReport report(std::vector<AssimilationTally> tallies,
-                          const std::vector<LeafRates>& rates,
-                          const std::vector<double>& leaf_area_index,
-                          const SeriesIllumination& light,
-                          const Photosynthesis& photosynthesis);
+//! How the leaves of a group of a mesh assimilate.
+struct LeafGroup {
+    LeafRates rates{};
+    //! Of their component; null: they do not assimilate.
+    const Photosynthesis* photosynthesis = nullptr;
+};
 
-//! The rates of each group of a mesh: of leaves by the number at the end of
-//! their names, as in leaf01, where there is one.
+//! Tells how the leaves of each group of a scene assimilate, by their rank.
+//! Leaves of a component of which any has no rank are all one leaf.
+//! @param groups of the scene
 //! @param leaf_area_index of each group
-//! @throws Error if leaves that differ have no numbers.
-std::vector<LeafRates> rates_of_groups(
-    const Photosynthesis& photosynthesis, const std::vector<Group>& groups,
-    const std::vector<double>& leaf_area_index);
+//! @throws Error if leaves that differ have no rank.
+std::vector<LeafGroup> leaf_groups(const Scene& scene,
+                                   const std::vector<Group>& groups,
+                                   const std::vector<double>& leaf_area_index);
+
+//! @param leaves,leaf_area_index of each group of the mesh
+AssimilationReport report(std::vector<AssimilationTally> tallies,
+                          const std::vector<LeafGroup>& leaves,
+                          const std::vector<double>& leaf_area_index,
+                          const SeriesIllumination& light);
 
 //! Air around leaves in a step.
 Air air_of(const TimeStep& step, const Photosynthesis& photosynthesis);
+
+//! Light and leaves that assimilate in a field.
+struct LitLeaves {
+    const RayScene& scene;
+    //! Of the scene's mesh.
+    const std::vector<Group>& groups;
+    const Band& par;
+    double photons;  //!< in the unit of irradiance of that band [umol J-1]
+    //! Of each group of the mesh, or of that which was cut into pieces.
+    const std::vector<LeafGroup>& leaves;
+    const Layers& layers;
+};
 
 //! Gross assimilation of leaves in one field, response by response: the light
 //! that a point of a leaf absorbs is diffuse light D, which is taken as even
@@ -96,12 +117,9 @@ Air air_of(const TimeStep& step, const Photosynthesis& photosynthesis);
 //!
 //! @param tallies with leaf light, of independent randomisations of one field;
 //! a single one is not corrected
-//! @param scene of pieces.mesh
-//! @param rates of each group of the mesh that was cut
-std::vector<AssimilationTally> assimilate(
-    const std::vector<Tally>& tallies, const Scene& scene, const Pieces& pieces,
-    const Optics& optics, const SeriesIllumination& light,
-    const Photosynthesis& photosynthesis, const std::vector<LeafRates>& rates,
-    const Layers& layers);
+//! @param lit with the scene of pieces.mesh
+std::vector<AssimilationTally> assimilate(const std::vector<Tally>& tallies,
+                                          const Pieces& pieces,
+                                          const LitLeaves& lit);
 
 }  // namespace ideotype

@@ -4,13 +4,14 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "ideotype/canopy/assimilation.hpp"
 #include "ideotype/canopy/light_classes.hpp"
 #include "ideotype/canopy/request.hpp"
+#include "ideotype/light/ray_scene.hpp"
 #include "ideotype/light/report.hpp"
-#include "ideotype/light/scene.hpp"
 
 namespace ideotype {
 
@@ -25,22 +26,45 @@ struct Timing {
     double total() const { return geometry + scene + light; }
 };
 
-//! What light does in one canopy.
-struct CanopyReport {
+//! The light that a component or a fixed object absorbs [J m-2 day-1].
+struct PartReport {
+    Estimate leaves;
+    Estimate all;  //!< leaves and all else
+};
+
+//! What light does in one waveband.
+struct BandReport {
+    std::string name;
     DayReport light;
     //! All sources together by independent randomisation [J m-2 of ground]:
     //! light.day has their means.
     std::vector<Budget> budget_by_randomisation;
-    //! The same of light.groups and light.layers [randomisation, group or
+    //! The light of light.groups and light.layers [randomisation, group or
     //! layer]; none if groups are faces.
     std::vector<std::vector<double>> groups_by_randomisation,
         layers_by_randomisation;
-    //! If asked for, by face of the plant or of the field that was ready: what
-    //! both sides absorb, for the one-sided area of the face [J m-2 day-1].
-    //! That of a plant is a mean over all its copies; in a plot that is cut
-    //! some are only there in part.
+    //! Of each component, then of each fixed object, if there are several.
+    std::vector<PartReport> parts;
+    //! If asked for, by face of the mesh of one plant of each component and of
+    //! objects: what both sides absorb, for the one-sided area of the face
+    //! [J m-2 day-1]. That of a plant is a mean over all its copies; in a plot
+    //! that is cut some are only there in part.
     std::vector<Estimate> faces;
-    std::optional<AssimilationReport> assimilation;  //!< if asked for
+};
+
+//! The plants of a component in a canopy.
+struct ComponentReport {
+    std::string name;
+    //! Per ground area: one-sided leaf area, and that and half the surface of
+    //! other organs [m2 m-2].
+    double lai = 0, plant_area_index = 0;
+};
+
+//! What light does in one canopy.
+struct CanopyReport {
+    std::vector<BandReport> bands;  //!< PAR first
+    std::vector<ComponentReport> components;
+    std::optional<AssimilationReport> assimilation;  //!< if leaves assimilate
     //! Sunlit leaf area by the first hits that assimilation is made of, in
     //! pieces of leaves.
     std::optional<SunlitReport> hit_by_sun;
@@ -53,23 +77,30 @@ struct CanopyReport {
     int days = 1;                 //!< that daily figures are the mean of
     double lai = 0;               //!< one-sided leaf area over ground [m2 m-2]
     double plant_area_index = 0;  //!< with half the surface of other organs
+    double assimilating_lai = 0;  //!< leaf area index of leaves that assimilate
     double ground_area = 0;       //!< that all figures refer to [m2]
     Boundary boundary = Boundary::periodic;
     Timing seconds;  //!< if there was a clock
+
+    const BandReport& par() const { return bands.front(); }
+    std::size_t randomisations() const {
+        return par().budget_by_randomisation.size();
+    }
 };
 
 //! Tells a time [s].
 using Clock = std::function<double()>;
 
-//! The one evaluation of canopies: plant -> fields -> light -> report. Of fewer
-//! paths than sources of light, as many as there are sources are traced.
+//! The one evaluation of canopies: scene -> fields -> light -> assimilation ->
+//! report. Of fewer paths than sources of light, as many as there are sources
+//! are traced.
 //! @throws Error if the numbers of leaves differ, a scene cannot be built, or
 //! the energy balance does not close.
 CanopyReport evaluate(const CanopyRequest& request, const Device& device,
                       const Clock& clock = {});
 
 //! The surfaces of a field, as its boundary says.
-Scene build_scene(const Device& device, const Field& field);
+RayScene build_scene(const Device& device, const Field& field);
 
 //! At least as accurate as to know the light on most faces to some 5 %, but
 //! with no more paths than take about ten seconds.

@@ -27,14 +27,11 @@ struct ExactAssimilation {
 //! of f of both halves, so that its variance falls with the square of their
 //! number; odds that fall with the power 1.5 keep variance and cost finite.
 //!
-//! @param scene of the mesh
-//! @param rates of each group of the mesh
+//! @param lit with the scene of the mesh
 //! @param accuracy as many points as paths; the tolerance is that of gross
 //! assimilation
-ExactAssimilation assimilate_exactly(
-    const Scene& scene, const Mesh& mesh, const Optics& optics,
-    const SeriesIllumination& light, const Photosynthesis& photosynthesis,
-    const std::vector<LeafRates>& rates, const Layers& layers,
-    const Accuracy& accuracy, const Randomness& randomness);
+ExactAssimilation assimilate_exactly(const Mesh& mesh, const LitLeaves& lit,
+                                     const Accuracy& accuracy,
+                                     const Randomness& randomness);
 
 }  // namespace ideotype

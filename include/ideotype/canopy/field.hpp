@@ -5,10 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "ideotype/core/mesh.hpp"
+#include "ideotype/canopy/scene.hpp"
 #include "ideotype/core/random.hpp"
-#include "ideotype/crop/plant_variation.hpp"
-#include "ideotype/light/boundary.hpp"
 
 namespace ideotype {
 
@@ -31,56 +29,58 @@ struct FieldForm {
     //! Rows, and plants of each row, that are cut away on all sides of an
     //! isolated plot, with whatever of the others hangs over its edge.
     int border_rows = 0;
-
-    std::size_t count() const {
-        return static_cast<std::size_t>(rows) *
-               static_cast<std::size_t>(plants);
-    }
 };
 
-//! Plants on the ground, in axes of their own: x across the rows, y along the
-//! rows, z up, soil at z = 0. The mesh may reach beyond the period.
+//! The ground of a lattice.
+//! @throws Error if nothing is left of a plot.
+Cell cell_of(const FieldForm& form);
+
+//! The places of a lattice row by row.
+//! @param rows of the lattice, from 0; empty: all
+std::vector<Place> places_of(const FieldForm& form,
+                             const std::vector<int>& rows = {});
+
+//! Sets the places of a component in a lattice, and how its plants turn and
+//! differ there.
+void set_places(Component& component, const FieldForm& form,
+                const std::vector<int>& rows = {});
+
+//! A component of one plant in a lattice.
+Component component_of(const Plant& plant, const FieldForm& form,
+                       const Tessellation& tessellation = {});
+
+//! The plants and objects of a scene on the ground. The mesh may reach beyond
+//! the period.
 struct Field {
-    Mesh mesh;
-    //! The plant that each face is of; plants are counted row by row, without
-    //! places where one is missing.
+    Mesh mesh;  //!< with groups_of() the scene
+    //! The plant that each face is of; plants are counted component by
+    //! component and place by place, without places where one is missing.
+    //! Faces of objects follow with the number of all plants.
     std::vector<std::uint32_t> face_plant;
-    Boundary boundary = Boundary::periodic;
-    double period_x = 0;     //!< rows x row spacing, if periodic [m]
-    double period_y = 0;     //!< plants x plant spacing, if periodic [m]
-    double ground_area = 0;  //!< that belongs to the plants [m2]
+    //! The first plant of each component, then the number of all plants.
+    std::vector<std::uint32_t> first_plant;
+    Cell cell;
 };
 
-//! The turn of each plant [deg], row by row: independent, and uniform in
-//! +-jitter. Where the variation tells how many plants stand across the row, so
-//! many are within 45 deg of that and the others within 45 deg of the row, one
-//! in each of equal parts of these ranges, in random order. A function of seed,
-//! generation and first randomisation.
-std::vector<double> draw_plant_azimuths(const FieldForm& form,
-                                        const Randomness& randomness);
+//! The turn of each plant of a component [deg], place by place: independent,
+//! and uniform in +-jitter. Where the variation tells how many plants stand
+//! across the row, so many are within 45 deg of that and the others within 45
+//! deg of the row, one in each of equal parts of these ranges, in random order.
+//! A function of seed, generation, first randomisation and component.
+//! @param number of the component
+std::vector<double> draw_plant_azimuths(const Component& component,
+                                        const Randomness& randomness,
+                                        std::uint32_t number = 0);
 
-//! Places a turned plant at every lattice point. turns has one entry per
-//! plant. Groups are those of the first plant.
-//! @param plants one that all are copies of, or one for each point, without
-//! faces where a plant is missing
-//! @throws Error if the number of turns is not rows x plants, or nothing is
-//! left of a plot.
-Field build_field(std::span<const Mesh> plants, const FieldForm& form,
-                  const std::vector<double>& turns);
+//! Draws a field of a scene: which plants are missing or late, how each differs
+//! from its line and how it is turned.
+//! @param lines meshes to place instead of those of the components, with the
+//! same faces in other groups; empty: those of the components
+Field draw_field(const Scene& scene, const Randomness& randomness,
+                 std::span<const Mesh> lines = {});
 
-//! The same with copies of one plant.
-Field build_field(const Mesh& plant, const FieldForm& form,
-                  const std::vector<double>& turns);
-
-//! The same with turns that are drawn.
-Field draw_field(const Mesh& plant, const FieldForm& form,
-                 const Randomness& randomness);
-
-//! The same with plants that differ by the variation of the form, which are
-//! drawn too.
-//! @param mesh the plant without deviations; the faces of all have its groups
-Field draw_field(const Plant& plant, const Mesh& mesh,
-                 const Tessellation& tessellation, const FieldForm& form,
-                 const Randomness& randomness);
+//! The scene in which plants stand as they are in a field of it, and are not
+//! drawn again: each component is a single mesh. Leaves do not assimilate.
+Scene as_drawn(Scene scene, const Field& field);
 
 }  // namespace ideotype

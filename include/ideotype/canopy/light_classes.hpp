@@ -5,10 +5,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "ideotype/canopy/assimilation.hpp"
 #include "ideotype/canopy/pieces.hpp"
 #include "ideotype/core/estimate.hpp"
-#include "ideotype/light/illumination.hpp"
-#include "ideotype/light/scene.hpp"
 #include "ideotype/light/tally.hpp"
 
 namespace ideotype {
@@ -39,13 +38,12 @@ struct LightClasses {
 //! Leaf area in one field by the light that it absorbs, a mean over the time
 //! with any light, by randomisation; sums to the leaf area index. Diffuse light
 //! is that of assimilate(), in the mean of plants alike.
+//! Leaves that absorb nothing are shaded.
 //! @param tallies with leaf light
-//! @param scene of pieces.mesh
-//! @param absorptance of leaves, above 0
-//! @param photons in the unit of irradiance [umol J-1]
-std::vector<LightClasses> leaf_area_by_light(
-    const std::vector<Tally>& tallies, const Scene& scene, const Pieces& pieces,
-    const SeriesIllumination& light, double absorptance, double photons);
+//! @param lit with the scene of pieces.mesh
+std::vector<LightClasses> leaf_area_by_light(const std::vector<Tally>& tallies,
+                                             const Pieces& pieces,
+                                             const LitLeaves& lit);
 
 struct LightClassReport {
     std::vector<Estimate> sunlit, shaded;

@@ -9,15 +9,14 @@
 
 namespace ideotype {
 
-//! Which a plot alone does not have.
+//! The quantity that an isolated plot does not have.
 inline constexpr auto extinction = "extinction_coefficient";
 
-//! All that is measured of a canopy of plants with these leaves and organs,
-//! along leaf, organ, layer, hour, light_source and leaf_side, and, of several
-//! days, day.
+//! All that is measured of a scene whose components are plants, along leaf,
+//! organ, layer, hour, light_source, leaf_side, and, where there are several,
+//! day, component and band.
 //! @param details that the canopy is evaluated with
-QuantitySet canopy_quantities(const Plant& plant, const Layers& layers,
-                              const LightSeries& series, Boundary boundary,
+QuantitySet canopy_quantities(const Scene& scene, const Layers& layers,
                               const Details& details);
 
 //! Their numbers in a report on such a canopy, in the same order.
@@ -41,6 +40,9 @@ bool is_of_assimilation(const std::string& quantity);
 
 //! Whether only reports with measured lines have it.
 bool is_of_lines(const std::string& quantity);
+
+//! Whether only reports with a near infrared band have it.
+bool is_of_nir(const std::string& quantity);
 
 //! The unit of a quantity.
 //! @throws std::out_of_range if there is none of this name.

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
-#include <variant>
-#include <vector>
 
 #include "ideotype/canopy/pieces.hpp"
-#include "ideotype/canopy/scenario.hpp"
+#include "ideotype/canopy/scene.hpp"
 #include "ideotype/core/random.hpp"
 #include "ideotype/crop/measured_lines.hpp"
-#include "ideotype/crop/plant.hpp"
 #include "ideotype/light/accuracy.hpp"
 #include "ideotype/light/layers.hpp"
-#include "ideotype/physiology/photosynthesis.hpp"
 
 namespace ideotype {
 
@@ -24,28 +21,24 @@ struct Details {
     bool sunlit = false;
     //! The light on each face: groups are then faces, not organs.
     bool faces = false;
-    //! What leaves make of the light.
-    std::optional<Photosynthesis> photosynthesis{};
-    //! Of a blade, over each of which diffuse light is taken as even.
+    //! Pieces of a blade, over each of which diffuse light is taken as even.
     std::size_t pieces = pieces_of_blade;
-    bool exact = false;  //!< that by assimilate_exactly(), for checks: slow
-    //! Lines that exist, to tell how far the plant is from them.
+    //! Assimilation by assimilate_exactly(), for checks: slow.
+    bool exact = false;
+    //! Lines that exist, to tell how far the plant of the first component is
+    //! from them.
     std::optional<MeasuredLines> lines{};
 };
 
 //! One evaluation of a canopy: all that its result is a function of.
 struct CanopyRequest {
-    //! Plants alike, in fields of the scenario that are drawn at random; or a
-    //! field that is ready.
-    std::variant<Plant, Field> stand;
-    Scenario scenario;
+    Scene scene;
     //! In which the light that leaves absorb is counted. With no thickness they
-    //! are equal parts of the height of the canopy.
+    //! are equal parts of the height of the scene.
     Layers layers;
     Accuracy accuracy;
     Randomness randomness;
-    Details details;
-    Tessellation tessellation{};  //!< of plants
+    Details details{};
 };
 
 }  // namespace ideotype

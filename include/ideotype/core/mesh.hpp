@@ -10,13 +10,26 @@
 
 namespace ideotype {
 
-//! What a surface is made of; selects its optical properties.
-enum class Tissue : std::uint8_t { leaf, stalk, sheath };
+//! Tells what a surface is a part of.
+struct SurfaceId {
+    //! Number of the component of the scene; fixed objects follow components.
+    std::uint32_t component = 0;
+    std::uint32_t organ = 0;  //!< 0 is the leaves; others count from 1
+    std::uint32_t rank = 0;   //!< leaf from the lowest, 1; 0: not known
+    std::uint32_t part = 0;   //!< part of the organ, such as a face; 0: all
+
+    bool is_leaf() const { return organ == 0; }
+
+    //! Fixed objects have this number in place of an organ.
+    static constexpr std::uint32_t object = ~std::uint32_t{0};
+    bool is_object() const { return organ == object; }
+};
 
 //! Faces whose light is counted together, for example all leaves of one rank.
 struct Group {
-    std::string name;
-    Tissue tissue = Tissue::leaf;
+    std::string name;  //!< for people; nothing is read from it
+    SurfaceId id{};
+    std::uint32_t material = 0;  //!< place in Optics::materials
 };
 
 //! Surfaces as quadrilaterals [m], z up. A triangle repeats its last vertex.
@@ -34,9 +47,15 @@ std::vector<double> face_areas(const Mesh& mesh);
 struct PlantArea {
     double leaves = 0;        //!< which is their one-sided area
     double other_organs = 0;  //!< half of what is outside, since they are solid
+
+    PlantArea& operator+=(const PlantArea& more) {
+        leaves += more.leaves;
+        other_organs += more.other_organs;
+        return *this;
+    }
 };
 
-//! The area of all faces of a mesh.
+//! The area of all faces of a mesh but those of fixed objects.
 PlantArea plant_area(const Mesh& mesh);
 
 }  // namespace ideotype

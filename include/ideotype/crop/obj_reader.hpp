@@ -9,9 +9,15 @@
 
 namespace ideotype {
 
-//! What a group is made of that is named as `export` names groups: "stalk...",
-//! "sheath...", or in a field "plant004_stalk...".
-Tissue tissue_of(std::string_view group);
+//! Tells what a group of a mesh file is by its name, as `export` names groups:
+//! stalk ("stalk..."), sheath ("sheath...") or leaf (all others), each also as
+//! part of a plant of a field ("plant004_stalk..."). The number at the end of
+//! the name of a leaf ("leaf07") is its rank. The component is 0.
+Group group_of_name(const std::string& name);
+
+//! The number at the end of a name such as "maize_leaf07"; 0 if it does not end
+//! with "leaf" and up to four digits.
+std::uint32_t leaf_rank(std::string_view name);
 
 //! Surfaces read from a file, and what the user should know about them.
 struct ObjMesh {
@@ -29,9 +35,8 @@ inline constexpr std::size_t most_obj_faces = 20'000'000;
 //!
 //! Polygons may have any number of corners and need be neither convex nor
 //! quite plane. Faces that follow the same group (g) or object (o) name are
-//! one group, wherever they are in the file. Groups whose names begin with
-//! "stalk" or "sheath", or with "plantN_stalk" or "plantN_sheath", are stalks
-//! or sheaths, all others leaves. Materials, normals and textures are ignored.
+//! one group, wherever they are in the file; what each is follows from its
+//! name, see group_of_name(). Materials, normals and textures are ignored.
 //! Faces without area are left out with a warning.
 //!
 //! @throws Error if the file cannot be read.

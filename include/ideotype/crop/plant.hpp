@@ -69,12 +69,17 @@ struct Sheath {
     double thickness = 0.001;  //!< [m]
 };
 
+//! Materials of a plant, in the order in which scenes list them.
+enum class PlantMaterial : std::uint32_t { leaf, stalk, sheath };
+
+inline constexpr std::uint32_t plant_materials = 3;
+
 //! Any other organ: one or more cones without tips, on top of the stalk or at
 //! the insertion of a leaf.
 struct Organ {
     std::string name;
     bool is_present = true;
-    Tissue tissue = Tissue::stalk;  //!< of its surface
+    PlantMaterial material = PlantMaterial::stalk;  //!< of its surface
     int leaf = 0;       //!< rank of the leaf that it is at; 0: the stalk's top
     double offset = 0;  //!< above that [m]
     int count = 1;      //!< evenly spaced about the stalk
@@ -113,7 +118,8 @@ std::vector<std::string> organ_names(const Plant& plant);
 void set_present(Plant& plant, const std::string& organ, bool is_present);
 
 //! The surfaces of a plant: its foot at the origin, y along the row, z up.
-//! Group i is leaf i + 1; a group for each of organ_names() follows.
+//! Group i is leaf i + 1; a group for each of organ_names() follows. The
+//! component of all groups is 0, and materials are those of PlantMaterial.
 //! @throws Error if a blade does not have six width controls.
 Mesh build_plant(const Plant& plant, const Tessellation& tessellation);
 

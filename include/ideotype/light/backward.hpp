@@ -7,12 +7,12 @@
 #include "ideotype/light/illumination.hpp"
 #include "ideotype/light/leaf_points.hpp"
 #include "ideotype/light/optics.hpp"
-#include "ideotype/light/scene.hpp"
+#include "ideotype/light/ray_scene.hpp"
 
 namespace ideotype {
 
 //! Whether light that travels in a direction comes straight to a point.
-bool is_lit(const Scene& scene, const LeafPoint& point,
+bool is_lit(const RayScene& scene, const LeafPoint& point,
             const glm::dvec3& travel);
 
 //! The light at points of leaves, by paths that are followed from there back
@@ -21,15 +21,17 @@ bool is_lit(const Scene& scene, const LeafPoint& point,
 class BackwardLight {
   public:
     //! @param groups,sources must outlive it, and so must the scene
-    BackwardLight(const Scene& scene, const std::vector<Group>& groups,
+    BackwardLight(const RayScene& scene, const std::vector<Group>& groups,
                   const Optics& optics, const std::vector<Source>& sources);
 
     //! Irradiance of the beam of a source, on the face that it meets, over
-    //! that on level ground; 0 in the shade.
+    //! that on level ground; 0 in the shade. Light on a face that absorbs less
+    //! than the other one counts by as much less.
     double beam(const LeafPoint& point, std::size_t source) const;
 
     //! Adds one sample of all other light that both faces receive, by source,
-    //! over what level ground receives from it. Its mean is without bias.
+    //! over what level ground receives from it, each face as above. Its mean is
+    //! without bias.
     //! @param light of each source
     void add_diffuse(const LeafPoint& point, RandomStream& random,
                      std::vector<double>& light) const;
@@ -40,19 +42,26 @@ class BackwardLight {
                    std::vector<double>& light) const;
 
   private:
-    const Lambertian& surface(std::uint32_t group) const {
-        return group == Hit::soil ? soil_ : optics_.of(groups_[group].tissue);
+    //! What sends light to the side from which it is seen.
+    const Lambertian& surface(std::uint32_t group, bool is_adaxial) const {
+        return group == Hit::soil
+                   ? soil_
+                   : optics_.of(groups_[group].material).face(is_adaxial);
     }
 
-    //! Along one path from a face on the side of a normal.
-    void follow(glm::dvec3 position, glm::dvec3 normal, RandomStream& random,
-                std::vector<double>& light) const;
-    //! What a surface sends on of the beams that it meets, to the side of a
-    //! normal.
-    void add_beams(const glm::dvec3& position, const glm::dvec3& normal,
-                   const Lambertian& surface, std::vector<double>& light) const;
+    //! What a face of a leaf absorbs over what the other one does, at most 1.
+    double weight(const LeafPoint& point, bool is_adaxial) const;
 
-    const Scene& scene_;
+    //! Follows one path from a face, on the side of a normal.
+    void follow(glm::dvec3 position, glm::dvec3 normal, double weight,
+                RandomStream& random, std::vector<double>& light) const;
+    //! Adds what a surface sends on, to the side of a normal, of the beams that
+    //! it meets.
+    void add_beams(const glm::dvec3& position, const glm::dvec3& normal,
+                   const Lambertian& surface, double weight,
+                   std::vector<double>& light) const;
+
+    const RayScene& scene_;
     const std::vector<Group>& groups_;
     const std::vector<Source>& sources_;
     Optics optics_;

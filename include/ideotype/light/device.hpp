@@ -27,7 +27,7 @@ class Device {
     static std::string library_version();
 
   private:
-    friend class Scene;
+    friend class RayScene;
     struct Handle;
     std::string isa_;
     std::unique_ptr<Handle> handle_;

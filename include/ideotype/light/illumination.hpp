@@ -49,4 +49,10 @@ SeriesIllumination illuminate(LightSeries series, SkyModel sky_model,
                               double row_direction, Skies skies = Skies::shared,
                               int dates = 0);
 
+//! The light of the same sources in another waveband, in which each instant has
+//! its own light from sun and sky. Where there is light in that band alone, it
+//! is left out.
+SeriesIllumination in_band(SeriesIllumination light,
+                           Irradiance TimeStep::*band);
+
 }  // namespace ideotype

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
-#include "ideotype/light/scene.hpp"
+#include "ideotype/light/ray_scene.hpp"
 
 namespace ideotype {
 
@@ -19,12 +20,17 @@ struct LeafPoint {
 };
 
 //! The part of a point's leaf area that is not on another's.
-double own_part(const Scene& scene, const LeafPoint& point);
+double own_part(const RayScene& scene, const LeafPoint& point);
 
-//! All leaf surface, as the triangles that light meets, and points on it.
+//! Leaf surface, as the triangles that light meets, and points on it.
 class LeafPoints {
   public:
+    //! Tells whether a group of the mesh counts.
+    using Wanted = std::function<bool(std::uint32_t)>;
+
+    //! Takes all leaves.
     explicit LeafPoints(const Mesh& mesh);
+    LeafPoints(const Mesh& mesh, const Wanted& is_wanted);
 
     //! One-sided, of all leaves [m2].
     double area() const { return ends_.empty() ? 0 : ends_.back(); }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ideotype/core/mesh.hpp"
+#include <algorithm>
+#include <cstdint>
+#include <vector>
 
 namespace ideotype {
 
-//! A Lambertian surface that reflects, transmits and absorbs the rest, the
-//! same on both faces.
+//! A Lambertian face that reflects, transmits and absorbs the rest of the light
+//! that comes to it.
 struct Lambertian {
     double reflectance = 0;
     double transmittance = 0;
@@ -14,24 +16,52 @@ struct Lambertian {
     double scattered() const { return reflectance + transmittance; }
 };
 
-//! Optical properties of all that light can meet.
-struct Optics {
-    Lambertian leaf;
-    Lambertian stalk;
-    double soil_albedo = 0;  //!< Lambertian
-    Lambertian sheath{};
+//! A thin sheet in one waveband. Its faces may reflect differently; as much
+//! light passes from one face to the other as back (Helmholtz reciprocity).
+struct Material {
+    Lambertian adaxial;
+    Lambertian abaxial;
 
-    //! What a tissue does with light.
-    const Lambertian& of(Tissue tissue) const {
-        switch (tissue) {
-            case Tissue::stalk:
-                return stalk;
-            case Tissue::sheath:
-                return sheath;
-            case Tissue::leaf:
-                break;
-        }
-        return leaf;
+    Material() = default;
+    //! Makes a sheet whose faces are alike.
+    Material(double reflectance, double transmittance)
+        : Material(reflectance, reflectance, transmittance) {}
+    Material(double reflectance_of_adaxial, double reflectance_of_abaxial,
+             double transmittance)
+        : adaxial{reflectance_of_adaxial, transmittance},
+          abaxial{reflectance_of_abaxial, transmittance} {}
+
+    const Lambertian& face(bool is_adaxial) const {
+        return is_adaxial ? adaxial : abaxial;
+    }
+
+    //! The largest part of light that either face absorbs.
+    double most_absorbed() const {
+        return 1 - std::min(adaxial.scattered(), abaxial.scattered());
+    }
+    //! The largest part of light that either face scatters.
+    double most_scattered() const {
+        return std::max(adaxial.scattered(), abaxial.scattered());
+    }
+};
+
+//! Optical properties, in one waveband, of all that light can meet.
+struct Optics {
+    std::vector<Material> materials;  //!< by Group::material
+    double soil_albedo = 0;           //!< Lambertian
+
+    //! Returns a material; one that is not listed absorbs all light.
+    const Material& of(std::uint32_t material) const {
+        static const Material black;
+        return material < materials.size() ? materials[material] : black;
+    }
+
+    //! The largest part of light that anything scatters.
+    double most_scattered() const {
+        double most = soil_albedo;
+        for (const Material& each : materials)
+            most = std::max(most, each.most_scattered());
+        return most;
     }
 };
 

@@ -18,8 +18,9 @@ struct BudgetEstimate {
     //! isolated plot what comes in through its bounding box from all sides.
     Estimate entered;
     Estimate leaves;
-    Estimate stalks;  //!< and sheaths and all other organs
-    Estimate plants;  //!< both
+    Estimate stalks;   //!< and sheaths and all other organs
+    Estimate plants;   //!< both
+    Estimate objects;  //!< fixed objects
     Estimate soil;
     Estimate reflected;
 
@@ -40,7 +41,7 @@ struct StepReport {
     std::optional<Estimate> sunlit;
 };
 
-//! The light of one day, or of the mean of several, in one stand.
+//! The light of one day, or of the mean of several, in one stand and waveband.
 struct DayReport {
     BudgetEstimate day;             //!< [J m-2 day-1]
     std::vector<Estimate> groups;   //!< absorbed per group [J m-2 day-1]
@@ -65,6 +66,11 @@ DayReport report(const std::vector<Tally>& tallies,
 //! The light that each group of the mesh absorbs, from all sources
 //! [J m-2 of ground]; standard errors as above.
 std::vector<Estimate> absorbed_by_group(const std::vector<Tally>& tallies);
+
+//! The light that some groups absorb together, from all sources
+//! [J m-2 of ground]; standard error as above.
+Estimate absorbed_by_groups(const std::vector<Tally>& tallies,
+                            const std::vector<std::size_t>& groups);
 
 //! The light that all leaves absorb, from all sources [J m-2 of ground];
 //! standard error as above.

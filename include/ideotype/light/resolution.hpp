@@ -20,6 +20,7 @@ struct Resolution {
     // depend on paths, because light can end nowhere else or cannot end there.
     double leaves = 0;
     double stalks = 0;
+    double objects = 0;
     double soil = 0;
     double reflected = 0;
     double unscattered = 0;        //!< of leaves

@@ -7,7 +7,7 @@
 #include "ideotype/core/mesh.hpp"
 #include "ideotype/light/illumination.hpp"
 #include "ideotype/light/optics.hpp"
-#include "ideotype/light/scene.hpp"
+#include "ideotype/light/ray_scene.hpp"
 #include "ideotype/light/tally.hpp"
 #include "ideotype/light/transport.hpp"
 
@@ -25,25 +25,36 @@ struct SunlitFractions {
 //! The part of the leaf area from which the sun can be seen, one-sided; for
 //! each source. Points are spread evenly over all leaves, the same for every
 //! sun, and sent towards it. What is below the soil is shaded. Faces that lie
-//! on each other are one surface, see Scene: of faces with the same corners
+//! on each other are one surface, see RayScene: of faces with the same corners
 //! only the first can be sunlit, others share equally what is.
 //! @param mesh that the scene was built from
 //! @param accuracy as many points as paths, for each randomisation
-SunlitFractions sunlit_fractions(const Scene& scene, const Mesh& mesh,
+SunlitFractions sunlit_fractions(const RayScene& scene, const Mesh& mesh,
                                  const Illumination& illumination,
                                  const Accuracy& accuracy,
                                  const Randomness& randomness);
 
-//! The same from first hits that are known anyway, by what they absorb.
-//! @param tallies with the light of leaves
-//! @param absorptance of leaves; where that is 0 nothing is known, and told
+//! The sunlit part of the area of pieces of leaves, from first hits that are
+//! known anyway, by what they absorb. Of leaves that absorb nothing, nothing is
+//! known, and told.
+//! @param tallies with the light of pieces
+//! @param groups of the scene's mesh
+//! @param leaf_area of all pieces [m2]
 SunlitFractions sunlit_fractions(const std::vector<Tally>& tallies,
-                                 const Scene& scene,
+                                 const RayScene& scene,
+                                 const std::vector<Group>& groups,
+                                 const Optics& optics,
                                  const Illumination& illumination,
-                                 double absorptance, double leaf_area);
+                                 double leaf_area);
+
+//! The part of a beam that a triangle of the scene's surfaces absorbs.
+//! @param groups of the scene's mesh
+double beam_absorptance(const RayScene& scene, const std::vector<Group>& groups,
+                        const Optics& optics, std::uint32_t triangle,
+                        const glm::dvec3& direction);
 
 //! Beam on a triangle of the scene's surfaces over that on level ground.
-double beam_cosine(const Scene& scene, std::uint32_t triangle,
+double beam_cosine(const RayScene& scene, std::uint32_t triangle,
                    const glm::dvec3& direction);
 
 }  // namespace ideotype

@@ -14,7 +14,8 @@ namespace ideotype {
 //! Where the light of one source went [J m-2 of ground].
 struct Budget {
     double leaves = 0;
-    double stalks = 0;  //!< and sheaths and all other organs
+    double stalks = 0;   //!< and sheaths and all other organs
+    double objects = 0;  //!< fixed objects
     double soil = 0;
     double reflected = 0;
     double incident = 0;  //!< that entered: into a plot also from soil around
@@ -32,17 +33,19 @@ struct Budget {
 
     bool operator==(const Budget&) const = default;
 
-    double total() const { return leaves + stalks + soil + reflected; }
+    double total() const {
+        return leaves + stalks + soil + reflected + objects;
+    }
 
   private:
-    static constexpr std::array<double Budget::*, 7> parts() {
-        return {&Budget::leaves,    &Budget::stalks,   &Budget::soil,
-                &Budget::reflected, &Budget::incident, &Budget::unscattered,
-                &Budget::sent_on};
+    static constexpr std::array<double Budget::*, 8> parts() {
+        return {&Budget::leaves,      &Budget::stalks,    &Budget::objects,
+                &Budget::soil,        &Budget::reflected, &Budget::incident,
+                &Budget::unscattered, &Budget::sent_on};
     }
 };
 
-//! What leaves absorb of one source, place by place [J m-2 of ground].
+//! What pieces of leaves absorb of one source [J m-2 of ground].
 struct LeafLight {
     struct Part {
         std::uint32_t place;
@@ -51,19 +54,16 @@ struct LeafLight {
 
     //! Straight from a sun, by triangle of the scene's surfaces.
     std::vector<Part> beam;
-    //! All other light, by group of the mesh; a group may have several parts.
+    //! All other light, by piece; a piece may have several parts.
     std::vector<Part> diffuse;
 };
 
-//! Whether a tally has the light of leaves place by place.
-enum class Detail { sums, leaf_light };
-
-//! What one randomisation found [J m-2 of ground].
+//! What one randomisation found in one waveband [J m-2 of ground].
 struct Tally {
     std::vector<Budget> sources;
     std::vector<double> groups;    //!< absorbed, per group of the mesh
     std::vector<double> layers{};  //!< absorbed by leaves, lowest layer first
-    std::vector<LeafLight> leaf_light{};  //!< by source, if asked for
+    std::vector<LeafLight> leaf_light{};  //!< by source, if there are pieces
     //! Absorbed through the faces of leaves: the adaxial (upper) one is that
     //! from which the corners of a face are seen counter-clockwise.
     double adaxial = 0;

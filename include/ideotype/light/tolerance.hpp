@@ -9,7 +9,7 @@ namespace ideotype {
 
 //! What simulate() finds with just enough paths.
 struct Simulation {
-    std::vector<Tally> tallies;
+    BandTallies tallies;
     int paths = 0;           //!< first hits per randomisation
     bool is_capped = false;  //!< more paths would be needed
     Workload work{};         //!< that the tolerance asked for
@@ -30,13 +30,15 @@ inline constexpr int fewest_paths = 32;
 //! whole costs least. With equal work two scenes share all random numbers, and
 //! the result is that of simulate() with this work.
 //!
-//! With leaf light there is more work, especially for diffuse light: so much
+//! With pieces there is more work, especially for diffuse light: so much
 //! that the relative error of what leaves make of it by a concave response is
 //! near the tolerance too, and each group of the mesh is met more than once.
-Simulation simulate_to_tolerance(
-    const Scene& scene, const std::vector<Group>& groups, const Optics& optics,
-    const Illumination& illumination, const Accuracy& accuracy,
-    const Randomness& randomness, const Layers& layers = {},
-    Detail detail = Detail::sums);
+//!
+//! In several bands trials are of each that is bounded, and first hits are as
+//! many as the most demanding of them needs. Scattered light of other bands
+//! gets about as many paths as that of the first bounded one.
+Simulation simulate_to_tolerance(const Subject& subject,
+                                 const Accuracy& accuracy,
+                                 const Randomness& randomness);
 
 }  // namespace ideotype

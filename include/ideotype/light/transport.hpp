@@ -2,25 +2,42 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "ideotype/core/random.hpp"
 #include "ideotype/light/accuracy.hpp"
-#include "ideotype/light/illumination.hpp"
+#include "ideotype/light/band.hpp"
 #include "ideotype/light/layers.hpp"
-#include "ideotype/light/optics.hpp"
-#include "ideotype/light/scene.hpp"
+#include "ideotype/light/ray_scene.hpp"
 #include "ideotype/light/tally.hpp"
 
 namespace ideotype {
 
+//! What light is followed in, and what it is counted by.
+struct Subject {
+    const RayScene& scene;
+    const std::vector<Group>& groups;  //!< of the scene's mesh
+    std::span<const Band> bands;       //!< at least one
+    const Layers& layers;  //!< in which the light that leaves absorb is counted
+    //! Leading groups, all of them leaves, whose light is told place by place
+    //! in the first band.
+    std::size_t pieces = 0;
+
+    //! The light of the first band, whose sources all bands have.
+    const Illumination& light() const { return bands.front().light.light; }
+};
+
 //! How finely each source is looked at in one randomisation.
 struct Workload {
     std::vector<std::uint32_t> first_hits;  //!< of each source; 0: left out
-    //! Of each source, what a path of scattered light carries at most
-    //! [J m-2 of ground]; empty: as much as a first hit.
-    std::vector<double> path_energy{};
+    //! What a path of scattered light carries at most, by band and source
+    //! [J m-2 of ground]; of a band that is not told as much as a first hit.
+    std::vector<std::vector<double>> path_energy{};
 };
+
+//! Tallies by band and randomisation.
+using BandTallies = std::vector<std::vector<Tally>>;
 
 //! Splits first hits among sources in proportion to energy and effort, at least
 //! one each, by largest remainders.
@@ -47,23 +64,30 @@ std::vector<std::uint32_t> share_paths(const Illumination& illumination,
 //! soil anywhere absorbs, and `reflected` what goes to the sky, of the light
 //! that has been in the box.
 //!
-//! The tolerance is not looked at, nor how many fields there are.
+//! First hits are found once for all bands, by the energies of the first band;
+//! what surfaces scatter of them is followed in each band by itself.
 //!
-//! @param groups what each group of the scene's mesh is made of
-//! @param layers in which the light that leaves absorb is counted
-//! @return one tally per randomisation
-//! @throws Error if there are fewer paths than sources.
-std::vector<Tally> simulate(
-    const Scene& scene, const std::vector<Group>& groups, const Optics& optics,
-    const Illumination& illumination, const Accuracy& accuracy,
-    const Randomness& randomness, const Layers& layers = {},
-    Detail detail = Detail::sums);
+//! @return tallies by band and randomisation
+BandTallies simulate(const Subject& subject, const Workload& work,
+                     int randomisations, const Randomness& randomness);
 
-//! The same with a workload.
-std::vector<Tally> simulate(
-    const Scene& scene, const std::vector<Group>& groups, const Optics& optics,
-    const Illumination& illumination, const Workload& work, int randomisations,
-    const Randomness& randomness, const Layers& layers = {},
-    Detail detail = Detail::sums);
+//! Follows light with so many first hits; the tolerance is not looked at, nor
+//! how many fields there are.
+//! @throws Error if there are fewer paths than sources.
+BandTallies simulate(const Subject& subject, const Accuracy& accuracy,
+                     const Randomness& randomness);
+
+//! Follows light in one band.
+//! @return one tally per randomisation
+std::vector<Tally> simulate(const RayScene& scene,
+                            const std::vector<Group>& groups,
+                            const Optics& optics,
+                            const Illumination& illumination,
+                            const Accuracy& accuracy,
+                            const Randomness& randomness,
+                            const Layers& layers = {}, std::size_t pieces = 0);
+
+//! A band with this light alone, for one that follows no series.
+Band band_of(const Optics& optics, const Illumination& illumination);
 
 }  // namespace ideotype

@@ -12,16 +12,18 @@ int main() {
     const Mesh leaf{{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
                     {{0, 1, 2, 3}},
                     {0},
-                    {{"leaf", Tissue::leaf}}};
-    Scenario ames;
-    ames.light = illuminate(
-        clear_days({"Ames", 42, -93.6, -5}, {{{2025, 8, 7}}, 7, 20, 60}, .45),
-        SkyModel::uniform, 90);
-    ames.optics = {{.05, .05}, {.31, .12}, .1};
-    const Field field{leaf, {0}, Boundary::periodic, 2, 2, 4};
+                    {{"leaf"}}};
+    Scene ames;
+    ames.components = {{.name = "leaf", .mesh = leaf}};
+    ames.cell = {Boundary::periodic, 2, 2, 4};
+    ames.bands = {{"par",
+                   illuminate(clear_days({"Ames", 42, -93.6, -5},
+                                         {{{2025, 8, 7}}, 7, 20, 60}, .45),
+                              SkyModel::uniform, 90),
+                   {{{.05, .05}}, .1}}};
     const Device device(Device::supported_isas().back());
     const BudgetEstimate day =
-        evaluate({field, ames, {.25, 4}, {4096, 8}, {1}, {}}, device).light.day;
+        evaluate({ames, {.25, 4}, {4096, 8}, {1}}, device).par().light.day;
     const Estimate share = scaled(day.leaves, 1 / day.incident);
     std::printf("%.4f +- %.4f\n", share.mean, share.standard_error);
     return share.mean > .225 && share.mean < .25 ? 0 : 1;

@@ -70,7 +70,7 @@ std::optional<Segment> clip(const Box& box, const glm::dvec3& origin,
 //!
 //! An isolated scene holds a plot, moved so that the corner of its bounding
 //! box is above the origin.
-class Scene {
+class RayScene {
   public:
     //! Faces without area and faces below the soil are left out.
     //!
@@ -80,18 +80,18 @@ class Scene {
     //! the others are left out. Elsewhere rounding decides point by point.
     //! @throws Error if a vertex is not finite or beyond reason, a period not
     //! positive, there are too many faces, or memory runs out.
-    Scene(const Device& device, const Mesh& mesh, double period_x,
-          double period_y);
+    RayScene(const Device& device, const Mesh& mesh, double period_x,
+             double period_y);
 
     //! A plot that stands alone.
     //! @param ground_area that all figures refer to [m2]
     //! @throws Error as above, with the ground area in place of the period.
-    static Scene isolated(const Device& device, const Mesh& mesh,
-                          double ground_area);
+    static RayScene isolated(const Device& device, const Mesh& mesh,
+                             double ground_area);
 
-    ~Scene();
-    Scene(Scene&&) noexcept;
-    Scene& operator=(Scene&&) noexcept;
+    ~RayScene();
+    RayScene(RayScene&&) noexcept;
+    RayScene& operator=(RayScene&&) noexcept;
 
     Boundary boundary() const { return boundary_; }
     double period_x() const { return period_x_; }        //!< if periodic [m]
@@ -141,7 +141,7 @@ class Scene {
   private:
     struct Handle;
 
-    Scene() = default;
+    RayScene() = default;
     void add_plot(const Mesh& mesh, const std::vector<double>& areas);
     void add_face(std::uint32_t face, const glm::dvec3& shift);
     void add_images(const std::array<std::uint32_t, 4>& face,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ideotype/light/scene.hpp"
+#include "ideotype/light/ray_scene.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -101,8 +101,8 @@ std::optional<Segment> clip(const Box& box, const glm::dvec3& origin,
     return inside;
 }
 
-Scene::Scene(const Device& device, const Mesh& mesh, double period_x,
-             double period_y)
+RayScene::RayScene(const Device& device, const Mesh& mesh, double period_x,
+                   double period_y)
     : ground_area_(period_x * period_y),
       period_x_(period_x),
       period_y_(period_y) {
@@ -132,13 +132,13 @@ Scene::Scene(const Device& device, const Mesh& mesh, double period_x,
     commit(device);
 }
 
-Scene Scene::isolated(const Device& device, const Mesh& mesh,
-                      double ground_area) {
+RayScene RayScene::isolated(const Device& device, const Mesh& mesh,
+                            double ground_area) {
     if (!(ground_area > 0) || !std::isfinite(ground_area))
         throw Error(
             fmt::format("the ground area {} m2 is not positive", ground_area));
     check_vertices(mesh);
-    Scene scene;
+    RayScene scene;
     scene.boundary_ = Boundary::isolated;
     scene.ground_area_ = ground_area;
     scene.add_plot(mesh, face_areas(mesh));
@@ -150,7 +150,7 @@ Scene Scene::isolated(const Device& device, const Mesh& mesh,
     return scene;
 }
 
-void Scene::add_plot(const Mesh& mesh, const std::vector<double>& areas) {
+void RayScene::add_plot(const Mesh& mesh, const std::vector<double>& areas) {
     const std::vector<bool> repeated = repeated_faces(mesh);
     const auto is_there = [&](std::size_t f) {
         const auto& face = mesh.faces[f];
@@ -180,28 +180,28 @@ void Scene::add_plot(const Mesh& mesh, const std::vector<double>& areas) {
     }
 }
 
-glm::dvec3 Scene::placed(const glm::dvec3& point) const {
+glm::dvec3 RayScene::placed(const glm::dvec3& point) const {
     return wrapped(point - plot_corner_);
 }
 
-glm::dvec3 Scene::wrapped(const glm::dvec3& point) const {
+glm::dvec3 RayScene::wrapped(const glm::dvec3& point) const {
     if (boundary_ == Boundary::isolated) return point;
     return {wrapped_into(point.x, period_x_), wrapped_into(point.y, period_y_),
             point.z};
 }
 
-glm::dvec3 Scene::offset_origin(const glm::dvec3& point,
-                                const glm::dvec3& normal) const {
+glm::dvec3 RayScene::offset_origin(const glm::dvec3& point,
+                                   const glm::dvec3& normal) const {
     glm::dvec3 offset = point + clearance_ * normal;
     offset.z = std::clamp(offset.z, soil(), top_);
     return wrapped(offset);
 }
 
-Scene::~Scene() = default;
+RayScene::~RayScene() = default;
 
-Scene::Scene(Scene&&) noexcept = default;
+RayScene::RayScene(RayScene&&) noexcept = default;
 
-Scene& Scene::operator=(Scene&&) noexcept = default;
+RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
 void Surfaces::add(const std::array<std::uint32_t, 4>& face,
                    std::uint32_t group) {
@@ -220,8 +220,8 @@ void Surfaces::add(const std::array<std::uint32_t, 4>& face,
     normals.push_back(face[2] == face[3] ? normals.back() : normal(2, 3, 1));
 }
 
-void Scene::add_images(const std::array<std::uint32_t, 4>& face,
-                       std::uint32_t group) {
+void RayScene::add_images(const std::array<std::uint32_t, 4>& face,
+                          std::uint32_t group) {
     Extent x, y, z;
     for (const std::uint32_t v : face) {
         x.include(surfaces_.vertices[v].x);
@@ -247,7 +247,7 @@ void Scene::add_images(const std::array<std::uint32_t, 4>& face,
                               static_cast<double>(j) * period_y_, 0});
 }
 
-void Scene::add_face(std::uint32_t face, const glm::dvec3& shift) {
+void RayScene::add_face(std::uint32_t face, const glm::dvec3& shift) {
     const auto& corners = surfaces_.faces[face];
     for (const std::uint32_t v : corners) {
         const glm::dvec3 p = surfaces_.vertices[v] + shift;
@@ -265,11 +265,11 @@ void Scene::add_face(std::uint32_t face, const glm::dvec3& shift) {
     }
 }
 
-std::optional<Heights> Scene::heights(std::size_t group) const {
+std::optional<Heights> RayScene::heights(std::size_t group) const {
     return group < group_heights_.size() ? group_heights_[group] : std::nullopt;
 }
 
-void Scene::commit(const Device& device) {
+void RayScene::commit(const Device& device) {
     RTCDevice embree = device.handle_->device;
     handle_ = std::make_unique<Handle>(rtcNewScene(embree));
     // Without this, light slips through the edges that faces share.
@@ -280,7 +280,7 @@ void Scene::commit(const Device& device) {
         embree, fmt::format("build a scene of {} faces", prim_face_.size()));
 }
 
-void Scene::attach_faces(RTCDeviceTy* embree) {
+void RayScene::attach_faces(RTCDeviceTy* embree) {
     RTCGeometry geometry = rtcNewGeometry(embree, RTC_GEOMETRY_TYPE_QUAD);
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
                                RTC_FORMAT_FLOAT3, corners_.data(), 0,
@@ -295,8 +295,8 @@ void Scene::attach_faces(RTCDeviceTy* embree) {
     rtcReleaseGeometry(geometry);
 }
 
-bool Scene::intersect(const glm::dvec3& origin, const glm::dvec3& direction,
-                      double distance, Hit& hit) const {
+bool RayScene::intersect(const glm::dvec3& origin, const glm::dvec3& direction,
+                         double distance, Hit& hit) const {
     RTCRayHit query;
     query.ray.org_x = static_cast<float>(origin.x);
     query.ray.org_y = static_cast<float>(origin.y);
@@ -332,9 +332,9 @@ bool Scene::intersect(const glm::dvec3& origin, const glm::dvec3& direction,
     return true;
 }
 
-int Scene::faces_at(const glm::dvec3& point) const {
+int RayScene::faces_at(const glm::dvec3& point) const {
     struct Search {
-        const Scene& scene;
+        const RayScene& scene;
         glm::dvec3 point;
         int found = 0;
     } search{*this, point};
@@ -348,7 +348,7 @@ int Scene::faces_at(const glm::dvec3& point) const {
     rtcInitPointQueryContext(&context);
     const auto look_at = [](RTCPointQueryFunctionArguments* arguments) {
         auto& at = *static_cast<Search*>(arguments->userPtr);
-        const Scene& scene = at.scene;
+        const RayScene& scene = at.scene;
         const auto corner = [&scene, arguments](std::size_t i) {
             const auto& c = scene.corners_[4 * arguments->primID + i];
             return glm::dvec3(c[0], c[1], c[2]);

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ideotype/core/mesh.hpp"
+#include "ideotype/crop/plant_variation.hpp"
+#include "ideotype/light/band.hpp"
+#include "ideotype/light/boundary.hpp"
+#include "ideotype/physiology/photosynthesis.hpp"
+
+namespace ideotype {
+
+//! A rectangle of ground [m].
+struct Rectangle {
+    double x, y;          //!< lower corner
+    double width, depth;  //!< along x and y
+};
+
+//! The ground of a scene: x across the rows, y along the rows, soil at z = 0.
+struct Cell {
+    Boundary boundary = Boundary::periodic;
+    double period_x = 0;     //!< on which the stand repeats, if periodic [m]
+    double period_y = 0;     //!< the same along the rows [m]
+    double ground_area = 0;  //!< that all figures refer to [m2]
+    //! Ground of an isolated plot; what is not above it is cut away.
+    std::optional<Rectangle> kept{};
+    std::vector<double> rows{};  //!< places of rows along x, if there are [m]
+    double row_distance = 0;     //!< distance between neighbouring rows [m]
+};
+
+//! Where a plant stands [m].
+struct Place {
+    double x = 0, y = 0;
+};
+
+//! A kind of plant and where its plants stand.
+struct Component {
+    std::string name;
+    //! One plant with its foot at the origin, y along the row. The component of
+    //! its groups is of no account: the scene numbers them.
+    Mesh mesh;
+    std::vector<Place> places{{}};
+    //! Plants turn at random by up to this angle either way [deg].
+    double jitter = 0;
+    //! The plant that the mesh is built of, from which others of its line
+    //! deviate; a mesh from elsewhere has none.
+    std::optional<Plant> plant{};
+    Tessellation tessellation{};  //!< of that plant
+    PlantVariation variation{};
+    std::optional<Photosynthesis> photosynthesis{};  //!< if leaves assimilate
+    double ground_per_plant = 0;                     //!< of all ground [m2]
+};
+
+//! Something that does not grow and stands where its mesh has it, such as a
+//! panel or a post.
+struct FixedObject {
+    std::string name;
+    Mesh mesh;
+};
+
+//! All that light can meet, the light itself, and what leaves make of it: the
+//! one thing that canopies are evaluated from.
+struct Scene {
+    std::vector<Component> components;
+    std::vector<FixedObject> objects{};
+    Cell cell;
+    //! The first one is PAR, which leaves assimilate.
+    Bands bands;
+    //! Photons in the unit of irradiance of the first band [umol J-1]; 1 if
+    //! that unit is umol m-2 s-1.
+    double photons = 4.57;
+
+    const SeriesIllumination& light() const { return bands.front().light; }
+
+    //! Whether plants of any component differ by more than their direction.
+    bool varies() const;
+    //! Whether leaves of any component assimilate.
+    bool assimilates() const;
+};
+
+//! The groups of all components, then those of objects, each with its number.
+//! @param lines meshes in the place of those of the components, or empty
+std::vector<Group> groups_of(const Scene& scene,
+                             std::span<const Mesh> lines = {});
+
+//! Optical properties of a plant in one waveband.
+struct PlantOptics {
+    Lambertian leaf, stalk, sheath;
+
+    //! The materials in the order of PlantMaterial.
+    std::vector<Material> materials() const;
+};
+
+//! Optical properties in the PAR band where nothing else is given: leaves as in
+//! arXiv:2512.06064, stalks and sheaths of maize.
+inline constexpr PlantOptics usual_optics{{.05, .05}, {.31, .12}, {.09, 0}};
+inline constexpr double usual_soil_albedo = .1;
+
+//! Makes the mesh of a component that of another plant.
+//! @param first place of its leaves' material among the scene's materials
+void set_plant(Component& component, const Plant& plant,
+               std::uint32_t first = 0);
+
+}  // namespace ideotype

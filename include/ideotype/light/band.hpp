@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ideotype/light/illumination.hpp"
+#include "ideotype/light/optics.hpp"
+
+namespace ideotype {
+
+//! A waveband: the light that falls on a stand in it, and what surfaces do with
+//! that light. The bands of a stand have the same sources of light, each with
+//! an energy of its own.
+struct Band {
+    std::string name;  //!< such as "par"
+    SeriesIllumination light;
+    Optics optics;
+    //! Whether a tolerance bounds the error of the light that leaves absorb in
+    //! this band.
+    bool is_bounded = true;
+};
+
+using Bands = std::vector<Band>;
+
+}  // namespace ideotype

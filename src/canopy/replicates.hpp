@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "ideotype/canopy/assimilation.hpp"
+#include "ideotype/canopy/light_classes.hpp"
+#include "ideotype/light/sunlit.hpp"
+#include "ideotype/light/tally.hpp"
+
+namespace ideotype {
+
+//! Returns the mean of independent randomisations, number by number.
+std::vector<double> mean_of(const std::vector<std::vector<double>>& all);
+Tally mean_of(const std::vector<Tally>& tallies);
+AssimilationTally mean_of(const std::vector<AssimilationTally>& tallies);
+LightClasses mean_of(const std::vector<LightClasses>& classes);
+
+//! Moves items to the end of a list.
+template <class All>
+void append(All& all, All more) {
+    all.insert(all.end(), std::make_move_iterator(more.begin()),
+               std::make_move_iterator(more.end()));
+}
+
+inline void append(SunlitFractions& all, SunlitFractions more) {
+    append(all.fractions, std::move(more.fractions));
+    all.steps = std::move(more.steps);
+}
+
+//! Makes the light of pieces that of the groups that they are of.
+//! @param pieces with light
+void add_up_pieces(std::vector<Tally>& tallies, const Pieces& pieces,
+                   std::size_t groups);
+
+}  // namespace ideotype

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ideotype/canopy/scene.hpp"
+
+#include <algorithm>
+
+namespace ideotype {
+
+bool Scene::varies() const {
+    return std::any_of(
+        components.begin(), components.end(),
+        [](const Component& each) { return each.variation.is_any(); });
+}
+
+bool Scene::assimilates() const {
+    return std::any_of(
+        components.begin(), components.end(),
+        [](const Component& each) { return each.photosynthesis.has_value(); });
+}
+
+std::vector<Group> groups_of(const Scene& scene, std::span<const Mesh> lines) {
+    std::vector<Group> groups;
+    std::uint32_t number = 0;
+    const auto add = [&](const Mesh& mesh, bool is_object) {
+        for (Group group : mesh.groups) {
+            group.id.component = number;
+            if (is_object) group.id.organ = SurfaceId::object;
+            groups.push_back(std::move(group));
+        }
+        ++number;
+    };
+    for (std::size_t c = 0; c < scene.components.size(); ++c)
+        add(lines.empty() ? scene.components[c].mesh : lines[c], false);
+    for (const FixedObject& each : scene.objects) add(each.mesh, true);
+    return groups;
+}
+
+std::vector<Material> PlantOptics::materials() const {
+    std::vector<Material> all;
+    for (const Lambertian& each : {leaf, stalk, sheath})
+        all.emplace_back(each.reflectance, each.transmittance);
+    return all;
+}
+
+void set_plant(Component& component, const Plant& plant, std::uint32_t first) {
+    component.mesh = build_plant(plant, component.tessellation);
+    for (Group& group : component.mesh.groups) group.material += first;
+    component.plant = plant;
+}
+
+}  // namespace ideotype

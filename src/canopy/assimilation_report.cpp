@@ -82,6 +82,26 @@ double AssimilationReport::carbon_loss() const {
     return all.in_light + all.at_night + building;
 }
 
+std::vector<ComponentAssimilation> by_component(
+    const AssimilationReport& report, const std::vector<Group>& groups,
+    std::size_t components) {
+    std::vector<ComponentAssimilation> all;
+    for (std::uint32_t c = 0; c < components; ++c) {
+        ComponentAssimilation& one = all.emplace_back();
+        std::vector<double> gross(report.tallies.size());
+        for (std::size_t g = 0; g < groups.size(); ++g) {
+            if (groups[g].id.component != c) continue;
+            one.respiration.in_light += report.respiration[g].in_light;
+            one.respiration.at_night += report.respiration[g].at_night;
+            one.building += report.building_of_groups[g];
+            for (std::size_t r = 0; r < gross.size(); ++r)
+                gross[r] += report.tallies[r].groups[g];
+        }
+        one.gross = estimate(gross);
+    }
+    return all;
+}
+
 double AssimilationTally::gross() const {
     return std::accumulate(groups.begin(), groups.end(), 0.);
 }

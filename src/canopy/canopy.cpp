@@ -319,13 +319,16 @@ class Evaluation {
         for (std::size_t c = 0; c < areas_.size(); ++c) {
             const double lai = areas_[c].leaves / fields;
             const double index = lai + areas_[c].other_organs / fields;
+            const Component& component = scene_.components[c];
             result_.components.push_back(
-                {scene_.components[c].name, lai, index});
+                {component.name, lai, index,
+                 component.photosynthesis.has_value()});
             result_.lai += lai;
             result_.plant_area_index += index;
-            if (scene_.components[c].photosynthesis)
-                result_.assimilating_lai += lai;
+            if (component.photosynthesis) result_.assimilating_lai += lai;
         }
+        for (const FixedObject& each : scene_.objects)
+            result_.objects.push_back(each.name);
     }
 
     void report_light() {

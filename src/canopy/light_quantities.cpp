@@ -71,8 +71,7 @@ Values by_organ(const CanopyReport& report) {
     const BandReport& par = report.par();
     Values organs;
     for (std::uint32_t c = 0; c < report.components.size(); ++c) {
-        organs.push_back(par.parts.empty() ? par.light.day.leaves
-                                           : par.parts[c].leaves);
+        organs.push_back(par.part(c).leaves);
         for (std::size_t g = 0; g < report.groups.size(); ++g)
             if (const SurfaceId& id = report.groups[g].id;
                 id.component == c && !id.is_leaf())

@@ -69,32 +69,28 @@ TakeNumbers fraction_by_band(Estimate BudgetEstimate::*part) {
     };
 }
 
-//! Returns the gross assimilation of each component, each lowered by a loss of
-//! its groups.
+//! Takes the gross assimilation of each component, lowered by a loss.
 template <class Loss>
-Values assimilation(const CanopyReport& report, const Loss& loss) {
-    const AssimilationReport& all = *report.assimilation;
-    Values values;
-    for (std::uint32_t c = 0; c < report.components.size(); ++c) {
-        std::vector<double> gross(all.tallies.size());
-        double lost = 0;
-        for (std::size_t g = 0; g < report.groups.size(); ++g) {
-            if (report.groups[g].id.component != c) continue;
-            lost += loss(all, g);
-            for (std::size_t r = 0; r < gross.size(); ++r)
-                gross[r] += all.tallies[r].groups[g];
-        }
-        values.push_back(estimate(gross));
-        values.back().mean -= lost;
-    }
-    return values;
+TakeNumbers assimilation(const Loss& loss) {
+    return [loss](const CanopyReport& report) {
+        Values values;
+        for (const ComponentAssimilation& each : by_component(
+                 *report.assimilation, report.groups, report.components.size()))
+            values.push_back(
+                {each.gross.mean - loss(each), each.gross.standard_error});
+        return values;
+    };
+}
+
+bool have_assimilation(const Scope& scope) {
+    return has_components(scope) && scope.assimilates;
 }
 
 }  // namespace
 
 std::vector<Declaration> part_quantities() {
     using Report = CanopyReport;
-    using All = AssimilationReport;
+    using Part = ComponentAssimilation;
     constexpr Certainty exact = Certainty::exact;
     return {
         {{"absorbed_nir", daily,
@@ -112,9 +108,7 @@ std::vector<Declaration> part_quantities() {
           "light that leaves absorb per ground area",
           {"component", "band"}},
          by_component_and_band([](const BandReport& band, std::size_t c) {
-             return scaled(band.parts.empty() ? band.light.day.leaves
-                                              : band.parts[c].leaves,
-                           1 / joule_per_megajoule);
+             return scaled(band.part(c).leaves, 1 / joule_per_megajoule);
          }),
          false,
          [](const Scope& s) { return has_components(s) || has_bands(s); }},
@@ -160,36 +154,27 @@ std::vector<Declaration> part_quantities() {
           rate,
           "CO2 that leaves take up per ground area",
           {"component"}},
-         [](const Report& r) {
-             return assimilation(r, [](const All&, std::size_t) { return 0.; });
-         },
+         assimilation([](const Part&) { return 0.; }),
          false,
-         [](const Scope& s) { return has_components(s) && s.assimilates; }},
+         have_assimilation},
         {{"net_assimilation_by_component",
           rate,
           "gross assimilation less what leaves respire while there is light",
           {"component"}},
-         [](const Report& r) {
-             return assimilation(r, [](const All& all, std::size_t g) {
-                 return all.respiration[g].in_light;
-             });
-         },
+         assimilation([](const Part& x) { return x.respiration.in_light; }),
          false,
-         [](const Scope& s) { return has_components(s) && s.assimilates; }},
+         have_assimilation},
         {{"carbon_balance_by_component",
           rate,
           "gross assimilation less what leaves respire day and night and the "
           "carbon that they are built of",
           {"component"}},
-         [](const Report& r) {
-             return assimilation(r, [](const All& all, std::size_t g) {
-                 const Respiration& lost = all.respiration[g];
-                 return lost.in_light + lost.at_night +
-                        all.building_of_groups[g];
-             });
-         },
+         assimilation([](const Part& x) {
+             return x.respiration.in_light + x.respiration.at_night +
+                    x.building;
+         }),
          false,
-         [](const Scope& s) { return has_components(s) && s.assimilates; }},
+         have_assimilation},
     };
 }
 

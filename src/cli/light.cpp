@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -6,6 +7,7 @@
 
 #include "light_output.hpp"
 #include "run/progress.hpp"
+#include "scene_output.hpp"
 #include "stand/mesh_study.hpp"
 #include "verbs.hpp"
 
@@ -35,10 +37,16 @@ std::string light_name(const MeshOptions& options) {
                        90 - options.sun->zenith, options.sun->azimuth);
 }
 
-//! Of the leaves' light; infinite if no path has met a leaf.
+//! The largest relative error of the leaves' light in any band; infinite if no
+//! path has met a leaf.
 double relative_error(const MeshReport& report) {
-    const Estimate& leaves = report.canopy.par().light.day.leaves;
-    return leaves.standard_error > 0 ? leaves.standard_error / leaves.mean : 0;
+    double largest = 0;
+    for (const BandReport& band : report.canopy.bands) {
+        const Estimate& leaves = band.light.day.leaves;
+        if (leaves.standard_error > 0)
+            largest = std::max(largest, leaves.standard_error / leaves.mean);
+    }
+    return largest;
 }
 
 //! JSON has no infinity.
@@ -73,13 +81,19 @@ Json to_json(const MeshReport& report, const MeshOptions& options,
     Json json{{"mesh", options.path},
               {"boundary", boundary_name(options)},
               {"light", light_name(options)}};
-    json.update(to_json(report.canopy, span_of(options)));
-    if (report.canopy.assimilation)
-        json["assimilation"]["method"] = options.is_exact ? "exact" : "pieces";
-    json["optics"] = {{"leaf", to_json(options.optics.leaf)},
-                      {"stalk", to_json(options.optics.stalk)},
-                      {"sheath", to_json(options.optics.sheath)},
-                      {"soil_albedo", options.soil_albedo}};
+    if (options.scene.empty()) {
+        json.update(to_json(report.canopy, span_of(options)));
+        if (report.canopy.assimilation)
+            json["assimilation"]["method"] =
+                options.is_exact ? "exact" : "pieces";
+        json["optics"] = {{"leaf", to_json(options.optics.leaf)},
+                          {"stalk", to_json(options.optics.stalk)},
+                          {"sheath", to_json(options.optics.sheath)},
+                          {"soil_albedo", options.soil_albedo}};
+    } else {
+        json["scene"] = options.scene;
+        json.update(scene_json(report.canopy, span_of(options)));
+    }
     json["paths"] = report.canopy.paths;
     json["relative_standard_error"] = relative_error_json(report);
     if (!options.paths)
@@ -97,6 +111,8 @@ void print_report(const MeshReport& report, const MeshOptions& options,
     fmt::print("{}, {}, {}\n{:.4g} m2 of ground, {} paths, {:.2g} s\n",
                options.path, boundary_name(options), light_name(options),
                report.canopy.ground_area, report.canopy.paths, seconds);
+    if (!options.scene.empty())
+        return print_scene(report.canopy, span_of(options));
     fmt::print(
         "reflectance and transmittance: leaf {} {}, stalk {} {}, soil {} 0\n",
         options.optics.leaf.reflectance, options.optics.leaf.transmittance,

@@ -125,13 +125,16 @@ void add_ground(CLI::App& verb, MeshOptions& options) {
 
 //! Adds options for what surfaces of a material do with light.
 void add_surface(CLI::App& verb, const std::string& material,
-                 Lambertian& surface, const std::string& meaning) {
+                 Lambertian& surface, const std::string& meaning,
+                 CLI::Option* scene) {
     verb.add_option(material + "-reflectance", surface.reflectance,
                     "reflected part of the light, " + meaning)
-        ->capture_default_str();
+        ->capture_default_str()
+        ->excludes(scene);
     verb.add_option(material + "-transmittance", surface.transmittance,
                     "transmitted part of the light, " + meaning)
-        ->capture_default_str();
+        ->capture_default_str()
+        ->excludes(scene);
 }
 
 }  // namespace
@@ -139,17 +142,24 @@ void add_surface(CLI::App& verb, const std::string& material,
 void declare_light(CLI::App& verb, MeshOptions& options) {
     verb.add_option("mesh", options.path, "mesh (OBJ, metres, z up)")
         ->required();
+    auto* scene = verb.add_option(
+        "--scene", options.scene,
+        "FILE.toml of materials, components and wavebands, by the names of "
+        "groups: several kinds of plants, near infrared; see the manual");
     add_ground(verb, options);
     add_light(verb, options);
-    add_surface(verb, "--leaf", options.optics.leaf, "of both faces");
+    add_surface(verb, "--leaf", options.optics.leaf, "of both faces", scene);
     add_surface(verb, "--stalk", options.optics.stalk,
-                "of groups whose names begin with stalk, or with plantN_stalk");
+                "of groups whose names begin with stalk, or with plantN_stalk",
+                scene);
     add_surface(
         verb, "--sheath", options.optics.sheath,
-        "of groups whose names begin with sheath, or with plantN_sheath");
+        "of groups whose names begin with sheath, or with plantN_sheath",
+        scene);
     verb.add_option("--soil-albedo", options.soil_albedo,
                     "part of the light that the soil reflects")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->excludes(scene);
     auto* tolerance =
         verb.add_option("--tolerance", options.tolerance,
                         "relative standard error of the leaves' total")

@@ -13,12 +13,19 @@
 
 namespace ideotype {
 
-namespace {
-
-//! A part of the incident light; nothing of nothing is nothing.
 Estimate fraction(Estimate part, double incident) {
     return incident > 0 ? scaled(part, 1 / incident) : Estimate{};
 }
+
+double assimilation_scale(Span span) {
+    return span == Span::single ? 1e6 : 1;
+}
+
+const char* assimilation_unit(Span span) {
+    return span == Span::single ? "umol m-2 s-1" : "mol m-2 day-1";
+}
+
+namespace {
 
 bool has_stalks(const CanopyReport& report) {
     return std::any_of(report.groups.begin(), report.groups.end(),
@@ -101,15 +108,6 @@ void print_budget(const CanopyReport& report, const Totals& totals) {
             "its surfaces. Fractions are of what the\nground area of {:.4g} m2 "
             "receives, so an edge-lit plot can absorb more than 1.\n",
             report.ground_area);
-}
-
-//! Of a single light, that shines for a second, in umol.
-double assimilation_scale(Span span) {
-    return span == Span::single ? 1e6 : 1;
-}
-
-const char* assimilation_unit(Span span) {
-    return span == Span::single ? "umol m-2 s-1" : "mol m-2 day-1";
 }
 
 Estimate lowered(Estimate gross, double loss) {

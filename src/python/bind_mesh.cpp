@@ -124,6 +124,53 @@ nb::dict to_dict(const MeshReport& report, bool is_day,
     return dict;
 }
 
+//! The light of all bands and components of a scene.
+nb::dict to_scene_dict(const MeshReport& report) {
+    const CanopyReport& canopy = report.canopy;
+    nb::dict dict;
+    nb::list bands;
+    for (const BandReport& band : canopy.bands) {
+        std::vector<Estimate> components;
+        for (std::size_t c = 0; c < canopy.components.size(); ++c)
+            components.push_back(band.part(c).all);
+        nb::dict one;
+        one["name"] = band.name;
+        one["incident"] = band.light.day.incident;
+        one["soil"] = to_tuple(band.light.day.soil);
+        one["reflected"] = to_tuple(band.light.day.reflected);
+        one["absorbed_by_component"] = to_array(components);
+        one["absorbed"] = to_array(band.light.groups);
+        bands.append(one);
+    }
+    dict["bands"] = bands;
+    std::vector<std::string> names, groups;
+    std::vector<double> lai;
+    for (const ComponentReport& each : canopy.components) {
+        names.push_back(each.name);
+        lai.push_back(each.lai);
+    }
+    for (const Group& group : canopy.groups) groups.push_back(group.name);
+    dict["components"] = names;
+    dict["lai"] = lai;
+    dict["groups"] = groups;
+    if (canopy.assimilation) {
+        std::vector<Estimate> gross;
+        std::vector<double> lost;
+        for (const ComponentAssimilation& each :
+             by_component(*canopy.assimilation, canopy.groups, names.size())) {
+            gross.push_back(each.gross);
+            lost.push_back(each.respiration.in_light);
+        }
+        dict["gross_assimilation"] = to_array(gross);
+        dict["respired"] = lost;
+    }
+    dict["ground_area"] = canopy.ground_area;
+    dict["paths"] = canopy.paths;
+    dict["is_capped"] = canopy.is_capped;
+    dict["warnings"] = report.warnings;
+    return dict;
+}
+
 std::optional<SkyModel> to_sky(const std::optional<std::string>& name) {
     if (!name) return std::nullopt;
     if (*name == "uniform") return SkyModel::uniform;
@@ -178,16 +225,16 @@ void bind_mesh(nb::module_& module) {
         .def_rw("sky_ppfd", &MeshOptions::sky_ppfd)
         .def_rw("climate", &MeshOptions::climate)
         .def_rw("photosynthesis", &MeshOptions::photosynthesis)
+        .def_rw("scene", &MeshOptions::scene)
         .def_rw("is_exact", &MeshOptions::is_exact)
         .def_rw("is_by_face", &MeshOptions::is_by_face)
         .def("set_optics",
-             [](MeshOptions& x, const Two& leaf, const Two& stalk,
-                const Two& sheath, double soil) {
-                 x.optics.leaf = to_surface(leaf);
-                 x.optics.stalk = to_surface(stalk);
-                 x.optics.sheath = to_surface(sheath);
-                 x.soil_albedo = soil;
+             [](MeshOptions& x, const std::string& material, const Two& pair) {
+                 (material == "leaf"    ? x.optics.leaf
+                  : material == "stalk" ? x.optics.stalk
+                                        : x.optics.sheath) = to_surface(pair);
              })
+        .def_rw("soil_albedo", &MeshOptions::soil_albedo)
         .def_rw("tolerance", &MeshOptions::tolerance)
         .def_rw("paths", &MeshOptions::paths)
         .def_rw("seed", &MeshOptions::seed)
@@ -209,7 +256,9 @@ void bind_mesh(nb::module_& module) {
                 report = study(std::move(divided.mesh), options);
                 faces = by_polygon(divided, areas, report.canopy.par().faces);
             }
-            return to_dict(report, has_day(options), faces);
+            return options.scene.empty()
+                       ? to_dict(report, has_day(options), faces)
+                       : to_scene_dict(report);
         },
         nb::arg("vertices"), nb::arg("corners"), nb::arg("counts"),
         nb::arg("group"), nb::arg("names"), nb::arg("options"));

@@ -61,10 +61,11 @@ class Canopy:
         climate: str | PathLike[str] = "",
         photosynthesis: str | PathLike[str] = "",
         exact: bool = False,
-        leaf: Pair = (0.05, 0.05),
-        stalk: Pair = (0.31, 0.12),
-        sheath: Pair = (0.09, 0.0),
-        soil_albedo: float = 0.1,
+        leaf: Pair | None = None,
+        stalk: Pair | None = None,
+        sheath: Pair | None = None,
+        soil_albedo: float | None = None,
+        scene: str | PathLike[str] = "",
         tolerance: float = 1e-3,
         paths: int | None = None,
         by_face: bool = False,
@@ -87,8 +88,11 @@ class Canopy:
         climate: file with the tables [site] and [climate] of a campaign.
         photosynthesis: file with this table, for assimilation; `exact` as
             `--exact` of the command line.
-        leaf, stalk, sheath: reflectance and transmittance. Groups whose names
-            begin with "stalk" or "sheath" are such, all others leaves.
+        leaf, stalk, sheath: reflectance and transmittance, by default those of
+            the command line. Groups whose names begin with "stalk" or "sheath"
+            are such, all others leaves.
+        scene: file of materials, components and wavebands, as `--scene` of the
+            command line; it tells all optics and photosynthesis.
         tolerance: relative standard error of the leaves' light; or so many
             `paths`.
         by_face: also the light that each face absorbs.
@@ -97,7 +101,10 @@ class Canopy:
         (all other organs) and `soil` absorb and what is `reflected`, per area
         of ground; `absorbed` by `group`; `absorbed_by_layer`, of leaves by
         height; quantities that a history has, of a single light those that are
-        no rates; and NAME_standard_error of each.
+        no rates; and NAME_standard_error of each. With a `scene` instead, by
+        `band`: `incident`, `soil`, `reflected`, `absorbed_by_component` and
+        `absorbed` by `group`; and by `component` its leaf area index `lai`,
+        `gross_assimilation` and `net_assimilation`.
 
         Raises Error if options contradict each other."""
         options = _core.MeshOptions()
@@ -121,7 +128,18 @@ class Canopy:
         options.climate = os.fspath(climate)
         options.photosynthesis = os.fspath(photosynthesis)
         options.is_exact, options.is_by_face = exact, by_face
-        options.set_optics(leaf, stalk, sheath, soil_albedo)
+        surfaces = {"leaf": leaf, "stalk": stalk, "sheath": sheath}
+        given = {name: pair for name, pair in surfaces.items() if pair}
+        options.scene = os.fspath(scene)
+        if options.scene and (given or soil_albedo is not None):
+            raise Error(
+                "a scene file tells all optics; leave out leaf, stalk, sheath "
+                "and soil_albedo"
+            )
+        for name, pair in given.items():
+            options.set_optics(name, pair)
+        if soil_albedo is not None:
+            options.soil_albedo = soil_albedo
         options.tolerance, options.paths = tolerance, paths
         options.seed = seed
         try:
@@ -135,9 +153,11 @@ class Canopy:
             )
         except Error as error:
             raise type(error)(_in_python(str(error))) from None
+        is_ppfd = beam_ppfd is not None or sky_ppfd is not None
+        if options.scene:
+            return _scene_dataset(found, options.is_day, is_ppfd)
         if options.is_day:
             return _dataset(found, "MJ m-2 day-1", 1e-6)
-        is_ppfd = beam_ppfd is not None or sky_ppfd is not None
         return _dataset(found, "umol m-2 s-1" if is_ppfd else "1", 1)
 
 
@@ -259,6 +279,59 @@ def _dataset(found: dict[str, Any], unit: str, scale: float) -> xarray.Dataset:
             "paths": found["paths"],
             "ground_area": found["ground_area"],
             "balance_error": found["balance_error"],
+            "is_tolerance_met": not found["is_capped"],
+            "warnings": found["warnings"],
+        },
+    )
+
+
+def _scene_dataset(
+    found: dict[str, Any], is_day: bool, is_ppfd: bool
+) -> xarray.Dataset:
+    """The light and assimilation of a scene file, by band and component."""
+    unit = "MJ m-2 day-1" if is_day else "umol m-2 s-1" if is_ppfd else "1"
+    scale = 1e-6 if is_day else 1.0
+    bands = found["bands"]
+    arrays: dict[str, Any] = {}
+
+    def add(
+        name: str, dims: tuple[str, ...], pairs: Any, units: str, by: float
+    ) -> None:
+        numbers = by * np.asarray(pairs, float)
+        arrays[name] = (dims, numbers[..., 0], {"units": units})
+        arrays[f"{name}_standard_error"] = (
+            dims,
+            numbers[..., 1],
+            {"units": units},
+        )
+
+    for name, dims in (
+        ("soil", ("band",)),
+        ("reflected", ("band",)),
+        ("absorbed_by_component", ("band", "component")),
+        ("absorbed", ("band", "group")),
+    ):
+        add(name, dims, [band[name] for band in bands], unit, scale)
+    incident = [scale * band["incident"] for band in bands]
+    arrays["incident"] = (("band",), incident, {"units": unit})
+    arrays["lai"] = (("component",), found["lai"], {"units": "m2 m-2"})
+    if "gross_assimilation" in found:
+        moles = 1 if is_day else 1e6
+        of = "mol m-2 day-1" if is_day else "umol m-2 s-1"
+        gross = found["gross_assimilation"]
+        net = gross - np.array([[lost, 0] for lost in found["respired"]])
+        add("gross_assimilation", ("component",), gross, of, moles)
+        add("net_assimilation", ("component",), net, of, moles)
+    return xarray.Dataset(
+        arrays,
+        {
+            "band": [band["name"] for band in bands],
+            "component": found["components"],
+            "group": found["groups"],
+        },
+        {
+            "paths": found["paths"],
+            "ground_area": found["ground_area"],
             "is_tolerance_met": not found["is_capped"],
             "warnings": found["warnings"],
         },

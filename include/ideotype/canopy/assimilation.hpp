@@ -58,6 +58,19 @@ struct AssimilationReport {
     double carbon_loss() const;
 };
 
+//! Assimilation of the leaves of one component, as in the report of all.
+struct ComponentAssimilation {
+    Estimate gross;
+    Respiration respiration{};
+    double building = 0;
+};
+
+//! Sums up a report by component.
+//! @param groups that the report has, with the numbers of components
+std::vector<ComponentAssimilation> by_component(
+    const AssimilationReport& report, const std::vector<Group>& groups,
+    std::size_t components);
+
 //! How the leaves of a group of a mesh assimilate.
 struct LeafGroup {
     LeafRates rates{};

@@ -50,6 +50,12 @@ struct BandReport {
     //! [J m-2 day-1]. That of a plant is a mean over all its copies; in a plot
     //! that is cut some are only there in part.
     std::vector<Estimate> faces;
+
+    //! The light of a component, or behind those of a fixed object.
+    PartReport part(std::size_t number) const {
+        return parts.empty() ? PartReport{light.day.leaves, light.day.plants}
+                             : parts[number];
+    }
 };
 
 //! The plants of a component in a canopy.
@@ -58,12 +64,14 @@ struct ComponentReport {
     //! Per ground area: one-sided leaf area, and that and half the surface of
     //! other organs [m2 m-2].
     double lai = 0, plant_area_index = 0;
+    bool assimilates = false;
 };
 
 //! What light does in one canopy.
 struct CanopyReport {
     std::vector<BandReport> bands;  //!< PAR first
     std::vector<ComponentReport> components;
+    std::vector<std::string> objects;                //!< names of fixed objects
     std::optional<AssimilationReport> assimilation;  //!< if leaves assimilate
     //! Sunlit leaf area by the first hits that assimilation is made of, in
     //! pieces of leaves.

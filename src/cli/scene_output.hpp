@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "light_output.hpp"
+
+namespace ideotype {
+
+//! What became of the light of each waveband, as fractions of it: by component,
+//! by group, on the soil and back to the sky; and `assimilation` of components
+//! whose leaves assimilate.
+Json scene_json(const CanopyReport& report, Span span);
+
+//! Prints the same as tables, but for groups.
+void print_scene(const CanopyReport& report, Span span);
+
+}  // namespace ideotype

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: Apache-2.0
+// Meshes of several components, materials and wavebands against an independent
+// tracer and exact values, see tests/data/stands.
+#include <cmath>
+#include <fstream>
+#include <map>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "stand/mesh_study.hpp"
+#include "temporary_folder.hpp"
+
+namespace ideotype {
+namespace {
+
+using Ordered = nlohmann::ordered_json;
+
+Ordered stands(const std::string& name) {
+    Ordered json;
+    std::ifstream(fmt::format("{}/stands/{}.json", IDEOTYPE_TEST_DATA, name)) >>
+        json;
+    return json;
+}
+
+std::string written(const std::string& text) {
+    const std::string path = temporary_file("scene.toml");
+    std::ofstream(path) << text;
+    return path;
+}
+
+//! The scene file of a reference scene.
+//! @param response of prefixes of groups, or null
+std::string scene_text(const Ordered& scene, const Ordered& response) {
+    const Ordered& optics = scene.at("optics");
+    std::string text = "soil_albedo = {";
+    for (const auto& [band, albedo] : scene.at("soil_albedo").items())
+        text += fmt::format(" {} = {},", band, albedo.get<double>());
+    text.back() = '}';
+    for (std::size_t i = 0; i < optics.front().size(); ++i) {
+        text += fmt::format("\n[[material]]\ngroups = {}\n",
+                            optics.front()[i][0].dump());
+        for (const auto& [band, all] : optics.items())
+            text +=
+                fmt::format("{} = [{:.4f}, {:.4f}]\n", band,
+                            all[i][1].get<double>(), all[i][2].get<double>());
+    }
+    for (const auto& [kind, area] : scene.at("area_index_by_kind").items()) {
+        text += fmt::format("[[component]]\nname = \"{0}\"\ngroups = \"{0}\"\n",
+                            kind);
+        for (const auto& [prefix, leaf] : response.items())
+            if (prefix.starts_with(kind))
+                text += fmt::format(
+                    "photosynthesis = {{ phi = {:.4f}, theta = {:.4f}, amax = "
+                    "{:.4f} }}\n",
+                    leaf.at("phi").get<double>(),
+                    leaf.at("theta").get<double>(),
+                    leaf.at("amax").get<double>());
+    }
+    return text;
+}
+
+MeshOptions options_of(const Ordered& scene, const std::string& light,
+                       const Ordered& response = {}) {
+    MeshOptions options;
+    options.path = fmt::format("{}/stands/{}", IDEOTYPE_TEST_DATA,
+                               scene.at("obj").get<std::string>());
+    options.scene = written(scene_text(scene, response));
+    options.period = {scene.at("period")[0], scene.at("period")[1]};
+    double elevation = 0, azimuth = 0;
+    if (std::sscanf(light.c_str(), "sun%lf_az%lf", &elevation, &azimuth) == 2)
+        options.sun = {90 - elevation, azimuth};
+    else
+        options.sky = SkyModel::uniform;
+    options.tolerance = 5e-4;
+    return options;
+}
+
+//! The rule of the reference values: within four combined standard errors and
+//! something.
+void expect_within(Estimate ours, const Ordered& reference, double more,
+                   const std::string& what) {
+    const double mean = reference.at(0), error = reference.at(1);
+    EXPECT_NEAR(ours.mean, mean,
+                4 * std::hypot(ours.standard_error, error) + more)
+        << what;
+}
+
+TEST(MeshScene, HasTheLightOfEveryReferenceInEveryBand) {
+    const Ordered all = stands("light");
+    std::map<std::string, CanopyReport> found;  // both bands in one run
+    int values = 0;
+    for (const auto& [name, expected] : all.at("cases").items()) {
+        const std::string scene = name.substr(0, name.find('/'));
+        const std::string light = name.substr(name.rfind('/') + 1);
+        const std::string band = name.substr(
+            scene.size() + 1, name.size() - scene.size() - light.size() - 2);
+        const auto [at, is_new] = found.try_emplace(scene + light);
+        if (is_new)
+            at->second =
+                study(options_of(all.at("scenes").at(scene), light)).canopy;
+        const CanopyReport& report = at->second;
+        for (const BandReport& each : report.bands) {
+            if (each.name != band) continue;
+            const auto expect = [&](Estimate ours, const Ordered& reference,
+                                    const std::string& what) {
+                expect_within(ours, reference, 1e-4, name + ' ' + what);
+                ++values;
+            };
+            expect(each.light.day.soil, expected.at("soil"), "soil");
+            expect(each.light.day.reflected, expected.at("reflected"),
+                   "reflected");
+            for (std::size_t c = 0; c < report.components.size(); ++c) {
+                const std::string& kind = report.components[c].name;
+                expect(each.part(c).all, expected.at("by_kind").at(kind), kind);
+            }
+            for (std::size_t g = 0; g < report.groups.size(); ++g)
+                if (const auto reference =
+                        expected.at("by_group").find(report.groups[g].name);
+                    reference != expected.at("by_group").end())
+                    expect(each.light.groups[g], *reference,
+                           report.groups[g].name);
+        }
+    }
+    EXPECT_GT(values, 350);
+}
+
+TEST(MeshScene, AssimilatesWithTheParametersOfEachComponent) {
+    const Ordered scenes = stands("light").at("scenes");
+    const Ordered cases = stands("assimilation").at("cases");
+    ASSERT_EQ(cases.size(), 9u);
+    for (const auto& [name, expected] : cases.items()) {
+        const std::string scene = name.substr(0, name.find('/'));
+        MeshOptions options =
+            options_of(scenes.at(scene), name.substr(name.find('/') + 1),
+                       expected.at("response"));
+        if (options.sun) {
+            options.beam_ppfd = expected.at("beam_ppfd").get<double>();
+            options.sky = SkyModel::uniform;
+        }
+        options.sky_ppfd = expected.at("sky_ppfd").get<double>();
+        const CanopyReport report = study(options).canopy;
+        const auto found = by_component(*report.assimilation, report.groups,
+                                        report.components.size());
+        for (std::size_t c = 0; c < found.size(); ++c) {
+            const Ordered& gross = expected.at("by_kind")
+                                       .at(report.components[c].name)
+                                       .at("A_gross");
+            expect_within(scaled(found[c].gross, 1e6), gross,
+                          1e-3 * gross[0].get<double>(), name);
+        }
+    }
+}
+
+//! Light of the sun falls on the upper face, what the soil reflects on the
+//! lower one.
+TEST(MeshScene, FacesOfASheetMayReflectDifferently) {
+    MeshOptions options;
+    options.path = std::string(IDEOTYPE_MESHES) + "/sheets1.obj";
+    options.period = {1, 1};
+    options.sun = {30, 100};
+    options.tolerance = 2e-4;
+    options.scene = written(
+        "soil_albedo = 0.5\n[[material]]\ngroups = \"\"\n"
+        "par = [0.1, 0.6, 0.2]\n");
+    const BudgetEstimate day = study(options).canopy.par().light.day;
+    // Light goes back and forth between soil and the lower face.
+    const double onto_soil = .2 / (1 - .5 * .6);
+    const double leaf = .7 + .5 * onto_soil * .2;
+    EXPECT_NEAR(day.leaves.mean, leaf, 4 * day.leaves.standard_error + 1e-9);
+    EXPECT_NEAR(day.soil.mean, .5 * onto_soil,
+                4 * day.soil.standard_error + 1e-9);
+    EXPECT_NEAR(day.reflected.mean, .1 + .5 * onto_soil * .2,
+                4 * day.reflected.standard_error + 1e-9);
+    EXPECT_LT(day.leaves.standard_error, 1e-3);
+}
+
+TEST(MeshScene, FacesThatReflectDifferentlyAssimilateAsExactly) {
+    MeshOptions options;
+    options.path = fmt::format("{}/stands/sole_maize.obj", IDEOTYPE_TEST_DATA);
+    options.period = {.6, .3};
+    options.sun = {35, 140};
+    options.sky = SkyModel::uniform;
+    options.beam_ppfd = 1300;
+    options.sky_ppfd = 300;
+    options.scene = written(
+        "soil_albedo = 0.3\n[[material]]\ngroups = \"maize\"\n"
+        "par = [0.05, 0.5, 0.1]\n[[component]]\nname = \"maize\"\n"
+        "photosynthesis = { amax = 50 }\n");
+    options.tolerance = 1e-3;
+    const Estimate pieces = study(options).canopy.assimilation->gross;
+    options.is_exact = true;
+    options.tolerance = 4e-3;
+    const Estimate exact = study(options).canopy.assimilation->gross;
+    EXPECT_NEAR(pieces.mean, exact.mean,
+                4 * std::hypot(pieces.standard_error, exact.standard_error) +
+                    2e-3 * exact.mean);
+}
+
+TEST(MeshScene, NamesOfComponentsAreOfNoMatter) {
+    const Ordered scene = stands("light").at("scenes").at("two_maize");
+    MeshOptions options = options_of(scene, "sun25_az255");
+    options.tolerance = 3e-3;
+    const CanopyReport report = study(options).canopy;
+    std::string text = scene_text(scene, {});
+    const auto replace = [&](const std::string& was, const std::string& is) {
+        text.replace(text.find(was), was.size(), is);
+    };
+    replace("name = \"erect\"", "name = \"x\"");
+    replace("name = \"flat\"", "name = \"erect\"");
+    options.scene = written(text);
+    const CanopyReport again = study(options).canopy;
+    EXPECT_EQ(again.components[1].name, "erect");
+    EXPECT_EQ(again.par().groups_by_randomisation,
+              report.par().groups_by_randomisation);
+}
+
+TEST(MeshScene, AllProblemsOfAFileAreToldInOnePass) {
+    const std::string path = written(
+        "albedo = 0.1\n"
+        "soil_albedo = { par = 2, red = 0.1 }\n"
+        "[[material]]\ngroups = \"leaf\"\npar = [0.5, 0.6]\n"
+        "[[material]]\ngroups = 7\nnir = [0.5]\n"
+        "[[component]]\ngroups = \"leaf\"\ncolour = \"red\"\n"
+        "photosynthesis = { amaxx = 3 }\n");
+    MeshOptions options;
+    options.path = std::string(IDEOTYPE_MESHES) + "/sheets1.obj";
+    options.period = {1, 1};
+    options.sun = {30, 100};
+    options.scene = path;
+    try {
+        study(options);
+        FAIL();
+    } catch (const InputError& error) {
+        const std::string all = error.what();
+        for (const char* part :
+             {"unknown key 'albedo'", "soil_albedo.par is 2",
+              "soil_albedo.red is of no band", "more than all",
+              "material.groups is an integer", "has no par", "has no nir",
+              "material.nir is a list", "a component has no name",
+              "unknown key 'colour'", "unknown key 'amaxx'"})
+            EXPECT_NE(all.find(part), std::string::npos) << part << '\n' << all;
+        EXPECT_NE(all.find(path + ":5:"), std::string::npos) << all;
+    }
+}
+
+TEST(MeshScene, EveryGroupNeedsAMaterialAndAComponent) {
+    MeshOptions options;
+    options.path = fmt::format("{}/stands/two_maize.obj", IDEOTYPE_TEST_DATA);
+    options.period = {1.52, .3};
+    options.sun = {30, 100};
+    options.scene = written(
+        "[[material]]\ngroups = \"erect\"\n"
+        "par = [0.05, 0.05]\n"
+        "[[component]]\nname = \"flat\"\n");
+    try {
+        study(options);
+        FAIL();
+    } catch (const Error& error) {
+        const std::string all = error.what();
+        EXPECT_NE(all.find("group flat_leaf01 fits no [[material]]"),
+                  std::string::npos)
+            << all;
+        EXPECT_NE(all.find("group erect_leaf10 fits no [[component]]"),
+                  std::string::npos)
+            << all;
+    }
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -95,6 +95,19 @@ Campaign complete(Draft& draft, const std::string& source,
     draft.campaign.stop = campaign.stop;
     if (draft.has_photosynthesis)
         campaign.photosynthesis = to_photosynthesis(draft.photosynthesis);
+    for (const std::shared_ptr<Draft>& each : draft.neighbours) {
+        const Campaign& own = each->campaign;
+        Neighbour neighbour{
+            own.name, {}, own.crop.baseline, own.optics, own.nir_optics};
+        for (const double row : each->rows)
+            neighbour.rows.push_back(static_cast<int>(row) - 1);
+        if (draft.has_photosynthesis)
+            neighbour.photosynthesis = to_photosynthesis(each->photosynthesis);
+        for (const Leaf& leaf : neighbour.plant.leaves)
+            campaign.reach = std::max(campaign.reach,
+                                      furthest(campaign.field.variation, leaf));
+        campaign.neighbours.push_back(std::move(neighbour));
+    }
     std::erase_if(campaign.constraints.traits,
                   [](const TraitConstraint& x) { return !constrains(x); });
     campaign.source = source;

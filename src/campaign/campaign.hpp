@@ -129,6 +129,23 @@ struct AnswerLimits {
     int attempts = 3;
 };
 
+//! A waveband of a campaign.
+struct BandEntry {
+    std::string name;
+};
+
+//! Which band a tolerance is about.
+enum class BoundedBand { par, nir };
+
+//! A kind of plant that stands in some rows of the field and is not bred.
+struct Neighbour {
+    std::string name;
+    std::vector<int> rows;  //!< of the field, from 0
+    Plant plant;
+    PlantOptics optics, nir_optics;
+    std::optional<Photosynthesis> photosynthesis{};  //!< if leaves assimilate
+};
+
 //! What an objective is over several scenarios.
 enum class Across { mean, worst };
 
@@ -172,7 +189,14 @@ struct Campaign {
     double soil_albedo = usual_soil_albedo;  //!< the same of the soil
     std::optional<Photosynthesis> photosynthesis;  //!< if leaves assimilate
     double par_fraction = 0.45;
-    bool has_nir = false;  //!< whether near infrared light is followed too
+    //! Wavebands that light is followed in, beside PAR.
+    std::vector<BandEntry> bands;
+    bool has_nir = false;  //!< whether near infrared is one of them
+    PlantOptics nir_optics = usual_nir_optics;       //!< in the near infrared
+    double nir_soil_albedo = usual_nir_soil_albedo;  //!< the same of the soil
+    //! The waveband in which the tolerance bounds the light of leaves.
+    BoundedBand bounded_band = BoundedBand::par;
+    std::vector<Neighbour> neighbours;       //!< components that are not bred
     SkyModel sky_model = SkyModel::uniform;  //!< of diffuse light
     //! Of a climate: the suns of so many dates stand for all. 0: without one.
     int sun_dates = 3;

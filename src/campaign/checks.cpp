@@ -181,6 +181,74 @@ void check_scenarios(const Campaign& campaign, Report& report) {
                                wrong, has_days ? "day" : "climate"));
 }
 
+//! Components that are not bred have names and rows of their own, and leave a
+//! row to the plants that are bred.
+void check_neighbours(Draft& draft, Report& report) {
+    std::map<std::string, int> names;
+    if (draft.is_crop_known)
+        names[lower_case(draft.campaign.crop.baseline.name)] = 1;
+    const int rows = draft.campaign.field.rows;
+    std::vector<const void*> taken(static_cast<std::size_t>(rows));
+    std::size_t left = taken.size();
+    for (const std::shared_ptr<Draft>& each : draft.neighbours) {
+        const std::string& name = each->campaign.name;
+        if (report.usable({&name}) && ++names[lower_case(name)] > 1)
+            report.add(&name,
+                       fmt::format("component.name is \"{}\" (already used, "
+                                   "perhaps by the plant that is bred); give "
+                                   "each a name of its own",
+                                   name));
+        for (const double row : each->rows) {
+            if (!report.usable({&each->rows, &draft.campaign.field.rows}))
+                break;
+            const auto place = static_cast<std::size_t>(row) - 1;
+            const bool is_row = row == std::floor(row) && row <= rows;
+            if (!is_row || taken[place])
+                report.add(
+                    &each->rows,
+                    fmt::format(
+                        "component.rows has {} ({}); the field "
+                        "has rows 1 to {}, each for one "
+                        "component",
+                        row, is_row ? "which another has" : "which is no row",
+                        rows));
+            else {
+                taken[place] = &each->rows;
+                --left;
+            }
+        }
+        if (left == 0)
+            report.add(&each->rows,
+                       "component.rows leave no row to the plants that are "
+                       "bred; leave one out, or raise field.rows");
+        const Campaign& own = each->campaign;
+        check_surface("leaf", own.optics.leaf, report);
+        check_surface("stalk", own.optics.stalk, report);
+        check_surface("sheath", own.optics.sheath, report);
+        if (!each->is_crop_known) continue;
+        check_photosynthesis(each->photosynthesis,
+                             own.crop.baseline.leaves.size(), report);
+        check_plant(*each, report);
+    }
+}
+
+//! What only campaigns with a near infrared band can have.
+void check_bands(const Campaign& campaign, Report& report) {
+    if (campaign.has_nir) return;
+    const std::string add = "add [[band]] with name = \"nir\"";
+    if (campaign.bounded_band == BoundedBand::nir)
+        report.add(
+            &campaign.bounded_band,
+            "light.band is \"nir\" (light is followed in PAR alone); " + add);
+    for (const auto* list : {&campaign.maximised, &campaign.minimised})
+        for (const std::string& each : *list)
+            if (report.usable({list}) && is_of_nir(each))
+                report.add(list,
+                           fmt::format("the objective {} needs near infrared; "
+                                       "{}",
+                                       each, add));
+}
+
 void check_stop(const StopRules& stop, Report& report) {
     constexpr int fewest = 5;
     if (stop.no_gain > 0 && stop.no_gain < fewest)
@@ -302,6 +370,14 @@ void check_draft(Draft& draft, Report& report) {
     check_surface("leaf", campaign.optics.leaf, report);
     check_surface("stalk", campaign.optics.stalk, report);
     check_surface("sheath", campaign.optics.sheath, report);
+    for (const auto& [name, surface] :
+         {std::pair("nir.leaf", &campaign.nir_optics.leaf),
+          std::pair("nir.stalk", &campaign.nir_optics.stalk),
+          std::pair("nir.sheath", &campaign.nir_optics.sheath)})
+        check_surface(name, *surface, report);
+    check_names("band", campaign.bands, report);
+    check_bands(campaign, report);
+    check_neighbours(draft, report);
     check_field(campaign.field, report);
     if (draft.is_crop_known) check_faces(campaign, report);
     check_light(campaign, report);

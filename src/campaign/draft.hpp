@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,10 @@ struct Draft {
     bool is_study = false;            //!< of sensitivity, and no search
     SensitivitySettings design;       //!< of studies
     Variation varied;                 //!< by studies
+
+    //! Components that are not bred: each has its crop and its name.
+    std::vector<std::shared_ptr<Draft>> neighbours;
+    std::vector<double> rows;  //!< of the field that a neighbour has, from 1
 };
 
 //! The names that campaigns may choose bounds by.

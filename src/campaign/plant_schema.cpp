@@ -253,7 +253,7 @@ Section plant_file_section(Plant& plant) {
 
 std::vector<Table> crop_defaults(Draft& draft) {
     std::vector<Table> tables{
-        one_table(plant_optics_section(draft.campaign.optics)),
+        plant_optics_table(draft.campaign),
         one_table(photosynthesis_section(draft.photosynthesis))};
     for (Table& table : tables) table.is_optional = true;
     return tables;

@@ -74,6 +74,10 @@ class DraftReader {
         const std::vector<Table> tables = campaign_tables(draft_);
         tables_.read(top, top_section(campaign), tables);
         for (const Table& table : tables) tables_.read(top, table);
+        campaign.has_nir = std::any_of(
+            campaign.bands.begin(), campaign.bands.end(),
+            [](const BandEntry& band) { return band.name == "nir"; });
+        read_neighbours(top);
         if (const auto lines = top["feasibility"]["lines"])
             read_lines(*lines.node());
         draft_.has_photosynthesis =
@@ -170,21 +174,38 @@ class DraftReader {
                   });
     }
 
-    void read_baseline(const toml::node& baseline) {
+    //! @param key that has the crop, as "plant.baseline"
+    void read_baseline(const toml::node& baseline,
+                       const std::string& key = "plant.baseline") {
         if (const toml::table* table = baseline.as_table())
             return read_plant(*table, tables_);
         const bool is_path = baseline.is_string();
         if (!is_path || source_ == PlantSource::table)
             return report_.add(
                 tables_.where(baseline),
-                fmt::format("plant.baseline is {} (expected: {}); write {}",
-                            kind(baseline),
-                            is_path ? "the plant itself" : "path or table",
-                            is_path ? "it as [plant.baseline]"
-                                    : "for example baseline = "
-                                      "\"crops/mine.toml\""));
-        read_plant_file(path_from(file_, *baseline.value<std::string>()),
-                        "plant.baseline", tables_.where(baseline));
+                fmt::format(
+                    "{} is {} (expected: {}); write {}", key, kind(baseline),
+                    is_path ? "the plant itself" : "path or table",
+                    is_path ? fmt::format("it as [{}]", key)
+                            : fmt::format("for example {} = "
+                                          "\"crops/mine.toml\"",
+                                          key.substr(key.find('.') + 1))));
+        read_plant_file(path_from(file_, *baseline.value<std::string>()), key,
+                        tables_.where(baseline));
+    }
+
+    //! Reads the crops of the components that are not bred.
+    void read_neighbours(const toml::table& top) {
+        const toml::array* const all = top["component"].as_array();
+        for (std::size_t i = 0; all && i < draft_.neighbours.size(); ++i) {
+            const toml::table* const table = all->get_as<toml::table>(i);
+            const toml::node* const crop = table ? table->get("crop") : nullptr;
+            Draft& neighbour = *draft_.neighbours[i];
+            neighbour.is_crop_known = false;
+            if (crop)
+                DraftReader(file_, source_, neighbour, report_)
+                    .read_baseline(*crop, "component.crop");
+        }
     }
 
     //! The text of a file that a key names, unless it cannot be read.

@@ -54,12 +54,35 @@ void append_plant(std::string& text, const std::string& prefix, Draft& draft) {
         append_table(text, prefix, table);
 }
 
+void append_crop(std::string& text, const std::string& prefix, Draft& draft) {
+    append_plant(text, prefix, draft);
+    for (const Table& table : crop_defaults(draft))
+        append_table(text, prefix, table);
+}
+
+//! Appends the components that are not bred, each with its crop.
+void append_neighbours(std::string& text, const Table& components,
+                       Draft& draft) {
+    for (std::size_t i = 0; i < draft.neighbours.size(); ++i) {
+        Draft& neighbour = *draft.neighbours[i];
+        neighbour.campaign.has_nir = draft.campaign.has_nir;
+        text += "\n[[component]]\n";
+        append_keys(text, components.section(i));
+        text += "\n[component.crop]\n";
+        append_crop(text, "component.crop.", neighbour);
+    }
+}
+
 }  // namespace
 
 std::string resolved_text(Draft& draft) {
     std::string text;
     append_keys(text, top_section(draft.campaign));
     for (const Table& table : campaign_tables(draft)) {
+        if (table.name == "component") {
+            append_neighbours(text, table, draft);
+            continue;
+        }
         // A study searches for nothing.
         if (!draft.is_study || table.name != "search")
             append_table(text, "", table);
@@ -89,9 +112,7 @@ std::vector<AccuracyKey> accuracy_keys(Draft& draft) {
 
 std::string resolved_plant_text(Draft& draft) {
     std::string text;
-    append_plant(text, "", draft);
-    for (const Table& table : crop_defaults(draft))
-        append_table(text, "", table);
+    append_crop(text, "", draft);
     return text;
 }
 

@@ -52,6 +52,12 @@ Section light_section(Campaign& campaign) {
                  "takes; 0: none, all paths")
                  .set(&Key::initial, "0.008, or 0 if paths is given")
                  .trades({0.02, 0.01, 0.005, 0.0025}, has_tolerance),
+             Key("band", choice(campaign.bounded_band),
+                 "of several wavebands the one in which the tolerance bounds "
+                 "the light of leaves; first hits of light are shared, and "
+                 "scattered light of others gets about as many paths")
+                 .one_of({"par", "nir"})
+                 .set(&Key::is_written, campaign.has_nir),
              Key("sky", choice(campaign.sky_model),
                  "how the radiance of diffuse light is distributed: evenly, "
                  "or as CIE overcast or clear skies")

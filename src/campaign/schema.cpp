@@ -294,22 +294,12 @@ Section variation_section(PlantVariation& variation) {
              .within(0.1, 1)}};
 }
 
-Section optics_section(Campaign& campaign) {
-    Section section = plant_optics_section(campaign.optics);
-    section.keys.push_back(fraction("soil_albedo", campaign.soil_albedo,
-                                    "light that the soil sends back"));
-    section.keys.push_back(
-        Key("par_fraction", &campaign.par_fraction, "PAR over all solar energy")
-            .within(0.01, 1));
-    return section;
-}
-
-}  // namespace
-
-Section plant_optics_section(PlantOptics& optics) {
-    return {"optics",
+//! @param band as it is called in the middle of a sentence
+Section plant_optics_section(const std::string& name, PlantOptics& optics,
+                             const std::string& band) {
+    return {name,
             {fraction("leaf_reflectance", optics.leaf.reflectance,
-                      "of both faces, in the PAR band"),
+                      "of both faces, in the " + band + " band"),
              fraction("leaf_transmittance", optics.leaf.transmittance,
                       "reflectance + transmittance <= 1"),
              fraction("stalk_reflectance", optics.stalk.reflectance,
@@ -320,6 +310,95 @@ Section plant_optics_section(PlantOptics& optics) {
                       "of the surface of sheaths"),
              fraction("sheath_transmittance", optics.sheath.transmittance,
                       "reflectance + transmittance <= 1")}};
+}
+
+Section nir_section(Campaign& campaign) {
+    return plant_optics_section("optics.nir", campaign.nir_optics,
+                                "near infrared");
+}
+
+//! Puts a table of the near infrared into one of PAR.
+Table with_nir(const Campaign& campaign, const Section& par,
+               const Section& nir) {
+    Table table = one_table(par), child = one_table(nir);
+    child.name = "nir";
+    child.is_optional = true;
+    child.is_default = !campaign.has_nir;
+    table.children = {child};
+    return table;
+}
+
+Table optics_table(Campaign& campaign) {
+    const std::string soil = "light that the soil sends back";
+    Section par = plant_optics_section("optics", campaign.optics, "PAR");
+    par.keys.push_back(fraction("soil_albedo", campaign.soil_albedo, soil));
+    par.keys.push_back(
+        Key("par_fraction", &campaign.par_fraction, "PAR over all solar energy")
+            .within(0.01, 1));
+    Section nir = nir_section(campaign);
+    nir.keys.push_back(fraction("soil_albedo", campaign.nir_soil_albedo, soil));
+    return with_nir(campaign, par, nir);
+}
+
+Table band_table(Campaign& campaign) {
+    Table table = list_of_tables<BandEntry>(
+        "band",
+        [](BandEntry& band) -> Section {
+            return {"band",
+                    {Key("name", &band.name,
+                         "waveband that light is followed in, beside PAR: near "
+                         "infrared is the solar radiation beyond PAR")
+                         .one_of({"par", "nir"})
+                         .required("\"nir\"")}};
+        },
+        campaign.bands);
+    table.is_optional = true;
+    table.most = 2;
+    return table;
+}
+
+Section component_section(Draft& neighbour) {
+    return {"component",
+            {Key("name", &neighbour.campaign.name,
+                 "of the kind of plant, as files and figures tell it")
+                 .set(&Key::range, name_range)
+                 .required("\"weed\""),
+             Key("crop", {},
+                 "crop file of its plants, relative to the campaign file; or "
+                 "its content as [component.crop]")
+                 .set(&Key::type, "path or table")
+                 .set(&Key::range, "-")
+                 .required("\"crops/mine.toml\""),
+             Key("rows", &neighbour.rows,
+                 "rows of the field that it stands in instead of the plants "
+                 "that are bred, counted from 1")
+                 .within(1, 100)
+                 .set(&Key::count, any_count)
+                 .set(&Key::type, "list of integers")
+                 .required("[2, 4]")}};
+}
+
+Table component_table(Draft& draft) {
+    std::vector<std::shared_ptr<Draft>>& all = draft.neighbours;
+    return {"component",
+            [&all](std::size_t i) { return component_section(*all.at(i)); },
+            [&all] { return all.size(); },
+            [&all](std::size_t n) {
+                all.clear();
+                while (all.size() < n) all.push_back(std::make_shared<Draft>());
+            },
+            {},
+            false,
+            true,
+            most_components};
+}
+
+}  // namespace
+
+Table plant_optics_table(Campaign& campaign) {
+    return with_nir(campaign,
+                    plant_optics_section("optics", campaign.optics, "PAR"),
+                    nir_section(campaign));
 }
 
 Section top_section(Campaign& campaign) {
@@ -382,7 +461,9 @@ std::vector<Table> campaign_tables(Draft& draft) {
                 campaign.trait_sets),
             field_table(campaign.field),
             plant_table(draft),
-            one_table(optics_section(campaign)),
+            component_table(draft),
+            band_table(campaign),
+            optics_table(campaign),
             one_table(light_section(campaign)),
             one_table(objective_section(campaign)),
             photosynthesis_table(draft),

@@ -184,8 +184,8 @@ std::vector<std::string> all_organs(const Plant& plant);
 //! All tables of a crop file.
 std::vector<Table> plant_tables(Draft& draft);
 
-//! The optics of plants, which soil has no part in.
-Section plant_optics_section(PlantOptics& optics);
+//! The optics of plants, which soil has no part in, in both bands.
+Table plant_optics_table(Campaign& campaign);
 
 //! The tables of a crop file that campaigns have too, which go before it.
 std::vector<Table> crop_defaults(Draft& draft);
@@ -213,6 +213,7 @@ Section stop_section(StopRules& stop);
 Section final_section(FinalRule& rule);
 Section parallel_section(AnswerLimits& limits);
 
+inline constexpr std::size_t most_components = 20;
 inline constexpr std::size_t most_leaves = 40;
 inline constexpr std::size_t most_organs = 40;
 inline constexpr std::size_t most_traits = 100;

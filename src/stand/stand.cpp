@@ -27,6 +27,22 @@ Layers canopy_layers(const Campaign& campaign) {
             static_cast<std::size_t>(std::ceil(campaign.reach / thickness))};
 }
 
+namespace {
+
+//! The rows of the field, from 0, in which plants are bred.
+std::vector<int> bred_rows(const Campaign& campaign) {
+    std::vector<bool> is_taken(static_cast<std::size_t>(campaign.field.rows));
+    for (const Neighbour& each : campaign.neighbours)
+        for (const int row : each.rows)
+            is_taken[static_cast<std::size_t>(row)] = true;
+    std::vector<int> rows;
+    for (std::size_t row = 0; row < is_taken.size(); ++row)
+        if (!is_taken[row]) rows.push_back(static_cast<int>(row));
+    return rows;
+}
+
+}  // namespace
+
 Scene scene_of(const Campaign& campaign, const Case& chosen) {
     FieldForm form = campaign.field;
     form.spacing = chosen.spacing;
@@ -34,12 +50,39 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
     scene.cell = cell_of(form);
     scene.components = {
         component_of(campaign.crop.baseline, form, campaign.tessellation)};
-    scene.components.front().photosynthesis = campaign.photosynthesis;
+    Component& bred = scene.components.front();
+    bred.photosynthesis = campaign.photosynthesis;
     scene.bands = {{"par",
                     illuminate(light_of(campaign, chosen), campaign.sky_model,
                                chosen.spacing.row_direction, Skies::shared,
                                campaign.sun_dates),
                     {campaign.optics.materials(), campaign.soil_albedo}}};
+    if (campaign.has_nir) {
+        scene.bands.push_back(
+            {"nir",
+             in_band(scene.light(), &TimeStep::nir),
+             {campaign.nir_optics.materials(), campaign.nir_soil_albedo}});
+        const bool is_nir = campaign.bounded_band == BoundedBand::nir;
+        scene.bands[0].is_bounded = !is_nir;
+        scene.bands[1].is_bounded = is_nir;
+    }
+    if (campaign.neighbours.empty()) return scene;
+    set_places(bred, form, bred_rows(campaign));
+    for (const Neighbour& each : campaign.neighbours) {
+        const auto first = static_cast<std::uint32_t>(plant_materials *
+                                                      scene.components.size());
+        Component& component = scene.components.emplace_back();
+        component.name = each.name;
+        component.tessellation = campaign.tessellation;
+        component.photosynthesis = each.photosynthesis;
+        set_plant(component, each.plant, first);
+        set_places(component, form, each.rows);
+        for (Band& band : scene.bands)
+            for (const Material& material :
+                 (band.name == "nir" ? each.nir_optics : each.optics)
+                     .materials())
+                band.optics.materials.push_back(material);
+    }
     return scene;
 }
 
@@ -75,8 +118,10 @@ double lai_of_line(const Campaign& campaign, const Plant& plant,
                    const CanopyReport& report) {
     const FieldForm& field = campaign.field;
     if (!field.variation.is_any()) return report.components.front().lai;
+    const double share =
+        static_cast<double>(bred_rows(campaign).size()) / field.rows;
     const double plants = (field.rows - 2. * field.border_rows) *
-                          (field.plants - 2. * field.border_rows);
+                          (field.plants - 2. * field.border_rows) * share;
     return plants *
            plant_area(build_plant(plant, campaign.tessellation)).leaves /
            report.ground_area;

@@ -101,6 +101,12 @@ struct PlantOptics {
 inline constexpr PlantOptics usual_optics{{.05, .05}, {.31, .12}, {.09, 0}};
 inline constexpr double usual_soil_albedo = .1;
 
+//! Optical properties in the near infrared where nothing else is given: maize
+//! leaves by PROSPECT-D (Feret and others 2017, doi:10.1016/j.rse.2017.03.004),
+//! estimates of stalks, sheaths and soil.
+inline constexpr PlantOptics usual_nir_optics{{.4, .43}, {.4, .1}, {.4, .1}};
+inline constexpr double usual_nir_soil_albedo = .2;
+
 //! Makes the mesh of a component that of another plant.
 //! @param first place of its leaves' material among the scene's materials
 void set_plant(Component& component, const Plant& plant,

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "campaign/campaign.hpp"
+#include "sample_campaign.hpp"
+
+namespace ideotype {
+namespace {
+
+const std::string sorghum =
+    "[[component]]\nname = \"sorghum\"\ncrop = \"crops/sorghum.toml\"\n";
+
+Campaign mixed(const std::string& more) {
+    return read_campaign_text(sample_text("", more),
+                              IDEOTYPE_CAMPAIGNS "/mixed.toml");
+}
+
+std::string problems_of(const std::string& more) {
+    try {
+        mixed(more);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Components, HaveTheirCropAndAreFoundAgainInAResolvedCampaign) {
+    const Campaign campaign =
+        mixed(sorghum +
+              "rows = [2]\n[[band]]\nname = \"nir\"\n"
+              "[objective]\nmaximise = \"net_assimilation\"\n");
+    ASSERT_EQ(campaign.neighbours.size(), 1u);
+    const Neighbour& one = campaign.neighbours.front();
+    EXPECT_EQ(one.name, "sorghum");
+    EXPECT_EQ(one.rows, std::vector<int>{1});
+    EXPECT_EQ(one.plant.leaves.size(), 16u);
+    EXPECT_TRUE(one.photosynthesis);
+    EXPECT_TRUE(campaign.has_nir);
+    EXPECT_EQ(parse_campaign(campaign.resolved, "again").resolved,
+              campaign.resolved);
+}
+
+TEST(Components, LeaveACampaignWithoutThemAsItWas) {
+    const std::string resolved = mixed("").resolved;
+    for (const char* word : {"component", "nir", "[[band]]", "band ="})
+        EXPECT_EQ(resolved.find(word), std::string::npos) << word;
+}
+
+TEST(Components, NeedRowsAndNamesOfTheirOwn) {
+    const std::string taken =
+        sorghum + "rows = [2]\n" + sorghum + "rows = [2]\n";
+    EXPECT_NE(problems_of(taken).find("which another has"), std::string::npos);
+    EXPECT_NE(problems_of(taken).find("already used"), std::string::npos);
+    EXPECT_NE(problems_of(sorghum + "rows = [1.5]\n").find("which is no row"),
+              std::string::npos);
+    EXPECT_NE(problems_of(sorghum + "rows = [1, 2, 3, 4, 5, 6]\n")
+                  .find("leave no row"),
+              std::string::npos);
+    EXPECT_NE(problems_of(sorghum).find("missing key 'rows'"),
+              std::string::npos);
+}
+
+TEST(Bands, OfNearInfraredAreAskedForBeforeTheyAreUsed) {
+    for (const char* more : {"[objective]\nmaximise = \"absorbed_nir\"\n",
+                             "[light]\nband = \"nir\"\n"})
+        EXPECT_NE(problems_of(more).find("[[band]]"), std::string::npos)
+            << more;
+    EXPECT_NE(problems_of("[[band]]\nname = \"nir\"\n"
+                          "[optics.nir]\nleaf_reflectance = 0.9\n")
+                  .find("nir.leaf_transmittance"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// Campaigns of several components and wavebands.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/canopy/quantities.hpp"
+#include "stand/stand.hpp"
+
+namespace ideotype {
+namespace {
+
+const std::string weed =
+    "component=[{name=\"weed\", crop=\"crops/maize.toml\", rows=[2, 4]}]";
+const std::string nir = "band=[{name=\"nir\"}]";
+
+class Mixtures : public ::testing::Test {
+  protected:
+    CanopyReport evaluated(std::vector<std::string> settings) const {
+        settings.push_back("objective.maximise=net_assimilation");
+        for (const char* more : {"light.tolerance=0.004", "light.paths=65536",
+                                 "light.randomisations=32"})
+            settings.push_back(more);
+        const Campaign campaign =
+            read_campaign(IDEOTYPE_CAMPAIGNS "/ames_quick.toml", settings);
+        const Case chosen = cases(campaign).front();
+        return evaluate(
+            request_of(sampling_of(Task{}, campaign, chosen), campaign,
+                       scene_of(campaign, chosen), campaign.crop.baseline),
+            device);
+    }
+
+    static Estimate number(const std::string& name,
+                           const CanopyReport& report) {
+        return measure_objective(name, report).estimate;
+    }
+
+    const Device device{Device::supported_isas().back()};
+    //! The optics of the campaign are those of a component's crop file.
+    const std::vector<std::string> alike{"optics.leaf_reflectance=0.06",
+                                         "optics.leaf_transmittance=0.03"};
+};
+
+void expect_equal(Estimate a, Estimate b, const std::string& what) {
+    EXPECT_NEAR(a.mean, b.mean,
+                4 * std::hypot(a.standard_error, b.standard_error))
+        << what;
+}
+
+TEST_F(Mixtures, OfOneKindAreThatKind) {
+    const CanopyReport one = evaluated(alike);
+    std::vector<std::string> settings = alike;
+    settings.push_back(weed);
+    const CanopyReport two = evaluated(settings);
+    EXPECT_NEAR(two.lai, one.lai, 1e-9);
+    for (const char* name : {"absorbed_par", "fapar", "soil_fraction",
+                             "gross_assimilation", "net_assimilation"})
+        expect_equal(number(name, two), number(name, one), name);
+    ASSERT_EQ(two.components.size(), 2u);
+    EXPECT_NEAR(two.components[0].lai, two.components[1].lai, 1e-9);
+    const auto parts = by_component(*two.assimilation, two.groups, 2);
+    EXPECT_NEAR((parts[0].gross.mean + parts[1].gross.mean) /
+                    two.assimilation->gross.mean,
+                1, 1e-12);
+    EXPECT_NEAR(
+        (two.par().part(0).leaves.mean + two.par().part(1).leaves.mean) /
+            two.par().light.day.leaves.mean,
+        1, 1e-12);
+    const double half = two.par().light.day.leaves.mean / 2;
+    EXPECT_NEAR(two.par().part(0).leaves.mean / half, 1, .05);
+}
+
+TEST_F(Mixtures, DoNotDependOnNames) {
+    std::vector<std::string> settings = alike;
+    settings.push_back(weed);
+    const CanopyReport one = evaluated(settings);
+    settings.back().replace(settings.back().find("weed"), 4, "aaaa");
+    const CanopyReport other = evaluated(settings);
+    EXPECT_EQ(one.par().groups_by_randomisation,
+              other.par().groups_by_randomisation);
+    EXPECT_EQ(one.assimilation->gross.mean, other.assimilation->gross.mean);
+}
+
+TEST_F(Mixtures, MeasureWhatTheyDeclareInTheSameOrder) {
+    const Campaign campaign =
+        read_campaign(IDEOTYPE_CAMPAIGNS "/ames_quick.toml",
+                      {weed, nir, "objective.maximise=net_assimilation"});
+    const Case chosen = cases(campaign).front();
+    const QuantitySet measured = measured_in(campaign, chosen);
+    const CanopyReport report = evaluated({weed, nir});
+    const std::vector<Estimate> numbers = measure(report);
+    ASSERT_EQ(numbers.size(), measured.size());
+    EXPECT_EQ(measured.axis("component").size(), 2u);
+    EXPECT_EQ(measured.axis("band").size(), 2u);
+    EXPECT_EQ(measured.axis("leaf").size(), 20u);
+    const std::size_t light = measured.offset("absorbed_light");
+    // Components first, then bands.
+    double sum = 0;
+    for (std::size_t i = 0; i < 4; ++i) sum += numbers[light + i].mean;
+    EXPECT_NEAR(sum / number("absorbed_shortwave", report).mean, 1, 1e-12);
+    EXPECT_NEAR((numbers[light].mean + numbers[light + 2].mean) /
+                    number("absorbed_par", report).mean,
+                1, 1e-12);
+    EXPECT_EQ(numbers[measured.offset("lai_by_component")].mean,
+              report.components[0].lai);
+}
+
+TEST_F(Mixtures, NearInfraredChangesNothingOfPar) {
+    const CanopyReport par = evaluated({}), both = evaluated({nir});
+    ASSERT_EQ(both.bands.size(), 2u);
+    EXPECT_EQ(both.par().budget_by_randomisation,
+              par.par().budget_by_randomisation);
+    EXPECT_EQ(both.assimilation->gross.mean, par.assimilation->gross.mean);
+    const BandReport& beyond = both.bands[1];
+    EXPECT_NEAR(beyond.light.day.incident / par.par().light.day.incident,
+                .55 / .45, 1e-9);
+    EXPECT_LT(beyond.light.balance_error, 1e-12);
+    // Leaves absorb a sixth of what meets them, and much comes back.
+    const double absorbed =
+        beyond.light.day.leaves.mean / beyond.light.day.incident;
+    EXPECT_GT(absorbed, .2);
+    EXPECT_LT(absorbed, .6);
+    EXPECT_GT(beyond.light.day.reflected.mean,
+              3 * both.par().light.day.reflected.mean);
+    EXPECT_LT(beyond.light.day.leaves.standard_error,
+              .03 * beyond.light.day.leaves.mean);
+}
+
+TEST_F(Mixtures, AToleranceMayBoundNearInfrared) {
+    const CanopyReport loose = evaluated({nir});
+    const CanopyReport tight = evaluated({nir, "light.band=nir"});
+    const auto error = [](const CanopyReport& report) {
+        const Estimate& leaves = report.bands[1].light.day.leaves;
+        return leaves.standard_error / leaves.mean;
+    };
+    EXPECT_LT(error(tight), 1.6 * .004);
+    EXPECT_LT(error(tight), error(loose));
+    expect_equal(tight.bands[1].light.day.leaves,
+                 loose.bands[1].light.day.leaves, "nir");
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -158,3 +158,31 @@ def test_impossible_meshes_are_errors(
 ) -> None:
     with pytest.raises(ideotype.Error, match=words):
         ideotype.mesh(vertices, faces, groups=groups)
+
+
+def test_a_scene_file_tells_components_and_bands(tmp_path: Path) -> None:
+    scene = tmp_path / "scene.toml"
+    scene.write_text(
+        "soil_albedo = { par = 0.1, nir = 0.3 }\n"
+        '[[material]]\ngroups = ""\npar = [0.1, 0.1]\nnir = [0.4, 0.4]\n'
+        '[[component]]\nname = "leaf"\n'
+        "photosynthesis = { amax = 40 }\n"
+    )
+    canopy = ideotype.mesh(SQUARE, [[0, 1, 2, 3]], groups=["leaf01"])
+    light = {
+        "period": (1, 1),
+        "sun": (60, 180),
+        "beam_ppfd": 1000,
+        "scene": scene,
+    }
+    found = canopy.evaluate(**light)
+    assert found.sizes == {"band": 2, "component": 1, "group": 1}
+    absorbed = found.absorbed_by_component.sel(component="leaf")
+    closed = absorbed + found.soil + found.reflected
+    assert np.allclose(closed, found.incident)
+    assert absorbed.sel(band="par") > 3 * absorbed.sel(band="nir") / 1.2
+    assert found.gross_assimilation.units == "umol m-2 s-1"
+    assert 20 < found.gross_assimilation.item() < 40
+    assert found.net_assimilation < found.gross_assimilation
+    with pytest.raises(ideotype.Error, match="tells all optics"):
+        canopy.evaluate(**light, leaf=(0.1, 0.1))

@@ -100,13 +100,19 @@ struct Plan {
 
 //! One plant of each component, as fields are made of them.
 struct Lines {
-    Lines(const Scene& scene, const Details& details)
+    Lines(const Scene& scene, const CanopyRequest& request)
         : groups(groups_of(scene)) {
+        const Details& details = request.details;
         if (!scene.assimilates() || details.exact) return;
         for (const Component& each : scene.components) {
-            pieces.push_back(each.photosynthesis
-                                 ? cut_leaves(each.mesh, details.pieces)
-                                 : uncut(each.mesh));
+            if (!each.photosynthesis)
+                pieces.push_back(uncut(each.mesh));
+            else if (each.plant)
+                pieces.push_back(cut_leaves(each.mesh, details.pieces));
+            else
+                pieces.push_back(cut_coarse_leaves(
+                    each.mesh, each.places.size(), request.accuracy.tolerance,
+                    details.pieces));
             meshes.push_back(std::move(pieces.back().mesh));
         }
         are_cut = true;
@@ -148,7 +154,7 @@ class Evaluation {
           clock_(clock),
           last_(time()),
           plan_(request),
-          lines_(scene, request.details),
+          lines_(scene, request),
           tallies_(scene.bands.size()),
           leaf_area_index_(lines_.groups.size()),
           areas_(scene.components.size()) {

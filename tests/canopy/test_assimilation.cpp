@@ -80,5 +80,54 @@ TEST_F(FieldOfTwoLeaves, FewPathsDoNotBiasAssimilation) {
     EXPECT_LT(beyond, .09 * runs);
 }
 
+//! Leaves of two triangles each, in the shade of each other.
+Mesh small_leaves() {
+    Mesh mesh;
+    mesh.groups = {{"leaf01", {0, 0, 1}}};
+    constexpr double radian = 3.14159265358979 / 180;
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 2; ++j) {
+            const double azimuth = (75 * i + 150 * j) * radian;
+            const double rise = (10 - 8 * i) * radian;
+            const glm::dvec3 along(std::sin(azimuth) * std::cos(rise),
+                                   std::cos(azimuth) * std::cos(rise),
+                                   std::sin(rise));
+            const glm::dvec3 across(std::cos(azimuth), -std::sin(azimuth), 0);
+            const glm::dvec3 base(.01 * i - .015, .012 * j, .06 + .04 * i);
+            const auto v = static_cast<std::uint32_t>(mesh.vertices.size());
+            mesh.vertices.insert(
+                mesh.vertices.end(),
+                {base, base + .055 * along + .04 * across, base + .11 * along,
+                 base + .055 * along - .04 * across});
+            mesh.faces.push_back({v, v + 1, v + 2, v + 2});
+            mesh.faces.push_back({v, v + 2, v + 3, v + 3});
+        }
+    mesh.face_group.assign(mesh.faces.size(), 0);
+    return mesh;
+}
+
+//! Pieces as large as the faces would assimilate 1 % too much.
+TEST(SmallLeaves, AssimilateAsTheirPointsDo) {
+    const Device device(Device::supported_isas().back());
+    CanopyRequest request = two_leaves({1 << 20, 16, 3e-4});
+    Scene& scene = request.scene;
+    scene.components = {{.name = "leaves", .mesh = small_leaves()}};
+    scene.cell = {Boundary::periodic, .12, .12, .12 * .12};
+    scene.bands[0].light = illuminate(
+        clear_days({"ames", 42, -93.6, -5}, {{{2025, 8, 7}}, 10, 11, 60}, .45),
+        SkyModel::uniform, 0);
+    scene.bands[0].optics = {PlantOptics{{.06, .1}, {}, {}}.materials(), .1};
+    Photosynthesis& leaves = scene.components[0].photosynthesis.emplace();
+    leaves.rates = {HyperbolaLeaf{{.052, .8, 32}}};
+    leaves.profile = CapacityProfile::none;
+    const Estimate found = evaluate(request, device).assimilation->gross;
+    request.details.exact = true;
+    request.accuracy.tolerance = 1e-3;
+    const Estimate exact = evaluate(request, device).assimilation->gross;
+    const double error = std::hypot(found.standard_error, exact.standard_error);
+    EXPECT_LT(error, 1.5e-3 * exact.mean);
+    EXPECT_NEAR(found.mean, exact.mean, 3 * error + 1e-3 * exact.mean);
+}
+
 }  // namespace
 }  // namespace ideotype

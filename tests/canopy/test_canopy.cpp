@@ -330,6 +330,7 @@ CanopyRequest black_sheet(const std::vector<TimeStep>& steps) {
         request.scene.components[0].photosynthesis.emplace();
     leaves.rates = {CollatzLeaf{}};
     leaves.profile = CapacityProfile::none;
+    request.details.pieces = 1;
     return request;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <map>
+#include <numeric>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -95,6 +96,66 @@ TEST(Pieces, OfAFieldAreThoseOfEachPlantThenWhatIsNotCut) {
     }
     for (std::size_t v = 0; v < all.count; ++v)
         EXPECT_EQ(all.like[v], v < 8 ? v % 4 : 8 + (v - 8) % 6) << v;
+}
+
+//! The area of each group [m2], as seen from above where it faces up.
+std::vector<double> area_from_above(const Mesh& mesh) {
+    std::vector<double> areas(mesh.groups.size());
+    const auto twice = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        const glm::dvec3 u = mesh.vertices[b] - mesh.vertices[a];
+        const glm::dvec3 v = mesh.vertices[c] - mesh.vertices[a];
+        EXPECT_GE(u.x * v.y, u.y * v.x) << "a part is turned over";
+        return u.x * v.y - u.y * v.x;
+    };
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        const auto& [a, b, c, d] = mesh.faces[f];
+        areas[mesh.face_group[f]] += (twice(a, b, d) + twice(c, d, b)) / 2;
+    }
+    return areas;
+}
+
+TEST(CoarseLeaves, AreDividedAsTheyLie) {
+    // Joined, a folded quadrilateral and a triangle; then a face of the stalk.
+    Mesh mesh;
+    mesh.vertices = {
+        {0, 0, 1}, {.1, 0, 1}, {.12, .1, 1.04}, {0, .08, 1.1}, {.2, .05, .95}};
+    mesh.faces = {{0, 1, 2, 3}, {1, 4, 2, 2}, {0, 1, 2, 3}};
+    mesh.face_group = {0, 0, 1};
+    mesh.groups = {{"leaf01"}, {"stalk", {0, 1}, 1}};
+    const double seen = area_from_above(mesh)[0];
+    const double area = plant_area(mesh).leaves;
+    for (const auto& [tolerance, faces] : {std::pair(.01, 32u), {1e-3, 128u}}) {
+        const Pieces pieces = cut_coarse_leaves(mesh, 1, tolerance);
+        ASSERT_EQ(pieces.mesh.faces.size(), faces + 1);
+        // Faces that differ in area share a piece here and there.
+        EXPECT_GT(pieces.count, .8 * faces);
+        EXPECT_EQ(pieces.uncut_groups, 2u);
+        EXPECT_EQ(pieces.group.front(), 0u);
+        EXPECT_EQ(pieces.group[pieces.mesh.face_group.back()], 1u);
+        const std::vector<double> parts = area_from_above(pieces.mesh);
+        EXPECT_NEAR(std::accumulate(parts.begin(), parts.end() - 1, 0.), seen,
+                    1e-15);
+        EXPECT_NEAR(plant_area(pieces.mesh).leaves, area, 1e-15);
+    }
+}
+
+TEST(CoarseLeaves, MayHaveAGroupForEachFace) {
+    Mesh mesh = blades(1, 12, 2);
+    const auto cut = [&] {
+        mesh.groups.assign(mesh.faces.size(), {"leaf01", {0, 0, 1}});
+        std::iota(mesh.face_group.begin(), mesh.face_group.end(), 0u);
+        return cut_coarse_leaves(mesh, 1, 1e-3);
+    };
+    EXPECT_EQ(cut().mesh.faces.size(), 24u) << "as many as built plants have";
+    mesh = blades(1, 6, 2);
+    EXPECT_EQ(cut().mesh.faces.size(), 192u);
+}
+
+TEST(CoarseLeaves, AreDividedLessWhereThereAreVeryMany) {
+    const Mesh mesh = blades(100, 1, 1);
+    for (const auto& [copies, faces] :
+         {std::pair(1u, 6400u), {200u, 400u}, {400u, 100u}})
+        EXPECT_EQ(cut_coarse_leaves(mesh, copies, 0).mesh.faces.size(), faces);
 }
 
 TEST(Rates, OfGroupsGoByTheRanksOfLeaves) {

@@ -33,6 +33,17 @@ inline constexpr std::size_t pieces_of_blade = 48;
 //! group that are joined by vertices at the same place.
 Pieces cut_leaves(const Mesh& mesh, std::size_t per_blade = pieces_of_blade);
 
+//! Cuts a mesh from elsewhere, whose leaves may be a few faces each. The faces
+//! of blades that have fewer than those of built plants are divided first, so
+//! that pieces are small against a leaf: each face into four, again and again,
+//! until there are about as many as pieces of a blade, or four times as many
+//! for a low tolerance. Shapes and groups stay as they are. Very large scenes
+//! are divided less, or not at all.
+//! @param copies of the mesh in the scene
+//! @param tolerance of the light of leaves; 0: none
+Pieces cut_coarse_leaves(const Mesh& mesh, std::size_t copies, double tolerance,
+                         std::size_t per_blade = pieces_of_blade);
+
 //! A mesh of which nothing is cut.
 Pieces uncut(const Mesh& mesh);
 

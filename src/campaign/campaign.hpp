@@ -134,7 +134,7 @@ struct BandEntry {
     std::string name;
 };
 
-//! Which band a tolerance is about.
+//! The band whose error a tolerance bounds.
 enum class BoundedBand { par, nir };
 
 //! A kind of plant that stands in some rows of the field and is not bred.

@@ -232,7 +232,7 @@ void check_neighbours(Draft& draft, Report& report) {
     }
 }
 
-//! What only campaigns with a near infrared band can have.
+//! Reports what only campaigns with a near infrared band can have.
 void check_bands(const Campaign& campaign, Report& report) {
     if (campaign.has_nir) return;
     const std::string add = "add [[band]] with name = \"nir\"";

@@ -24,7 +24,7 @@ struct PhotosynthesisTable {
     double building_cost = 45;  //!< [g m-2 of leaf]
 };
 
-//! What leaves of a mesh have where nothing else is said: they do not differ
+//! Returns the table of leaves of a mesh that says nothing: they do not differ
 //! by depth, nor follow the weather.
 PhotosynthesisTable photosynthesis_of_meshes();
 

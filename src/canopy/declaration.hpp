@@ -25,7 +25,7 @@ using TakeProfile = std::function<std::vector<Randomised>(const CanopyReport&)>;
 // Units of light and of CO2 on a mean day, per ground area.
 inline constexpr auto daily = "MJ m-2 day-1", rate = "mol m-2 day-1";
 
-//! What there is to be measured in a canopy.
+//! A description of a canopy by what can be measured in it.
 struct Scope {
     std::size_t components = 1;
     std::vector<std::string> bands;

@@ -24,7 +24,7 @@ struct LeafPlaces {
     std::vector<double> index;         //!< leaf area index, of places
     std::vector<std::uint32_t> group;  //!< of places, each in a run
     std::vector<double> height;        //!< of places [m]
-    //! Of places: the part of light that the face that absorbs most absorbs.
+    //! The part of light that the face of a place that absorbs most absorbs.
     std::vector<double> absorptance;
 };
 

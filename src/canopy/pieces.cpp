@@ -349,7 +349,7 @@ Pieces pieces_of_field(std::span<const Pieces> lines, Field& field) {
         cut_from += static_cast<std::uint32_t>(line.uncut_groups);
     }
     result.count = mesh.groups.size();
-    // What is not cut, also of fixed objects.
+    // Groups that are not cut come last, those of fixed objects too.
     for (std::size_t c = 0; c < lines.size(); ++c) {
         shares[c].others = static_cast<std::uint32_t>(mesh.groups.size());
         for (std::size_t g = lines[c].count; g < lines[c].group.size(); ++g) {

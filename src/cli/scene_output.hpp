@@ -5,7 +5,7 @@
 
 namespace ideotype {
 
-//! What became of the light of each waveband, as fractions of it: by component,
+//! Tells what became of the light of each waveband, in fractions: by component,
 //! by group, on the soil and back to the sky; and `assimilation` of components
 //! whose leaves assimilate.
 Json scene_json(const CanopyReport& report, Span span);

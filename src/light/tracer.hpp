@@ -20,7 +20,7 @@ struct ScatteredPath {
     double started;  //!< with that much
 };
 
-//! How light of a source arrives at its first hits in a band.
+//! The way in which light of a source arrives at its first hits in a band.
 struct Arrival {
     std::uint32_t source;
     bool is_beam;

@@ -8,7 +8,7 @@ namespace ideotype {
 
 LightOrigin origin_of(const Source& source);
 
-//! What a workload of one band amounts to.
+//! The amounts of a workload of one band.
 Amounts amounts_of(const Workload& work, const Illumination& light);
 
 //! The workload, in one band, of amounts: first hits in proportion to the

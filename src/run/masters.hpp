@@ -27,7 +27,7 @@ std::vector<Case> dealt(const std::vector<Case>& cases, int part, int parts);
 //! that it finds another one while a generation ends (tests/scale).
 int busy_workers(const SearchSettings& search, std::size_t cases);
 
-//! What to change where workers would wait for each other, or where a search on
+//! Advises what to change where workers would wait, or where a search on
 //! many workers, or each of so many streams, has too few generations to learn
 //! from; none if all is well.
 std::optional<std::string> advice_for(const Campaign& campaign,

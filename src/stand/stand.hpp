@@ -26,7 +26,7 @@ Scene scene_of(const Campaign& campaign, const Case& chosen);
 //! What is found out about all plants of a campaign.
 Details details_of(const Campaign& campaign);
 
-//! How a plant is evaluated in a scene of a campaign.
+//! Requests the evaluation of a plant in a scene of a campaign.
 CanopyRequest request_of(const Sampling& sampling, const Campaign& campaign,
                          Scene scene, const Plant& plant);
 

@@ -169,7 +169,7 @@ def seconds_for(variance: float, rough: Noise, fine: Noise) -> float:
     left = variance - of_field(fine)
     if left <= 0:
         return np.inf
-    # How many times the light of the first tolerance is needed.
+    # The factor by which the light of the first tolerance has to grow.
     more = rough.light_of_difference / left
     finer = (TOLERANCES[0] / TOLERANCES[1]) ** 2
     slope = (fine.seconds - rough.seconds) / (finer - 1)

@@ -71,10 +71,10 @@ std::vector<ComponentAssimilation> by_component(
     const AssimilationReport& report, const std::vector<Group>& groups,
     std::size_t components);
 
-//! How the leaves of a group of a mesh assimilate.
+//! The rates of the leaves of a group of a mesh.
 struct LeafGroup {
     LeafRates rates{};
-    //! Of their component; null: they do not assimilate.
+    //! Photosynthesis of their component; null: they do not assimilate.
     const Photosynthesis* photosynthesis = nullptr;
 };
 
@@ -99,11 +99,12 @@ Air air_of(const TimeStep& step, const Photosynthesis& photosynthesis);
 //! Light and leaves that assimilate in a field.
 struct LitLeaves {
     const RayScene& scene;
-    //! Of the scene's mesh.
+    //! Groups of the scene's mesh.
     const std::vector<Group>& groups;
     const Band& par;
     double photons;  //!< in the unit of irradiance of that band [umol J-1]
-    //! Of each group of the mesh, or of that which was cut into pieces.
+    //! Leaves of each group of the mesh, or of the one that was cut into
+    //! pieces.
     const std::vector<LeafGroup>& leaves;
     const Layers& layers;
 };

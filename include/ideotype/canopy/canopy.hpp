@@ -32,7 +32,7 @@ struct PartReport {
     Estimate all;  //!< leaves and all else
 };
 
-//! What light does in one waveband.
+//! The light of one waveband in a canopy.
 struct BandReport {
     std::string name;
     DayReport light;
@@ -43,7 +43,7 @@ struct BandReport {
     //! layer]; none if groups are faces.
     std::vector<std::vector<double>> groups_by_randomisation,
         layers_by_randomisation;
-    //! Of each component, then of each fixed object, if there are several.
+    //! Parts for each component, then each fixed object, if there are several.
     std::vector<PartReport> parts;
     //! If asked for, by face of the mesh of one plant of each component and of
     //! objects: what both sides absorb, for the one-sided area of the face
@@ -67,7 +67,7 @@ struct ComponentReport {
     bool assimilates = false;
 };
 
-//! What light does in one canopy.
+//! The result of evaluating one canopy.
 struct CanopyReport {
     std::vector<BandReport> bands;  //!< PAR first
     std::vector<ComponentReport> components;

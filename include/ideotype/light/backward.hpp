@@ -42,14 +42,15 @@ class BackwardLight {
                    std::vector<double>& light) const;
 
   private:
-    //! What sends light to the side from which it is seen.
+    //! The face that sends light to the side from which it is seen.
     const Lambertian& surface(std::uint32_t group, bool is_adaxial) const {
         return group == Hit::soil
                    ? soil_
                    : optics_.of(groups_[group].material).face(is_adaxial);
     }
 
-    //! What a face of a leaf absorbs over what the other one does, at most 1.
+    //! The light that a face of a leaf absorbs over that of the face that
+    //! absorbs most.
     double weight(const LeafPoint& point, bool is_adaxial) const;
 
     //! Follows one path from a face, on the side of a normal.

@@ -45,7 +45,7 @@ struct Budget {
     }
 };
 
-//! What pieces of leaves absorb of one source [J m-2 of ground].
+//! The light of one source that pieces of leaves absorb [J m-2 of ground].
 struct LeafLight {
     struct Part {
         std::uint32_t place;
@@ -58,7 +58,7 @@ struct LeafLight {
     std::vector<Part> diffuse;
 };
 
-//! What one randomisation found in one waveband [J m-2 of ground].
+//! The light that one randomisation found in one waveband [J m-2 of ground].
 struct Tally {
     std::vector<Budget> sources;
     std::vector<double> groups;    //!< absorbed, per group of the mesh

@@ -14,7 +14,7 @@
 
 namespace ideotype {
 
-//! What light is followed in, and what it is counted by.
+//! The surfaces and bands that light is followed in, and its counters.
 struct Subject {
     const RayScene& scene;
     const std::vector<Group>& groups;  //!< of the scene's mesh
@@ -31,7 +31,7 @@ struct Subject {
 //! How finely each source is looked at in one randomisation.
 struct Workload {
     std::vector<std::uint32_t> first_hits;  //!< of each source; 0: left out
-    //! What a path of scattered light carries at most, by band and source
+    //! The most that a path of scattered light carries, by band and source
     //! [J m-2 of ground]; of a band that is not told as much as a first hit.
     std::vector<std::vector<double>> path_energy{};
 };

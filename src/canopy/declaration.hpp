@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -62,6 +63,13 @@ inline Randomised scaled(Randomised x, double factor) {
     x.estimate = scaled(x.estimate, factor);
     for (double& value : x.by_randomisation) value *= factor;
     return x;
+}
+
+//! Returns a part of the incident light as a fraction of it; nothing where
+//! there is no light.
+template <class Light>
+Light fraction_of(Light part, double incident) {
+    return scaled(std::move(part), incident > 0 ? 1 / incident : 0);
 }
 
 //! Numbers of all places and what each randomisation says of them

@@ -37,9 +37,8 @@ Randomised absorbed_by_leaves(const CanopyReport& report) {
 TakeNumber fraction(Estimate BudgetEstimate::*part,
                     double (*of)(const Budget&)) {
     return [=](const CanopyReport& report) {
-        const double incident = report.par().light.day.incident;
-        return scaled(part_of_light(report, part, of),
-                      incident > 0 ? 1 / incident : 0);
+        return fraction_of(part_of_light(report, part, of),
+                           report.par().light.day.incident);
     };
 }
 

@@ -16,6 +16,10 @@ bool has_bands(const Scope& scope) {
     return scope.bands.size() > 1;
 }
 
+bool has_parts(const Scope& scope) {
+    return has_components(scope) || has_bands(scope);
+}
+
 bool has_nir(const Scope& scope) {
     return scope.has_band("nir");
 }
@@ -62,8 +66,7 @@ TakeNumbers fraction_by_band(Estimate BudgetEstimate::*part) {
         Values values;
         for (const BandReport& band : report.bands) {
             const BudgetEstimate& day = band.light.day;
-            values.push_back(
-                scaled(day.*part, day.incident > 0 ? 1 / day.incident : 0));
+            values.push_back(fraction_of(day.*part, day.incident));
         }
         return values;
     };
@@ -111,18 +114,19 @@ std::vector<Declaration> part_quantities() {
              return scaled(band.part(c).leaves, 1 / joule_per_megajoule);
          }),
          false,
-         [](const Scope& s) { return has_components(s) || has_bands(s); }},
+         has_parts},
         {{"intercepted_fraction",
           "1",
           "light that leaves and other organs absorb over incident light",
           {"component", "band"}},
          by_component_and_band([](const BandReport& band, std::size_t c) {
              const BudgetEstimate& day = band.light.day;
-             return scaled(band.parts.empty() ? day.plants : band.parts[c].all,
-                           day.incident > 0 ? 1 / day.incident : 0);
+             return fraction_of(
+                 band.parts.empty() ? day.plants : band.parts[c].all,
+                 day.incident);
          }),
          false,
-         [](const Scope& s) { return has_components(s) || has_bands(s); }},
+         has_parts},
         {{"soil_fraction_by_band",
           "1",
           "light that the soil absorbs over incident light",

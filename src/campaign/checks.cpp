@@ -306,6 +306,20 @@ void check_light(const Campaign& campaign, Report& report) {
                    fmt::format("light.randomisations is {} (too few to tell "
                                "whether a tolerance is met); use {} or more",
                                light.randomisations, fewest));
+    constexpr int fewest_fields = 4;
+    if (!report.usable({&light.fields, &light.randomisations}) ||
+        light.fields == 1)
+        return;
+    if (light.fields < fewest_fields)
+        report.add(&light.fields,
+                   fmt::format("light.fields is {} (too few to tell how fields "
+                               "differ); use 1, or {} or more",
+                               light.fields, fewest_fields));
+    else if (light.randomisations % light.fields != 0)
+        report.add(&light.fields,
+                   fmt::format("light.fields is {}, among which {} "
+                               "randomisations can't be divided evenly",
+                               light.fields, light.randomisations));
 }
 
 //! Faces of the leaves of a field must have room in the memory.

@@ -45,6 +45,11 @@ Section light_section(Campaign& campaign) {
                    "light paths per randomisation; with a tolerance at most")
                  .trades({1024, 4096, 16384, 65536}, !has_tolerance),
              randomisations(campaign.sampling),
+             Key("fields", &campaign.sampling.fields,
+                 "random fields among which the randomisations are divided; "
+                 "with several, standard errors contain how fields differ")
+                 .within(1, 256)
+                 .set(&Key::is_written, campaign.sampling.fields != 1),
              relative_error(
                  "tolerance", campaign.sampling.tolerance,
                  "relative standard error of the leaves' light that is "

@@ -8,13 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/canopy/assimilation.hpp"
-#include "ideotype/canopy/exact_assimilation.hpp"
+#include "field_light.hpp"
 #include "ideotype/core/error.hpp"
-#include "ideotype/light/device.hpp"
-#include "ideotype/light/sunlit.hpp"
-#include "ideotype/light/tolerance.hpp"
-#include "replicates.hpp"
 
 namespace ideotype {
 
@@ -22,12 +17,6 @@ namespace {
 
 //! The part of a randomised day that a relative error of rounding may reach.
 constexpr double balance_tolerance = 1e-9;
-
-//! Enough points to know a sunlit fraction to some 0.2 %.
-constexpr int most_sunlit_points = 2048;
-
-//! Randomisations in one field that assimilation needs.
-constexpr int fewest_in_field = 4;
 
 //! Returns a scene of which the light of each face is counted for itself.
 Scene with_a_group_per_face(Scene scene) {
@@ -43,86 +32,6 @@ Scene with_a_group_per_face(Scene scene) {
     for (FixedObject& each : scene.objects) split(each.mesh);
     return scene;
 }
-
-//! The fields of an evaluation, and how light is traced in each.
-struct Plan {
-    explicit Plan(const CanopyRequest& request)
-        : accuracy(request.accuracy), randomness(request.randomness) {
-        const bool is_each = randomness.fields == Randomness::Fields::each &&
-                             are_drawn(request.scene);
-        fields = is_each ? accuracy.randomisations : 1;
-        accuracy.randomisations /= fields;
-        // Assimilation in a field needs several, see assimilate().
-        if (request.scene.assimilates() && !request.details.exact &&
-            accuracy.randomisations < fewest_in_field) {
-            accuracy.paths /= fewest_in_field;
-            accuracy.randomisations = fewest_in_field;
-        }
-        is_one_of_many = fields > 1 && accuracy.randomisations > 1;
-    }
-
-    //! The random numbers of the plants of a field.
-    Randomness of_plants(int field) const {
-        return randomness.fields == Randomness::Fields::common
-                   ? Randomness{randomness.seed}
-                   : of_field(field, 1);
-    }
-
-    //! The random numbers of the light in a field.
-    Randomness of_light(int field) const {
-        return of_field(field, is_one_of_many ? accuracy.randomisations : 1);
-    }
-
-    Accuracy accuracy;  //!< in each field
-    int fields = 1;
-    //! Each field is one of many randomisations, with several of its own.
-    bool is_one_of_many = false;
-
-  private:
-    //! Whether fields may differ from each other.
-    static bool are_drawn(const Scene& scene) {
-        return std::any_of(scene.components.begin(), scene.components.end(),
-                           [](const Component& each) {
-                               return each.plant || each.jitter > 0;
-                           });
-    }
-
-    Randomness of_field(int field, int times) const {
-        Randomness numbers = randomness;
-        numbers.first_randomisation =
-            (numbers.first_randomisation + static_cast<std::uint32_t>(field)) *
-            static_cast<std::uint32_t>(times);
-        return numbers;
-    }
-
-    Randomness randomness;
-};
-
-//! One plant of each component, as fields are made of them.
-struct Lines {
-    Lines(const Scene& scene, const CanopyRequest& request)
-        : groups(groups_of(scene)) {
-        const Details& details = request.details;
-        if (!scene.assimilates() || details.exact) return;
-        for (const Component& each : scene.components) {
-            if (!each.photosynthesis)
-                pieces.push_back(uncut(each.mesh));
-            else if (each.plant)
-                pieces.push_back(cut_leaves(each.mesh, details.pieces));
-            else
-                pieces.push_back(cut_coarse_leaves(
-                    each.mesh, each.places.size(), request.accuracy.tolerance,
-                    details.pieces));
-            meshes.push_back(std::move(pieces.back().mesh));
-        }
-        are_cut = true;
-    }
-
-    bool are_cut = false;        //!< so that there are:
-    std::vector<Pieces> pieces;  //!< without their meshes
-    std::vector<Mesh> meshes;    //!< of the pieces
-    std::vector<Group> groups;   //!< of the scene before leaves were cut
-};
 
 //! Leaf area index of each group of a scene, of plants that do not deviate from
 //! their line.
@@ -142,189 +51,50 @@ std::vector<double> leaf_area_of_lines(const Scene& scene, std::size_t groups) {
     return index;
 }
 
-//! One request on its way to its report, field by field.
-class Evaluation {
+//! Makes the report of an evaluation from what was found in its fields.
+class Reporter {
   public:
     //! @param scene of the request, or with other groups
-    Evaluation(const CanopyRequest& request, const Scene& scene,
-               const Device& device, const Clock& clock)
-        : scene_(scene),
-          details_(request.details),
-          device_(device),
-          clock_(clock),
-          last_(time()),
-          plan_(request),
-          lines_(scene, request),
-          tallies_(scene.bands.size()),
-          leaf_area_index_(lines_.groups.size()),
-          areas_(scene.components.size()) {
-        result_.layers = request.layers;
-        result_.days = scene.light().series.days;
-        result_.groups = lines_.groups;
-        result_.boundary = scene.cell.boundary;
-        result_.ground_area = scene.cell.ground_area;
-        if (details_.lines && !scene.components.empty() &&
-            scene.components.front().plant)
-            result_.lines =
-                distance(*details_.lines, *scene.components.front().plant);
-        if (scene.varies())
-            leaves_ =
-                leaf_groups(scene, lines_.groups,
-                            leaf_area_of_lines(scene, lines_.groups.size()));
-    }
+    Reporter(const CanopyRequest& request, const Scene& scene,
+             const Lines& lines, const SharedByFields& shared,
+             const FieldLight& found)
+        : request_(request),
+          scene_(scene),
+          lines_(lines),
+          shared_(shared),
+          found_(found) {}
 
-    CanopyReport result() {
-        for (int field = 0; field < plan_.fields; ++field) add_field(field);
+    CanopyReport result() && {
+        result_.layers = shared_.layers;
+        result_.days = scene_.light().series.days;
+        result_.groups = lines_.groups;
+        result_.boundary = scene_.cell.boundary;
+        result_.ground_area = scene_.cell.ground_area;
+        result_.paths = found_.paths;
+        result_.is_capped = found_.is_capped;
+        result_.seconds = found_.seconds;
+        report_lines();
         report_areas();
-        report_light();
+        for (std::size_t b = 0; b < scene_.bands.size(); ++b)
+            report_band(scene_.bands[b], found_.light[b]);
+        if (request_.details.sunlit) report_sunlit();
         if (scene_.assimilates()) report_assimilation();
         return std::move(result_);
     }
 
   private:
-    //! Draws a field, and follows light and assimilation in it.
-    void add_field(int number) {
-        Field field =
-            draw_field(scene_, plan_.of_plants(number), lines_.meshes);
-        Pieces pieces;
-        if (lines_.are_cut) {
-            pieces = pieces_of_field(lines_.pieces, field);
-            field.mesh = std::move(pieces.mesh);
-        }
-        const Mesh& mesh = field.mesh;
-        add_areas(mesh, pieces);
-        take(result_.seconds.geometry);
-
-        const RayScene scene = build_scene(device_, field);
-        Layers& layers = result_.layers;
-        if (!(layers.thickness > 0))
-            layers.thickness = scene.top() / static_cast<double>(layers.count);
-        take(result_.seconds.scene);
-
-        const Illumination& light = scene_.light().light;
-        Accuracy accuracy = plan_.accuracy;
-        // Each source has a path of its own.
-        accuracy.paths =
-            std::max(accuracy.paths, static_cast<int>(light.sources.size()));
-        const Randomness randomness = plan_.of_light(number);
-        Simulation found = simulate_to_tolerance(
-            {scene, mesh.groups, scene_.bands, layers, pieces.count}, accuracy,
-            randomness);
-        if (lines_.are_cut)
-            assimilate(scene, mesh, pieces, found.tallies.front());
-        else if (scene_.assimilates())
-            assimilate_exactly(scene, mesh, accuracy, randomness);
-        accuracy.paths = found.paths;
-        result_.paths += accuracy.all_paths();
-        result_.is_capped |= found.is_capped;
-        add_light(std::move(found.tallies), pieces);
-        if (details_.sunlit) {
-            accuracy.paths = std::min(accuracy.paths, most_sunlit_points);
-            append(sunlit_,
-                   sunlit_fractions(scene, mesh, light, accuracy, randomness));
-        }
-        take(result_.seconds.light);
-    }
-
-    //! Adds the areas of a field per ground area, and those of groups if they
-    //! are faces.
-    void add_areas(const Mesh& mesh, const Pieces& pieces) {
-        const std::vector<double> of_faces = face_areas(mesh);
-        std::vector<PlantArea> areas(areas_.size());
-        for (std::size_t f = 0; f < of_faces.size(); ++f) {
-            const SurfaceId& id = mesh.groups[mesh.face_group[f]].id;
-            if (id.is_leaf())
-                areas[id.component].leaves += of_faces[f];
-            else if (!id.is_object())
-                areas[id.component].other_organs += of_faces[f] / 2;
-        }
-        for (std::size_t c = 0; c < areas.size(); ++c) {
-            const PlantArea per_ground{
-                areas[c].leaves / result_.ground_area,
-                areas[c].other_organs / result_.ground_area};
-            if (scene_.varies())
-                areas_[c] += per_ground;
-            else
-                areas_[c] = per_ground;
-        }
-        // Until all fields are known, those of this one.
-        result_.assimilating_lai = 0;
-        for (std::size_t c = 0; c < areas.size(); ++c)
-            if (scene_.components[c].photosynthesis)
-                result_.assimilating_lai +=
-                    areas[c].leaves / result_.ground_area;
-        if (!details_.faces) return;
-        areas_of_groups_.resize(lines_.groups.size());
-        for (std::size_t f = 0; f < of_faces.size(); ++f) {
-            const std::uint32_t group = mesh.face_group[f];
-            areas_of_groups_[lines_.are_cut ? pieces.group[group] : group] +=
-                of_faces[f];
-        }
-    }
-
-    //! Adds the light of a field.
-    void add_light(BandTallies found, const Pieces& pieces) {
-        for (std::size_t b = 0; b < found.size(); ++b) {
-            if (lines_.are_cut)
-                add_up_pieces(found[b], pieces, lines_.groups.size());
-            if (plan_.is_one_of_many) found[b] = {mean_of(found[b])};
-            append(tallies_[b], std::move(found[b]));
-        }
-    }
-
-    LitLeaves lit(const RayScene& scene, const Mesh& mesh) {
-        // They are the same in all fields.
-        if (leaves_.empty())
-            leaves_ = leaf_groups(scene_, lines_.groups, leaf_area_index_);
-        return {scene,          mesh.groups, scene_.bands.front(),
-                scene_.photons, leaves_,     result_.layers};
-    }
-
-    void assimilate(const RayScene& scene, const Mesh& mesh,
-                    const Pieces& pieces, const std::vector<Tally>& tallies) {
-        for (std::size_t v = 0; v < pieces.count; ++v)
-            leaf_area_index_[pieces.group[v]] +=
-                pieces.area[v] / result_.ground_area;
-        const LitLeaves leaves = lit(scene, mesh);
-        std::vector<AssimilationTally> found =
-            ideotype::assimilate(tallies, pieces, leaves);
-        SunlitFractions sunlit =
-            sunlit_fractions(tallies, scene, mesh.groups, leaves.par.optics,
-                             leaves.par.light.light,
-                             result_.assimilating_lai * result_.ground_area);
-        std::vector<LightClasses> classes;
-        if (details_.sunlit)
-            classes = leaf_area_by_light(tallies, pieces, leaves);
-        if (plan_.is_one_of_many) {
-            found = {mean_of(found)};
-            sunlit.fractions = {mean_of(sunlit.fractions)};
-            if (!classes.empty()) classes = {mean_of(classes)};
-        }
-        append(assimilation_, std::move(found));
-        append(hit_by_sun_, std::move(sunlit));
-        append(light_classes_, std::move(classes));
-    }
-
-    void assimilate_exactly(const RayScene& scene, const Mesh& mesh,
-                            const Accuracy& accuracy,
-                            const Randomness& randomness) {
-        const std::vector<double> areas = face_areas(mesh);
-        for (std::size_t f = 0; f < areas.size(); ++f)
-            if (mesh.groups[mesh.face_group[f]].id.is_leaf())
-                leaf_area_index_[mesh.face_group[f]] +=
-                    areas[f] / result_.ground_area;
-        ExactAssimilation found = ideotype::assimilate_exactly(
-            mesh, lit(scene, mesh), accuracy, randomness);
-        append(assimilation_, std::move(found.tallies));
-        result_.is_capped |= found.is_capped;
+    void report_lines() {
+        const auto& lines = request_.details.lines;
+        if (lines && !scene_.components.empty() &&
+            scene_.components.front().plant)
+            result_.lines = distance(*lines, *scene_.components.front().plant);
     }
 
     void report_areas() {
-        const double fields = scene_.varies() ? plan_.fields : 1;
-        result_.assimilating_lai = 0;
-        for (std::size_t c = 0; c < areas_.size(); ++c) {
-            const double lai = areas_[c].leaves / fields;
-            const double index = lai + areas_[c].other_organs / fields;
+        const double fields = found_.fields;
+        for (std::size_t c = 0; c < found_.areas.size(); ++c) {
+            const double lai = found_.areas[c].leaves / fields;
+            const double index = lai + found_.areas[c].other_organs / fields;
             const Component& component = scene_.components[c];
             result_.components.push_back(
                 {component.name, lai, index,
@@ -337,39 +107,42 @@ class Evaluation {
             result_.objects.push_back(each.name);
     }
 
-    void report_light() {
-        for (std::size_t b = 0; b < scene_.bands.size(); ++b) {
-            const Band& band = scene_.bands[b];
-            BandReport& report = result_.bands.emplace_back();
-            report.name = band.name;
-            for (const Tally& tally : tallies_[b]) {
-                report.budget_by_randomisation.push_back(tally.budget());
-                if (details_.faces) continue;
-                report.groups_by_randomisation.push_back(tally.groups);
-                report.layers_by_randomisation.push_back(tally.layers);
-            }
-            report.light = ideotype::report(tallies_[b], band.light);
-            report.parts = parts_of(tallies_[b]);
-            if (details_.faces) report.faces = per_area(report.light.groups);
-            if (!(report.light.balance_error < balance_tolerance))
-                throw Error(fmt::format("the energy balance is off by {:.3g}",
-                                        report.light.balance_error));
+    void report_band(const Band& band, const std::vector<Tally>& tallies) {
+        BandReport& report = result_.bands.emplace_back();
+        const bool has_faces = request_.details.faces;
+        report.name = band.name;
+        for (const Tally& tally : tallies) {
+            report.budget_by_randomisation.push_back(tally.budget());
+            if (has_faces) continue;
+            report.groups_by_randomisation.push_back(tally.groups);
+            report.layers_by_randomisation.push_back(tally.layers);
         }
-        if (!details_.sunlit) return;
-        const SunlitReport sunlit = ideotype::report(sunlit_, scene_.light());
+        report.light = ideotype::report(tallies, band.light);
+        report.parts = parts_of(tallies);
+        if (has_faces) report.faces = per_area(report.light.groups);
+        if (!(report.light.balance_error < balance_tolerance))
+            throw Error(fmt::format("the energy balance is off by {:.3g}",
+                                    report.light.balance_error));
+    }
+
+    void report_sunlit() {
+        const SunlitReport sunlit =
+            ideotype::report(found_.sunlit, scene_.light());
         for (std::size_t h = 0; h < sunlit.hours.size(); ++h)
             result_.bands.front().light.steps[h].sunlit = sunlit.hours[h];
     }
 
     void report_assimilation() {
-        for (double& index : leaf_area_index_) index /= plan_.fields;
+        std::vector<double> leaf_area_index = found_.leaf_area_index;
+        for (double& index : leaf_area_index) index /= found_.fields;
         result_.assimilation =
-            ideotype::report(std::move(assimilation_), leaves_,
-                             leaf_area_index_, scene_.light());
+            ideotype::report(found_.assimilation, shared_.leaves,
+                             leaf_area_index, scene_.light());
         if (lines_.are_cut)
-            result_.hit_by_sun = ideotype::report(hit_by_sun_, scene_.light());
-        if (!light_classes_.empty())
-            result_.light_classes = ideotype::report(light_classes_);
+            result_.hit_by_sun =
+                ideotype::report(found_.hit_by_sun, scene_.light());
+        if (!found_.light_classes.empty())
+            result_.light_classes = ideotype::report(found_.light_classes);
     }
 
     //! Returns the light of each component and then of each object.
@@ -377,7 +150,7 @@ class Evaluation {
         std::vector<PartReport> parts;
         const std::size_t count =
             scene_.components.size() + scene_.objects.size();
-        if (count == 1 || details_.faces) return parts;
+        if (count == 1 || request_.details.faces) return parts;
         for (std::uint32_t c = 0; c < count; ++c) {
             std::vector<std::size_t> leaves, all;
             for (std::size_t g = 0; g < lines_.groups.size(); ++g) {
@@ -395,7 +168,7 @@ class Evaluation {
     //! Returns the light of groups that are faces, per area of the face.
     std::vector<Estimate> per_area(std::vector<Estimate> faces) const {
         for (std::size_t face = 0; face < faces.size(); ++face) {
-            const double area = areas_of_groups_[face] / plan_.fields;
+            const double area = found_.areas_of_groups[face] / found_.fields;
             faces[face] = area > 0
                               ? scaled(faces[face], result_.ground_area / area)
                               : Estimate{};
@@ -403,40 +176,40 @@ class Evaluation {
         return faces;
     }
 
-    double time() const { return clock_ ? clock_() : 0; }
-
-    void take(double& part) {
-        const double now = time();
-        part += now - std::exchange(last_, now);
-    }
-
+    const CanopyRequest& request_;
     const Scene& scene_;
-    const Details& details_;
-    const Device& device_;
-    const Clock& clock_;
-    double last_;
-    const Plan plan_;
-    const Lines lines_;
+    const Lines& lines_;
+    const SharedByFields& shared_;
+    const FieldLight& found_;
     CanopyReport result_;
-    BandTallies tallies_;
-    SunlitFractions sunlit_;      //!< by points of leaves
-    SunlitFractions hit_by_sun_;  //!< by first hits
-    std::vector<LightClasses> light_classes_;
-    std::vector<AssimilationTally> assimilation_;
-    std::vector<LeafGroup> leaves_;        //!< of each group
-    std::vector<double> leaf_area_index_;  //!< of each group, of all fields
-    std::vector<PlantArea> areas_;  //!< of components, of all fields [m2 m-2]
-    std::vector<double> areas_of_groups_;  //!< of all copies of faces [m2]
 };
+
+//! Evaluates a request field by field.
+//! @param scene of the request, or with other groups
+CanopyReport evaluate(const CanopyRequest& request, const Scene& scene,
+                      const Device& device, const Clock& clock) {
+    const Plan plan(request);
+    const Lines lines(scene, request);
+    SharedByFields shared{request.layers};
+    if (scene.varies())
+        shared.leaves =
+            leaf_groups(scene, lines.groups,
+                        leaf_area_of_lines(scene, lines.groups.size()));
+    FieldLight all;
+    for (int number = 0; number < plan.fields; ++number)
+        all.append(light_in_field(number, request, scene, plan, lines, device,
+                                  clock, shared));
+    return Reporter(request, scene, lines, shared, all).result();
+}
 
 }  // namespace
 
 CanopyReport evaluate(const CanopyRequest& request, const Device& device,
                       const Clock& clock) {
     if (!request.details.faces)
-        return Evaluation(request, request.scene, device, clock).result();
-    const Scene scene = with_a_group_per_face(request.scene);
-    return Evaluation(request, scene, device, clock).result();
+        return evaluate(request, request.scene, device, clock);
+    return evaluate(request, with_a_group_per_face(request.scene), device,
+                    clock);
 }
 
 RayScene build_scene(const Device& device, const Field& field) {

@@ -105,8 +105,7 @@ void choose_figures(Comparison& all) {
             each.schema.objectives.push_back(
                 {figure.quantity.name, figure.quantity.unit});
         each.schema.randomisations = static_cast<std::size_t>(
-            sampling_in(all.under, first, all.tolerance)
-                .accuracy.randomisations);
+            sampling_in(all.under, first, all.tolerance).accuracy.replicates());
     }
 }
 

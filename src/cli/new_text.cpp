@@ -71,6 +71,7 @@ soil_albedo par_fraction
 tolerance = 0.008 # relative standard error of the light that leaves absorb
 paths # light paths per randomisation, at most
 randomisations
+fields # 4 or more: errors of rows contain how fields differ
 sky # diffuse light; "overcast" and "clear" are others
 # What plants are bred for.
 [objective]

@@ -19,7 +19,7 @@ Outcome CaseStand::evaluate(const Genome& genome,
     const Sampling sampling = sampling_of(request, campaign_, chosen_);
     OutcomeSchema schema = stand_.schema(request.is_final);
     schema.randomisations =
-        static_cast<std::size_t>(sampling.accuracy.randomisations);
+        static_cast<std::size_t>(sampling.accuracy.replicates());
     try {
         const Plant plant = grow(campaign_.crop, genome);
         return checked_outcome(schema, devices_.with([&](const Device& device) {

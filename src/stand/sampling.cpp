@@ -12,20 +12,20 @@
 namespace ideotype {
 
 Accuracy accuracy_of(const Task& task, const Campaign& campaign) {
-    if (task.is_final) return campaign.final_rule.sampling;
-    return campaign.sampling;
+    if (!task.is_final) return campaign.sampling;
+    Accuracy accuracy = campaign.final_rule.sampling;
+    accuracy.fields = accuracy.randomisations;
+    return accuracy;
 }
 
 Randomness randomness_of(const Task& task, const Campaign& campaign,
                          const Case& chosen) {
-    if (task.is_final)
-        return {derive_seed(chosen.seed, "final"), 0, 0,
-                Randomness::Fields::each};
+    if (task.is_final) return {derive_seed(chosen.seed, "final")};
     if (campaign.has_light_by_row)
         return {chosen.seed, task.generation,
                 task.slot * static_cast<std::uint32_t>(
                                 campaign.sampling.randomisations),
-                Randomness::Fields::common};
+                true};
     return {chosen.seed, task.generation};
 }
 
@@ -53,6 +53,7 @@ Sampling sampling_of(const SamplingRequest& request, const Campaign& campaign,
     Accuracy& accuracy = sampling.accuracy;
     constexpr int fewest = 8;  // to tell whether a tolerance is met
     accuracy.randomisations = std::max(accuracy.randomisations, fewest);
+    if (request.is_final) accuracy.fields = accuracy.randomisations;
     accuracy.paths = std::max(accuracy.paths, most_paths);
     accuracy.tolerance = *request.tolerance;
     return sampling;

@@ -103,7 +103,7 @@ OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
     schema.measured = chosen.scenarios.empty()
                           ? measured_in(campaign, chosen)
                           : AcrossScenarios(campaign, chosen).measured();
-    schema.randomisations = static_cast<std::size_t>(accuracy.randomisations);
+    schema.randomisations = static_cast<std::size_t>(accuracy.replicates());
     for (const Aim& aim : aims(campaign))
         schema.objectives.push_back(
             {aim.quantity, unit_of(aim.quantity), aim.sense});

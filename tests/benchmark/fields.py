@@ -9,7 +9,7 @@ Evaluates N plants, the baseline of crops/maize.toml and plants around it as a
 search by CMA-ES draws them (a normal deviation of a tenth of the range in each
 gene of the bounds "paper"), at 30 x 6 inches, in a field of each of several
 seeds, all plants in the same one. Fields are cells of plants that are all
-alike, and cells of 16, 32 and 64 plants that differ by the [field.variation] of
+alike, cells of 16, 32 and 64 plants, and four cells of 4 or 8 plants, that differ by the [field.variation] of
 campaigns/quickstart.toml, which `ideotype new` writes too. Run it in a Python
 that has the package; it takes some ten minutes of one core.
 
@@ -19,7 +19,7 @@ Prints for each objective, cell and tolerance:
   The part of light is the error that a row tells, the field is the rest;
 * the same of a difference between two plants in the same field [%]. The part of
   light is how far differences between plants scatter over the randomisations of
-  one row;
+  one row. Of four cells both parts are in the error that is told, as "light";
 * the processor time of an evaluation [ms];
 * the cost at an equal error: the time that an evaluation takes with the
   tolerance that makes differences between plants as sure as they are among
@@ -50,11 +50,14 @@ OBJECTIVES = {
     "net_assimilation": "ames",
     "carbon_balance": "bondville",
 }
-CELLS: dict[str, tuple[int, int, bool]] = {
-    "4 x 4, alike": (4, 4, False),
-    "4 x 4": (4, 4, True),
-    "4 x 8": (4, 8, True),
-    "8 x 8": (8, 8, True),
+#: Rows, plants of each, whether they differ, and fields of an evaluation.
+CELLS: dict[str, tuple[int, int, bool, int]] = {
+    "4 x 4, alike": (4, 4, False, 1),
+    "4 x 4": (4, 4, True, 1),
+    "4 x 8": (4, 8, True, 1),
+    "8 x 8": (8, 8, True, 1),
+    "4 of 2 x 2": (2, 2, True, 4),
+    "4 of 2 x 4": (2, 4, True, 4),
 }
 TOLERANCES = (0.008, 0.004)
 STEP = 0.1
@@ -74,7 +77,7 @@ class Noise:
 
 
 def stand(objective: str, cell: str, tolerance: float) -> ideotype.Stand:
-    rows, plants, differ = CELLS[cell]
+    rows, plants, differ, fields = CELLS[cell]
     quickstart = tomllib.loads((CAMPAIGNS / "quickstart.toml").read_text())
     field: dict[str, Any] = {"rows": rows, "plants": plants}
     if differ:
@@ -87,6 +90,7 @@ def stand(objective: str, cell: str, tolerance: float) -> ideotype.Stand:
         },
         "objective": {"maximise": objective},
         "light.tolerance": tolerance,
+        "light.fields": fields,
         "replicates": 1,
     }
     path = CAMPAIGNS / f"{OBJECTIVES[objective]}.toml"

@@ -219,6 +219,15 @@ TEST(BrokenCampaign, UnknownSkiesAreRefusedWithTheKnownOnes) {
               std::string::npos);
 }
 
+TEST(BrokenCampaign, FieldsDivideTheRandomisations) {
+    EXPECT_NE(problem_of(sample_text("", "[light]\nfields = 3\n"))
+                  .find("light.fields is 3 (too few"),
+              std::string::npos);
+    EXPECT_NE(problem_of(sample_text("", "[light]\nfields = 5\n"))
+                  .find("light.fields is 5, among which 16"),
+              std::string::npos);
+}
+
 TEST(BrokenCampaign, LinesThatAreNotTomlSayHowToWriteThem) {
     const std::pair<const char*, const char*> lines[] = {
         {"start = 05:00", "write times as in start = 05:00:00"},

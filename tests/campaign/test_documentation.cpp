@@ -120,7 +120,8 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
         "[[sensitivity.keys]]\n"
         "key = \"field.jitter\"\nrange = [0, 20]\n";
     const std::string variation =
-        "[field.variation]\nlength = 0.1\nacross_row = 0.7\n"
+        "[light]\nfields = 4\n[field.variation]\nlength = 0.1\nacross_row = "
+        "0.7\n"
         "[feasibility]\nlimit = 3\ncorrelations = "
         "[0.5]\n[[feasibility.trait]]\n"
         "measure = \"leaf.length\"\nleaf = \"top\"\nmean = 1\n"

@@ -14,12 +14,14 @@
 namespace ideotype {
 namespace {
 
-using Fields = Randomness::Fields;
+//! Whether all randomisations share a field or each has one.
+enum class Fields { one, each };
 
 class TwoLeaves : public ::testing::Test {
   protected:
     CanopyReport evaluated(Fields fields = Fields::one) {
-        request.randomness.fields = fields;
+        request.accuracy.fields =
+            fields == Fields::each ? request.accuracy.randomisations : 1;
         return evaluate(request, device);
     }
 
@@ -238,8 +240,7 @@ TEST_F(TwoLeaves, AClockTimesGeometrySceneAndLightApart) {
     // Each look at it is a second later than the one before.
     double now = 100;
     const Clock clock = [&] { return now++; };
-    request.accuracy = {64, 3};
-    request.randomness.fields = Fields::each;
+    request.accuracy = {64, 3, 0, 3};
     const Timing seconds = evaluate(request, device, clock).seconds;
     EXPECT_EQ(seconds.geometry, 3);
     EXPECT_EQ(seconds.scene, 3);
@@ -417,6 +418,33 @@ TEST_F(TwoLeaves, FieldsOfPlantsThatDifferAreLessCertain) {
     EXPECT_GT(differing.standard_error, 1.5 * alike.standard_error);
     EXPECT_LT(evaluated().par().light.day.leaves.standard_error,
               differing.standard_error / 2);
+}
+
+TEST_F(TwoLeaves, RandomisationsAreDividedAmongFields) {
+    request.scene.components[0].photosynthesis.emplace();
+    request.scene.components[0].variation = {.2, .2, {15}, {30}, .1};
+    request.accuracy = {2048, 32, 0, 8};
+    const CanopyReport report = evaluate(request, device);
+    EXPECT_EQ(report.randomisations(), 8u);
+    EXPECT_EQ(report.assimilation->tallies.size(), 8u);
+    EXPECT_EQ(report.paths, 2048u * 32u);
+    const Estimate of_eight = report.par().light.day.leaves;
+    const Estimate of_one = evaluated().par().light.day.leaves;
+    const Estimate of_each = evaluated(Fields::each).par().light.day.leaves;
+    EXPECT_GT(of_eight.standard_error, 1.5 * of_one.standard_error);
+    EXPECT_NEAR(
+        of_eight.mean, of_each.mean,
+        4 * std::hypot(of_eight.standard_error, of_each.standard_error));
+}
+
+//! The error that fields add is no part of what a tolerance asks for.
+TEST_F(TwoLeaves, AToleranceHoldsForAllFieldsTogether) {
+    request.accuracy = {1 << 16, 16, .004};
+    const std::uint64_t one = evaluate(request, device).paths;
+    request.accuracy.fields = 4;
+    const std::uint64_t four = evaluate(request, device).paths;
+    EXPECT_LT(four, 2 * one);
+    EXPECT_GT(4 * four, one);
 }
 
 TEST_F(TwoLeaves, AssimilationIsConcaveInLight) {

@@ -40,7 +40,7 @@ TEST_F(Sensors, OnTheSoilReceiveWhatItAbsorbs) {
     const double row = request.scene.cell.row_distance;
     std::vector<Sensor> sensors;
     for (int i = 0; i < 10; ++i) sensors.push_back({0, (i + .5) / 10 * row});
-    request.randomness.fields = Randomness::Fields::each;
+    request.accuracy.fields = request.accuracy.randomisations;
     const auto found = light_on_sensors(request, device, sensors, 64);
     double mean = 0;
     for (const auto& sensor : found)

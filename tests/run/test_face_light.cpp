@@ -74,9 +74,8 @@ class FaceLight : public ::testing::Test {
 };
 
 TEST_F(FaceLight, FacesOfAPlantSumToItsEvaluation) {
-    for (const auto fields :
-         {Randomness::Fields::one, Randomness::Fields::each}) {
-        request.randomness.fields = fields;
+    for (const int fields : {1, request.accuracy.randomisations}) {
+        request.accuracy.fields = fields;
         expect_totals(plant, of_faces(), ground);
     }
 }

@@ -24,6 +24,13 @@ struct Timing {
     double light = 0;
 
     double total() const { return geometry + scene + light; }
+
+    Timing& operator+=(const Timing& more) {
+        geometry += more.geometry;
+        scene += more.scene;
+        light += more.light;
+        return *this;
+    }
 };
 
 //! The light that a component or a fixed object absorbs [J m-2 day-1].

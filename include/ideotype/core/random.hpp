@@ -29,10 +29,9 @@ struct Randomness {
     std::uint32_t generation = 0;
     //! The others count up from it; each has its own random numbers.
     std::uint32_t first_randomisation = 0;
-    //! One random field for all randomisations makes candidates comparable at
-    //! least cost; one for each makes the standard error include the jitter.
-    //! The common one is also that of rows with other random numbers.
-    enum class Fields { one, each, common } fields = Fields::one;
+    //! Whether fields are those of all generations and randomisations: those
+    //! of rows whose other random numbers differ.
+    bool has_common_fields = false;
 };
 
 //! Philox-4x32-10: four random words as a pure function of counter and key

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "field_light.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "ideotype/canopy/exact_assimilation.hpp"
+#include "ideotype/light/device.hpp"
+#include "replicates.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! Enough points to know a sunlit fraction to some 0.2 %.
+constexpr int most_sunlit_points = 2048;
+
+//! Returns how one plant of a component is cut.
+Pieces pieces_of_line(const Component& component,
+                      const CanopyRequest& request) {
+    const std::size_t per_blade = request.details.pieces;
+    if (!component.photosynthesis) return uncut(component.mesh);
+    if (component.plant) return cut_leaves(component.mesh, per_blade);
+    return cut_coarse_leaves(component.mesh, component.places.size(),
+                             request.accuracy.tolerance, per_blade);
+}
+
+//! Adds numbers of the same places; the first ones are taken as they are.
+template <class All>
+void add(All& all, All more) {
+    if (all.empty()) {
+        all = std::move(more);
+        return;
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] += more[i];
+}
+
+//! One field of an evaluation.
+class FieldPass {
+  public:
+    FieldPass(const CanopyRequest& request, const Scene& scene,
+              const Plan& plan, const Lines& lines, SharedByFields& shared)
+        : request_(request),
+          scene_(scene),
+          plan_(plan),
+          lines_(lines),
+          shared_(shared) {}
+
+    //! Draws the field, whose surfaces are then known.
+    Field draw(int number) {
+        randomness_ = plan_.of_light(number);
+        Field field =
+            draw_field(scene_, plan_.of_plants(number), lines_.meshes);
+        if (lines_.are_cut) {
+            pieces_ = pieces_of_field(lines_.pieces, field);
+            field.mesh = std::move(pieces_.mesh);
+        }
+        measure_areas(field.mesh);
+        return field;
+    }
+
+    void follow_light(const RayScene& surfaces, const Mesh& mesh) {
+        if (!(shared_.layers.thickness > 0))
+            shared_.layers.thickness =
+                surfaces.top() / static_cast<double>(shared_.layers.count);
+        Accuracy accuracy = plan_.accuracy;
+        // Each source has a path of its own.
+        accuracy.paths =
+            std::max(accuracy.paths,
+                     static_cast<int>(scene_.light().light.sources.size()));
+        Simulation simulation = simulate(surfaces, mesh, accuracy);
+        if (lines_.are_cut)
+            assimilate(surfaces, mesh, simulation.tallies.front());
+        else if (scene_.assimilates())
+            assimilate_exactly(surfaces, mesh, accuracy);
+        accuracy.paths = simulation.paths;
+        found_.paths = accuracy.all_paths();
+        found_.is_capped |= simulation.is_capped;
+        take_light(std::move(simulation.tallies));
+        if (!request_.details.sunlit) return;
+        accuracy.paths = std::min(accuracy.paths, most_sunlit_points);
+        found_.sunlit = sunlit_fractions(surfaces, mesh, scene_.light().light,
+                                         accuracy, randomness_);
+    }
+
+    FieldLight result() && {
+        found_.fields = 1;
+        return std::move(found_);
+    }
+
+    Timing& seconds() { return found_.seconds; }
+
+  private:
+    //! Takes the areas of the field per ground area, and those of groups if
+    //! they are faces.
+    void measure_areas(const Mesh& mesh) {
+        const double ground = scene_.cell.ground_area;
+        const std::vector<double> of_faces = face_areas(mesh);
+        std::vector<PlantArea> areas(scene_.components.size());
+        for (std::size_t f = 0; f < of_faces.size(); ++f) {
+            const SurfaceId& id = mesh.groups[mesh.face_group[f]].id;
+            if (id.is_leaf())
+                areas[id.component].leaves += of_faces[f];
+            else if (!id.is_object())
+                areas[id.component].other_organs += of_faces[f] / 2;
+        }
+        for (const PlantArea& each : areas)
+            found_.areas.push_back(
+                {each.leaves / ground, each.other_organs / ground});
+        if (!request_.details.faces) return;
+        found_.areas_of_groups.resize(lines_.groups.size());
+        for (std::size_t f = 0; f < of_faces.size(); ++f) {
+            const std::uint32_t group = mesh.face_group[f];
+            found_.areas_of_groups[lines_.are_cut ? pieces_.group[group]
+                                                  : group] += of_faces[f];
+        }
+    }
+
+    //! Takes as much light as the tolerance asked for in the first field.
+    Simulation simulate(const RayScene& surfaces, const Mesh& mesh,
+                        const Accuracy& accuracy) {
+        const Subject subject{surfaces, mesh.groups, scene_.bands,
+                              shared_.layers, pieces_.count};
+        if (!shared_.trial) {
+            Simulation first =
+                simulate_to_tolerance(subject, accuracy, randomness_);
+            shared_.trial =
+                Simulation{{}, first.paths, first.is_capped, first.work};
+            return first;
+        }
+        Simulation next = *shared_.trial;
+        next.tallies =
+            next.work.first_hits.empty()
+                ? ideotype::simulate(subject, accuracy, randomness_)
+                : ideotype::simulate(subject, next.work,
+                                     accuracy.randomisations, randomness_);
+        return next;
+    }
+
+    LitLeaves lit(const RayScene& surfaces, const Mesh& mesh) {
+        // They are the same in all fields.
+        if (shared_.leaves.empty())
+            shared_.leaves =
+                leaf_groups(scene_, lines_.groups, found_.leaf_area_index);
+        return {surfaces,       mesh.groups,    scene_.bands.front(),
+                scene_.photons, shared_.leaves, shared_.layers};
+    }
+
+    //! The leaf area of the components that assimilate [m2].
+    double assimilating_area() const {
+        double lai = 0;
+        for (std::size_t c = 0; c < found_.areas.size(); ++c)
+            if (scene_.components[c].photosynthesis)
+                lai += found_.areas[c].leaves;
+        return lai * scene_.cell.ground_area;
+    }
+
+    void assimilate(const RayScene& surfaces, const Mesh& mesh,
+                    const std::vector<Tally>& tallies) {
+        found_.leaf_area_index.resize(lines_.groups.size());
+        for (std::size_t v = 0; v < pieces_.count; ++v)
+            found_.leaf_area_index[pieces_.group[v]] +=
+                pieces_.area[v] / scene_.cell.ground_area;
+        const LitLeaves leaves = lit(surfaces, mesh);
+        found_.assimilation = ideotype::assimilate(tallies, pieces_, leaves);
+        found_.hit_by_sun =
+            sunlit_fractions(tallies, surfaces, mesh.groups, leaves.par.optics,
+                             leaves.par.light.light, assimilating_area());
+        if (request_.details.sunlit)
+            found_.light_classes = leaf_area_by_light(tallies, pieces_, leaves);
+        if (!plan_.is_one_of_many) return;
+        found_.assimilation = {mean_of(found_.assimilation)};
+        found_.hit_by_sun.fractions = {mean_of(found_.hit_by_sun.fractions)};
+        if (!found_.light_classes.empty())
+            found_.light_classes = {mean_of(found_.light_classes)};
+    }
+
+    void assimilate_exactly(const RayScene& surfaces, const Mesh& mesh,
+                            const Accuracy& accuracy) {
+        const std::vector<double> areas = face_areas(mesh);
+        found_.leaf_area_index.resize(lines_.groups.size());
+        for (std::size_t f = 0; f < areas.size(); ++f)
+            if (mesh.groups[mesh.face_group[f]].id.is_leaf())
+                found_.leaf_area_index[mesh.face_group[f]] +=
+                    areas[f] / scene_.cell.ground_area;
+        ExactAssimilation exact = ideotype::assimilate_exactly(
+            mesh, lit(surfaces, mesh), accuracy, randomness_);
+        found_.assimilation = std::move(exact.tallies);
+        found_.is_capped |= exact.is_capped;
+    }
+
+    void take_light(BandTallies tallies) {
+        for (std::vector<Tally>& band : tallies) {
+            if (lines_.are_cut)
+                add_up_pieces(band, pieces_, lines_.groups.size());
+            if (plan_.is_one_of_many) band = {mean_of(band)};
+        }
+        found_.light = std::move(tallies);
+    }
+
+    const CanopyRequest& request_;
+    const Scene& scene_;
+    const Plan& plan_;
+    const Lines& lines_;
+    SharedByFields& shared_;
+    Randomness randomness_;
+    Pieces pieces_;
+    FieldLight found_;
+};
+
+}  // namespace
+
+Lines::Lines(const Scene& scene, const CanopyRequest& request)
+    : are_cut(scene.assimilates() && !request.details.exact),
+      groups(groups_of(scene)) {
+    if (!are_cut) return;
+    for (const Component& each : scene.components) {
+        pieces.push_back(pieces_of_line(each, request));
+        meshes.push_back(std::move(pieces.back().mesh));
+    }
+}
+
+void FieldLight::append(FieldLight more) {
+    light.resize(more.light.size());
+    for (std::size_t b = 0; b < light.size(); ++b)
+        ideotype::append(light[b], std::move(more.light[b]));
+    ideotype::append(assimilation, std::move(more.assimilation));
+    ideotype::append(sunlit, std::move(more.sunlit));
+    ideotype::append(hit_by_sun, std::move(more.hit_by_sun));
+    ideotype::append(light_classes, std::move(more.light_classes));
+    add(areas, std::move(more.areas));
+    add(leaf_area_index, std::move(more.leaf_area_index));
+    add(areas_of_groups, std::move(more.areas_of_groups));
+    paths += more.paths;
+    is_capped |= more.is_capped;
+    seconds += more.seconds;
+    fields += more.fields;
+}
+
+FieldLight light_in_field(int number, const CanopyRequest& request,
+                          const Scene& scene, const Plan& plan,
+                          const Lines& lines, const Device& device,
+                          const Clock& clock, SharedByFields& shared) {
+    double last = clock ? clock() : 0;
+    const auto take = [&](double& part) {
+        const double now = clock ? clock() : 0;
+        part += now - std::exchange(last, now);
+    };
+    FieldPass pass(request, scene, plan, lines, shared);
+    const Field field = pass.draw(number);
+    take(pass.seconds().geometry);
+    const RayScene surfaces = build_scene(device, field);
+    take(pass.seconds().scene);
+    pass.follow_light(surfaces, field.mesh);
+    take(pass.seconds().light);
+    return std::move(pass).result();
+}
+
+}  // namespace ideotype

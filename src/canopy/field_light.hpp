@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "ideotype/canopy/canopy.hpp"
+#include "ideotype/canopy/light_classes.hpp"
+#include "ideotype/light/sunlit.hpp"
+#include "ideotype/light/tolerance.hpp"
+#include "plan.hpp"
+
+namespace ideotype {
+
+//! One plant of each component, as fields are made of them.
+struct Lines {
+    //! @param scene of the request, or with other groups
+    Lines(const Scene& scene, const CanopyRequest& request);
+
+    bool are_cut = false;        //!< so that there are:
+    std::vector<Pieces> pieces;  //!< without their meshes
+    std::vector<Mesh> meshes;    //!< of the pieces
+    std::vector<Group> groups;   //!< of the scene before leaves were cut
+};
+
+//! What all fields of an evaluation share. The first field tells what is not
+//! known before.
+struct SharedByFields {
+    Layers layers;
+    std::vector<LeafGroup> leaves{};  //!< of each group of the lines
+    std::optional<Simulation>
+        trial{};  //!< the work that the tolerance asks for
+};
+
+//! Light and assimilation in some fields: by randomisation of all of them, or,
+//! where each field is one of many, by field. Areas are sums over fields.
+struct FieldLight {
+    //! Adds what was found in more fields.
+    void append(FieldLight more);
+
+    BandTallies light;
+    std::vector<AssimilationTally> assimilation;
+    SunlitFractions sunlit;      //!< by points of leaves
+    SunlitFractions hit_by_sun;  //!< by first hits
+    std::vector<LightClasses> light_classes;
+    std::vector<PlantArea> areas;         //!< of components [m2 m-2]
+    std::vector<double> leaf_area_index;  //!< of groups of the lines
+    std::vector<double> areas_of_groups;  //!< of all copies of faces [m2]
+    std::uint64_t paths = 0;
+    bool is_capped = false;
+    Timing seconds;
+    int fields = 0;
+};
+
+//! Draws a field of a scene, and follows light and assimilation in it.
+//! @param scene that the lines are of
+FieldLight light_in_field(int number, const CanopyRequest& request,
+                          const Scene& scene, const Plan& plan,
+                          const Lines& lines, const Device& device,
+                          const Clock& clock, SharedByFields& shared);
+
+}  // namespace ideotype

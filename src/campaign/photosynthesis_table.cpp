@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "checks.hpp"
 #include "schema.hpp"
@@ -12,24 +13,71 @@ namespace ideotype {
 
 namespace {
 
-using Numbers = std::vector<double> PhotosynthesisTable::*;
+using All = PhotosynthesisTable;
+using Numbers = std::vector<double> All::*;
 
-//! A number of leaves that models share or not.
+//! Calls a function with the lists of numbers that leaves of a model have, and
+//! with where a leaf keeps each: an overload for each model.
+void each_number(HyperbolaLeaf& leaf, const auto& with) {
+    with(&All::phi, leaf.response.phi);
+    with(&All::theta, leaf.response.theta);
+    with(&All::amax, leaf.response.amax);
+    with(&All::rd, leaf.respiration);
+}
+
+void each_number(CollatzLeaf& leaf, const auto& with) {
+    with(&All::vmax, leaf.vmax);
+    with(&All::alpha, leaf.alpha);
+    with(&All::theta, leaf.theta);
+    with(&All::beta, leaf.beta);
+    with(&All::k, leaf.k);
+    with(&All::rd, leaf.respiration);
+}
+
+struct Model {
+    const char* name;
+    LeafRates leaf;  //!< where a table has no numbers
+};
+
+//! All models in the order of LeafModel.
+constexpr Model models[] = {{"hyperbola", HyperbolaLeaf{}},
+                            {"collatz", CollatzLeaf{}}};
+static_assert(std::size(models) == std::variant_size_v<LeafRates>);
+
+const Model& model_of(const PhotosynthesisTable& table) {
+    return models[static_cast<std::size_t>(table.model)];
+}
+
+//! A leaf with what each_number() tells such a function to fill in.
+LeafRates filled(LeafRates leaf, const auto& with) {
+    std::visit([&](auto& each) { each_number(each, with); }, leaf);
+    return leaf;
+}
+
+//! The names of the models that a predicate holds for.
+std::vector<std::string> names_of_models(const auto& is_one) {
+    std::vector<std::string> names;
+    for (const Model& model : models)
+        if (is_one(model)) names.emplace_back(model.name);
+    return names;
+}
+
+bool has(const Model& model, Numbers numbers) {
+    bool is_there = false;
+    filled(model.leaf,
+           [&](Numbers own, auto&) { is_there = is_there || own == numbers; });
+    return is_there;
+}
+
 struct LeafKey {
     const char* name;
     Numbers numbers;
-    bool hyperbola, collatz;
 };
 
 constexpr LeafKey leaf_keys[] = {
-    {"phi", &PhotosynthesisTable::phi, true, false},
-    {"theta", &PhotosynthesisTable::theta, true, true},
-    {"amax", &PhotosynthesisTable::amax, true, false},
-    {"rd", &PhotosynthesisTable::rd, true, true},
-    {"vmax", &PhotosynthesisTable::vmax, false, true},
-    {"alpha", &PhotosynthesisTable::alpha, false, true},
-    {"beta", &PhotosynthesisTable::beta, false, true},
-    {"k", &PhotosynthesisTable::k, false, true},
+    {"phi", &All::phi},   {"theta", &All::theta}, {"amax", &All::amax},
+    {"rd", &All::rd},     {"vmax", &All::vmax},   {"alpha", &All::alpha},
+    {"beta", &All::beta}, {"k", &All::k},
 };
 
 std::size_t leaves_of(const PhotosynthesisTable& table) {
@@ -56,7 +104,7 @@ Section photosynthesis_section(PhotosynthesisTable& table) {
         {Key("model", choice(table.model),
              "response of leaves to light: the non-rectangular hyperbola, or "
              "the C4 model of Collatz et al. 1992")
-             .one_of({"hyperbola", "collatz"}),
+             .one_of(names_of_models([](const Model&) { return true; })),
          by_leaf("phi", table.phi, 0, 0.2, "", "0.06",
                  "quantum yield of the hyperbola [mol mol-1]"),
          by_leaf("theta", table.theta, 0, 1, "",
@@ -111,18 +159,20 @@ Table photosynthesis_table(Draft& draft) {
 
 void check_photosynthesis(const PhotosynthesisTable& table, std::size_t leaves,
                           Report& report) {
-    const bool is_collatz = table.model == LeafModel::collatz;
     const std::size_t count = leaves > 0 ? leaves : leaves_of(table);
     for (const LeafKey& key : leaf_keys) {
         const std::vector<double>& numbers = table.*key.numbers;
         if (numbers.empty() || !report.usable({&numbers})) continue;
-        if (!(is_collatz ? key.collatz : key.hyperbola))
+        if (!has(model_of(table), key.numbers))
             report.add(
                 &numbers,
                 fmt::format("photosynthesis.{} is no number of the model "
                             "\"{}\" (it is one of \"{}\"); remove it",
-                            key.name, is_collatz ? "collatz" : "hyperbola",
-                            is_collatz ? "hyperbola" : "collatz"));
+                            key.name, model_of(table).name,
+                            fmt::join(names_of_models([&](const Model& each) {
+                                          return has(each, key.numbers);
+                                      }),
+                                      "\" or \"")));
         else if (numbers.size() != 1 && numbers.size() != count)
             report.add(
                 &numbers,
@@ -144,30 +194,11 @@ Photosynthesis to_photosynthesis(const PhotosynthesisTable& table) {
     Photosynthesis result;
     result.rates.clear();
     for (std::size_t i = 0; i < leaves_of(table); ++i) {
-        const auto take = [&](Numbers from, double& to) {
+        const auto take = [&](Numbers from, auto& to) {
             const std::vector<double>& numbers = table.*from;
             if (!numbers.empty()) to = numbers[numbers.size() == 1 ? 0 : i];
-            return !numbers.empty();
         };
-        using All = PhotosynthesisTable;
-        if (table.model == LeafModel::collatz) {
-            CollatzLeaf leaf;
-            take(&All::vmax, leaf.vmax);
-            take(&All::alpha, leaf.alpha);
-            take(&All::theta, leaf.theta);
-            take(&All::beta, leaf.beta);
-            take(&All::k, leaf.k);
-            take(&All::rd, leaf.respiration);
-            result.rates.push_back(leaf);
-        } else {
-            HyperbolaLeaf leaf;
-            take(&All::phi, leaf.response.phi);
-            take(&All::theta, leaf.response.theta);
-            take(&All::amax, leaf.response.amax);
-            double rd = 0;
-            if (take(&All::rd, rd)) leaf.respiration = rd;
-            result.rates.push_back(leaf);
-        }
+        result.rates.push_back(filled(model_of(table).leaf, take));
     }
     result.profile = table.profile;
     result.nitrogen = {table.nitrogen, table.kn};

@@ -7,6 +7,7 @@
 
 namespace ideotype {
 
+//! Models of leaves, in the order of LeafRates.
 enum class LeafModel { hyperbola, collatz };
 
 //! [photosynthesis] as it is written: numbers of all leaves, or of each, the

@@ -7,12 +7,19 @@ namespace ideotype {
 
 namespace {
 
-//! At 30 deg C [umol m-2 s-1].
-double respiration_of(const HyperbolaLeaf& leaf) {
-    return leaf.respiration.value_or(0.04 * leaf.response.amax);
+// Functions of one leaf have an overload for each model, and no other overload
+// that would take any: a model that lacks one does not compile.
+
+double respiration_of(const HyperbolaLeaf& leaf, double temperature) {
+    return leaf.respiration.value_or(0.04 * leaf.response.amax) *
+           q10(temperature, 30);
 }
 
-//! What evaluates the response in some air.
+double respiration_of(const CollatzLeaf& leaf, double temperature) {
+    return dark_respiration(leaf, temperature);
+}
+
+//! Returns the response in some air.
 Hyperbola response_in(const HyperbolaLeaf& leaf, const Air& air) {
     return hyperbola_at(leaf, air.temperature);
 }
@@ -51,9 +58,9 @@ Hyperbola hyperbola_at(const HyperbolaLeaf& leaf, double temperature) {
 }
 
 double dark_respiration(const LeafRates& leaf, double temperature) {
-    if (const auto* const collatz = std::get_if<CollatzLeaf>(&leaf))
-        return dark_respiration(*collatz, temperature);
-    return respiration_of(std::get<HyperbolaLeaf>(leaf)) * q10(temperature, 30);
+    return std::visit(
+        [&](const auto& each) { return respiration_of(each, temperature); },
+        leaf);
 }
 
 LeafResponse response(const LeafRates& leaf, const Air& air) {

@@ -9,19 +9,10 @@
 
 namespace ideotype {
 
-double Collatz::slope(double absorbed) const {
-    const double lit = smooth_minimum(theta, alpha * absorbed, vmax);
-    return alpha * smooth_minimum_slope(theta, alpha * absorbed, vmax) *
-           smooth_minimum_slope(beta, lit, k * ci);
-}
-
-Collatz collatz_at(const CollatzLeaf& leaf, double temperature, double ci) {
-    return {leaf.vmax * c4_temperature_response(temperature),
-            leaf.alpha,
-            leaf.theta,
-            leaf.beta,
-            leaf.k * q10(temperature, 25),
-            ci};
+Colimitation collatz_at(const CollatzLeaf& leaf, double temperature,
+                        double ci) {
+    return {leaf.alpha, leaf.vmax * c4_temperature_response(temperature),
+            leaf.theta, leaf.beta, leaf.k * q10(temperature, 25) * ci};
 }
 
 double dark_respiration(const CollatzLeaf& leaf, double temperature) {
@@ -53,10 +44,9 @@ double conductance(const Stomata& stomata, double net, double surface_co2,
 LeafBalance balance(const CollatzLeaf& leaf, const Stomata& stomata,
                     double absorbed, double temperature, double humidity) {
     const double respiration = dark_respiration(leaf, temperature);
-    Collatz rates = collatz_at(leaf, temperature, 0);
     const auto at = [&](double ci) {
-        rates.ci = ci;
-        const double net = rates.gross(absorbed) - respiration;
+        const double net =
+            collatz_at(leaf, temperature, ci).gross(absorbed) - respiration;
         const double surface = stomata.ambient - 1.37 * net / stomata.boundary;
         const double gs = conductance(stomata, net, surface, humidity);
         // What the stomata let in, less what there would have to be.

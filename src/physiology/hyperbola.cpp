@@ -17,4 +17,10 @@ double Hyperbola::slope(double absorbed) const {
     return phi * smooth_minimum_slope(theta, phi * absorbed, amax);
 }
 
+double Colimitation::slope(double absorbed) const {
+    const double lit = smooth_minimum(theta, alpha * absorbed, capacity);
+    return alpha * smooth_minimum_slope(theta, alpha * absorbed, capacity) *
+           smooth_minimum_slope(beta, lit, limit);
+}
+
 }  // namespace ideotype

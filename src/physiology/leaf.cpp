@@ -24,7 +24,7 @@ Hyperbola response_in(const HyperbolaLeaf& leaf, const Air& air) {
     return hyperbola_at(leaf, air.temperature);
 }
 
-Collatz response_in(const CollatzLeaf& leaf, const Air& air) {
+Colimitation response_in(const CollatzLeaf& leaf, const Air& air) {
     return collatz_at(
         leaf, air.temperature,
         ci_of_deficit(vapour_deficit(air.temperature, air.humidity)));

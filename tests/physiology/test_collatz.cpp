@@ -25,7 +25,7 @@ TEST(Collatz, HasTheValuesOfFixedCo2) {
         const double ci =
             ci_of_deficit(vapour_deficit(temperature, each.at("vpd_rh")));
         EXPECT_NEAR(ci, each.at("ci"), 1e-9);
-        const Collatz f = collatz_at({}, temperature, ci);
+        const Colimitation f = collatz_at({}, temperature, ci);
         EXPECT_NEAR(f.gross(each.at("Q")), each.at("gross"), 1e-9);
         EXPECT_NEAR(dark_respiration(CollatzLeaf{}, temperature), each.at("Rd"),
                     1e-9);
@@ -47,7 +47,7 @@ TEST(Collatz, HasTheValuesOfBallAndBerry) {
 
 TEST(Collatz, IsConcaveFromItsQuantumYield) {
     for (const double temperature : {5., 15., 25., 40.}) {
-        const Collatz f = collatz_at({}, temperature, 160);
+        const Colimitation f = collatz_at({}, temperature, 160);
         EXPECT_EQ(f.gross(0), 0);
         EXPECT_EQ(f.slope(0), f.alpha);
         double before = f.slope(0);

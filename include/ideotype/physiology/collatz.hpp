@@ -5,60 +5,24 @@
 
 namespace ideotype {
 
-//! Gross assimilation of a C4 leaf at one temperature and CO2 within the leaf
-//! (Collatz et al. 1992, doi:10.1071/PP9920519): co-limited by the enzyme's
-//! capacity and light, and that by CO2,
-//!
-//!     theta M^2 - (V + alpha I) M + V alpha I = 0
-//!     beta A^2 - (M + k ci) A + M k ci = 0        (smaller roots)
-//!
-//! Concave in I, with f(0) = 0. Defaults are those of BioCro.
-struct Collatz {
-    double vmax = 39;  //!< V [umol m-2 s-1]
+//! Rates of a C4 leaf at 25 deg C (those of g(T), see collatz_at()); defaults
+//! are those of BioCro.
+struct CollatzLeaf {
+    double vmax = 39;  //!< [umol m-2 s-1] (Collatz et al. 1992)
     //! Quantum yield [mol CO2 per mol of absorbed photons].
     double alpha = 0.067;
     double theta = 0.83;  //!< curvature of light and capacity [-]
     double beta = 0.93;   //!< curvature of those and CO2 [-]
     //! Initial slope of the response to CO2 [mol m-2 s-1].
     double k = 0.7;
-    //! CO2 within the leaf [umol mol-1].
-    double ci = 160;
-
-    //! @param absorbed PPFD of both faces per area of leaf [umol m-2 s-1]
-    //! @returns CO2 per area of leaf [umol m-2 s-1]
-    double gross(double absorbed) const {
-        const double lit = smooth_minimum(theta, alpha * absorbed, vmax);
-        return smooth_minimum(beta, lit, k * ci);
-    }
-
-    //! Derivative of gross() [mol mol-1].
-    double slope(double absorbed) const;
-
-    //! gross() with both derivatives.
-    Expansion expand(double absorbed) const {
-        const Expansion lit =
-            expand_smooth_minimum(theta, alpha * absorbed, vmax);
-        const Expansion of = expand_smooth_minimum(beta, lit.value, k * ci);
-        return {of.value, alpha * of.slope * lit.slope,
-                alpha * alpha *
-                    (of.curvature * lit.slope * lit.slope +
-                     of.slope * lit.curvature)};
-    }
-};
-
-//! Rates of a leaf at 25 deg C (of g(T), see collatz_at()).
-struct CollatzLeaf {
-    double vmax = 39;  //!< [umol m-2 s-1] (Collatz et al. 1992)
-    double alpha = 0.067;
-    double theta = 0.83;
-    double beta = 0.93;
-    double k = 0.7;            //!< [mol m-2 s-1]
     double respiration = 0.8;  //!< in the dark [umol m-2 s-1] (BioCro)
 };
 
-//! The leaf at a temperature [deg C]: V g(T), k 2^((T - 25) / 10).
+//! Response to light at a temperature [deg C] (Collatz et al. 1992,
+//! doi:10.1071/PP9920519): with the capacity vmax g(T), and limited by CO2 to
+//! k ci 2^((T - 25) / 10).
 //! @param ci CO2 within the leaf [umol mol-1]
-Collatz collatz_at(const CollatzLeaf& leaf, double temperature, double ci);
+Colimitation collatz_at(const CollatzLeaf& leaf, double temperature, double ci);
 
 //! Dark respiration [umol m-2 s-1] at a temperature [deg C]:
 //! R 2^((T - 25) / 10) / (1 + e^{1.3 (T - 55)}).

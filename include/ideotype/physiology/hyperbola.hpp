@@ -79,4 +79,41 @@ struct Hyperbola {
     }
 };
 
+//! Gross assimilation of a leaf that is co-limited by light and a capacity, and
+//! that by a limit whatever the light,
+//!
+//!     theta M^2 - (V + alpha I) M + V alpha I = 0
+//!     beta A^2 - (M + L) A + M L = 0        (smaller roots)
+//!
+//! Concave in I, with f(0) = 0.
+struct Colimitation {
+    //! Quantum yield [mol CO2 per mol of absorbed photons].
+    double alpha;
+    double capacity;  //!< V [umol m-2 s-1]
+    double theta;     //!< curvature of light and capacity [-]
+    double beta;      //!< curvature of those and the limit [-]
+    double limit;     //!< L [umol m-2 s-1]
+
+    //! @param absorbed PPFD of both faces per area of leaf [umol m-2 s-1]
+    //! @returns CO2 per area of leaf [umol m-2 s-1]
+    double gross(double absorbed) const {
+        const double lit = smooth_minimum(theta, alpha * absorbed, capacity);
+        return smooth_minimum(beta, lit, limit);
+    }
+
+    //! Derivative of gross() [mol mol-1].
+    double slope(double absorbed) const;
+
+    //! gross() with both derivatives.
+    Expansion expand(double absorbed) const {
+        const Expansion lit =
+            expand_smooth_minimum(theta, alpha * absorbed, capacity);
+        const Expansion of = expand_smooth_minimum(beta, lit.value, limit);
+        return {of.value, alpha * of.slope * lit.slope,
+                alpha * alpha *
+                    (of.curvature * lit.slope * lit.slope +
+                     of.slope * lit.curvature)};
+    }
+};
+
 }  // namespace ideotype

@@ -40,7 +40,7 @@ Hyperbola hyperbola_at(const HyperbolaLeaf& leaf, double temperature);
 double dark_respiration(const LeafRates& leaf, double temperature);
 
 //! Response to light of a leaf in some air.
-using LeafResponse = std::variant<Hyperbola, Collatz>;
+using LeafResponse = std::variant<Hyperbola, Colimitation>;
 
 //! By Collatz with the CO2 that follows the vapour pressure deficit.
 LeafResponse response(const LeafRates& leaf, const Air& air);

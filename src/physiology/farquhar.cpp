@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ideotype/physiology/farquhar.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ideotype {
+
+namespace {
+
+constexpr double gas_constant = 8.314462618e-3;  //!< [kJ mol-1 K-1]
+
+//! exp(c - E / R T), with an energy of activation E [kJ mol-1].
+double arrhenius(double c, double energy, double temperature) {
+    return std::exp(c - energy / (gas_constant * (temperature + 273.15)));
+}
+
+//! A rate over that at 25 deg C.
+double rise(double energy, double temperature) {
+    return arrhenius(0, energy, temperature) / arrhenius(0, energy, 25);
+}
+
+//! The use of triose phosphate over that at 25 deg C.
+double triose_use(double temperature) {
+    const auto fall = [](double t) {
+        return 1 + arrhenius(0.65 / gas_constant, 201.8, t);
+    };
+    return rise(53.1, temperature) * fall(25) / fall(temperature);
+}
+
+//! Electrons for each absorbed photon [-], in leaves that were in the dark.
+double electron_yield(double temperature) {
+    const double of_photosystem =
+        0.352 + 0.022 * temperature - 0.00034 * temperature * temperature;
+    return 0.5 * std::max(of_photosystem, 0.0);
+}
+
+double curvature_at(double theta, double temperature) {
+    return std::clamp(theta + 0.018 * (temperature - 25) -
+                          0.00037 * (temperature * temperature - 25 * 25),
+                      0.0, 1.0);
+}
+
+}  // namespace
+
+Colimitation farquhar_at(const FarquharLeaf& leaf, double temperature,
+                         double ci) {
+    const double compensation = arrhenius(19.02, 37.83, temperature);
+    const double kc = arrhenius(38.05, 79.43, temperature);
+    const double ko = arrhenius(20.30, 36.38, temperature);
+    const double above = std::max(ci - compensation, 0.0);
+    const double per_electron = above / (4.5 * ci + 10.5 * compensation);
+    const double rubisco = leaf.vcmax * rise(65.33, temperature) * above /
+                           (ci + kc * (1 + 210 / ko));
+    return {per_electron * electron_yield(temperature),
+            per_electron * leaf.jmax * rise(43.5, temperature),
+            curvature_at(leaf.theta, temperature), leaf.beta,
+            smooth_minimum(leaf.beta, rubisco,
+                           3 * leaf.tpu * triose_use(temperature))};
+}
+
+double dark_respiration(const FarquharLeaf& leaf, double temperature) {
+    return leaf.respiration * rise(46.39, temperature);
+}
+
+double ci_of_optimal_stomata(double deficit, double g1, double ambient) {
+    return ambient * g1 / (g1 + std::sqrt(std::max(deficit, 0.05)));
+}
+
+}  // namespace ideotype

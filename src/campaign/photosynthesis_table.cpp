@@ -34,6 +34,16 @@ void each_number(CollatzLeaf& leaf, const auto& with) {
     with(&All::rd, leaf.respiration);
 }
 
+void each_number(FarquharLeaf& leaf, const auto& with) {
+    with(&All::vcmax, leaf.vcmax);
+    with(&All::jmax, leaf.jmax);
+    with(&All::tpu, leaf.tpu);
+    with(&All::theta, leaf.theta);
+    with(&All::beta, leaf.beta);
+    with(&All::g1, leaf.g1);
+    with(&All::rd, leaf.respiration);
+}
+
 struct Model {
     const char* name;
     LeafRates leaf;  //!< where a table has no numbers
@@ -41,7 +51,8 @@ struct Model {
 
 //! All models in the order of LeafModel.
 constexpr Model models[] = {{"hyperbola", HyperbolaLeaf{}},
-                            {"collatz", CollatzLeaf{}}};
+                            {"collatz", CollatzLeaf{}},
+                            {"farquhar", FarquharLeaf{}}};
 static_assert(std::size(models) == std::variant_size_v<LeafRates>);
 
 const Model& model_of(const PhotosynthesisTable& table) {
@@ -77,7 +88,8 @@ struct LeafKey {
 constexpr LeafKey leaf_keys[] = {
     {"phi", &All::phi},   {"theta", &All::theta}, {"amax", &All::amax},
     {"rd", &All::rd},     {"vmax", &All::vmax},   {"alpha", &All::alpha},
-    {"beta", &All::beta}, {"k", &All::k},
+    {"beta", &All::beta}, {"k", &All::k},         {"vcmax", &All::vcmax},
+    {"jmax", &All::jmax}, {"tpu", &All::tpu},     {"g1", &All::g1},
 };
 
 std::size_t leaves_of(const PhotosynthesisTable& table) {
@@ -102,29 +114,44 @@ Section photosynthesis_section(PhotosynthesisTable& table) {
     return {
         "photosynthesis",
         {Key("model", choice(table.model),
-             "response of leaves to light: the non-rectangular hyperbola, or "
-             "the C4 model of Collatz et al. 1992")
+             "response of leaves to light: the non-rectangular hyperbola, "
+             "the C4 model of Collatz et al. 1992, or the C3 model of "
+             "Farquhar, von Caemmerer and Berry 1980")
              .one_of(names_of_models([](const Model&) { return true; })),
          by_leaf("phi", table.phi, 0, 0.2, "", "0.06",
                  "quantum yield of the hyperbola [mol mol-1]"),
          by_leaf("theta", table.theta, 0, 1, "",
-                 "0.7 of the hyperbola, 0.83 by Collatz",
-                 "curvature of the response to light"),
+                 "0.7 of the hyperbola, 0.83 by Collatz, 0.97875 by Farquhar",
+                 "curvature of the response to light; by Farquhar that of "
+                 "electron transport, at 25 deg C"),
          by_leaf("amax", table.amax, 0, 1e9, "umol m-2 s-1", "50",
                  "gross assimilation of the hyperbola in saturating light, at "
                  "30 deg C"),
          by_leaf("rd", table.rd, 0, 1000, "umol m-2 s-1",
-                 "0.04 amax, at 30 deg C; 0.8 by Collatz, at 25 deg C",
+                 "0.04 amax, at 30 deg C; 0.8 by Collatz and 1.28 by Farquhar, "
+                 "at 25 deg C",
                  "respiration in the dark"),
          by_leaf("vmax", table.vmax, 0, 1e6, "umol m-2 s-1", "39",
                  "capacity by Collatz, at 25 deg C"),
          by_leaf("alpha", table.alpha, 0, 0.2, "", "0.067",
                  "quantum yield by Collatz [mol mol-1]"),
-         by_leaf("beta", table.beta, 0, 1, "", "0.93",
-                 "curvature of light and CO2 by Collatz"),
+         by_leaf("beta", table.beta, 0, 1, "",
+                 "0.93 by Collatz, 0.98 by Farquhar",
+                 "curvature between light and CO2 by Collatz, between the "
+                 "limits by Farquhar, where 1 is the smallest limit itself"),
          by_leaf("k", table.k, 0, 100, "mol m-2 s-1", "0.7",
                  "initial slope of the response to CO2 by Collatz, at 25 deg "
                  "C"),
+         by_leaf("vcmax", table.vcmax, 0, 1e6, "umol m-2 s-1", "110",
+                 "capacity of Rubisco by Farquhar, at 25 deg C"),
+         by_leaf("jmax", table.jmax, 0, 1e6, "umol m-2 s-1", "195",
+                 "capacity of electron transport by Farquhar, at 25 deg C, "
+                 "from a fit with 4.5 ci + 10.5 Gamma*"),
+         by_leaf("tpu", table.tpu, 0, 1e6, "umol m-2 s-1", "13",
+                 "capacity of the use of triose phosphate by Farquhar, at 25 "
+                 "deg C"),
+         by_leaf("g1", table.g1, 0, 100, "kPa^0.5", "5.79",
+                 "slope of stomata by Farquhar, after Medlyn et al. 2011"),
          Key("profile", choice(table.profile),
              "how the capacity of leaves falls with depth: not, as exp(-kn L) "
              "of the leaf area index L above, by a fixed canopy nitrogen "

@@ -8,14 +8,16 @@
 namespace ideotype {
 
 //! Models of leaves, in the order of LeafRates.
-enum class LeafModel { hyperbola, collatz };
+enum class LeafModel { hyperbola, collatz, farquhar };
 
 //! [photosynthesis] as it is written: numbers of all leaves, or of each, the
 //! lowest first. Empty lists are what the model has.
 struct PhotosynthesisTable {
     LeafModel model = LeafModel::hyperbola;
-    std::vector<double> phi, theta, amax, rd;  //!< hyperbola, and both
+    std::vector<double> theta, rd;             //!< of all models
+    std::vector<double> phi, amax;             //!< hyperbola
     std::vector<double> vmax, alpha, beta, k;  //!< Collatz
+    std::vector<double> vcmax, jmax, tpu, g1;  //!< Farquhar, which has beta too
     CapacityProfile profile = CapacityProfile::exponential;
     double kn = CanopyNitrogen{}.kn;
     double nitrogen = CanopyNitrogen{}.total;

@@ -19,6 +19,10 @@ double respiration_of(const CollatzLeaf& leaf, double temperature) {
     return dark_respiration(leaf, temperature);
 }
 
+double respiration_of(const FarquharLeaf& leaf, double temperature) {
+    return dark_respiration(leaf, temperature);
+}
+
 //! Returns the response in some air.
 Hyperbola response_in(const HyperbolaLeaf& leaf, const Air& air) {
     return hyperbola_at(leaf, air.temperature);
@@ -30,6 +34,13 @@ Colimitation response_in(const CollatzLeaf& leaf, const Air& air) {
         ci_of_deficit(vapour_deficit(air.temperature, air.humidity)));
 }
 
+Colimitation response_in(const FarquharLeaf& leaf, const Air& air) {
+    return farquhar_at(
+        leaf, air.temperature,
+        ci_of_optimal_stomata(vapour_deficit(air.temperature, air.humidity),
+                              leaf.g1));
+}
+
 HyperbolaLeaf scale_one(HyperbolaLeaf leaf, double factor) {
     leaf.response.amax *= factor;
     if (leaf.respiration) *leaf.respiration *= factor;
@@ -39,6 +50,13 @@ HyperbolaLeaf scale_one(HyperbolaLeaf leaf, double factor) {
 CollatzLeaf scale_one(CollatzLeaf leaf, double factor) {
     leaf.vmax *= factor;
     leaf.respiration *= factor;
+    return leaf;
+}
+
+FarquharLeaf scale_one(FarquharLeaf leaf, double factor) {
+    for (double* const rate :
+         {&leaf.vcmax, &leaf.jmax, &leaf.tpu, &leaf.respiration})
+        *rate *= factor;
     return leaf;
 }
 

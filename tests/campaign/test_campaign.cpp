@@ -343,6 +343,35 @@ TEST(Campaign, LeavesAssimilateIfTheObjectiveOrATableSaysSo) {
     EXPECT_EQ(parse_campaign(other.resolved, "c").resolved, other.resolved);
 }
 
+TEST(Campaign, LeavesOfC3HaveKeysOfTheirOwn) {
+    const std::string table =
+        "[photosynthesis]\nmodel = \"farquhar\"\nvcmax = 90\njmax = 160\n"
+        "tpu = 11\ntheta = 0.9\nbeta = 0.95\ng1 = 4\nrd = 1\n";
+    const Campaign campaign = parse_campaign(sample_text("", table), "c");
+    const auto& leaf =
+        std::get<FarquharLeaf>(campaign.photosynthesis->rates.at(0));
+    EXPECT_EQ(leaf.vcmax, 90);
+    EXPECT_EQ(leaf.jmax, 160);
+    EXPECT_EQ(leaf.tpu, 11);
+    EXPECT_EQ(leaf.theta, .9);
+    EXPECT_EQ(leaf.beta, .95);
+    EXPECT_EQ(leaf.g1, 4);
+    EXPECT_EQ(leaf.respiration, 1);
+    EXPECT_EQ(parse_campaign(campaign.resolved, "c").resolved,
+              campaign.resolved);
+    const auto problem = [](const std::string& keys) {
+        return problem_of(sample_text("", "[photosynthesis]\n" + keys));
+    };
+    EXPECT_NE(problem("model = \"farquhar\"\nvmax = 40\n")
+                  .find("photosynthesis.vmax is no number of the model "
+                        "\"farquhar\" (it is one of \"collatz\"); remove it"),
+              std::string::npos);
+    EXPECT_NE(problem("beta = 0.9\n")
+                  .find("of the model \"hyperbola\" (it is one of \"collatz\" "
+                        "or \"farquhar\"); remove it"),
+              std::string::npos);
+}
+
 TEST(Campaign, AnySingleNumberOfTheCanopyMayBeAnObjective) {
     const auto text = [](const std::string& quantity) {
         return sample_text("",

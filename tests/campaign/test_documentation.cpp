@@ -148,6 +148,8 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
         lines.push_back(line);
     // Components have crops of their own.
     const std::string mixed =
+        "[photosynthesis]\nmodel = \"farquhar\"\nvcmax = 90\njmax = 160\n"
+        "tpu = 11\ng1 = 4\n"
         "[[component]]\nname = \"weed\"\nrows = [2]\n"
         "crop = \"crops/sorghum.toml\"\n[[band]]\nname = \"nir\"\n";
     for (const std::string& line : lines_of(read_campaign_text(

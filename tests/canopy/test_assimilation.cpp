@@ -129,5 +129,45 @@ TEST(SmallLeaves, AssimilateAsTheirPointsDo) {
     EXPECT_NEAR(found.mean, exact.mean, 3 * error + 1e-3 * exact.mean);
 }
 
+//! Each by the model of its own component.
+TEST(SmallLeaves, OfC3AmongC4AssimilateAsTheirPointsDo) {
+    const Device device(Device::supported_isas().back());
+    CanopyRequest request = two_leaves({1 << 20, 16, 3e-4});
+    Scene& scene = request.scene;
+    Mesh beside = small_leaves();
+    for (glm::dvec3& vertex : beside.vertices) vertex.x += .12;
+    scene.components = {{.name = "soybean", .mesh = small_leaves()},
+                        {.name = "maize", .mesh = beside}};
+    scene.cell = {Boundary::periodic, .24, .12, .24 * .12};
+    const LeafRates rates[] = {FarquharLeaf{}, CollatzLeaf{}};
+    for (std::size_t c = 0; c < 2; ++c) {
+        Photosynthesis& leaves = scene.components[c].photosynthesis.emplace();
+        leaves.rates = {rates[c]};
+        leaves.profile = CapacityProfile::none;
+    }
+    const auto assimilation = [&] {
+        const CanopyReport report = evaluate(request, device);
+        return by_component(*report.assimilation, report.groups, 2);
+    };
+    const auto found = assimilation();
+    request.details.exact = true;
+    request.accuracy.tolerance = 1.5e-3;
+    const auto exact = assimilation();
+    for (std::size_t c = 0; c < 2; ++c) {
+        const double mean = exact[c].gross.mean;
+        const double error = std::hypot(found[c].gross.standard_error,
+                                        exact[c].gross.standard_error);
+        EXPECT_GT(mean, .1);
+        EXPECT_LT(error, 3e-3 * mean);
+        EXPECT_NEAR(found[c].gross.mean, mean, 3 * error + 1e-3 * mean);
+    }
+    EXPECT_NEAR(found[0].respiration.in_light / found[1].respiration.in_light,
+                dark_respiration(FarquharLeaf{}, 30) /
+                    dark_respiration(CollatzLeaf{}, 30),
+                1e-9);
+    // In light of the same strength the C4 leaf assimilates more.
+    EXPECT_GT(found[1].gross.mean, 1.05 * found[0].gross.mean);
+}
+
 }  // namespace
 }  // namespace ideotype

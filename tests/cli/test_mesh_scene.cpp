@@ -198,6 +198,40 @@ TEST(MeshScene, FacesThatReflectDifferentlyAssimilateAsExactly) {
                     2e-3 * exact.mean);
 }
 
+//! A horizontal black sheet in a beam, at 30 deg C and a deficit of 1.697 kPa.
+TEST(MeshScene, ComponentsMayBeOfC3) {
+    MeshOptions options;
+    options.path = std::string(IDEOTYPE_MESHES) + "/sheets1.obj";
+    options.period = {1, 1};
+    options.sun = {30, 100};
+    options.beam_ppfd = 900;
+    const auto set_leaves = [&](const std::string& keys) {
+        options.scene = written(
+            "[[material]]\ngroups = \"\"\npar = [0, 0]\n"
+            "[[component]]\nname = \"soybean\"\ngroups = \"\"\n"
+            "photosynthesis = { model = \"farquhar\", " +
+            keys + " }\n");
+    };
+    set_leaves("vcmax = 90, jmax = 150, tpu = 10, theta = 0.9, g1 = 4, rd = 1");
+    const AssimilationReport report = *study(options).canopy.assimilation;
+    const FarquharLeaf leaf{90, 150, 10, .9, .98, 4, 1};
+    const double ci = 400 * 4 / (4 + std::sqrt(1.69717));
+    EXPECT_NEAR(1e6 * report.gross.mean, farquhar_at(leaf, 30, ci).gross(900),
+                1e-3);
+    EXPECT_NEAR(1e6 * report.net_loss(), dark_respiration(leaf, 30), 1e-9);
+    set_leaves("vmax = 40");
+    try {
+        study(options);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what())
+                      .find("vmax is no number of the model \"farquhar\" (it "
+                            "is one of \"collatz\"); remove it"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
 TEST(MeshScene, NamesOfComponentsAreOfNoMatter) {
     const Ordered scene = stands("light").at("scenes").at("two_maize");
     MeshOptions options = options_of(scene, "sun25_az255");

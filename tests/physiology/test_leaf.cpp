@@ -65,6 +65,38 @@ TEST(Leaf, CollatzFollowsHumidity) {
         collatz_at({}, 25, ci_of_deficit(vapour_deficit(25, .6))).gross(700));
 }
 
+TEST(Leaf, FarquharFollowsHumidity) {
+    EXPECT_GT(gross_assimilation(FarquharLeaf{}, {30, .8}, 2000),
+              gross_assimilation(FarquharLeaf{}, {30, .3}, 2000));
+    // 400 g1 / (g1 + sqrt(D)), with D of 1.6972 kPa.
+    EXPECT_NEAR(gross_assimilation(FarquharLeaf{}, {}, 700),
+                farquhar_at({}, 30, 326.53).gross(700), 1e-4);
+}
+
+//! What holds for all models.
+template <class Leaf>
+void expect_a_leaf() {
+    const LeafRates leaf = Leaf{};
+    const LeafRates half = scaled(leaf, .5);
+    ASSERT_TRUE(std::holds_alternative<Leaf>(half));
+    EXPECT_EQ(gross_assimilation(leaf, {}, 0), 0);
+    EXPECT_LT(gross_assimilation(half, {}, 2000),
+              .65 * gross_assimilation(leaf, {}, 2000));
+    EXPECT_GT(dark_respiration(leaf, 20), .5);
+    EXPECT_GT(dark_respiration(leaf, 30), 1.5 * dark_respiration(leaf, 20));
+    EXPECT_DOUBLE_EQ(dark_respiration(half, 20),
+                     dark_respiration(leaf, 20) / 2);
+}
+
+template <class... Leaves>
+void expect_leaves(const std::variant<Leaves...>*) {
+    (expect_a_leaf<Leaves>(), ...);
+}
+
+TEST(Leaf, OfAnyModelHasRatesAndRespires) {
+    expect_leaves(static_cast<const LeafRates*>(nullptr));
+}
+
 TEST(Leaf, BuildingCostsCarbon) {
     EXPECT_NEAR(leaf_building_cost(), 2.1, .02);
 }

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "ideotype/physiology/collatz.hpp"
+#include "ideotype/physiology/farquhar.hpp"
 #include "ideotype/physiology/hyperbola.hpp"
 
 namespace ideotype {
@@ -19,8 +20,8 @@ struct HyperbolaLeaf {
     std::optional<double> respiration{};
 };
 
-//! Parameters of a leaf by either model.
-using LeafRates = std::variant<HyperbolaLeaf, CollatzLeaf>;
+//! Parameters of a leaf by one of the models.
+using LeafRates = std::variant<HyperbolaLeaf, CollatzLeaf, FarquharLeaf>;
 
 //! The air around a leaf, which has its temperature.
 struct Air {
@@ -28,7 +29,8 @@ struct Air {
     double humidity = 0.6;    //!< relative, 0 to 1
 };
 
-//! The leaf with a capacity (amax or vmax) and a respiration of so many times.
+//! The leaf with capacities (amax; vmax; vcmax, jmax and tpu) and a respiration
+//! of so many times.
 LeafRates scaled(const LeafRates& leaf, double factor);
 
 //! The hyperbola at a temperature [deg C]: amax g(T) / g(30), with g of
@@ -42,7 +44,8 @@ double dark_respiration(const LeafRates& leaf, double temperature);
 //! Response to light of a leaf in some air.
 using LeafResponse = std::variant<Hyperbola, Colimitation>;
 
-//! By Collatz with the CO2 that follows the vapour pressure deficit.
+//! Returns the response; models with CO2 take that of the leaf from the vapour
+//! pressure deficit.
 LeafResponse response(const LeafRates& leaf, const Air& air);
 
 //! Gross assimilation [umol m-2 s-1] at each of some PPFDs that both faces

@@ -25,8 +25,10 @@ namespace {
 
 //! How high a leaf that stands upright reaches on the largest plant of its
 //! line [m].
-double furthest(const PlantVariation& variation, const Leaf& leaf) {
+double furthest(const PlantVariation& variation, const Plant& plant,
+                const Leaf& leaf) {
     return (1 + 3 * variation.height) * leaf.insertion_height +
+           leaf.petiole_length + plant.blade.rachis_length +
            (1 + 3 * variation.length) * leaf.length;
 }
 
@@ -39,7 +41,8 @@ double reach_of(const Campaign& campaign) {
     double top = 0;
     for (const Plant* plant : {&campaign.crop.baseline, &largest})
         for (const Leaf& leaf : plant->leaves)
-            top = std::max(top, furthest(campaign.field.variation, leaf));
+            top =
+                std::max(top, furthest(campaign.field.variation, *plant, leaf));
     return top;
 }
 
@@ -104,8 +107,9 @@ Campaign complete(Draft& draft, const std::string& source,
         if (draft.has_photosynthesis)
             neighbour.photosynthesis = to_photosynthesis(each->photosynthesis);
         for (const Leaf& leaf : neighbour.plant.leaves)
-            campaign.reach = std::max(campaign.reach,
-                                      furthest(campaign.field.variation, leaf));
+            campaign.reach = std::max(
+                campaign.reach,
+                furthest(campaign.field.variation, neighbour.plant, leaf));
         campaign.neighbours.push_back(std::move(neighbour));
     }
     std::erase_if(campaign.constraints.traits,

@@ -53,11 +53,18 @@ void check_blade(const Blade& blade, Report& report) {
         report.add(&controls,
                    "blade.width_controls are all 0 (a blade has a width); "
                    "leave the key out for the usual profile");
+    if (report.usable({&blade.leaflets, &blade.leaflet_divergence}) &&
+        blade.leaflets > 1 && blade.leaflet_divergence == 0)
+        report.add(&blade.leaflets,
+                   fmt::format("blade.leaflets is {} (all of them would point "
+                               "the same way); give their "
+                               "leaflet_divergence, such as 80 deg",
+                               blade.leaflets));
 }
 
 //! The names of measures begin with those of organs.
 void check_organs(const Plant& plant, Report& report) {
-    std::set<std::string> names{"leaf", "blade", "stalk", "sheath"};
+    std::set<std::string> names{"leaf", "blade", "stalk", "sheath", "petiole"};
     for (const Organ& organ : plant.organs) {
         const std::string& name = organ.name;
         if (report.usable({&name}) && !names.insert(name).second)

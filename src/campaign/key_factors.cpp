@@ -44,7 +44,7 @@ std::vector<NamedKey> variable_keys(Draft& draft) {
         {"field", "spacing", "optics", "photosynthesis"});
     if (draft.is_crop_known)
         add(plant_tables(draft), plant_prefix,
-            {"stalk", "sheath", "blade", "organ", "leaf"});
+            {"stalk", "sheath", "petiole", "blade", "organ", "leaf"});
     return keys;
 }
 

@@ -47,6 +47,13 @@ inline constexpr LeafColumn leaf_columns[]{
     {"insertion_height_mm", &Leaf::insertion_height, 1000},
     {"roll_deg", &Leaf::roll},
     {"twist_deg", &Leaf::twist},
+    {"petiole_length_cm", &Leaf::petiole_length, 100},
+    {"petiole_length_m", &Leaf::petiole_length},
+    {"petiole_length_mm", &Leaf::petiole_length, 1000},
+    {"petiole_angle_deg", &Leaf::petiole_angle},
+    {"internode_cm", &Leaf::internode, 100},
+    {"internode_m", &Leaf::internode},
+    {"internode_mm", &Leaf::internode, 1000},
 };
 inline constexpr auto rank_column = "leaf";
 

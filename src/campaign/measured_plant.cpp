@@ -44,15 +44,19 @@ void require_columns(const LeafTable& table, std::size_t leaves_of_crop,
 
 //! The height of the tip or of the highest point of a leaf that has no
 //! digitised midrib [m].
-double height_of(const Leaf& leaf, double exponent, LeafHeight of) {
+double height_of(const Leaf& leaf, const Blade& blade, LeafHeight of) {
     constexpr int steps = 400;
-    double height = leaf.insertion_height, highest = height;
+    double height =
+        leaf.insertion_height +
+        leaf.petiole_length * std::cos(glm::radians(leaf.petiole_angle)) +
+        blade.rachis_length * std::cos(glm::radians(leaf.insertion_angle));
+    double highest = height;
     for (int i = 0; i < steps; ++i) {
         const double s = (i + 0.5) / steps;
-        height +=
-            leaf.length / steps *
-            std::cos(glm::radians(leaf.insertion_angle +
-                                  leaf.curvature * std::pow(s, exponent)));
+        height += leaf.length / steps *
+                  std::cos(glm::radians(
+                      leaf.insertion_angle +
+                      leaf.curvature * std::pow(s, blade.curvature_exponent)));
         highest = std::max(highest, height);
     }
     return of == LeafHeight::tip ? height : highest;
@@ -60,14 +64,14 @@ double height_of(const Leaf& leaf, double exponent, LeafHeight of) {
 
 //! Finds by bisection the curvature with which a leaf has the height that was
 //! measured; the more it bends the lower are its tip and its highest point.
-void bend(const LeafRow& row, double exponent, Leaf& leaf, Report& report) {
+void bend(const LeafRow& row, const Blade& blade, Leaf& leaf, Report& report) {
     const std::size_t of_curvature = index_of(&Leaf::curvature);
     const auto& [name, unit, limits, value, meaning] =
         leaf_measures[of_curvature];
     leaf.midrib.clear();
     const auto height = [&](double curvature) {
         leaf.curvature = curvature;
-        return height_of(leaf, exponent, row.of_height);
+        return height_of(leaf, blade, row.of_height);
     };
     Range range = limits;
     // A ruler is read to the nearest centimetre.
@@ -92,9 +96,24 @@ void bend(const LeafRow& row, double exponent, Leaf& leaf, Report& report) {
     leaf.curvature = (range.lower + range.upper) / 2;
 }
 
+//! Makes heights and internodes agree where the table tells one of them.
+//! @param has_internodes whether the leaves of the crop have them
+void stack(const LeafTable& table, bool has_internodes, Plant& plant) {
+    if (table.has[index_of(&Leaf::internode)]) return stack_internodes(plant);
+    if (!has_internodes || !table.has[index_of(&Leaf::insertion_height)])
+        return;
+    double below = 0;
+    for (Leaf& leaf : plant.leaves) {
+        leaf.internode = std::max(0.0, leaf.insertion_height - below);
+        below = leaf.insertion_height;
+    }
+}
+
 //! Puts what the table tells of each leaf in the place of what is there.
 void overlay(const LeafTable& table, Plant& plant, Report& report) {
     const bool has_same_leaves = plant.leaves.size() == table.rows.size();
+    const bool has_internodes =
+        !plant.leaves.empty() && plant.leaves.back().internode > 0;
     if (!has_same_leaves) plant.leaves.assign(table.rows.size(), {});
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
         const LeafRow& row = table.rows[i];
@@ -108,8 +127,12 @@ void overlay(const LeafTable& table, Plant& plant, Report& report) {
                      (!has_same_leaves && m < needed_leaf_measures))
                 report.spoil(&value);  // its own problem is told already
         }
+    }
+    stack(table, has_internodes, plant);
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        const LeafRow& row = table.rows[i];
         if (row.of_height != LeafHeight::none && plant.leaves[i].length > 0)
-            bend(row, plant.blade.curvature_exponent, plant.leaves[i], report);
+            bend(row, plant.blade, plant.leaves[i], report);
     }
 }
 
@@ -126,10 +149,12 @@ void read_measured_plant(const std::string& text, const std::string& file,
     const auto more = static_cast<int>(table.rows.size()) -
                       static_cast<int>(plant.leaves.size());
     const double was_highest = highest_insertion(plant);
+    const double was_high = plant.stalk.height;
     if (is_crop_known) require_columns(table, plant.leaves.size(), report);
     overlay(table, plant, report);
     if (is_crop_known)
-        plant.stalk.height += highest_insertion(plant) - was_highest;
+        plant.stalk.height =
+            was_high + (highest_insertion(plant) - was_highest);
     report.locate(&plant.stalk.height, table.header);
     for (Organ& organ : plant.organs)
         if (organ.leaf > 0) organ.leaf = std::max(1, organ.leaf + more);

@@ -43,8 +43,23 @@ Section sheath_section(Sheath& sheath) {
     return section;
 }
 
+//! Not written of plants that have none.
+Table petiole_table(Plant& plant) {
+    Section section{"petiole", measure_keys(petiole_measures, plant.petiole)};
+    section.keys.insert(section.keys.begin(),
+                        presence(plant.petiole.is_present));
+    Table table = one_table(section);
+    table.is_default = !has_petioles(plant);
+    return table;
+}
+
 Section blade_section(Blade& blade) {
     Section section{"blade", measure_keys(blade_measures, blade)};
+    section.keys.push_back(
+        Key("leaflets", &blade.leaflets, "of each leaf").within(1, 15));
+    // A single blade has the first two.
+    for (std::size_t i = 2; i < section.keys.size(); ++i)
+        section.keys[i].is_written = blade.leaflets > 1;
     section.keys.push_back(
         Key("width_controls", &blade.width_controls,
             "width from base to tip: control values of a cubic B-spline "
@@ -103,15 +118,17 @@ Section leaf_section(Leaf& leaf) {
             .set(&Key::initial, "from insertion_angle and curvature"));
     const auto examples = {"0.651", "0.073", "34", "90", "90", "0.09"};
     auto example = examples.begin();
-    for (std::size_t i = 0; i < section.keys.size(); ++i) {
+    for (std::size_t i = 0; i < leaf_measures.size(); ++i) {
         Key& key = section.keys[i];
-        if (i < needed_leaf_measures) key.required(*example++);
+        if (i < needed_leaf_measures)
+            key.required(*example++);
+        else  // Blades that are neither rolled nor twisted need not say so.
+            key.is_written = leaf.*leaf_measures[i].value != 0;
         if (key.name == "insertion_angle" || key.name == "curvature")
             key.set(&Key::unless, "midrib");
+        if (key.name == "insertion_height")
+            key.set(&Key::unless, "internode").is_written = leaf.internode == 0;
     }
-    // Blades that are neither rolled nor twisted need not say so.
-    section.keys[needed_leaf_measures].is_written = leaf.roll != 0;
-    section.keys[needed_leaf_measures + 1].is_written = leaf.twist != 0;
     return section;
 }
 
@@ -216,12 +233,13 @@ Section plant_section(Draft& draft) {
                  .one_of(rule_names(draft)),
              Key("organs", &draft.organs, "that plants have besides leaves")
                  .set(&Key::range,
-                      "of \"stalk\", \"sheath\" and the crop "
+                      "of \"stalk\", \"sheath\", \"petiole\" and the crop "
                       "file's [[organ]] tables")
                  .set(&Key::initial, "those that the crop file has present")
                  .one_of(all_organs(draft.campaign.crop.baseline)),
              Key("cells_along", &campaign.tessellation.cells_along,
-                 "faces along a leaf; there are two across")
+                 "faces along a leaf with two across; leaflets have two thirds "
+                 "as many, with four across")
                  .within(4, 200)
                  .trades({6, 8, 12, 16, 24}),
              Key("stalk_sides", &campaign.tessellation.stalk_sides,
@@ -240,6 +258,7 @@ Table plant_table(Draft& draft) {
 
 std::vector<std::string> all_organs(const Plant& plant) {
     std::vector<std::string> names{"stalk", "sheath"};
+    if (has_petioles(plant)) names.push_back("petiole");
     for (const Organ& organ : plant.organs) names.push_back(organ.name);
     return names;
 }
@@ -273,6 +292,7 @@ std::vector<Table> plant_tables(Draft& draft) {
     traits.most = most_traits;
     return {one_table(stalk_section(plant.stalk)),
             one_table(sheath_section(plant.sheath)),
+            petiole_table(plant),
             one_table(blade_section(plant.blade)),
             leaves,
             organs,

@@ -284,6 +284,7 @@ class DraftReader {
         for (Leaf& leaf : plant.leaves)
             if (leaf.insertion_angle == 0 && leaf.curvature == 0)
                 measure_midrib(leaf);
+        stack_internodes(plant);
         draft_.is_crop_known = true;
     }
 

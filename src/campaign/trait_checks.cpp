@@ -63,6 +63,13 @@ class TraitCheck {
                 fmt::format("sets {} (of which each leaf has its own); scale "
                             "or shift it, or write per = \"leaf\"",
                             name));
+        const std::vector<Leaf>& leaves = plant_.leaves;
+        if ((name == "leaf.insertion_height" || name == "stalk.height") &&
+            !leaves.empty() && leaves.back().internode > 0)
+            return fail(
+                fmt::format("acts on {} (which follows from the "
+                            "internodes); act on leaf.internode",
+                            name));
         const std::string unit =
             trait_.effect == TraitEffect::scales ? "1" : measure->unit;
         if (report_.usable({&entry_.trait.unit}) && trait_.unit != unit)

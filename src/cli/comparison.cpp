@@ -62,11 +62,13 @@ Layers layers_of(const Campaign& under,
                  const std::vector<ComparedPlant>& plants) {
     Layers layers = canopy_layers(under);
     for (const ComparedPlant& each : plants)
-        for (const Leaf& leaf : each.plant.leaves)
+        for (const Leaf& leaf : each.plant.leaves) {
+            const double top = leaf.insertion_height + leaf.petiole_length +
+                               each.plant.blade.rachis_length + leaf.length;
             layers.count = std::max(
                 layers.count,
-                static_cast<std::size_t>(std::ceil(
-                    (leaf.insertion_height + leaf.length) / layers.thickness)));
+                static_cast<std::size_t>(std::ceil(top / layers.thickness)));
+        }
     return layers;
 }
 

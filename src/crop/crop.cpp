@@ -110,6 +110,7 @@ Plant grow(const Crop& crop, const std::vector<double>& numbers) {
                     measure, *measure.values[i]);
         }
     }
+    stack_internodes(plant);
     return plant;
 }
 

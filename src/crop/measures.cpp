@@ -18,6 +18,7 @@ void for_each_kind(Plant& plant, const Visit& visit) {
     visit("blade", false, blade_measures, std::array{&plant.blade});
     visit("stalk", false, stalk_measures, std::array{&plant.stalk});
     visit("sheath", false, sheath_measures, std::array{&plant.sheath});
+    visit("petiole", false, petiole_measures, std::array{&plant.petiole});
     for (Organ& organ : plant.organs)
         visit(organ.name, false, organ_measures, std::array{&organ});
 }

@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "ideotype/core/units.hpp"
 #include "ideotype/crop/leaf_surface.hpp"
@@ -24,21 +26,80 @@ glm::dvec3 turned(const glm::dvec3& v, double azimuth) {
     return turned(v, std::sin(azimuth * degree), std::cos(azimuth * degree));
 }
 
-void add_leaf(Mesh& mesh, std::uint32_t group, const LeafSurface& surface,
-              double azimuth, int cells) {
+//! The end of a leaf's petiole, out from the axis of the stalk and up [m].
+glm::dvec2 petiole_end(const Plant& plant, const Leaf& leaf) {
+    const bool is_outside =
+        plant.stalk.is_present && plant.stalk.leaf_base == LeafBase::surface;
+    const double out =
+        is_outside ? plant.stalk.radius(leaf.insertion_height) : 0;
+    const double angle = leaf.petiole_angle * degree;
+    return {out + leaf.petiole_length * std::sin(angle),
+            leaf.insertion_height + leaf.petiole_length * std::cos(angle)};
+}
+
+//! The end of a leaf's rachis, where its middle leaflet begins, likewise.
+glm::dvec2 rachis_end(const Plant& plant, const Leaf& leaf) {
+    const double angle = leaf.insertion_angle * degree;
+    return petiole_end(plant, leaf) +
+           plant.blade.rachis_length *
+               glm::dvec2(std::sin(angle), std::cos(angle));
+}
+
+//! How many faces a blade has along it and on each side of its midrib.
+struct BladeCells {
+    int along, beside;
+};
+
+//! The faces of a leaflet are nearly square, so that the light on one of them
+//! is as even as so many can make it.
+BladeCells cells_of(const Blade& blade, int along) {
+    return blade.leaflets == 1 ? BladeCells{along, 1}
+                               : BladeCells{std::max(4, 2 * along / 3), 2};
+}
+
+//! One leaflet of a leaf that has its measures.
+//! @param base out from the axis of the stalk and up [m]
+//! @param aside its azimuth from that of the leaf [deg]
+void add_leaflet(Mesh& mesh, std::uint32_t group, const LeafSurface& surface,
+                 double base, double aside, double azimuth, BladeCells cells) {
     const double sine = std::sin(azimuth * degree);
     const double cosine = std::cos(azimuth * degree);
+    const auto placed = [&](glm::dvec3 v) {
+        if (aside != 0) {
+            const glm::dvec3 foot(0, base, 0);
+            v = foot + turned(v - foot, aside);
+        }
+        return turned(v, sine, cosine);
+    };
     auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (const BladeRow& row : surface.tessellate(cells)) {
-        mesh.vertices.push_back(turned(row.left, sine, cosine));
-        mesh.vertices.push_back(turned(row.midrib, sine, cosine));
-        mesh.vertices.push_back(turned(row.right, sine, cosine));
-    }
-    for (int cell = 0; cell < cells; ++cell, first += 3)
-        for (const std::uint32_t i : {first, first + 1}) {
-            mesh.faces.push_back({i, i + 1, i + 4, i + 3});
+    for (const BladeRow& row : surface.tessellate(cells.along))
+        for (int k = -cells.beside; k <= cells.beside; ++k)
+            mesh.vertices.push_back(placed(
+                glm::mix(row.midrib, k < 0 ? row.left : row.right,
+                         std::abs(k) / static_cast<double>(cells.beside))));
+    const auto across = static_cast<std::uint32_t>(2 * cells.beside);
+    for (int cell = 0; cell < cells.along; ++cell, first += across + 1)
+        for (std::uint32_t i = first; i < first + across; ++i) {
+            mesh.faces.push_back({i, i + 1, i + across + 2, i + across + 1});
             mesh.face_group.push_back(group);
         }
+}
+
+void add_leaf(Mesh& mesh, std::uint32_t group, const Plant& plant,
+              const Leaf& leaf, int cells_along) {
+    const Blade& blade = plant.blade;
+    for (int i = 0; i < blade.leaflets; ++i) {
+        const double steps = i - (blade.leaflets - 1) / 2.0;
+        const glm::dvec2 base =
+            steps == 0 ? rachis_end(plant, leaf) : petiole_end(plant, leaf);
+        Leaf leaflet = leaf;
+        leaflet.insertion_height = base.y;
+        if (steps != 0) leaflet.length *= blade.lateral_size;
+        if (steps != 0) leaflet.width *= blade.lateral_size;
+        add_leaflet(mesh, group, LeafSurface(leaflet, blade, base.x), base.x,
+                    steps * blade.leaflet_divergence, leaf.azimuth,
+                    cells_of(blade, cells_along));
+    }
 }
 
 //! A circular cone without its tip.
@@ -123,6 +184,31 @@ void add_sections(Mesh& mesh, const Plant& plant, bool is_sheath, int sides) {
     }
 }
 
+//! Petioles and rachises, each from one point of the leaf's plane to another.
+void add_petioles(Mesh& mesh, const Plant& plant) {
+    constexpr int sides = 4;
+    const auto group = static_cast<std::uint32_t>(mesh.groups.size() - 1);
+    for (const Leaf& leaf : plant.leaves) {
+        const auto add = [&](const glm::dvec2& from, const glm::dvec2& to) {
+            const glm::dvec2 along = glm::normalize(to - from);
+            const auto placed = [&](const glm::dvec2& v) {
+                return turned(glm::dvec3(0, v.x, v.y), leaf.azimuth);
+            };
+            add_frustum(mesh, group,
+                        {placed(from), placed(to), plant.petiole.diameter / 2,
+                         plant.petiole.diameter / 2,
+                         turned(glm::dvec3(1, 0, 0), leaf.azimuth),
+                         placed({along.y, -along.x})},
+                        sides, false);
+        };
+        const glm::dvec2 end = petiole_end(plant, leaf);
+        Leaf node = leaf;
+        node.petiole_length = 0;
+        if (leaf.petiole_length > 0) add(petiole_end(plant, node), end);
+        if (plant.blade.rachis_length > 0) add(end, rachis_end(plant, leaf));
+    }
+}
+
 void add_organ(Mesh& mesh, const Plant& plant, const Organ& organ) {
     const auto group = static_cast<std::uint32_t>(mesh.groups.size() - 1);
     const Leaf* leaf =
@@ -169,14 +255,33 @@ std::vector<std::string> organ_names(const Plant& plant) {
     std::vector<std::string> names;
     if (plant.stalk.is_present) names.push_back("stalk");
     if (plant.sheath.is_present) names.push_back("sheath");
+    if (plant.petiole.is_present && has_petioles(plant))
+        names.push_back("petiole");
     for (const Organ& organ : plant.organs)
         if (organ.is_present) names.push_back(organ.name);
     return names;
 }
 
+bool has_petioles(const Plant& plant) {
+    return std::any_of(
+        plant.leaves.begin(), plant.leaves.end(),
+        [](const Leaf& leaf) { return leaf.petiole_length > 0; });
+}
+
+void stack_internodes(Plant& plant) {
+    double height = 0;
+    for (Leaf& leaf : plant.leaves) {
+        if (leaf.internode > 0) leaf.insertion_height = height + leaf.internode;
+        height = leaf.insertion_height;
+    }
+    if (!plant.leaves.empty() && plant.leaves.back().internode > 0)
+        plant.stalk.height = height;
+}
+
 void set_present(Plant& plant, const std::string& organ, bool is_present) {
     if (organ == "stalk") plant.stalk.is_present = is_present;
     if (organ == "sheath") plant.sheath.is_present = is_present;
+    if (organ == "petiole") plant.petiole.is_present = is_present;
     for (Organ& each : plant.organs)
         if (each.name == organ) each.is_present = is_present;
 }
@@ -192,15 +297,10 @@ Mesh build_plant(const Plant& plant, const Tessellation& tessellation) {
         return static_cast<std::uint32_t>(mesh.groups.size() - 1);
     };
     for (const Leaf& leaf : plant.leaves) {
-        const bool is_outside = plant.stalk.is_present &&
-                                plant.stalk.leaf_base == LeafBase::surface;
-        const double distance =
-            is_outside ? plant.stalk.radius(leaf.insertion_height) : 0;
         const auto rank = static_cast<std::uint32_t>(mesh.groups.size() + 1);
         const std::uint32_t group =
             begin(fmt::format("leaf{:02}", rank), PlantMaterial::leaf, rank);
-        add_leaf(mesh, group, LeafSurface(leaf, plant.blade, distance),
-                 leaf.azimuth, tessellation.cells_along);
+        add_leaf(mesh, group, plant, leaf, tessellation.cells_along);
     }
     const int sides = tessellation.stalk_sides;
     if (plant.stalk.is_present) {
@@ -210,6 +310,10 @@ Mesh build_plant(const Plant& plant, const Tessellation& tessellation) {
     if (plant.sheath.is_present) {
         begin("sheath", PlantMaterial::sheath);
         add_sections(mesh, plant, true, sides);
+    }
+    if (plant.petiole.is_present && has_petioles(plant)) {
+        begin("stalk_petiole", PlantMaterial::stalk);
+        add_petioles(mesh, plant);
     }
     for (const Organ& organ : plant.organs) {
         if (!organ.is_present) continue;

@@ -72,9 +72,12 @@ Plant scaled(Plant plant, double size) {
         leaf.length *= size;
         leaf.width *= size;
         leaf.insertion_height *= size;
+        leaf.petiole_length *= size;
+        leaf.internode *= size;
     }
     for (double* length : {&plant.stalk.height, &plant.stalk.base_diameter,
-                           &plant.stalk.top_diameter, &plant.sheath.length})
+                           &plant.stalk.top_diameter, &plant.sheath.length,
+                           &plant.petiole.diameter, &plant.blade.rachis_length})
         *length *= size;
     for (Organ& organ : plant.organs)
         for (double* length : {&organ.offset, &organ.spread, &organ.length,

@@ -92,8 +92,9 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
     // Bounds given by name and constraints that ask for nothing have no table,
     // and a trait does only one thing; the plant has a table of its own.
     const std::set<std::string> left_out{"plant.bounds", "constraints.TRAIT"};
-    const std::set<std::string> of_plant{"stalk", "sheath", "blade", "leaf",
-                                         "organ", "trait",  "bounds"};
+    const std::set<std::string> of_plant{"stalk", "sheath", "petiole",
+                                         "blade", "leaf",   "organ",
+                                         "trait", "bounds"};
     std::set<std::string> declared;
     for (const KeyInfo& key : campaign_keys()) {
         if (left_out.contains(key.section) || key.name == "baseline" ||
@@ -134,8 +135,12 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
     std::string twisted =
         sample_text("", organ + hyperbola + sensitivity + variation);
     const std::string leaf = "[[plant.baseline.leaf]]\n";
-    twisted.insert(twisted.find(leaf) + leaf.size(),
-                   "roll = 9\ntwist = 9\nmidrib = [[0, 0], [1, 2]]\n");
+    twisted.insert(
+        twisted.find(leaf) + leaf.size(),
+        "roll = 9\ntwist = 9\nmidrib = [[0, 0], [1, 2]]\n"
+        "petiole_length = 0.1\npetiole_angle = 9\ninternode = 0.2\n");
+    twisted +=
+        "[plant.baseline.blade]\nleaflets = 3\nleaflet_divergence = 80\n";
     auto lines = lines_of(parse_campaign(twisted, "sample.toml"));
     // A campaign has days or climates, one scenario or several, and one
     // objective or a front of them.

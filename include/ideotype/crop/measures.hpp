@@ -23,7 +23,7 @@ struct Measure {
 
 // Limits are wide enough for any crop plant; those of traits are narrower.
 
-inline constexpr std::array<Measure<Leaf>, 8> leaf_measures{
+inline constexpr std::array<Measure<Leaf>, 11> leaf_measures{
     {{"length", "m", {0.01, 3}, &Leaf::length, "arc length of the midrib"},
      {"width", "m", {0.001, 0.5}, &Leaf::width, "largest width of the blade"},
      {"insertion_angle",
@@ -55,13 +55,29 @@ inline constexpr std::array<Measure<Leaf>, 8> leaf_measures{
       "deg",
       {-720, 720},
       &Leaf::twist,
-      "turn of the blade about its midrib from the base to the tip"}}};
+      "turn of the blade about its midrib from the base to the tip"},
+     {"petiole_length",
+      "m",
+      {0, 1},
+      &Leaf::petiole_length,
+      "from the stalk to the blade"},
+     {"petiole_angle",
+      "deg",
+      {0, 180},
+      &Leaf::petiole_angle,
+      "of the petiole from the stalk"},
+     {"internode",
+      "m",
+      {0, 1},
+      &Leaf::internode,
+      "height above the leaf below, or of the lowest above the soil, in the "
+      "place of insertion_height"}}};
 
 //! Of the measures of leaves the first so many have to be told of every leaf;
 //! the others are 0 where they are not.
 inline constexpr std::size_t needed_leaf_measures = 6;
 
-inline constexpr std::array<Measure<Blade>, 2> blade_measures{
+inline constexpr std::array<Measure<Blade>, 5> blade_measures{
     {{"folding_angle",
       "deg",
       {0, 80},
@@ -71,7 +87,22 @@ inline constexpr std::array<Measure<Blade>, 2> blade_measures{
       "1",
       {0.1, 10},
       &Blade::curvature_exponent,
-      "angle at arc length s is insertion_angle + curvature s^exponent"}}};
+      "angle at arc length s is insertion_angle + curvature s^exponent"},
+     {"leaflet_divergence",
+      "deg",
+      {0, 180},
+      &Blade::leaflet_divergence,
+      "azimuth between neighbouring leaflets"},
+     {"lateral_size",
+      "1",
+      {0.1, 2},
+      &Blade::lateral_size,
+      "length and width of other leaflets over those of the middle one"},
+     {"rachis_length",
+      "m",
+      {0, 0.5},
+      &Blade::rachis_length,
+      "how much further the middle leaflet begins"}}};
 
 inline constexpr std::array<Measure<Stalk>, 3> stalk_measures{
     {{"height", "m", {0.05, 6}, &Stalk::height, "above the soil"},
@@ -90,6 +121,9 @@ inline constexpr std::array<Measure<Sheath>, 2> sheath_measures{
       "from the insertion of the leaf down; what the sheath of the leaf below "
       "covers does not show"},
      {"thickness", "m", {0, 0.01}, &Sheath::thickness, "around the stalk"}}};
+
+inline constexpr std::array<Measure<Petiole>, 1> petiole_measures{
+    {{"diameter", "m", {0.0001, 0.1}, &Petiole::diameter, "of all petioles"}}};
 
 inline constexpr std::array<Measure<Organ>, 7> organ_measures{
     {{"offset",
@@ -131,7 +165,8 @@ struct MeasureInfo {
 std::optional<MeasureInfo> find_measure(Plant& plant, const std::string& name);
 
 //! All measures of a plant by their names: "leaf.NAME", "blade.NAME",
-//! "stalk.NAME", "sheath.NAME", and "ORGAN.NAME" for each other organ.
+//! "stalk.NAME", "sheath.NAME", "petiole.NAME", and "ORGAN.NAME" for each other
+//! organ.
 std::vector<MeasureInfo> measures(Plant& plant);
 
 }  // namespace ideotype

@@ -10,7 +10,8 @@
 
 namespace ideotype {
 
-//! The blade of one leaf.
+//! One leaf: a blade, or a petiole and at its end several leaflets, whose
+//! middle one has the length and width that are told here.
 struct Leaf {
     double length = 0;            //!< arc length of the midrib [m]
     double width = 0;             //!< largest width of the blade [m]
@@ -24,6 +25,11 @@ struct Leaf {
     //! Turn of the blade about its midrib from the base to the tip, in
     //! proportion to arc length [deg].
     double twist = 0;
+    double petiole_length = 0;  //!< [m]; 0: the blade is at the stalk
+    double petiole_angle = 0;   //!< of the petiole from the stalk [deg]
+    //! Height above the leaf below, or of the lowest one above the soil [m];
+    //! 0: insertion_height does not follow from it.
+    double internode = 0;
     //! Points of a digitised midrib from the base to the tip: distance from the
     //! stalk and height, in any unit and from any origin. None: the angle of
     //! the midrib follows from insertion_angle and curvature.
@@ -36,7 +42,9 @@ struct Leaf {
 //! @return false, and nothing changes, if no two of its points differ
 bool measure_midrib(Leaf& leaf);
 
-//! The shape that all blades share.
+//! The shape that all blades share, and the leaflets of compound leaves: they
+//! begin at the end of the petiole and point to equal steps of azimuth, the
+//! middle one where the leaf does.
 struct Blade {
     //! Control values of the width profile: the width over arc length is a
     //! cubic B-spline with these six control values and knots at 1/3 and 2/3,
@@ -44,6 +52,18 @@ struct Blade {
     std::vector<double> width_controls;
     double folding_angle = 10;        //!< rise of each half from flat [deg]
     double curvature_exponent = 1.5;  //!< of relative arc length
+    int leaflets = 1;
+    double leaflet_divergence = 0;  //!< azimuth between neighbours [deg]
+    double lateral_size = 1;        //!< of the others over the middle one
+    //! How much further along its own direction the middle one begins [m].
+    double rachis_length = 0;
+};
+
+//! A cylinder that bears the blade of each leaf whose petiole_length is not 0,
+//! and goes on as its rachis.
+struct Petiole {
+    bool is_present = true;
+    double diameter = 0.003;  //!< [m]
 };
 
 //! Where the midribs of leaves begin.
@@ -101,17 +121,27 @@ struct Plant {
     Stalk stalk;
     Sheath sheath;
     std::vector<Organ> organs;
+    Petiole petiole{};
 };
 
 //! How finely curved surfaces are cut into faces.
 struct Tessellation {
-    int cells_along = 12;  //!< per leaf; two cells across, one per half
+    //! Of a blade, with two cells across; leaflets have two thirds as many, at
+    //! least 4, and four across.
+    int cells_along = 12;
     int stalk_sides = 8;
 };
 
 //! The names of a plant's present organs besides its leaves, in the order of
-//! their groups: "stalk", "sheath", then the others.
+//! their groups: "stalk", "sheath", "petiole", then the others.
 std::vector<std::string> organ_names(const Plant& plant);
+
+//! Whether any leaf has a petiole, be it present or not.
+bool has_petioles(const Plant& plant);
+
+//! Puts each leaf whose internode is told so far above the leaf below it, and
+//! the top of the stalk at the highest leaf if that is one of them.
+void stack_internodes(Plant& plant);
 
 //! Gives a plant an organ of that name, or takes it away; nothing happens to
 //! plants that cannot have it.

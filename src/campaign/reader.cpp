@@ -127,10 +127,9 @@ class DraftReader {
         } else if (!draft_.is_crop_known) {
             report_.add(
                 Location{file, 1, 1},
-                fmt::format("the table names no crop (which tells stalk, "
-                            "organs and traits); begin it with a line such as "
-                            "# crop: {}, or # crop: FILE.toml",
-                            known_crop_names().front()));
+                "the table names no crop (which tells stalk, organs and "
+                "traits); begin it with a line such as # crop: maize, or "
+                "# crop: FILE.toml");
         }
         read_measured_plant(text, file, draft_.is_crop_known,
                             draft_.campaign.crop.baseline, report_);
@@ -260,9 +259,8 @@ class DraftReader {
         report_.add(
             named_at,
             fmt::format("the table takes its crop from itself ({} -> {}); name "
-                        "a crop such as {}, or a crop file (.toml)",
-                        fmt::join(first, tables_above_.end(), " -> "), *first,
-                        known_crop_names().front()));
+                        "a crop such as maize, or a crop file (.toml)",
+                        fmt::join(first, tables_above_.end(), " -> "), *first));
         std::rotate(first, first + 1, tables_above_.end());
     }
 

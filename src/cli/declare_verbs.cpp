@@ -108,9 +108,9 @@ void declare_new(CLI::App& verb, NewOptions& options) {
     verb.add_option("--plant-spacing", options.plant_spacing,
                     "distance between plants in a row [m]");
     verb.add_option("--plant", options.plant,
-                    "maize or sorghum, of which the crop file is copied beside "
-                    "the campaign; a crop file (.toml) or measured leaves "
-                    "(.csv)");
+                    "maize, sorghum, soybean or cowpea, of which the crop file "
+                    "is copied beside the campaign; a crop file (.toml) or "
+                    "measured leaves (.csv)");
     verb.add_option("--objective", options.objective,
                     "what to breed for: carbon_balance (if not given), "
                     "net_assimilation, absorbed_par, any single number of a "

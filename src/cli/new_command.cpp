@@ -45,7 +45,8 @@ constexpr Question questions[] = {
     {"--plant-spacing", "spacing", "plant",
      "Distance between plants in a row [m]", &NewOptions::plant_spacing},
     {"--plant", "plant", "baseline",
-     "Plant: maize, sorghum, a crop file (.toml) or measured leaves (.csv)",
+     "Plant: maize, sorghum, soybean, cowpea, a crop file (.toml) or measured "
+     "leaves (.csv)",
      &NewOptions::plant, "maize"},
     {"--objective", "objective", "maximise",
      R"(What plants are bred for:

@@ -162,10 +162,10 @@ TEST(Campaign, ElitePlantIsLargerAndInsideThePaperBounds) {
 
 TEST(Campaign, EveryCropAndMeasuredPlantOfTheProjectIsAPlant) {
     const std::map<std::string, std::size_t> leaves{
-        {"maize", 10},        {"maize_hybrid", 11}, {"sorghum", 16},
-        {"elite", 10},        {"maize_v02", 10},    {"Dea_2008", 11},
-        {"F331_S1", 11},      {"iowa_T8", 10},      {"iowa_JN3208-1", 9},
-        {"iowa_JN3801-1", 12}};
+        {"maize", 10},     {"maize_hybrid", 11}, {"sorghum", 16},
+        {"soybean", 12},   {"cowpea", 10},       {"elite", 10},
+        {"maize_v02", 10}, {"Dea_2008", 11},     {"F331_S1", 11},
+        {"iowa_T8", 10},   {"iowa_JN3208-1", 9}, {"iowa_JN3801-1", 12}};
     std::size_t found = 0;
     for (const char* folder : {"/crops", "/plants"})
         for (const auto& file : std::filesystem::directory_iterator(
@@ -195,7 +195,8 @@ TEST(Campaign, EveryCampaignOfTheProjectIsValidAndItsSize) {
         {"ames", 3},           {"bondville", 6},      {"ames_quick", 1},
         {"isolated_plot", 12}, {"latitudes", 15},     {"profiles", 6},
         {"quickstart", 3},     {"row_direction", 12}, {"same_leaf_area", 3},
-        {"sorghum", 2},        {"spacings", 18},      {"trait_sets", 12}};
+        {"sorghum", 2},        {"spacings", 18},      {"trait_sets", 12},
+        {"soybean", 2}};
     std::size_t found = 0;
     for (const auto& file :
          std::filesystem::directory_iterator(IDEOTYPE_CAMPAIGNS)) {

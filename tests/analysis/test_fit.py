@@ -289,3 +289,13 @@ def test_what_is_wrong_is_told(
     assert "there is no such file" in refused(tmp_path / "no.ply", capsys)
     table.write_text("leaf,x,z\n1,0,0\n1,9000,0\n")
     assert "tell its unit by --unit" in refused(table, capsys)
+
+
+def test_leaves_with_petioles_are_not_fitted(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    table = tmp_path / "midribs.csv"
+    table.write_text("leaf,x_m,z_m\n1,0,0\n1,0.1,0.2\n")
+    soybean = str(CAMPAIGNS / "crops" / "soybean.toml")
+    told = refused(table, capsys, "--crop", soybean)
+    assert "soybean.toml: its leaves have petioles" in told

@@ -279,6 +279,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
             raise Error(
                 f"{options.crop}: no crop file, which has [[leaf]] and [stalk]"
             )
+        if any("petiole_length" in leaf for leaf in crop["leaf"]):
+            raise Error(
+                f"{options.crop}: its leaves have petioles (only leaves of "
+                "one blade at the stalk can be fitted)"
+            )
         name = options.name or options.to.stem
         crop = crop_of(blades, crop, name, options.form)
         found = agreement(blades, crop, mesh_of(crop, options.crop.parent))

@@ -6,101 +6,14 @@
 #include <numbers>
 
 #include <fmt/format.h>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "ideotype/core/units.hpp"
-#include "ideotype/crop/leaf_surface.hpp"
+#include "leaves.hpp"
 
 namespace ideotype {
 
 namespace {
-
-//! Turned about the stalk: an azimuth of 0 points along the row (+y), 90
-//! across it (+x).
-glm::dvec3 turned(const glm::dvec3& v, double sine, double cosine) {
-    return {v.x * cosine + v.y * sine, v.y * cosine - v.x * sine, v.z};
-}
-
-glm::dvec3 turned(const glm::dvec3& v, double azimuth) {
-    return turned(v, std::sin(azimuth * degree), std::cos(azimuth * degree));
-}
-
-//! The end of a leaf's petiole, out from the axis of the stalk and up [m].
-glm::dvec2 petiole_end(const Plant& plant, const Leaf& leaf) {
-    const bool is_outside =
-        plant.stalk.is_present && plant.stalk.leaf_base == LeafBase::surface;
-    const double out =
-        is_outside ? plant.stalk.radius(leaf.insertion_height) : 0;
-    const double angle = leaf.petiole_angle * degree;
-    return {out + leaf.petiole_length * std::sin(angle),
-            leaf.insertion_height + leaf.petiole_length * std::cos(angle)};
-}
-
-//! The end of a leaf's rachis, where its middle leaflet begins, likewise.
-glm::dvec2 rachis_end(const Plant& plant, const Leaf& leaf) {
-    const double angle = leaf.insertion_angle * degree;
-    return petiole_end(plant, leaf) +
-           plant.blade.rachis_length *
-               glm::dvec2(std::sin(angle), std::cos(angle));
-}
-
-//! How many faces a blade has along it and on each side of its midrib.
-struct BladeCells {
-    int along, beside;
-};
-
-//! The faces of a leaflet are nearly square, so that the light on one of them
-//! is as even as so many can make it.
-BladeCells cells_of(const Blade& blade, int along) {
-    return blade.leaflets == 1 ? BladeCells{along, 1}
-                               : BladeCells{std::max(4, 2 * along / 3), 2};
-}
-
-//! One leaflet of a leaf that has its measures.
-//! @param base out from the axis of the stalk and up [m]
-//! @param aside its azimuth from that of the leaf [deg]
-void add_leaflet(Mesh& mesh, std::uint32_t group, const LeafSurface& surface,
-                 double base, double aside, double azimuth, BladeCells cells) {
-    const double sine = std::sin(azimuth * degree);
-    const double cosine = std::cos(azimuth * degree);
-    const auto placed = [&](glm::dvec3 v) {
-        if (aside != 0) {
-            const glm::dvec3 foot(0, base, 0);
-            v = foot + turned(v - foot, aside);
-        }
-        return turned(v, sine, cosine);
-    };
-    auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (const BladeRow& row : surface.tessellate(cells.along))
-        for (int k = -cells.beside; k <= cells.beside; ++k)
-            mesh.vertices.push_back(placed(
-                glm::mix(row.midrib, k < 0 ? row.left : row.right,
-                         std::abs(k) / static_cast<double>(cells.beside))));
-    const auto across = static_cast<std::uint32_t>(2 * cells.beside);
-    for (int cell = 0; cell < cells.along; ++cell, first += across + 1)
-        for (std::uint32_t i = first; i < first + across; ++i) {
-            mesh.faces.push_back({i, i + 1, i + across + 2, i + across + 1});
-            mesh.face_group.push_back(group);
-        }
-}
-
-void add_leaf(Mesh& mesh, std::uint32_t group, const Plant& plant,
-              const Leaf& leaf, int cells_along) {
-    const Blade& blade = plant.blade;
-    for (int i = 0; i < blade.leaflets; ++i) {
-        const double steps = i - (blade.leaflets - 1) / 2.0;
-        const glm::dvec2 base =
-            steps == 0 ? rachis_end(plant, leaf) : petiole_end(plant, leaf);
-        Leaf leaflet = leaf;
-        leaflet.insertion_height = base.y;
-        if (steps != 0) leaflet.length *= blade.lateral_size;
-        if (steps != 0) leaflet.width *= blade.lateral_size;
-        add_leaflet(mesh, group, LeafSurface(leaflet, blade, base.x), base.x,
-                    steps * blade.leaflet_divergence, leaf.azimuth,
-                    cells_of(blade, cells_along));
-    }
-}
 
 //! A circular cone without its tip.
 struct Frustum {
@@ -192,12 +105,12 @@ void add_petioles(Mesh& mesh, const Plant& plant) {
         const auto add = [&](const glm::dvec2& from, const glm::dvec2& to) {
             const glm::dvec2 along = glm::normalize(to - from);
             const auto placed = [&](const glm::dvec2& v) {
-                return turned(glm::dvec3(0, v.x, v.y), leaf.azimuth);
+                return about_stalk(glm::dvec3(0, v.x, v.y), leaf.azimuth);
             };
             add_frustum(mesh, group,
                         {placed(from), placed(to), plant.petiole.diameter / 2,
                          plant.petiole.diameter / 2,
-                         turned(glm::dvec3(1, 0, 0), leaf.azimuth),
+                         about_stalk(glm::dvec3(1, 0, 0), leaf.azimuth),
                          placed({along.y, -along.x})},
                         sides, false);
         };
@@ -225,14 +138,15 @@ void add_organ(Mesh& mesh, const Plant& plant, const Organ& organ) {
             organ.count < 2 ? 0 : organ.spread * i / (organ.count - 1);
         // What leans out begins at the stalk's surface.
         const double out = leaf ? plant.stalk.radius(foot) : 0;
-        const glm::dvec3 axis = turned(glm::dvec3{0, sine, cosine}, azimuth);
+        const glm::dvec3 axis =
+            about_stalk(glm::dvec3{0, sine, cosine}, azimuth);
         const glm::dvec3 base =
-            turned(glm::dvec3{0, out, foot + organ.offset + up}, azimuth);
+            about_stalk(glm::dvec3{0, out, foot + organ.offset + up}, azimuth);
         add_frustum(
             mesh, group,
             {base, base + organ.length * axis, organ.base_diameter / 2,
-             organ.top_diameter / 2, turned(glm::dvec3{1, 0, 0}, azimuth),
-             turned(glm::dvec3{0, cosine, -sine}, azimuth)},
+             organ.top_diameter / 2, about_stalk(glm::dvec3{1, 0, 0}, azimuth),
+             about_stalk(glm::dvec3{0, cosine, -sine}, azimuth)},
             organ.sides);
     }
 }

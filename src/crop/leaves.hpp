@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "ideotype/crop/plant.hpp"
+
+namespace ideotype {
+
+//! A vector turned about the stalk: an azimuth of 0 points along the row (+y),
+//! 90 across it (+x).
+glm::dvec3 about_stalk(const glm::dvec3& v, double azimuth);
+
+//! The end of a leaf's petiole, out from the axis of the stalk and up [m].
+glm::dvec2 petiole_end(const Plant& plant, const Leaf& leaf);
+
+//! The end of a leaf's rachis, where its middle leaflet begins, likewise.
+glm::dvec2 rachis_end(const Plant& plant, const Leaf& leaf);
+
+//! Adds the leaflets of a leaf to a group of a mesh.
+void add_leaf(Mesh& mesh, std::uint32_t group, const Plant& plant,
+              const Leaf& leaf, int cells_along);
+
+}  // namespace ideotype

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 
 #include <fmt/format.h>
@@ -17,16 +19,31 @@ namespace ideotype {
 
 namespace {
 
+//! The measures that tables of these leaves have.
+std::vector<Measure<Leaf>> written_measures(const std::vector<Leaf>& leaves) {
+    const auto usual = leaf_measures.begin() + usual_leaf_measures;
+    std::vector<Measure<Leaf>> written(leaf_measures.begin(), usual);
+    std::copy_if(usual, leaf_measures.end(), std::back_inserter(written),
+                 [&](const Measure<Leaf>& each) {
+                     return std::any_of(leaves.begin(), leaves.end(),
+                                        [&](const Leaf& leaf) {
+                                            return leaf.*each.value != 0;
+                                        });
+                 });
+    return written;
+}
+
 //! What each leaf measures.
 void write_csv(const std::string& path, const Plant& plant) {
+    const std::vector<Measure<Leaf>> measures = written_measures(plant.leaves);
     OutputFile out(path);
     out.print("leaf");
-    for (const Measure<Leaf>& each : leaf_measures)
+    for (const Measure<Leaf>& each : measures)
         out.print(",{}_{}", each.name, each.unit);
     int rank = 0;
     for (const Leaf& leaf : plant.leaves) {
         out.print("\n{}", ++rank);
-        for (const Measure<Leaf>& each : leaf_measures)
+        for (const Measure<Leaf>& each : measures)
             out.print(",{}", leaf.*each.value);
     }
     out.print("\n");

@@ -77,6 +77,10 @@ inline constexpr std::array<Measure<Leaf>, 11> leaf_measures{
 //! the others are 0 where they are not.
 inline constexpr std::size_t needed_leaf_measures = 6;
 
+//! As many measures are written of every leaf; the later ones, which grasses do
+//! not have, where any leaf has one.
+inline constexpr std::size_t usual_leaf_measures = 8;
+
 inline constexpr std::array<Measure<Blade>, 5> blade_measures{
     {{"folding_angle",
       "deg",

@@ -100,10 +100,10 @@ Campaign complete(Draft& draft, const std::string& source,
         campaign.photosynthesis = to_photosynthesis(draft.photosynthesis);
     for (const std::shared_ptr<Draft>& each : draft.neighbours) {
         const Campaign& own = each->campaign;
-        Neighbour neighbour{
-            own.name, {}, own.crop.baseline, own.optics, own.nir_optics};
+        Neighbour neighbour{own.name, each->standing, own.crop.baseline,
+                            own.optics, own.nir_optics};
         for (const double row : each->rows)
-            neighbour.rows.push_back(static_cast<int>(row) - 1);
+            neighbour.standing.rows.push_back(static_cast<int>(row) - 1);
         if (draft.has_photosynthesis)
             neighbour.photosynthesis = to_photosynthesis(each->photosynthesis);
         for (const Leaf& leaf : neighbour.plant.leaves)

@@ -137,10 +137,20 @@ struct BandEntry {
 //! The band whose error a tolerance bounds.
 enum class BoundedBand { par, nir };
 
-//! A kind of plant that stands in some rows of the field and is not bred.
+//! Where the plants of a component stand in the field.
+struct Standing {
+    std::vector<int> rows{};  //!< of the field, from 0
+    //! Instead of rows: so many of the places of plants that are bred, drawn
+    //! for each field. 0: none.
+    int mixed = 0;
+    int plants = 0;                  //!< in each of its rows; 0: as the field's
+    std::optional<double> jitter{};  //!< in the place of the field's [deg]
+};
+
+//! A kind of plant that stands in the field and is not bred.
 struct Neighbour {
     std::string name;
-    std::vector<int> rows;  //!< of the field, from 0
+    Standing standing;
     Plant plant;
     PlantOptics optics, nir_optics;
     std::optional<Photosynthesis> photosynthesis{};  //!< if leaves assimilate
@@ -254,6 +264,12 @@ struct Case {
     //! only one.
     std::vector<Case> scenarios{};
 };
+
+//! The rows of the field, from 0, in which plants are bred.
+std::vector<int> bred_rows(const Campaign& campaign);
+
+//! The number of plants of the field that are bred.
+std::size_t bred_plants(const Campaign& campaign);
 
 //! Whether the entries of an axis are scenarios of one case.
 bool is_over(const Campaign& campaign, const std::string& axis);

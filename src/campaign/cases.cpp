@@ -187,4 +187,23 @@ GeneSpace search_genes(const Campaign& campaign, const Case& chosen) {
     return genes;
 }
 
+std::vector<int> bred_rows(const Campaign& campaign) {
+    std::vector<bool> is_taken(static_cast<std::size_t>(campaign.field.rows));
+    for (const Neighbour& each : campaign.neighbours)
+        for (const int row : each.standing.rows)
+            is_taken[static_cast<std::size_t>(row)] = true;
+    std::vector<int> rows;
+    for (std::size_t row = 0; row < is_taken.size(); ++row)
+        if (!is_taken[row]) rows.push_back(static_cast<int>(row));
+    return rows;
+}
+
+std::size_t bred_plants(const Campaign& campaign) {
+    std::size_t count = bred_rows(campaign).size() *
+                        static_cast<std::size_t>(campaign.field.plants);
+    for (const Neighbour& each : campaign.neighbours)
+        count -= static_cast<std::size_t>(each.standing.mixed);
+    return count;
+}
+
 }  // namespace ideotype

@@ -55,6 +55,7 @@ struct Draft {
     //! Components that are not bred: each has its crop and its name.
     std::vector<std::shared_ptr<Draft>> neighbours;
     std::vector<double> rows;  //!< of the field that a neighbour has, from 1
+    Standing standing;         //!< of a neighbour, without its rows
 };
 
 //! The names that campaigns may choose bounds by.

@@ -104,10 +104,15 @@ class DraftReader {
             if (name.empty())
                 name = month_and_day(climate.period.from) + '-' +
                        month_and_day(climate.period.to);
-        for (auto& [name, spacing] : campaign.spacings)
+        for (auto& [name, spacing] : campaign.spacings) {
+            const bool has_distance = spacing.plant > 0;
+            if (!has_distance && spacing.density > 0 && spacing.row > 0)
+                spacing.plant = 1 / (spacing.density * spacing.row);
+            if (has_distance) spacing.density = 0;
             if (name.empty())
                 name = fmt::format("{}x{}", std::lround(spacing.row * 1000),
                                    std::lround(spacing.plant * 1000));
+        }
     }
 
     void read_plant(const toml::table& table) { read_plant(table, tables_); }

@@ -202,7 +202,14 @@ Section spacing_section(Named<Spacing>& spacing) {
              distance("row", spacing.value.row, "0.762",
                       "between neighbouring rows"),
              distance("plant", spacing.value.plant, "0.1524",
-                      "between neighbours in a row"),
+                      "between neighbours in a row")
+                 .set(&Key::is_required, false)
+                 .set(&Key::initial, "by `density`"),
+             Key("density", &spacing.value.density,
+                 "plants per ground area, in the place of `plant`")
+                 .within(0.01, 1000, "m-2")
+                 .set(&Key::initial, "by `plant`")
+                 .set(&Key::is_written, false),
              Key("row_direction", &spacing.value.row_direction,
                  "clockwise from north; 90 is east-west")
                  .within(0, 360, "deg")}};
@@ -232,6 +239,15 @@ Section field_section(FieldForm& field) {
              Key("plants", &field.plants, "per row")
                  .within(1, 100)
                  .trades(sizes, repeats),
+             Key("row_pattern", &field.row_pattern,
+                 "distances from each row to the next, over their mean, which "
+                 "is `spacing.row`; they repeat: [1, 3] are twin rows")
+                 .within(0.01, 100)
+                 .set(&Key::count, any_count)
+                 .set(&Key::type, "list of numbers")
+                 .set(&Key::initial, "all alike")
+                 .set(&Key::is_written, !field.row_pattern.empty())
+                 .like("[1, 3]"),
              Key("boundary", choice(field.boundary),
                  "whether the field repeats without end or is a plot alone on "
                  "endless soil, lit from all sides")
@@ -358,24 +374,42 @@ Table band_table(Campaign& campaign) {
 }
 
 Section component_section(Draft& neighbour) {
-    return {"component",
-            {Key("name", &neighbour.campaign.name,
-                 "of the kind of plant, as files and figures tell it")
-                 .set(&Key::range, name_range)
-                 .required("\"weed\""),
-             Key("crop", {},
-                 "crop file of its plants, relative to the campaign file; or "
-                 "its content as [component.crop]")
-                 .set(&Key::type, "path or table")
-                 .set(&Key::range, "-")
-                 .required("\"crops/mine.toml\""),
-             Key("rows", &neighbour.rows,
-                 "rows of the field that it stands in instead of the plants "
-                 "that are bred, counted from 1")
-                 .within(1, 100)
-                 .set(&Key::count, any_count)
-                 .set(&Key::type, "list of integers")
-                 .required("[2, 4]")}};
+    return {
+        "component",
+        {Key("name", &neighbour.campaign.name,
+             "of the kind of plant, as files and figures tell it")
+             .set(&Key::range, name_range)
+             .required("\"weed\""),
+         Key("crop", {},
+             "crop file of its plants, relative to the campaign file; or "
+             "its content as [component.crop]")
+             .set(&Key::type, "path or table")
+             .set(&Key::range, "-")
+             .required("\"crops/mine.toml\""),
+         Key("rows", &neighbour.rows,
+             "rows of the field that it stands in instead of the plants "
+             "that are bred, counted from 1")
+             .within(1, 100)
+             .set(&Key::count, any_count)
+             .set(&Key::type, "list of integers")
+             .set(&Key::initial, "none")
+             .set(&Key::is_written, !neighbour.rows.empty())
+             .like("[2, 4]"),
+         Key("mixed", &neighbour.standing.mixed,
+             "in the place of `rows`: so many of the places of plants "
+             "that are bred, drawn anew for each generation")
+             .within(0, 10000)
+             .set(&Key::is_written, neighbour.standing.mixed > 0),
+         Key("plants", &neighbour.standing.plants,
+             "in each of its rows; 0: as many as `field.plants`")
+             .within(0, 1000)
+             .set(&Key::is_written, neighbour.standing.plants > 0),
+         Key("jitter", &neighbour.standing.jitter,
+             "largest random turn of each of its plants, in the place of "
+             "`field.jitter` and `field.variation.across_row`")
+             .within(0, 180, "deg")
+             .set(&Key::initial, "as the field")
+             .set(&Key::is_written, neighbour.standing.jitter.has_value())}};
 }
 
 Table component_table(Draft& draft) {

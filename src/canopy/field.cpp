@@ -12,14 +12,39 @@
 
 namespace ideotype {
 
+namespace {
+
+//! Returns where each row of a lattice is along x: half of the distance that
+//! goes before the first one is at the edge of the cell [m].
+std::vector<double> row_places(const FieldForm& form) {
+    std::vector<double> rows;
+    const std::vector<double>& pattern = form.row_pattern;
+    if (pattern.empty()) {
+        for (int row = 0; row < form.rows; ++row)
+            rows.push_back((row + 0.5) * form.spacing.row);
+        return rows;
+    }
+    double sum = 0;
+    for (const double distance : pattern) sum += distance;
+    const double mean = sum / static_cast<double>(pattern.size());
+    double x = pattern.back() / mean * form.spacing.row / 2;
+    for (std::size_t row = 0; rows.size() < static_cast<std::size_t>(form.rows);
+         ++row) {
+        rows.push_back(x);
+        x += pattern[row % pattern.size()] / mean * form.spacing.row;
+    }
+    return rows;
+}
+
+}  // namespace
+
 Cell cell_of(const FieldForm& form) {
     Cell cell;
     cell.boundary = form.boundary;
     cell.period_x = form.rows * form.spacing.row;
     cell.period_y = form.plants * form.spacing.plant;
     cell.ground_area = cell.period_x * cell.period_y;
-    for (int row = 0; row < form.rows; ++row)
-        cell.rows.push_back((row + 0.5) * form.spacing.row);
+    cell.rows = row_places(form);
     cell.row_distance = form.spacing.row;
     if (form.border_rows == 0) return cell;
     if (form.rows <= 2 * form.border_rows ||
@@ -38,12 +63,13 @@ Cell cell_of(const FieldForm& form) {
 std::vector<Place> places_of(const FieldForm& form,
                              const std::vector<int>& rows) {
     std::vector<Place> places;
+    const std::vector<double> x = row_places(form);
     for (int row = 0; row < form.rows; ++row) {
         if (!rows.empty() &&
             std::find(rows.begin(), rows.end(), row) == rows.end())
             continue;
         for (int plant = 0; plant < form.plants; ++plant)
-            places.push_back({(row + 0.5) * form.spacing.row,
+            places.push_back({x[static_cast<std::size_t>(row)],
                               (plant + 0.5) * form.spacing.plant});
     }
     return places;
@@ -100,7 +126,7 @@ std::vector<double> draw_plant_azimuths(const Component& component,
                                         const Randomness& randomness,
                                         std::uint32_t number) {
     RandomStream stream = stream_of(randomness, Purpose::jitter, number);
-    std::vector<double> turns(component.places.size());
+    std::vector<double> turns(component.plants());
     const auto across = component.variation.across_row;
     if (!across) {
         for (double& turn : turns)
@@ -169,7 +195,7 @@ enum class Emergence { usual, late, none };
 //! and are right on average.
 std::vector<Emergence> draw_emergence(const Component& component,
                                       RandomStream& stream) {
-    const std::size_t count = component.places.size();
+    const std::size_t count = component.plants();
     const std::size_t missing = std::min(
         number_of(component.variation.missing, count, stream), count - 1);
     const std::size_t late = std::min(
@@ -235,8 +261,8 @@ void add_plant(Field& field, const Mesh& plant, const Place& place, double turn,
 void reserve(Field& field, const Scene& scene) {
     std::size_t vertices = 0, faces = 0;
     for (const Component& each : scene.components) {
-        vertices += each.places.size() * each.mesh.vertices.size();
-        faces += each.places.size() * each.mesh.faces.size();
+        vertices += each.plants() * each.mesh.vertices.size();
+        faces += each.plants() * each.mesh.faces.size();
     }
     field.mesh.vertices.reserve(vertices);
     field.mesh.faces.reserve(faces);
@@ -246,8 +272,29 @@ void reserve(Field& field, const Scene& scene) {
 
 }  // namespace
 
+std::vector<std::vector<Place>> draw_places(const Scene& scene,
+                                            const Randomness& randomness) {
+    std::vector<std::vector<Place>> all;
+    std::vector<Place> shared;  // places of the mixture that are left
+    for (const Component& each : scene.components) {
+        if (each.mixed > 0 && shared.empty()) {
+            shared = each.places;
+            RandomStream stream = stream_of(randomness, Purpose::mixture, 0);
+            shuffle(shared, stream);
+        }
+        all.push_back(each.mixed > 0 ? std::vector<Place>{} : each.places);
+        for (std::size_t i = 0; i < each.mixed; ++i) {
+            all.back().push_back(shared.back());
+            shared.pop_back();
+        }
+    }
+    return all;
+}
+
 Field draw_field(const Scene& scene, const Randomness& randomness,
                  std::span<const Mesh> lines) {
+    const std::vector<std::vector<Place>> places =
+        draw_places(scene, randomness);
     Field field;
     field.cell = scene.cell;
     field.mesh.groups = groups_of(scene, lines);
@@ -261,10 +308,10 @@ Field draw_field(const Scene& scene, const Randomness& randomness,
         std::vector<Mesh> plants;
         if (component.variation.is_any())
             plants = draw_plants(component, line, randomness, number);
-        for (std::size_t p = 0; p < component.places.size(); ++p) {
+        for (std::size_t p = 0; p < places[number].size(); ++p) {
             const Mesh& plant = plants.empty() ? line : plants[p];
             if (plant.faces.empty()) continue;
-            add_plant(field, plant, component.places[p], turns[p], first_group,
+            add_plant(field, plant, places[number][p], turns[p], first_group,
                       present++);
         }
         first_group += static_cast<std::uint32_t>(line.groups.size());

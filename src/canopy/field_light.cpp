@@ -21,7 +21,7 @@ Pieces pieces_of_line(const Component& component,
     const std::size_t per_blade = request.details.pieces;
     if (!component.photosynthesis) return uncut(component.mesh);
     if (component.plant) return cut_leaves(component.mesh, per_blade);
-    return cut_coarse_leaves(component.mesh, component.places.size(),
+    return cut_coarse_leaves(component.mesh, component.plants(),
                              request.accuracy.tolerance, per_blade);
 }
 

@@ -119,9 +119,10 @@ Findings look_at(const Campaign& campaign) {
                    0,
                    genes.size(),
                    count_free(genes)};
-    found.excess = violation(
-        campaign.constraints, campaign.crop.traits, campaign.crop.baseline,
-        plant_area(field.mesh).leaves / field.cell.ground_area);
+    const Mesh bred = as_drawn(scene, field).components.front().mesh;
+    found.excess = violation(campaign.constraints, campaign.crop.traits,
+                             campaign.crop.baseline,
+                             plant_area(bred).leaves / field.cell.ground_area);
     return found;
 }
 

@@ -29,16 +29,28 @@ Layers canopy_layers(const Campaign& campaign) {
 
 namespace {
 
-//! The rows of the field, from 0, in which plants are bred.
-std::vector<int> bred_rows(const Campaign& campaign) {
-    std::vector<bool> is_taken(static_cast<std::size_t>(campaign.field.rows));
-    for (const Neighbour& each : campaign.neighbours)
-        for (const int row : each.rows)
-            is_taken[static_cast<std::size_t>(row)] = true;
-    std::vector<int> rows;
-    for (std::size_t row = 0; row < is_taken.size(); ++row)
-        if (!is_taken[row]) rows.push_back(static_cast<int>(row));
-    return rows;
+//! Makes a component one of a mixture that shares its places.
+void mix(Component& component, std::size_t plants) {
+    component.ground_per_plant *= static_cast<double>(component.places.size()) /
+                                  static_cast<double>(plants);
+    component.mixed = plants;
+}
+
+//! Sets where the plants of a component stand, and how they turn.
+void stand_in(Component& component, FieldForm form, const Campaign& campaign,
+              const Standing& standing) {
+    if (standing.plants > 0) {
+        form.spacing.plant *= form.plants;
+        form.plants = standing.plants;
+        form.spacing.plant /= form.plants;
+    }
+    if (standing.jitter) {
+        form.jitter = *standing.jitter;
+        form.variation.across_row.reset();
+    }
+    const bool is_mixed = standing.mixed > 0;
+    set_places(component, form, is_mixed ? bred_rows(campaign) : standing.rows);
+    if (is_mixed) mix(component, static_cast<std::size_t>(standing.mixed));
 }
 
 }  // namespace
@@ -68,6 +80,8 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
     }
     if (campaign.neighbours.empty()) return scene;
     set_places(bred, form, bred_rows(campaign));
+    if (bred_plants(campaign) < bred.places.size())
+        mix(bred, bred_plants(campaign));
     for (const Neighbour& each : campaign.neighbours) {
         const auto first = static_cast<std::uint32_t>(plant_materials *
                                                       scene.components.size());
@@ -76,7 +90,7 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
         component.tessellation = campaign.tessellation;
         component.photosynthesis = each.photosynthesis;
         set_plant(component, each.plant, first);
-        set_places(component, form, each.rows);
+        stand_in(component, form, campaign, each.standing);
         for (Band& band : scene.bands)
             for (const Material& material :
                  (band.name == "nir" ? each.nir_optics : each.optics)
@@ -118,8 +132,8 @@ double lai_of_line(const Campaign& campaign, const Plant& plant,
                    const CanopyReport& report) {
     const FieldForm& field = campaign.field;
     if (!field.variation.is_any()) return report.components.front().lai;
-    const double share =
-        static_cast<double>(bred_rows(campaign).size()) / field.rows;
+    const double share = static_cast<double>(bred_plants(campaign)) /
+                         (field.rows * field.plants);
     const double plants = (field.rows - 2. * field.border_rows) *
                           (field.plants - 2. * field.border_rows) * share;
     return plants *

@@ -32,7 +32,7 @@ TEST(Components, HaveTheirCropAndAreFoundAgainInAResolvedCampaign) {
     ASSERT_EQ(campaign.neighbours.size(), 1u);
     const Neighbour& one = campaign.neighbours.front();
     EXPECT_EQ(one.name, "sorghum");
-    EXPECT_EQ(one.rows, std::vector<int>{1});
+    EXPECT_EQ(one.standing.rows, std::vector<int>{1});
     EXPECT_EQ(one.plant.leaves.size(), 16u);
     EXPECT_TRUE(one.photosynthesis);
     EXPECT_TRUE(campaign.has_nir);
@@ -54,9 +54,41 @@ TEST(Components, NeedRowsAndNamesOfTheirOwn) {
     EXPECT_NE(problems_of(sorghum + "rows = [1.5]\n").find("which is no row"),
               std::string::npos);
     EXPECT_NE(problems_of(sorghum + "rows = [1, 2, 3, 4, 5, 6]\n")
-                  .find("leave no row"),
+                  .find("leaves no place"),
               std::string::npos);
-    EXPECT_NE(problems_of(sorghum).find("missing key 'rows'"),
+    EXPECT_NE(problems_of(sorghum).find("stands nowhere"), std::string::npos);
+}
+
+TEST(Components, StandInRowsOrAmongThePlantsThatAreBred) {
+    const Campaign campaign =
+        mixed(sorghum +
+              "mixed = 5\njitter = 90\n[[component]]\nname = \"other\"\n"
+              "crop = \"crops/maize.toml\"\nrows = [1]\nplants = 3\n");
+    const Standing& among = campaign.neighbours[0].standing;
+    EXPECT_EQ(among.mixed, 5);
+    EXPECT_EQ(among.jitter, 90);
+    EXPECT_EQ(campaign.neighbours[1].standing.plants, 3);
+    EXPECT_EQ(parse_campaign(campaign.resolved, "again").resolved,
+              campaign.resolved);
+    for (const auto& [more, problem] :
+         {std::pair{"mixed = 2\nrows = [1]\n", "stands in two ways"},
+          std::pair{"mixed = 2\nplants = 3\n", "is for components in rows"},
+          std::pair{"mixed = 9999\n", "leaves no place"}})
+        EXPECT_NE(problems_of(sorghum + more).find(problem), std::string::npos)
+            << more;
+}
+
+TEST(Rows, RepeatTheirDistances) {
+    const Campaign campaign = mixed("[field]\nrow_pattern = [1, 3]\n");
+    EXPECT_EQ(campaign.field.row_pattern, (std::vector<double>{1, 3}));
+    EXPECT_EQ(parse_campaign(campaign.resolved, "again").resolved,
+              campaign.resolved);
+    EXPECT_NE(problems_of("[field]\nrow_pattern = [1, 3, 2]\n")
+                  .find("use a multiple of 3 rows"),
+              std::string::npos);
+    EXPECT_NE(problems_of("[field]\nrow_pattern = [1, 3]\n"
+                          "boundary = \"isolated\"\n")
+                  .find("for fields that repeat"),
               std::string::npos);
 }
 

@@ -155,7 +155,10 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
     const std::string mixed =
         "[photosynthesis]\nmodel = \"farquhar\"\nvcmax = 90\njmax = 160\n"
         "tpu = 11\ng1 = 4\n"
-        "[[component]]\nname = \"weed\"\nrows = [2]\n"
+        "[field]\nrow_pattern = [1, 3]\n"
+        "[[component]]\nname = \"weed\"\nrows = [2]\nplants = 3\njitter = 5\n"
+        "crop = \"crops/sorghum.toml\"\n"
+        "[[component]]\nname = \"other\"\nmixed = 2\n"
         "crop = \"crops/sorghum.toml\"\n[[band]]\nname = \"nir\"\n";
     for (const std::string& line : lines_of(read_campaign_text(
              sample_text("", mixed), IDEOTYPE_CAMPAIGNS "/mixed.toml")))
@@ -169,6 +172,8 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
     }
     // The number of replicates is no part of a case.
     declared.erase("replicates");
+    // Distances between plants follow from it.
+    declared.erase("spacing.density");
     // A search begins at the baseline, unless it is given a plant.
     declared.erase("search.start");
     EXPECT_EQ(written, declared);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Campaigns of several components and wavebands.
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -45,6 +47,58 @@ void expect_equal(Estimate a, Estimate b, const std::string& what) {
     EXPECT_NEAR(a.mean, b.mean,
                 4 * std::hypot(a.standard_error, b.standard_error))
         << what;
+}
+
+TEST_F(Mixtures, StandPlantByPlantInANewOrderInEachField) {
+    const Campaign campaign = read_campaign(IDEOTYPE_CAMPAIGNS "/mixture.toml",
+                                            {"field.variation={length=0.1}"});
+    Scene scene = scene_of(campaign, cases(campaign).front());
+    const auto places = draw_places(scene, {1, 0});
+    ASSERT_EQ(places.size(), 2u);
+    std::set<std::pair<double, double>> all;
+    for (const auto& component : places) {
+        EXPECT_EQ(component.size(), 8u);
+        for (const Place& place : component) all.emplace(place.x, place.y);
+    }
+    EXPECT_EQ(all.size(), 16u);
+    const auto x_of = [](const std::vector<Place>& component) {
+        std::vector<double> x;
+        for (const Place& place : component) x.push_back(place.x);
+        return x;
+    };
+    EXPECT_NE(x_of(places[0]), x_of(draw_places(scene, {1, 1})[0]));
+    EXPECT_EQ(x_of(places[0]), x_of(draw_places(scene, {1, 0})[0]));
+    EXPECT_NEAR(scene.components[0].ground_per_plant, 2 / 8., 1e-12);
+}
+
+//! A mixture of one kind is that kind.
+TEST_F(Mixtures, PlantByPlantOfOneKindAreThatKind) {
+    std::vector<std::string> settings = alike;
+    const CanopyReport one = evaluated(settings);
+    settings.push_back(
+        "component=[{name=\"weed\", crop=\"crops/maize.toml\", mixed=8}]");
+    const CanopyReport both = evaluated(settings);
+    EXPECT_NEAR(both.components[0].lai, both.components[1].lai, 1e-9);
+    EXPECT_NEAR(both.lai, one.lai, 1e-9);
+    for (const char* name : {"absorbed_par", "net_assimilation"})
+        EXPECT_NEAR(number(name, both).mean, number(name, one).mean,
+                    .02 * number(name, one).mean);
+}
+
+TEST_F(Mixtures, OfStripsHaveTheRowsAndPlantsThatAreTold) {
+    const Campaign campaign = read_campaign(IDEOTYPE_CAMPAIGNS "/strip.toml");
+    const Scene scene = scene_of(campaign, cases(campaign).front());
+    EXPECT_NEAR(scene.cell.period_x, 2.2, 1e-12);
+    ASSERT_EQ(scene.components.size(), 2u);
+    EXPECT_EQ(scene.components[0].plants(), 8u);
+    EXPECT_EQ(scene.components[1].plants(), 18u);
+    EXPECT_EQ(scene.components[1].jitter, 180);
+    const std::vector<double> rows{.3, .7, 1.3, 1.6, 1.9};
+    for (std::size_t r = 0; r < rows.size(); ++r)
+        EXPECT_NEAR(scene.cell.rows[r], rows[r], 1e-12) << r;
+    EXPECT_NEAR(scene.components[1].ground_per_plant * 18,
+                scene.cell.ground_area, 1e-12);
+    EXPECT_EQ(draw_places(scene, {})[1].front().x, scene.cell.rows[2]);
 }
 
 TEST_F(Mixtures, OfOneKindAreThatKind) {

@@ -16,6 +16,8 @@ struct Spacing {
     double plant = 0;  //!< between plants of a row [m]
     //! Direction of the rows [deg], clockwise from north; 90 is east-west.
     double row_direction = 90;
+    //! Plants per ground area that `plant` follows from [m-2]; 0: it does not.
+    double density = 0;
 };
 
 //! A lattice of plants, which repeats without end or is a plot alone.
@@ -29,6 +31,9 @@ struct FieldForm {
     //! Rows, and plants of each row, that are cut away on all sides of an
     //! isolated plot, with whatever of the others hangs over its edge.
     int border_rows = 0;
+    //! Distances from each row to the next, over their mean, which is that of
+    //! the spacing; they repeat. Empty: all are alike.
+    std::vector<double> row_pattern{};
 };
 
 //! The ground of a lattice.
@@ -71,6 +76,12 @@ struct Field {
 std::vector<double> draw_plant_azimuths(const Component& component,
                                         const Randomness& randomness,
                                         std::uint32_t number = 0);
+
+//! Draws which places each component of a mixture has in a field. Components
+//! in rows have all of theirs.
+//! @return places by component
+std::vector<std::vector<Place>> draw_places(const Scene& scene,
+                                            const Randomness& randomness);
 
 //! Draws a field of a scene: which plants are missing or late, how each differs
 //! from its line and how it is turned.

@@ -30,7 +30,7 @@ struct Cell {
     //! Ground of an isolated plot; what is not above it is cut away.
     std::optional<Rectangle> kept{};
     std::vector<double> rows{};  //!< places of rows along x, if there are [m]
-    double row_distance = 0;     //!< distance between neighbouring rows [m]
+    double row_distance = 0;  //!< mean distance between neighbouring rows [m]
 };
 
 //! Where a plant stands [m].
@@ -45,6 +45,9 @@ struct Component {
     //! its groups is of no account: the scene numbers them.
     Mesh mesh;
     std::vector<Place> places{{}};
+    //! Plants of a mixture: so many of these places are drawn for each field,
+    //! and others of the mixture have the rest of the same places. 0: all.
+    std::size_t mixed = 0;
     //! Plants turn at random by up to this angle either way [deg].
     double jitter = 0;
     //! The plant that the mesh is built of, from which others of its line
@@ -54,6 +57,9 @@ struct Component {
     PlantVariation variation{};
     std::optional<Photosynthesis> photosynthesis{};  //!< if leaves assimilate
     double ground_per_plant = 0;                     //!< of all ground [m2]
+
+    //! Plants in a field, with those that are missing.
+    std::size_t plants() const { return mixed > 0 ? mixed : places.size(); }
 };
 
 //! Something that does not grow and stands where its mesh has it, such as a

@@ -21,6 +21,7 @@ enum class Purpose : std::uint32_t {
     bootstrap = 11,
     variation = 12,
     stream = 13,
+    mixture = 14,
 };
 
 //! Which random numbers an evaluation uses: they are a function of these.

@@ -25,6 +25,17 @@ void check_breeding(Draft& draft, Report& report);
 //! That part of it which concerns sites, days and the light of their cases.
 void check_sky(const Campaign& campaign, Report& report);
 
+//! Checks where components stand, and what is asked of them together.
+void check_components(Draft& draft, Report& report);
+
+//! Reports a surface that reflects and transmits more than all light.
+//! @param name of its keys
+void check_surface(const std::string& name, const Lambertian& surface,
+                   Report& report);
+
+//! Returns a name as names are compared.
+std::string lower_case(std::string text);
+
 //! Measured lines, and what is asked of the distance from them.
 void check_feasibility(Draft& draft, Report& report);
 

@@ -92,6 +92,16 @@ Section objective_section(Campaign& campaign) {
                  .set(&Key::initial, "[]")
                  .set(&Key::range, "as maximise")
                  .one_of(names),
+             Key("weights", &campaign.weights,
+                 "what the plants that are bred, and then each [[component]], "
+                 "count in each objective; left out, objectives are those of "
+                 "all plants together")
+                 .within(-1000, 1000)
+                 .set(&Key::count, any_count)
+                 .set(&Key::type, "list of numbers")
+                 .set(&Key::initial, "none")
+                 .set(&Key::is_written, !campaign.weights.empty())
+                 .like("[1, 0.5]"),
              Key("over", &campaign.over,
                  "axes whose entries are scenarios, not cases: each plant is "
                  "evaluated in all of them")

@@ -96,9 +96,9 @@ class Reporter {
             const double lai = found_.areas[c].leaves / fields;
             const double index = lai + found_.areas[c].other_organs / fields;
             const Component& component = scene_.components[c];
-            result_.components.push_back(
-                {component.name, lai, index,
-                 component.photosynthesis.has_value()});
+            result_.components.push_back({component.name, lai, index,
+                                          component.photosynthesis.has_value(),
+                                          component.ground_per_plant});
             result_.lai += lai;
             result_.plant_area_index += index;
             if (component.photosynthesis) result_.assimilating_lai += lai;

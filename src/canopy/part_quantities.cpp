@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+
 #include "declaration.hpp"
 #include "ideotype/core/units.hpp"
 
@@ -7,6 +12,7 @@ namespace ideotype {
 namespace {
 
 using Values = std::vector<Estimate>;
+using Numbers = std::vector<double>;
 
 bool has_components(const Scope& scope) {
     return scope.components > 1;
@@ -24,27 +30,61 @@ bool has_nir(const Scope& scope) {
     return scope.has_band("nir");
 }
 
-//! Returns the light that leaves absorb in some bands together [J m-2 day-1].
-Randomised absorbed_in(const CanopyReport& report,
-                       const std::vector<std::string>& names) {
-    std::vector<double> sums(report.randomisations());
-    double least = 0;  // standard error that paths can tell
-    for (const BandReport& band : report.bands) {
-        if (std::find(names.begin(), names.end(), band.name) == names.end())
-            continue;
-        for (std::size_t r = 0; r < sums.size(); ++r)
-            sums[r] += band.budget_by_randomisation[r].leaves;
-        // A sum may be better known than its parts only by chance.
-        if (names.size() == 1) least = band.light.day.leaves.standard_error;
-    }
-    Estimate sum = estimate(sums);
-    sum.standard_error = std::max(sum.standard_error, least);
-    return {sum, std::move(sums)};
+using Names = std::vector<std::string>;
+
+//! Sums numbers of groups over the leaves of each component.
+Numbers leaves_by_component(const CanopyReport& report, const Numbers& groups) {
+    Numbers sums(report.components.size());
+    for (std::size_t g = 0; g < groups.size(); ++g)
+        if (report.groups[g].id.is_leaf())
+            sums[report.groups[g].id.component] += groups[g];
+    return sums;
 }
 
-TakeNumber absorbed(std::vector<std::string> names) {
+//! Returns the mean of values, whose error is at least what paths can tell.
+Randomised known_to(double least, Numbers values) {
+    Estimate mean = estimate(values);
+    mean.standard_error = std::max(mean.standard_error, least);
+    return {mean, std::move(values)};
+}
+
+//! Returns the light that the leaves of each component absorb in some bands
+//! together [MJ m-2 day-1].
+std::vector<Randomised> absorbed_by_component(const CanopyReport& report,
+                                              const Names& names) {
+    std::vector<Randomised> parts;
+    for (std::size_t c = 0; c < report.components.size(); ++c) {
+        Numbers sums(report.randomisations());
+        double least = 0;
+        for (const BandReport& band : report.bands) {
+            if (std::find(names.begin(), names.end(), band.name) == names.end())
+                continue;
+            for (std::size_t r = 0; r < sums.size(); ++r)
+                sums[r] += leaves_by_component(
+                    report, band.groups_by_randomisation[r])[c];
+            // A sum may be better known than its parts only by chance.
+            if (names.size() == 1) least = band.part(c).leaves.standard_error;
+        }
+        parts.push_back(
+            scaled(known_to(least, std::move(sums)), 1 / joule_per_megajoule));
+    }
+    return parts;
+}
+
+//! Takes the light that all leaves absorb in some bands together.
+TakeNumber absorbed(Names names) {
     return [names = std::move(names)](const CanopyReport& report) {
-        return scaled(absorbed_in(report, names), 1 / joule_per_megajoule);
+        Numbers sums(report.randomisations());
+        double least = 0;
+        for (const BandReport& band : report.bands) {
+            if (std::find(names.begin(), names.end(), band.name) == names.end())
+                continue;
+            for (std::size_t r = 0; r < sums.size(); ++r)
+                sums[r] += band.budget_by_randomisation[r].leaves;
+            if (names.size() == 1) least = band.light.day.leaves.standard_error;
+        }
+        return scaled(known_to(least, std::move(sums)),
+                      1 / joule_per_megajoule);
     };
 }
 
@@ -72,17 +112,72 @@ TakeNumbers fraction_by_band(Estimate BudgetEstimate::*part) {
     };
 }
 
-//! Takes the gross assimilation of each component, lowered by a loss.
-template <class Loss>
-TakeNumbers assimilation(const Loss& loss) {
+//! Carbon that a component loses [mol m-2 day-1].
+using Loss = double (*)(const ComponentAssimilation&);
+
+double no_loss(const ComponentAssimilation&) {
+    return 0;
+}
+
+double loss_in_light(const ComponentAssimilation& part) {
+    return part.respiration.in_light;
+}
+
+double loss_of_carbon(const ComponentAssimilation& part) {
+    return part.respiration.in_light + part.respiration.at_night +
+           part.building;
+}
+
+//! Returns the gross assimilation of each component, lowered by a loss.
+std::vector<Randomised> assimilation_by_component(const CanopyReport& report,
+                                                  Loss loss) {
+    const AssimilationReport& all = *report.assimilation;
+    std::vector<Numbers> sums;  // [randomisation][component]
+    for (const AssimilationTally& tally : all.tallies)
+        sums.push_back(leaves_by_component(report, tally.groups));
+    std::vector<Randomised> parts;
+    for (const ComponentAssimilation& each :
+         by_component(all, report.groups, report.components.size())) {
+        const double lost = loss(each);
+        Randomised part{{each.gross.mean - lost, each.gross.standard_error},
+                        {}};
+        for (const Numbers& of : sums)
+            part.by_randomisation.push_back(of[parts.size()] - lost);
+        parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
+TakeProfile assimilation(Loss loss) {
     return [loss](const CanopyReport& report) {
-        Values values;
-        for (const ComponentAssimilation& each : by_component(
-                 *report.assimilation, report.groups, report.components.size()))
-            values.push_back(
-                {each.gross.mean - loss(each), each.gross.standard_error});
-        return values;
+        return assimilation_by_component(report, loss);
     };
+}
+
+//! Returns how much more the mean plant of the first component has than that of
+//! the second, relative to it: net assimilation, or light where leaves do not
+//! assimilate. The values are pseudo-values of a jackknife.
+Randomised invasion(const CanopyReport& report) {
+    const std::vector<Randomised> parts = measure_parts(
+        report.assimilation ? "net_assimilation" : "absorbed_par", report);
+    const Numbers &own = parts[0].by_randomisation,
+                  &other = parts[1].by_randomisation;
+    const double plants = report.components[0].ground_per_plant /
+                          report.components[1].ground_per_plant;
+    const double sum = std::accumulate(own.begin(), own.end(), 0.);
+    const double of_other = std::accumulate(other.begin(), other.end(), 0.);
+    const auto n = static_cast<double>(own.size());
+    const double whole = sum / of_other;
+    Numbers values;
+    for (std::size_t r = 0; r < own.size(); ++r) {
+        const double without = (sum - own[r]) / (of_other - other[r]);
+        values.push_back(plants * (n * whole - (n - 1) * without) - 1);
+    }
+    return known_to(0, std::move(values));
+}
+
+bool are_two(const Scope& scope) {
+    return scope.components == 2;
 }
 
 bool have_assimilation(const Scope& scope) {
@@ -91,9 +186,37 @@ bool have_assimilation(const Scope& scope) {
 
 }  // namespace
 
+std::vector<std::string> additive_objectives() {
+    return {"absorbed_par",       "absorbed_nir",     "absorbed_shortwave",
+            "gross_assimilation", "net_assimilation", "carbon_balance"};
+}
+
+std::vector<Randomised> measure_parts(const std::string& name,
+                                      const CanopyReport& report) {
+    if (name == "absorbed_par") return absorbed_by_component(report, {"par"});
+    if (name == "absorbed_nir") return absorbed_by_component(report, {"nir"});
+    if (name == "absorbed_shortwave")
+        return absorbed_by_component(report, {"par", "nir"});
+    return measure_profile(name + "_by_component", report);
+}
+
+Randomised weighted_sum(const std::vector<Randomised>& parts,
+                        const std::vector<double>& weights) {
+    Numbers sums(parts.front().by_randomisation.size());
+    double least = 0;
+    for (std::size_t c = 0; c < parts.size(); ++c) {
+        for (std::size_t r = 0; r < sums.size(); ++r)
+            sums[r] += weights[c] * parts[c].by_randomisation[r];
+        if (std::count(weights.begin(), weights.end(), 0.) + 1 ==
+            std::ssize(weights))
+            least = std::max(
+                least, std::abs(weights[c]) * parts[c].estimate.standard_error);
+    }
+    return known_to(least, std::move(sums));
+}
+
 std::vector<Declaration> part_quantities() {
     using Report = CanopyReport;
-    using Part = ComponentAssimilation;
     constexpr Certainty exact = Certainty::exact;
     return {
         {{"absorbed_nir", daily,
@@ -158,14 +281,14 @@ std::vector<Declaration> part_quantities() {
           rate,
           "CO2 that leaves take up per ground area",
           {"component"}},
-         assimilation([](const Part&) { return 0.; }),
+         assimilation(no_loss),
          false,
          have_assimilation},
         {{"net_assimilation_by_component",
           rate,
           "gross assimilation less what leaves respire while there is light",
           {"component"}},
-         assimilation([](const Part& x) { return x.respiration.in_light; }),
+         assimilation(loss_in_light),
          false,
          have_assimilation},
         {{"carbon_balance_by_component",
@@ -173,12 +296,16 @@ std::vector<Declaration> part_quantities() {
           "gross assimilation less what leaves respire day and night and the "
           "carbon that they are built of",
           {"component"}},
-         assimilation([](const Part& x) {
-             return x.respiration.in_light + x.respiration.at_night +
-                    x.building;
-         }),
+         assimilation(loss_of_carbon),
          false,
          have_assimilation},
+        {{"invasion", "1",
+          "how much more the mean plant of the first component has than that "
+          "of the second, relative to it: net assimilation, or absorbed light "
+          "where leaves do not assimilate"},
+         TakeNumber(invasion),
+         false,
+         are_two},
     };
 }
 

@@ -221,6 +221,12 @@ bool is_of_nir(const std::string& quantity) {
     return find(quantity) && !find(quantity, par);
 }
 
+bool is_of_two_components(const std::string& quantity) {
+    Scope one = everything;
+    one.components = 1;
+    return find(quantity) && !find(quantity, one);
+}
+
 std::string unit_of(const std::string& quantity) {
     if (const Declaration* found = find(quantity)) return found->quantity.unit;
     throw std::out_of_range("no quantity " + quantity);

@@ -148,7 +148,11 @@ Outcome to_outcome(const Campaign& campaign, const Plant& plant,
     Outcome outcome;
     outcome.status = Status::done;
     for (const Aim& aim : aims(campaign)) {
-        const auto [mean, values] = measure_objective(aim.quantity, report);
+        const auto [mean, values] =
+            campaign.weights.empty()
+                ? measure_objective(aim.quantity, report)
+                : weighted_sum(measure_parts(aim.quantity, report),
+                               campaign.weights);
         outcome.objectives.push_back(mean);
         outcome.randomisations.insert(outcome.randomisations.end(),
                                       values.begin(), values.end());

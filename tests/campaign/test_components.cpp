@@ -78,6 +78,25 @@ TEST(Components, StandInRowsOrAmongThePlantsThatAreBred) {
             << more;
 }
 
+TEST(Components, CountInObjectivesByTheirWeights) {
+    const std::string rows = sorghum + "rows = [2]\n";
+    const std::string net = "[objective]\nmaximise = \"net_assimilation\"\n";
+    const Campaign campaign = mixed(rows + net + "weights = [1, 0.5]\n");
+    EXPECT_EQ(campaign.weights, (std::vector<double>{1, 0.5}));
+    EXPECT_EQ(parse_campaign(campaign.resolved, "again").resolved,
+              campaign.resolved);
+    for (const auto& [text, problem] :
+         {std::pair{rows + net + "weights = [1]\n", "there are 2 components"},
+          std::pair{net + "weights = [1, 1]\n", "there are 1 components"},
+          std::pair{rows + net + "weights = [0, 0]\n", "are all 0"},
+          std::pair{rows + "[objective]\nmaximise = \"fapar\"\n"
+                           "weights = [1, 1]\n",
+                    "fapar is no sum over components"},
+          std::pair{std::string("[objective]\nmaximise = \"invasion\"\n"),
+                    "compares two components, and there are 1"}})
+        EXPECT_NE(problems_of(text).find(problem), std::string::npos) << text;
+}
+
 TEST(Rows, RepeatTheirDistances) {
     const Campaign campaign = mixed("[field]\nrow_pattern = [1, 3]\n");
     EXPECT_EQ(campaign.field.row_pattern, (std::vector<double>{1, 3}));

@@ -85,6 +85,44 @@ TEST_F(Mixtures, PlantByPlantOfOneKindAreThatKind) {
                     .02 * number(name, one).mean);
 }
 
+TEST_F(Mixtures, PartsOfAnObjectiveAreKnownByRandomisation) {
+    std::vector<std::string> settings = alike;
+    settings.push_back(weed);
+    settings.push_back(nir);
+    const CanopyReport report = evaluated(settings);
+    for (const std::string& name : additive_objectives()) {
+        const Randomised whole = measure_objective(name, report);
+        const std::vector<Randomised> parts = measure_parts(name, report);
+        const Randomised both = weighted_sum(parts, {1, 1});
+        const Randomised first = weighted_sum(parts, {2, 0});
+        EXPECT_NEAR(both.estimate.mean, whole.estimate.mean, 1e-9) << name;
+        EXPECT_NEAR(first.estimate.mean, 2 * parts[0].estimate.mean, 1e-9);
+        EXPECT_NEAR(first.estimate.standard_error,
+                    2 * parts[0].estimate.standard_error, 1e-9)
+            << name;
+        for (std::size_t r = 0; r < both.by_randomisation.size(); ++r)
+            EXPECT_NEAR(both.by_randomisation[r], whole.by_randomisation[r],
+                        1e-9)
+                << name;
+    }
+}
+
+//! Plants of one kind gain nothing over each other; shaded ones lose.
+TEST_F(Mixtures, TellHowMuchMoreTheMeanPlantOfOneComponentHas) {
+    std::vector<std::string> settings = alike;
+    settings.push_back(weed);
+    const Estimate none = number("invasion", evaluated(settings));
+    EXPECT_NEAR(none.mean, 0, 4 * none.standard_error);
+    EXPECT_LT(none.standard_error, .02);
+    const auto of = [&](const std::string& crop) {
+        settings.back() = "component=[{name=\"weed\", crop=\"crops/" + crop +
+                          ".toml\", mixed=8}]";
+        return number("invasion", evaluated(settings));
+    };
+    const Estimate over_cowpea = of("cowpea");
+    EXPECT_GT(over_cowpea.mean, 1 + 4 * over_cowpea.standard_error);
+}
+
 TEST_F(Mixtures, OfStripsHaveTheRowsAndPlantsThatAreTold) {
     const Campaign campaign = read_campaign(IDEOTYPE_CAMPAIGNS "/strip.toml");
     const Scene scene = scene_of(campaign, cases(campaign).front());

@@ -72,6 +72,7 @@ struct ComponentReport {
     //! other organs [m2 m-2].
     double lai = 0, plant_area_index = 0;
     bool assimilates = false;
+    double ground_per_plant = 0;  //!< of all ground [m2]
 };
 
 //! The result of evaluating one canopy.

@@ -44,6 +44,9 @@ bool is_of_lines(const std::string& quantity);
 //! Whether only reports with a near infrared band have it.
 bool is_of_nir(const std::string& quantity);
 
+//! Whether only reports with two components have it.
+bool is_of_two_components(const std::string& quantity);
+
 //! The unit of a quantity.
 //! @throws std::out_of_range if there is none of this name.
 std::string unit_of(const std::string& quantity);
@@ -59,7 +62,20 @@ struct Randomised {
 Randomised measure_objective(const std::string& name,
                              const CanopyReport& report);
 
-//! A quantity along leaf or layer alone, place by place.
+//! Objectives that are sums over components.
+std::vector<std::string> additive_objectives();
+
+//! Tells what each component has of an objective that is a sum over them, per
+//! area of all ground.
+//! @throws Error if the report has no such parts.
+std::vector<Randomised> measure_parts(const std::string& name,
+                                      const CanopyReport& report);
+
+//! Sums parts times a weight of each.
+Randomised weighted_sum(const std::vector<Randomised>& parts,
+                        const std::vector<double>& weights);
+
+//! A quantity along leaf, layer or component alone, place by place.
 //! @throws Error if the report has none of this name.
 std::vector<Randomised> measure_profile(const std::string& name,
                                         const CanopyReport& report);

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "checks.hpp"
+#include "ideotype/canopy/quantities.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! Tells a component that has the name of another one.
+void check_name(const Draft& neighbour, std::map<std::string, int>& names,
+                Report& report) {
+    const std::string& name = neighbour.campaign.name;
+    if (report.usable({&name}) && ++names[lower_case(name)] > 1)
+        report.add(&name,
+                   fmt::format("component.name is \"{}\" (already used, "
+                               "perhaps by the plant that is bred); give "
+                               "each a name of its own",
+                               name));
+}
+
+//! Tells rows that a component can't have.
+//! @param taken whether each row of the field has a component
+void check_rows(const Draft& neighbour, std::vector<bool>& taken,
+                Report& report) {
+    for (const double row : neighbour.rows) {
+        if (!report.usable({&neighbour.rows})) return;
+        const auto place = static_cast<std::size_t>(row) - 1;
+        const bool is_row = row == std::floor(row) && place < taken.size();
+        if (is_row && !taken[place])
+            taken[place] = true;
+        else
+            report.add(
+                &neighbour.rows,
+                fmt::format("component.rows has {} ({}); the field has rows 1 "
+                            "to {}, each for one component",
+                            row,
+                            is_row ? "which another has" : "which is no row",
+                            taken.size()));
+    }
+}
+
+//! Tells a component that stands nowhere, or in two ways.
+void check_standing(const Draft& neighbour, Report& report) {
+    const auto& [rows, mixed, plants, jitter] = neighbour.standing;
+    if (!report.usable({&neighbour.rows, &mixed, &plants})) return;
+    const std::string& name = neighbour.campaign.name;
+    if (neighbour.rows.empty() == (mixed == 0))
+        report.add(&name,
+                   fmt::format("component \"{}\" stands {}; give it either "
+                               "`rows` of the field or `mixed`, a number of "
+                               "plants among those that are bred",
+                               name, mixed == 0 ? "nowhere" : "in two ways"));
+    else if (mixed > 0 && plants > 0)
+        report.add(&plants,
+                   "component.plants is for components in rows; remove it, "
+                   "or use `rows` in the place of `mixed`");
+}
+
+//! Components that are not bred have names and places of their own, and leave
+//! places to the plants that are bred.
+void check_neighbours(Draft& draft, Report& report) {
+    const FieldForm& field = draft.campaign.field;
+    if (!report.usable({&field.rows, &field.plants})) return;
+    std::map<std::string, int> names;
+    if (draft.is_crop_known)
+        names[lower_case(draft.campaign.crop.baseline.name)] = 1;
+    std::vector<bool> taken(static_cast<std::size_t>(field.rows));
+    std::ptrdiff_t mixed = 0;
+    for (const std::shared_ptr<Draft>& each : draft.neighbours) {
+        check_name(*each, names, report);
+        check_rows(*each, taken, report);
+        check_standing(*each, report);
+        mixed += each->standing.mixed;
+        const auto rows = std::count(taken.begin(), taken.end(), false);
+        if (rows * field.plants <= mixed)
+            report.add(
+                &each->campaign.name,
+                fmt::format("component \"{}\" leaves no place to the "
+                            "plants that are bred; the field has {} x "
+                            "{} places",
+                            each->campaign.name, field.rows, field.plants));
+        const Campaign& own = each->campaign;
+        check_surface("leaf", own.optics.leaf, report);
+        check_surface("stalk", own.optics.stalk, report);
+        check_surface("sheath", own.optics.sheath, report);
+        if (!each->is_crop_known) continue;
+        check_photosynthesis(each->photosynthesis,
+                             own.crop.baseline.leaves.size(), report);
+        check_plant(*each, report);
+    }
+}
+
+//! Tells row distances that do not repeat in the field.
+void check_row_pattern(const FieldForm& field, Report& report) {
+    const std::vector<double>& pattern = field.row_pattern;
+    if (pattern.empty() || !report.usable({&pattern, &field.rows})) return;
+    const auto count = static_cast<int>(pattern.size());
+    if (field.boundary == Boundary::isolated)
+        report.add(&pattern,
+                   "field.row_pattern is for fields that repeat; remove it, or "
+                   "set field.boundary = \"periodic\"");
+    else if (field.rows % count != 0)
+        report.add(&pattern,
+                   fmt::format("field.row_pattern has {} distances, but the "
+                               "field has {} rows; use a multiple of {} rows",
+                               count, field.rows, count));
+}
+
+//! Tells weights that do not fit components, and objectives that have no parts.
+void check_weights(const Draft& draft, Report& report) {
+    const Campaign& campaign = draft.campaign;
+    const std::vector<double>& weights = campaign.weights;
+    const std::size_t components = 1 + draft.neighbours.size();
+    if (!report.usable({&weights})) return;
+    const bool has_weights = !weights.empty();
+    if (has_weights && weights.size() != components)
+        report.add(&weights,
+                   fmt::format("objective.weights has {} numbers, but there "
+                               "are {} components with the plants that are "
+                               "bred; give one for each",
+                               weights.size(), components));
+    if (has_weights && std::all_of(weights.begin(), weights.end(),
+                                   [](double x) { return x == 0; }))
+        report.add(&weights,
+                   "objective.weights are all 0; give one that is not");
+    const std::vector<std::string> sums = additive_objectives();
+    for (const auto* list : {&campaign.maximised, &campaign.minimised})
+        for (const std::string& each : *list) {
+            if (!report.usable({list})) break;
+            if (is_of_two_components(each) && components != 2)
+                report.add(list,
+                           fmt::format("the objective {} compares two "
+                                       "components, and there are {}; add or "
+                                       "remove a [[component]]",
+                                       each, components));
+            if (has_weights &&
+                std::find(sums.begin(), sums.end(), each) == sums.end())
+                report.add(&weights,
+                           fmt::format("the objective {} is no sum over "
+                                       "components; remove objective.weights, "
+                                       "or use one of {}",
+                                       each, fmt::join(sums, ", ")));
+        }
+}
+
+}  // namespace
+
+void check_components(Draft& draft, Report& report) {
+    check_neighbours(draft, report);
+    check_row_pattern(draft.campaign.field, report);
+    check_weights(draft, report);
+}
+
+}  // namespace ideotype

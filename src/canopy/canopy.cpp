@@ -227,7 +227,8 @@ Accuracy face_accuracy(const Accuracy& accuracy, std::size_t faces) {
         accuracy.randomisations;
     // Powers of two are where Sobol' nets are most even.
     const int paths = 1 << static_cast<int>(std::ceil(std::log2(enough)));
-    return {std::max(accuracy.paths, paths), accuracy.randomisations};
+    return {std::max(accuracy.paths, paths), accuracy.randomisations, 0,
+            accuracy.fields};
 }
 
 }  // namespace ideotype

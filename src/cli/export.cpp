@@ -83,7 +83,8 @@ std::vector<Estimate> light_on_faces(CanopyRequest request, std::size_t faces,
                                      std::optional<int> paths,
                                      const std::string& isa) {
     request.details.faces = true;
-    request.accuracy = paths ? Accuracy{*paths, request.accuracy.randomisations}
+    request.accuracy = paths ? Accuracy{*paths, request.accuracy.randomisations,
+                                        0, request.accuracy.fields}
                              : face_accuracy(request.accuracy, faces);
     std::vector<Estimate> light = evaluate(request, Device(isa)).par().faces;
     light.resize(faces);

@@ -39,6 +39,21 @@ def test_erect_leaves_pay_only_where_plants_stand_close() -> None:
         assert float(row[1]) < -2 and float(row[2]) > 2
 
 
+def test_neighbours_share_land_and_are_invaded(tmp_path: Path) -> None:
+    told = run("neighbours.py", tmp_path, "--rough", "--generations", 1)
+    cell = r" (\S+) ± (\S+) \|"
+    ratios = re.findall(rf"(?m)^\| [a-z ]+ \|{3 * cell}$", told)
+    assert len(ratios) == 3, told
+    for whole, error, maize, _, soybean, _ in ratios:
+        parts = float(maize) + float(soybean)
+        assert float(whole) == pytest.approx(parts, abs=0.002)
+        assert 0.7 < float(whole) < 1.4 and float(error) < 0.2
+    invaders = re.findall(rf"(?m)^\| [a-z\' ]+ \|{2 * cell}$", told)
+    assert len(invaders) == 2, told
+    # Nobody shades a larger plant; a stand of them is worth what it is.
+    assert float(invaders[0][0]) > 2 * float(invaders[0][1])
+
+
 def test_searches_are_compared_by_their_gains(tmp_path: Path) -> None:
     words = [
         tmp_path,

@@ -85,6 +85,30 @@ TEST_F(Mixtures, PlantByPlantOfOneKindAreThatKind) {
                     .02 * number(name, one).mean);
 }
 
+//! Soybean beside maize has more light in strips of two rows of each than in
+//! alternate rows, and maize less. In a field of PMC6391028 soybean had more
+//! than twice as much at its first flower.
+TEST_F(Mixtures, OfTwoRowsEachGiveSoybeanMoreLightThanAlternateRows) {
+    const auto light = [&](const std::string& rows, const std::string& places,
+                           const std::string& pattern) {
+        const CanopyReport report = evaluated(
+            {"spacing=[{row=0.5, plant=0.15, row_direction=0}]",
+             "field={rows=" + rows +
+                 ", plants=4, jitter=10, row_pattern=" + pattern + "}",
+             "component=[{name=\"soybean\", crop=\"crops/soybean.toml\", "
+             "plants=6, jitter=180, rows=" +
+                 places + "}]"});
+        return measure_parts("absorbed_par", report);
+    };
+    const auto alternate = light("2", "[2]", "[1, 1]");
+    const auto strips = light("4", "[3, 4]", "[0.4, 0.6]");
+    EXPECT_GT(strips[1].estimate.mean, 1.4 * alternate[1].estimate.mean);
+    EXPECT_LT(strips[0].estimate.mean, 0.97 * alternate[0].estimate.mean);
+    for (const auto& parts : {alternate, strips})
+        EXPECT_LT(parts[1].estimate.standard_error,
+                  .05 * parts[1].estimate.mean);
+}
+
 TEST_F(Mixtures, PartsOfAnObjectiveAreKnownByRandomisation) {
     std::vector<std::string> settings = alike;
     settings.push_back(weed);

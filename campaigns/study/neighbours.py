@@ -1,0 +1,185 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""What is a plant worth beside others, in strips with soybean and as an invader?
+
+neighbours.py FOLDER [--generations N] [--seeds N] [--rough]
+
+Breeds crops/maize.toml in the strips of strip.toml for the net assimilation of both crops
+by land (the land equivalent ratio: of each crop what it has over what it has alone, maize
+in rows .60 m apart with .15 m between plants, soybean .30 by .10 m), and for that of maize
+alone. Then breeds it in a stand of its own at 30 x 6 inches, and as one plant of 25 among
+plants of the baseline (invader.toml) and among plants that are best for the stand. Prints
+land equivalent ratios with their parts, what invaders gain over their neighbours, and what
+a stand of invaders has. ± is the standard error of randomisations, or over seeds where that
+is larger. What is in FOLDER already is not bred again. --rough is for tests.
+IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+"""
+
+from __future__ import annotations
+
+import math
+import tomllib
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from shared import (
+    CAMPAIGNS,
+    MAIZE,
+    ROUGH,
+    Estimate,
+    Numbers,
+    best,
+    breed_tables,
+    guard,
+    mean_over_seeds,
+    parser_of_searches,
+    print_table,
+)  # fmt: skip
+
+from ideotype import Stand
+
+Tables = Mapping[str, Any]
+#: Of single crops, between rows and plants [m].
+ALONE = {"maize": (0.6, 0.15), "soybean": (0.3, 0.1)}
+
+
+def campaign(file: str, common: Tables, **tables: Any) -> dict[str, Any]:
+    """A campaign of this project with other tables."""
+    found = tomllib.loads((CAMPAIGNS / f"{file}.toml").read_text())
+    for component in found.get("component", []):
+        component["crop"] = str(CAMPAIGNS / component["crop"])
+    found["plant"] = {"baseline": str(MAIZE)}
+    return {**found, **common, **tables}
+
+
+def values(stand: Stand, genome: Numbers, name: str) -> list[Estimate]:
+    """A quantity of the plant, one for each component if it has several."""
+    found = stand.evaluate(genome, [name], final=True)
+    if found.message.values[0]:
+        raise SystemExit(f"{stand.name}: {found.message.values[0]}")
+    means = np.atleast_1d(found[name].values[0])
+    errors = np.atleast_1d(found[f"{name}_standard_error"].values[0])
+    return list(zip(means.tolist(), errors.tolist(), strict=True))
+
+
+def over(a: Estimate, b: Estimate) -> Estimate:
+    """a / b of evaluations that share nothing."""
+    mean = a[0] / b[0]
+    return mean, abs(mean) * math.hypot(a[1] / a[0], b[1] / b[0])
+
+
+def net_alone(crop: str, common: Tables) -> Estimate:
+    """The net assimilation of a crop that stands alone [mol m-2 day-1]."""
+    row, plant = ALONE[crop]
+    tables = campaign("cultivars", common, name=crop)
+    del tables["component"]
+    tables["plant"] = {"baseline": str(CAMPAIGNS / "crops" / f"{crop}.toml")}
+    tables["spacing"] = [{"row": row, "plant": plant, "row_direction": 0}]
+    tables["field"] = {"rows": 4, "plants": 4}
+    if crop == "soybean":
+        tables["field"]["jitter"] = 180
+    stand = Stand(tables)
+    return values(stand, stand.baseline, "net_assimilation")[0]
+
+
+def bred(tables: Tables, folder: Path) -> list[Numbers]:
+    """The best plant of each seed."""
+    return [best(each) for each in breed_tables(tables, folder)]
+
+
+def tell(x: Estimate, digits: int = 3) -> str:
+    return f"{x[0]:.{digits}f} ± {x[1]:.{digits}f}"
+
+
+def strips(common: Tables, folder: Path) -> None:
+    """Prints the land equivalent ratio of the strip, before and after."""
+    alone = [net_alone(crop, common) for crop in ALONE]
+    land = [1 / net for net, _ in alone]
+    goals = {"both crops by land": land, "maize alone": [land[0], 0]}
+    stand = Stand(campaign("strip", common, name="strip"))
+    plants = {"the baseline": [stand.baseline]}
+    for i, (goal, weights) in enumerate(goals.items()):
+        tables = campaign("strip", common, name=f"strip{i}")
+        tables["objective"]["weights"] = weights
+        plants[goal] = bred(tables, folder)
+
+    def ratios(genome: Numbers) -> list[Estimate]:
+        found = values(stand, genome, "net_assimilation_by_component")
+        each = [over(*pair) for pair in zip(found, alone, strict=True)]
+        whole = sum(x for x, _ in each), math.hypot(*(e for _, e in each))
+        return [whole, *each]
+
+    rows = []
+    for goal, genomes in plants.items():
+        by_seed = [ratios(genome) for genome in genomes]
+        means = [mean_over_seeds(x) for x in zip(*by_seed, strict=True)]
+        rows.append([goal, *map(tell, means)])
+    print_table(
+        ["maize bred for", "land equivalent ratio", "maize", "soybean"], rows
+    )
+
+
+def invaders(common: Tables, folder: Path) -> None:
+    """Prints what single plants gain over their neighbours, and a stand of
+    such plants over the stand that they come into."""
+    of_stand = campaign("invader", common, name="stand")
+    del of_stand["component"]
+    of_stand["objective"] = {"maximise": "net_assimilation"}
+    stand = Stand(of_stand)
+    best_of_stand = bred(of_stand, folder)[0]
+    residents = {
+        "the baseline": stand.baseline,
+        "the stand's best": best_of_stand,
+    }
+    rows = []
+    for i, (name, resident) in enumerate(residents.items()):
+        crop = folder / f"resident{i}.toml"
+        crop.write_text(stand.crop_file(resident))
+        tables = campaign("invader", common, name=f"invader{i}")
+        tables["plant"] = {"baseline": str(crop)}
+        tables["component"][0]["crop"] = str(crop)
+        test = Stand(tables)
+        found = bred(tables, folder)
+        gains = [values(test, each, "invasion")[0] for each in found]
+        before = values(stand, resident, "net_assimilation")[0]
+        nets = [
+            over(values(stand, each, "net_assimilation")[0], before)
+            for each in found
+        ]
+        gain, net = mean_over_seeds(gains), mean_over_seeds(nets)
+        rows.append(
+            [
+                name,
+                tell((100 * gain[0], 100 * gain[1]), 1),
+                tell((100 * net[0] - 100, 100 * net[1]), 1),
+            ]
+        )
+    titles = [
+        "neighbours",
+        "one bred plant over them [%]",
+        "a stand of such plants [%]",
+    ]
+    print_table(titles, rows)
+
+
+def main() -> None:
+    parser = parser_of_searches(__doc__, generations=40, seeds=1)
+    options = parser.parse_args()
+    common: dict[str, Any] = {
+        "replicates": options.seeds,
+        "search": {"population": 24},
+        "stop": {"generations": options.generations},
+        "final": {"candidates": 3, "randomisations": 32},
+    }
+    if options.rough:
+        common |= ROUGH
+    parts: Sequence[Callable[[Tables, Path], None]] = (strips, invaders)
+    for part in parts:
+        part(common, options.folder)
+        print()
+
+
+if __name__ == "__main__":
+    guard(main)

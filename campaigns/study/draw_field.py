@@ -4,8 +4,8 @@
 
 draw_field.py --to FILE.png [--spacing ROW PLANT] [TITLE=]PLANT...
 
-Each PLANT is a plant or crop file, of which its baseline is drawn, or a history, of
-which the best plant is. Plants differ as those of fields do (FIELD_PLANTS in shared.py); leaves
+Each PLANT is a plant or crop file, of which its baseline is drawn, a history, of which the
+best plant is, or a campaign, whose own field is, with all of its components. Plants differ as those of fields do (FIELD_PLANTS in shared.py); leaves
 that were measured one by one keep their angles. Leaves have the colour of the PAR that they
 absorb per area on a clear 7 August at 42 deg north, by face, in rows along the meridian,
 ROW and PLANT metres apart.
@@ -14,6 +14,8 @@ ROW and PLANT metres apart.
 from __future__ import annotations
 
 import argparse
+import tomllib
+from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -21,7 +23,7 @@ from typing import Any
 import matplotlib
 import numpy as np
 from PIL import Image
-from plant_shapes import field_of
+from plant_shapes import drawn, field_of
 from shared import FIELD_PLANTS, Numbers, best, guard
 
 from ideotype import Stand, mesh
@@ -43,43 +45,95 @@ SIZE = (7, 12)
 """Rows, and plants of each."""
 
 
-def grown(
-    plant: Path, row: float, step: float
-) -> tuple[Mesh, list[float | None]]:
-    """The field of a plant, and the light on each of its faces that is of a
-    leaf [MJ m-2 day-1]."""
-    with TemporaryDirectory() as name:
-        folder = Path(name)
-        if plant.suffix == ".h5":
-            bred = Stand.from_history(plant, same_isa=False)
-            crop = folder / "bred.toml"
-            crop.write_text(bred.crop_file(best(plant)))
+@dataclass(frozen=True)
+class Drawn:
+    """A field, and the light on each of its faces that is of a leaf
+    [MJ m-2 day-1]."""
+
+    field: Mesh
+    light: list[float | None]
+    rows: tuple[float, ...]  #: places across, from the middle [m]
+    length: float  #: of rows [m]
+
+
+def of_campaign(path: Path, folder: Path) -> tuple[Mesh, Numbers, float]:
+    """The field of a campaign, twice as wide and as long as it is; distances
+    from each row to the next, and the length of rows [m]."""
+    tables = tomllib.loads(path.read_text())
+    for part in (tables["plant"], *tables.get("component", [])):
+        key = "crop" if "crop" in part else "baseline"
+        part[key] = str((path.parent / part[key]).resolve())
+    field, spacing = tables["field"], tables["spacing"][0]
+    pattern = np.array(field.get("row_pattern", [1.0]))
+    own = field["rows"]
+    for component in tables.get("component", []):
+        rows = component.get("rows")
+        if rows:
+            component["rows"] = [*rows, *(row + own for row in rows)]
         else:
-            crop = plant.resolve()
-        varied: dict[str, Any] = FIELD_PLANTS
-        if "midrib" in crop.read_text():
-            kept = FIELD_PLANTS.keys() - IN_MIDRIBS
-            varied = {name: FIELD_PLANTS[name] for name in sorted(kept)}
-        field = field_of("drawn", crop, varied, folder, SIZE, (row, step))
+            component["mixed"] *= 4
+        if "plants" in component:
+            component["plants"] *= 2
+    plant = spacing.get("plant") or 1 / (spacing["density"] * spacing["row"])
+    field |= {"rows": 2 * own, "plants": 2 * field["plants"]}
+    tables |= {
+        "light": {"paths": 16, "randomisations": 4},
+        "objective": {},
+        "search": {"population": 2, "elites": 0},
+        "stop": {"generations": 1},
+        "final": {"candidates": 1, "paths": 16, "randomisations": 2},
+    }
+    steps = np.resize(pattern / pattern.mean(), 2 * own) * spacing["row"]
+    return drawn(tables, folder), steps, plant * field["plants"]
+
+
+def of_plant(
+    plant: Path, row: float, step: float, folder: Path
+) -> tuple[Mesh, Numbers, float]:
+    if plant.suffix == ".h5":
+        bred = Stand.from_history(plant, same_isa=False)
+        crop = folder / "bred.toml"
+        crop.write_text(bred.crop_file(best(plant)))
+    else:
+        crop = plant.resolve()
+    varied: dict[str, Any] = FIELD_PLANTS
+    if "midrib" in crop.read_text():
+        kept = FIELD_PLANTS.keys() - IN_MIDRIBS
+        varied = {name: FIELD_PLANTS[name] for name in sorted(kept)}
+    field = field_of("drawn", crop, varied, folder, SIZE, (row, step))
+    return field, np.full(SIZE[0], row), SIZE[1] * step
+
+
+def grown(plant: Path, row: float, step: float) -> Drawn:
+    with TemporaryDirectory() as name:
+        is_campaign = (
+            plant.suffix == ".toml" and "[[site]]" in plant.read_text()
+        )
+        field, steps, length = (
+            of_campaign(plant, Path(name))
+            if is_campaign
+            else of_plant(plant, row, step, Path(name))
+        )
     surfaces = mesh(field.vertices, field.faces, groups=field.groups)
     found = surfaces.evaluate(
-        period=(SIZE[0] * row, SIZE[1] * step), site=(42, -93.6, -5),
+        period=(steps.sum(), length), site=(42, -93.6, -5),
         day="2025-08-07", paths=1 << 19, by_face=True,
     )  # fmt: skip
     light = [
         float(value) if "leaf" in group else None
         for value, group in zip(found.absorbed_by_face.values, field.groups)
     ]
-    return field, light
+    places = np.cumsum([0, *steps[:-1]])
+    middle = (places[0] + places[-1]) / 2
+    return Drawn(field, light, tuple(places - middle), length)
 
 
-def in_view(field: Mesh, colors: Numbers, row: float, step: float) -> Field:
+def in_view(drawn: Drawn, colors: Numbers) -> Field:
     """The field about the middle of its rows, shaded."""
-    corners = field.corners
+    corners = drawn.field.corners
     middle = corners[..., 0].min() + corners[..., 0].max()
     corners = corners - [middle / 2, 0, 0]
-    rows = tuple(row * (i - (SIZE[0] - 1) / 2) for i in range(SIZE[0]))
-    return Field(corners, lit(colors, corners), rows, step * (SIZE[1] - 1))
+    return Field(corners, lit(colors, corners), drawn.rows, drawn.length)
 
 
 def main() -> None:
@@ -95,15 +149,15 @@ def main() -> None:
     for plant in options.plants:
         title, _, path = plant.rpartition("=")
         shown[title or Path(path).stem] = grown(Path(path), row, step)
-    told = [x for _, light in shown.values() for x in light if x is not None]
+    told = [x for each in shown.values() for x in each.light if x is not None]
     # The few brightest faces would leave the others dark.
     brightest = float(np.quantile(told, 0.98))
 
     figure = new_figure(4.3 * len(shown), 6.4)
     grid = figure.subplots(2, len(shown), squeeze=False)
-    for column, (title, (shape, light)) in zip(grid.T, shown.items()):
-        colors = face_colors(shape, light, brightest)
-        field = in_view(shape, colors, row, step)
+    for column, (title, each) in zip(grid.T, shown.items()):
+        colors = face_colors(each.field, each.light, brightest)
+        field = in_view(each, colors)
         show(column[0], at_eye_height(field))
         show(column[1], from_above(field))
         column[0].set_title(title)

@@ -95,6 +95,18 @@ def turned(crop: Path) -> str:
     return next(whole, "azimuth")
 
 
+def drawn(tables: Any, folder: Path) -> Mesh:
+    """The field of a campaign's first generation, the baseline."""
+    (history,) = breed_tables(tables, folder)
+    to = history.with_suffix(".obj")
+    to.unlink(missing_ok=True)
+    program = os.environ.get("IDEOTYPE_EXECUTABLE", "ideotype")
+    words = [program, "export", str(history), "--to", str(to)]
+    words += ["--generation", "0", "--slot", "0", "--field"]
+    subprocess.run(words, check=True, capture_output=True, text=True)
+    return read_obj(to)
+
+
 def field_of(
     name: str,
     crop: Path,
@@ -121,14 +133,7 @@ def field_of(
         "stop": {"generations": 1},
         "final": {"candidates": 1, "paths": 16, "randomisations": 2},
     }
-    (history,) = breed_tables(tables, folder)
-    to = history.with_suffix(".obj")
-    to.unlink(missing_ok=True)
-    program = os.environ.get("IDEOTYPE_EXECUTABLE", "ideotype")
-    words = [program, "export", str(history), "--to", str(to)]
-    words += ["--generation", "0", "--slot", "0", "--field"]
-    subprocess.run(words, check=True, capture_output=True, text=True)
-    return read_obj(to)
+    return drawn(tables, folder)
 
 
 def means(values: Numbers, leaf: Numbers, weights: Numbers) -> Numbers:

@@ -65,13 +65,6 @@ inline Randomised scaled(Randomised x, double factor) {
     return x;
 }
 
-//! Returns a part of the incident light as a fraction of it; nothing where
-//! there is no light.
-template <class Light>
-Light fraction_of(Light part, double incident) {
-    return scaled(std::move(part), incident > 0 ? 1 / incident : 0);
-}
-
 //! Numbers of all places and what each randomisation says of them
 //! [randomisation, place].
 inline std::vector<Randomised> randomised(

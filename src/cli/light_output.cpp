@@ -13,10 +13,6 @@
 
 namespace ideotype {
 
-Estimate fraction(Estimate part, double incident) {
-    return incident > 0 ? scaled(part, 1 / incident) : Estimate{};
-}
-
 double assimilation_scale(Span span) {
     return span == Span::single ? 1e6 : 1;
 }
@@ -40,7 +36,7 @@ bool has_sun(const StepReport& step) {
 Json to_json(const BudgetEstimate& budget, const CanopyReport& report,
              const char* incident_unit) {
     const auto part = [&](Estimate x) {
-        return to_json(fraction(x, budget.incident));
+        return to_json(fraction_of(x, budget.incident));
     };
     Json json{{"incident", budget.incident},
               {"incident_unit", incident_unit},
@@ -71,7 +67,7 @@ class Totals {
     }
 
     void line(const std::string& name, Estimate x) const {
-        const std::string part = format(fraction(x, incident_));
+        const std::string part = format(fraction_of(x, incident_));
         if (span_ == Span::day)
             fmt::print("{:<20} {:>24} {:>24}\n", name, format(scaled(x, 1e-6)),
                        part);
@@ -149,7 +145,7 @@ void print_hours(const CanopyReport& report) {
     for (const StepReport& step : report.par().light.steps) {
         const BudgetEstimate& budget = step.budget;
         const auto part = [&](Estimate x) {
-            return format(fraction(x, budget.incident));
+            return format(fraction_of(x, budget.incident));
         };
         fmt::print("{:<5} {:>8.2f} {:>20} {:>20} {:>20} {:>20} {:>20}\n",
                    clock_time(step.hour), budget.incident, part(budget.leaves),
@@ -217,7 +213,7 @@ Json assimilation_json(const CanopyReport& report, Span span) {
 Json to_json(const CanopyReport& report, Span span) {
     const DayReport& light = report.par().light;
     const auto part = [&](Estimate x) {
-        return to_json(fraction(x, light.day.incident));
+        return to_json(fraction_of(x, light.day.incident));
     };
     Json json =
         to_json(light.day, report, span == Span::day ? "J m-2 day-1" : "1");

@@ -19,9 +19,6 @@ Json to_json(const CanopyReport& report, Span span);
 //! Prints the same as tables.
 void print_light(const CanopyReport& report, Span span);
 
-//! A part of the incident light; nothing of nothing is nothing.
-Estimate fraction(Estimate part, double incident);
-
 //! Assimilation of a single light, which shines for a second, is told in umol.
 double assimilation_scale(Span span);
 const char* assimilation_unit(Span span);

@@ -15,7 +15,7 @@ Json by_band(const CanopyReport& report, const Take& take) {
     Json json = Json::object();
     for (const BandReport& band : report.bands)
         json[band.name] =
-            to_json(fraction(take(band), band.light.day.incident));
+            to_json(fraction_of(take(band), band.light.day.incident));
     return json;
 }
 
@@ -90,8 +90,8 @@ void print_scene(const CanopyReport& report, Span span) {
     const auto line = [&](const std::string& name, const auto& take) {
         fmt::print("{:<20}", name);
         for (const BandReport& band : report.bands)
-            fmt::print(" {:>24}",
-                       format(fraction(take(band), band.light.day.incident)));
+            fmt::print(" {:>24}", format(fraction_of(take(band),
+                                                     band.light.day.incident)));
         fmt::print("\n");
     };
     for (std::size_t c = 0; c < report.components.size(); ++c)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 
 namespace ideotype {
 
@@ -34,6 +35,13 @@ Estimate relative_gain(const Randomisations& a, const Randomisations& b);
 //! a * x for an exact factor a.
 inline Estimate scaled(Estimate x, double a) {
     return {a * x.mean, (a < 0 ? -a : a) * x.standard_error};
+}
+
+//! Returns a part of the incident light as a fraction of it; nothing where
+//! there is no light.
+template <class Light>
+Light fraction_of(Light part, double incident) {
+    return scaled(std::move(part), incident > 0 ? 1 / incident : 0);
 }
 
 }  // namespace ideotype

@@ -16,6 +16,8 @@ project=$(readlink -f "$here/../..")
 work=$(mktemp -d)
 set -- "$ideotype" "$project" "$work/test"
 . "$project/tests/cli/common.sh"
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 \
+    OMPI_MCA_rmaps_base_oversubscribe=1
 
 generations=$((kills > 20 ? 1200 : 200))
 population=12

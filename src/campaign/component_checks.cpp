@@ -119,7 +119,12 @@ void check_weights(const Draft& draft, Report& report) {
     const std::size_t components = 1 + draft.neighbours.size();
     if (!report.usable({&weights})) return;
     const bool has_weights = !weights.empty();
-    if (has_weights && weights.size() != components)
+    if (has_weights && components == 1)
+        report.add(&weights,
+                   "objective.weights tell components apart, and there is "
+                   "none but the plants that are bred; remove them, or add a "
+                   "[[component]]");
+    else if (has_weights && weights.size() != components)
         report.add(&weights,
                    fmt::format("objective.weights has {} numbers, but there "
                                "are {} components with the plants that are "

@@ -42,7 +42,8 @@ TEST(Components, HaveTheirCropAndAreFoundAgainInAResolvedCampaign) {
 
 TEST(Components, LeaveACampaignWithoutThemAsItWas) {
     const std::string resolved = mixed("").resolved;
-    for (const char* word : {"component", "nir", "[[band]]", "band ="})
+    for (const char* word :
+         {"component", "nir", "[[band]]", "band =", "weights"})
         EXPECT_EQ(resolved.find(word), std::string::npos) << word;
 }
 
@@ -87,7 +88,8 @@ TEST(Components, CountInObjectivesByTheirWeights) {
               campaign.resolved);
     for (const auto& [text, problem] :
          {std::pair{rows + net + "weights = [1]\n", "there are 2 components"},
-          std::pair{net + "weights = [1, 1]\n", "there are 1 components"},
+          std::pair{net + "weights = [1, 1]\n", "tell components apart"},
+          std::pair{net + "weights = [2]\n", "tell components apart"},
           std::pair{rows + net + "weights = [0, 0]\n", "are all 0"},
           std::pair{rows + "[objective]\nmaximise = \"fapar\"\n"
                            "weights = [1, 1]\n",

@@ -181,9 +181,10 @@ Outcome evaluate(const Comparison& comparison, std::size_t plant,
         const std::string& name = figure.quantity.name;
         if (figure.is_of_profile() && !profiles.contains(name))
             profiles[name] = measure_profile(name, report);
-        const auto [estimate, values] = figure.is_of_profile()
-                                            ? profiles[name].at(figure.place)
-                                            : measure_objective(name, report);
+        const auto [estimate, values] =
+            figure.is_of_profile()
+                ? profiles[name].at(figure.place)
+                : measure_number(comparison.under, name, report);
         outcome.objectives.push_back(estimate);
         outcome.randomisations.insert(outcome.randomisations.end(),
                                       values.begin(), values.end());

@@ -83,7 +83,8 @@ std::string doubt_of(const std::string& what, double lai) {
 std::string left_to_gain(const History& history, const Campaign& campaign,
                          const Row& best) {
     if (aims(campaign).front().quantity != "absorbed_par" ||
-        !campaign.over.empty() || campaign.field.boundary != Boundary::periodic)
+        !campaign.weights.empty() || !campaign.over.empty() ||
+        campaign.field.boundary != Boundary::periodic)
         return "";
     const Estimate stalks = quantity(history, best, "stalk_fraction");
     const Estimate soil = quantity(history, best, "soil_fraction");

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/hash.hpp"
 #include "ideotype/light/tolerance.hpp"
 
@@ -143,16 +142,25 @@ double lai_of_line(const Campaign& campaign, const Plant& plant,
 
 }  // namespace
 
+Randomised measure_number(const Campaign& campaign, const std::string& name,
+                          const CanopyReport& report) {
+    const std::vector<Aim> all = aims(campaign);
+    const bool is_weighted =
+        !campaign.weights.empty() &&
+        std::any_of(all.begin(), all.end(),
+                    [&](const Aim& aim) { return aim.quantity == name; });
+    return is_weighted
+               ? weighted_sum(measure_parts(name, report), campaign.weights)
+               : measure_objective(name, report);
+}
+
 Outcome to_outcome(const Campaign& campaign, const Plant& plant,
                    const CanopyReport& report) {
     Outcome outcome;
     outcome.status = Status::done;
     for (const Aim& aim : aims(campaign)) {
         const auto [mean, values] =
-            campaign.weights.empty()
-                ? measure_objective(aim.quantity, report)
-                : weighted_sum(measure_parts(aim.quantity, report),
-                               campaign.weights);
+            measure_number(campaign, aim.quantity, report);
         outcome.objectives.push_back(mean);
         outcome.randomisations.insert(outcome.randomisations.end(),
                                       values.begin(), values.end());

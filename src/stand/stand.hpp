@@ -2,11 +2,13 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "across_scenarios.hpp"
 #include "campaign/campaign.hpp"
 #include "ideotype/canopy/canopy.hpp"
+#include "ideotype/canopy/quantities.hpp"
 #include "ideotype/light/device.hpp"
 #include "sampling.hpp"
 
@@ -33,6 +35,11 @@ CanopyRequest request_of(const Sampling& sampling, const Campaign& campaign,
 //! The form of a case's outcomes, with this accuracy.
 OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
                              const Accuracy& accuracy);
+
+//! A quantity without axes; an objective is weighted as the campaign tells.
+//! @throws Error if the report has none of this name.
+Randomised measure_number(const Campaign& campaign, const std::string& name,
+                          const CanopyReport& report);
 
 //! What a report says of a plant, in the form of a case without others.
 Outcome to_outcome(const Campaign& campaign, const Plant& plant,

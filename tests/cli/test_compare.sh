@@ -107,6 +107,18 @@ expect 3 "$ideotype" compare field.csv "${under[@]}"
 says "field.csv:1:75: there is no column 'azimut_deg'; did you mean 'azimuth_deg'?"
 says "field.csv:3:6: width_cm is 65 (expected: 0.1 .. 50)"
 
+# The objective is that of the components that weights tell.
+beside=("${under[@]}" --set 'component=[{name="other",crop="crops/maize.toml",rows=[2]}]')
+for weights in 1,1 1,0 0,1; do
+    expect 0 "$ideotype" compare $b73 $elite "${beside[@]}" \
+        --set "objective.weights=[$weights]" --csv "weights_$weights.csv"
+done
+weighed() {
+    entry "weights_$1.csv" elite absorbed_par "" mean
+}
+holds "($(weighed 1,0) + $(weighed 0,1) - $(weighed 1,1))^2 < 1e-18"
+holds "$(weighed 1,0) > 0 && $(weighed 0,1) > 0"
+
 # Wrong use.
 expect 2 "$ideotype" compare $b73
 says "under"

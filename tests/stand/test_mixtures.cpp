@@ -131,6 +131,54 @@ TEST_F(Mixtures, PartsOfAnObjectiveAreKnownByRandomisation) {
     }
 }
 
+//! Parts sum to the whole in each scenario and in their mean, whatever the
+//! sense.
+TEST_F(Mixtures, WeighObjectivesInAllScenarios) {
+    const auto outcome = [&](const std::string& weights) {
+        const Campaign campaign = read_campaign(
+            IDEOTYPE_CAMPAIGNS "/ames_quick.toml",
+            {weed, "light.paths=1024", "objective.over=[\"spacing\"]",
+             "spacing=[{row=0.76, plant=0.15}, {row=0.38, plant=0.15}]",
+             "objective.maximise=absorbed_par",
+             "objective.minimise=net_assimilation", "search.optimizer=nsga2",
+             "objective.weights=" + weights});
+        const Case chosen = cases(campaign).front();
+        Stand stand(campaign, chosen);
+        Outcome found =
+            stand.evaluate(campaign.crop.baseline,
+                           sampling_of(Task{}, campaign, chosen), device);
+        EXPECT_TRUE(has_form(stand.schema(false), found));
+        return found;
+    };
+    const Outcome whole = outcome("[]"), both = outcome("[1, 1]"),
+                  first = outcome("[1, 0]"), second = outcome("[0, 1]");
+    ASSERT_EQ(whole.objectives.size(), 2u);
+    const auto expect_sums = [&](const auto& number, std::size_t i) {
+        EXPECT_NEAR(number(both, i), number(whole, i), 1e-9) << i;
+        EXPECT_NEAR(number(first, i) + number(second, i), number(whole, i),
+                    1e-9)
+            << i;
+        EXPECT_LT(std::abs(number(first, i)), std::abs(number(whole, i))) << i;
+    };
+    for (std::size_t k = 0; k < 2; ++k)
+        expect_sums([](const Outcome& x,
+                       std::size_t i) { return x.objectives[i].mean; },
+                    k);
+    for (std::size_t r = 0; r < whole.randomisations.size(); ++r)
+        expect_sums(
+            [](const Outcome& x, std::size_t i) { return x.randomisations[i]; },
+            r);
+    // Two objectives in two scenarios stand last.
+    for (std::size_t i = whole.quantities.size() - 4;
+         i < whole.quantities.size(); ++i)
+        expect_sums([](const Outcome& x,
+                       std::size_t n) { return x.quantities[n].mean; },
+                    i);
+    EXPECT_NEAR(
+        both.objectives[1].standard_error / whole.objectives[1].standard_error,
+        1, 1e-6);
+}
+
 //! Plants of one kind gain nothing over each other; shaded ones lose.
 TEST_F(Mixtures, TellHowMuchMoreTheMeanPlantOfOneComponentHas) {
     std::vector<std::string> settings = alike;

@@ -156,7 +156,8 @@ TakeProfile assimilation(Loss loss) {
 
 //! Returns how much more the mean plant of the first component has than that of
 //! the second, relative to it: net assimilation, or light where leaves do not
-//! assimilate. The values are pseudo-values of a jackknife.
+//! assimilate. The values are pseudo-values of a jackknife; 0 where the second
+//! has nothing.
 Randomised invasion(const CanopyReport& report) {
     const std::vector<Randomised> parts = measure_parts(
         report.assimilation ? "net_assimilation" : "absorbed_par", report);
@@ -166,6 +167,7 @@ Randomised invasion(const CanopyReport& report) {
                           report.components[1].ground_per_plant;
     const double sum = std::accumulate(own.begin(), own.end(), 0.);
     const double of_other = std::accumulate(other.begin(), other.end(), 0.);
+    if (of_other == 0) return certain(report, 0);
     const auto n = static_cast<double>(own.size());
     const double whole = sum / of_other;
     Numbers values;

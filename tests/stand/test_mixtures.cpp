@@ -195,6 +195,19 @@ TEST_F(Mixtures, TellHowMuchMoreTheMeanPlantOfOneComponentHas) {
     EXPECT_GT(over_cowpea.mean, 1 + 4 * over_cowpea.standard_error);
 }
 
+//! A gain over nothing would let every row of a history fail.
+TEST_F(Mixtures, TellNoGainOverPlantsThatHaveNothing) {
+    CanopyReport report = evaluated({weed});
+    report.assimilation.reset();
+    EXPECT_NE(number("invasion", report).mean, 0);
+    for (std::vector<double>& groups :
+         report.bands.front().groups_by_randomisation)
+        for (std::size_t g = 0; g < groups.size(); ++g)
+            if (report.groups[g].id.component == 1) groups[g] = 0;
+    EXPECT_EQ(number("invasion", report).mean, 0);
+    EXPECT_EQ(number("invasion", report).standard_error, 0);
+}
+
 TEST_F(Mixtures, OfStripsHaveTheRowsAndPlantsThatAreTold) {
     const Campaign campaign = read_campaign(IDEOTYPE_CAMPAIGNS "/strip.toml");
     const Scene scene = scene_of(campaign, cases(campaign).front());

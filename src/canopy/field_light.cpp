@@ -25,16 +25,6 @@ Pieces pieces_of_line(const Component& component,
                              request.accuracy.tolerance, per_blade);
 }
 
-//! Adds numbers of the same places; the first ones are taken as they are.
-template <class All>
-void add(All& all, All more) {
-    if (all.empty()) {
-        all = std::move(more);
-        return;
-    }
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] += more[i];
-}
-
 //! One field of an evaluation.
 class FieldPass {
   public:
@@ -228,9 +218,9 @@ void FieldLight::append(FieldLight more) {
     ideotype::append(sunlit, std::move(more.sunlit));
     ideotype::append(hit_by_sun, std::move(more.hit_by_sun));
     ideotype::append(light_classes, std::move(more.light_classes));
-    add(areas, std::move(more.areas));
-    add(leaf_area_index, std::move(more.leaf_area_index));
-    add(areas_of_groups, std::move(more.areas_of_groups));
+    add(areas, more.areas);
+    add(leaf_area_index, more.leaf_area_index);
+    add(areas_of_groups, more.areas_of_groups);
     paths += more.paths;
     is_capped |= more.is_capped;
     seconds += more.seconds;

@@ -24,8 +24,8 @@ struct Lines {
     std::vector<Group> groups;   //!< of the scene before leaves were cut
 };
 
-//! What all fields of an evaluation share. The first field tells what is not
-//! known before.
+//! Numbers that all fields of an evaluation share. The first field tells those
+//! that are not known before.
 struct SharedByFields {
     Layers layers;
     std::vector<LeafGroup> leaves{};  //!< of each group of the lines

@@ -32,13 +32,15 @@ bool has_nir(const Scope& scope) {
 
 using Names = std::vector<std::string>;
 
-//! Sums numbers of groups over the leaves of each component.
-Numbers leaves_by_component(const CanopyReport& report, const Numbers& groups) {
-    Numbers sums(report.components.size());
-    for (std::size_t g = 0; g < groups.size(); ++g)
-        if (report.groups[g].id.is_leaf())
-            sums[report.groups[g].id.component] += groups[g];
-    return sums;
+//! Sums numbers of groups over the leaves of a component.
+double over_leaves(const CanopyReport& report, const Numbers& groups,
+                   std::size_t component) {
+    double sum = 0;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        const SurfaceId& id = report.groups[g].id;
+        if (id.is_leaf() && id.component == component) sum += groups[g];
+    }
+    return sum;
 }
 
 //! Returns the mean of values, whose error is at least what paths can tell.
@@ -48,43 +50,49 @@ Randomised known_to(double least, Numbers values) {
     return {mean, std::move(values)};
 }
 
+//! Sums light that is absorbed over some bands [MJ m-2 day-1].
+//! @param absorbed in a band by randomisation [J m-2 day-1]
+//! @param known the same of all randomisations
+template <class Absorbed, class Known>
+Randomised over_bands(const CanopyReport& report, const Names& names,
+                      const Absorbed& absorbed, const Known& known) {
+    Numbers sums(report.randomisations());
+    double least = 0;
+    for (const BandReport& band : report.bands) {
+        if (std::find(names.begin(), names.end(), band.name) == names.end())
+            continue;
+        for (std::size_t r = 0; r < sums.size(); ++r)
+            sums[r] += absorbed(band, r);
+        // A sum may be better known than its parts only by chance.
+        if (names.size() == 1) least = known(band).standard_error;
+    }
+    return scaled(known_to(least, std::move(sums)), 1 / joule_per_megajoule);
+}
+
 //! Returns the light that the leaves of each component absorb in some bands
-//! together [MJ m-2 day-1].
+//! together.
 std::vector<Randomised> absorbed_by_component(const CanopyReport& report,
                                               const Names& names) {
     std::vector<Randomised> parts;
-    for (std::size_t c = 0; c < report.components.size(); ++c) {
-        Numbers sums(report.randomisations());
-        double least = 0;
-        for (const BandReport& band : report.bands) {
-            if (std::find(names.begin(), names.end(), band.name) == names.end())
-                continue;
-            for (std::size_t r = 0; r < sums.size(); ++r)
-                sums[r] += leaves_by_component(
-                    report, band.groups_by_randomisation[r])[c];
-            // A sum may be better known than its parts only by chance.
-            if (names.size() == 1) least = band.part(c).leaves.standard_error;
-        }
-        parts.push_back(
-            scaled(known_to(least, std::move(sums)), 1 / joule_per_megajoule));
-    }
+    for (std::size_t c = 0; c < report.components.size(); ++c)
+        parts.push_back(over_bands(
+            report, names,
+            [&](const BandReport& band, std::size_t r) {
+                return over_leaves(report, band.groups_by_randomisation[r], c);
+            },
+            [&](const BandReport& band) { return band.part(c).leaves; }));
     return parts;
 }
 
 //! Takes the light that all leaves absorb in some bands together.
 TakeNumber absorbed(Names names) {
     return [names = std::move(names)](const CanopyReport& report) {
-        Numbers sums(report.randomisations());
-        double least = 0;
-        for (const BandReport& band : report.bands) {
-            if (std::find(names.begin(), names.end(), band.name) == names.end())
-                continue;
-            for (std::size_t r = 0; r < sums.size(); ++r)
-                sums[r] += band.budget_by_randomisation[r].leaves;
-            if (names.size() == 1) least = band.light.day.leaves.standard_error;
-        }
-        return scaled(known_to(least, std::move(sums)),
-                      1 / joule_per_megajoule);
+        return over_bands(
+            report, names,
+            [](const BandReport& band, std::size_t r) {
+                return band.budget_by_randomisation[r].leaves;
+            },
+            [](const BandReport& band) { return band.light.day.leaves; });
     };
 }
 
@@ -132,17 +140,15 @@ double loss_of_carbon(const ComponentAssimilation& part) {
 std::vector<Randomised> assimilation_by_component(const CanopyReport& report,
                                                   Loss loss) {
     const AssimilationReport& all = *report.assimilation;
-    std::vector<Numbers> sums;  // [randomisation][component]
-    for (const AssimilationTally& tally : all.tallies)
-        sums.push_back(leaves_by_component(report, tally.groups));
     std::vector<Randomised> parts;
     for (const ComponentAssimilation& each :
          by_component(all, report.groups, report.components.size())) {
         const double lost = loss(each);
         Randomised part{{each.gross.mean - lost, each.gross.standard_error},
                         {}};
-        for (const Numbers& of : sums)
-            part.by_randomisation.push_back(of[parts.size()] - lost);
+        for (const AssimilationTally& tally : all.tallies)
+            part.by_randomisation.push_back(
+                over_leaves(report, tally.groups, parts.size()) - lost);
         parts.push_back(std::move(part));
     }
     return parts;

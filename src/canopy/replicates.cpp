@@ -8,11 +8,6 @@ namespace ideotype {
 
 namespace {
 
-//! Adds numbers of the same places.
-void add(std::vector<double>& all, const std::vector<double>& more) {
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] += more[i];
-}
-
 void scale(std::vector<double>& all, double by) {
     for (double& x : all) x *= by;
 }

@@ -18,6 +18,13 @@ Tally mean_of(const std::vector<Tally>& tallies);
 AssimilationTally mean_of(const std::vector<AssimilationTally>& tallies);
 LightClasses mean_of(const std::vector<LightClasses>& classes);
 
+//! Adds numbers of the same places; the first ones are taken as they are.
+template <class All>
+void add(All& all, const All& more) {
+    if (all.empty()) all.resize(more.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] += more[i];
+}
+
 //! Moves items to the end of a list.
 template <class All>
 void append(All& all, All more) {

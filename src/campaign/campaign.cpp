@@ -23,15 +23,6 @@ namespace ideotype {
 
 namespace {
 
-//! How high a leaf that stands upright reaches on the largest plant of its
-//! line [m].
-double furthest(const PlantVariation& variation, const Plant& plant,
-                const Leaf& leaf) {
-    return (1 + 3 * variation.height) * leaf.insertion_height +
-           leaf.petiole_length + plant.blade.rachis_length +
-           (1 + 3 * variation.length) * leaf.length;
-}
-
 //! As high as the highest leaf with all numbers at their upper bounds, or of
 //! the baseline, if it stood upright [m].
 double reach_of(const Campaign& campaign) {
@@ -42,7 +33,7 @@ double reach_of(const Campaign& campaign) {
     for (const Plant* plant : {&campaign.crop.baseline, &largest})
         for (const Leaf& leaf : plant->leaves)
             top =
-                std::max(top, furthest(campaign.field.variation, *plant, leaf));
+                std::max(top, furthest(*plant, leaf, campaign.field.variation));
     return top;
 }
 
@@ -109,7 +100,7 @@ Campaign complete(Draft& draft, const std::string& source,
         for (const Leaf& leaf : neighbour.plant.leaves)
             campaign.reach = std::max(
                 campaign.reach,
-                furthest(campaign.field.variation, neighbour.plant, leaf));
+                furthest(neighbour.plant, leaf, campaign.field.variation));
         campaign.neighbours.push_back(std::move(neighbour));
     }
     std::erase_if(campaign.constraints.traits,

@@ -62,13 +62,11 @@ Layers layers_of(const Campaign& under,
                  const std::vector<ComparedPlant>& plants) {
     Layers layers = canopy_layers(under);
     for (const ComparedPlant& each : plants)
-        for (const Leaf& leaf : each.plant.leaves) {
-            const double top = leaf.insertion_height + leaf.petiole_length +
-                               each.plant.blade.rachis_length + leaf.length;
+        for (const Leaf& leaf : each.plant.leaves)
             layers.count = std::max(
                 layers.count,
-                static_cast<std::size_t>(std::ceil(top / layers.thickness)));
-        }
+                static_cast<std::size_t>(
+                    std::ceil(furthest(each.plant, leaf) / layers.thickness)));
     return layers;
 }
 

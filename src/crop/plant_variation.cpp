@@ -8,7 +8,7 @@ namespace ideotype {
 
 namespace {
 
-constexpr double furthest = 3;
+constexpr double most_deviations = 3;
 
 //! A number of a Laplace distribution whose standard deviation is 1.
 double laplace(RandomStream& random) {
@@ -36,7 +36,7 @@ bool PlantVariation::is_any() const {
 Plant deviating(Plant plant, const PlantVariation& variation,
                 RandomStream& random, double side) {
     const auto cut = [&](double deviation) {
-        return side * std::clamp(deviation, -furthest, furthest);
+        return side * std::clamp(deviation, -most_deviations, most_deviations);
     };
     const double higher = 1 + variation.height * cut(random.normal()[0]);
     plant.stalk.height *= higher;
@@ -65,6 +65,13 @@ Plant deviating(Plant plant, const PlantVariation& variation,
         leaf.twist += deviation(variation.twist, of_twist);
     }
     return plant;
+}
+
+double furthest(const Plant& plant, const Leaf& leaf,
+                const PlantVariation& variation) {
+    return (1 + most_deviations * variation.height) * leaf.insertion_height +
+           leaf.petiole_length + plant.blade.rachis_length +
+           (1 + most_deviations * variation.length) * leaf.length;
 }
 
 Plant scaled(Plant plant, double size) {

@@ -50,6 +50,11 @@ struct PlantVariation {
 Plant deviating(Plant plant, const PlantVariation& variation,
                 RandomStream& random, double side = 1);
 
+//! Returns how high a leaf of a plant would reach if it stood upright, on the
+//! largest plant of its line [m].
+double furthest(const Plant& plant, const Leaf& leaf,
+                const PlantVariation& variation = {});
+
 //! A plant all of whose lengths are `size` times as large.
 Plant scaled(Plant plant, double size);
 

@@ -23,4 +23,18 @@ void expect_derivatives(const Response& f) {
     }
 }
 
+//! A response rises from 0 with its quantum yield, and ever less.
+inline void expect_concave(const Colimitation& f) {
+    EXPECT_EQ(f.gross(0), 0);
+    EXPECT_EQ(f.slope(0), f.alpha);
+    double before = f.slope(0);
+    for (double light = 5; light < 3000; light += 5) {
+        const double h = 1e-3;
+        EXPECT_NEAR(f.slope(light),
+                    (f.gross(light + h) - f.gross(light - h)) / (2 * h), 1e-9);
+        EXPECT_LT(f.slope(light), before);
+        before = f.slope(light);
+    }
+}
+
 }  // namespace ideotype

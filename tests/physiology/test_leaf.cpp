@@ -73,7 +73,7 @@ TEST(Leaf, FarquharFollowsHumidity) {
                 farquhar_at({}, 30, 326.53).gross(700), 1e-4);
 }
 
-//! What holds for all models.
+//! Checks that hold for all models.
 template <class Leaf>
 void expect_a_leaf() {
     const LeafRates leaf = Leaf{};

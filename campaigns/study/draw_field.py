@@ -14,7 +14,6 @@ ROW and PLANT metres apart.
 from __future__ import annotations
 
 import argparse
-import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -24,7 +23,7 @@ import matplotlib
 import numpy as np
 from PIL import Image
 from plant_shapes import drawn, field_of
-from shared import FIELD_PLANTS, Numbers, best, guard
+from shared import FIELD_PLANTS, Numbers, best, guard, read_campaign
 
 from ideotype import Stand, mesh
 from ideotype._geometry import Mesh
@@ -59,10 +58,7 @@ class Drawn:
 def of_campaign(path: Path, folder: Path) -> tuple[Mesh, Numbers, float]:
     """The field of a campaign, twice as wide and as long as it is; distances
     from each row to the next, and the length of rows [m]."""
-    tables = tomllib.loads(path.read_text())
-    for part in (tables["plant"], *tables.get("component", [])):
-        key = "crop" if "crop" in part else "baseline"
-        part[key] = str((path.parent / part[key]).resolve())
+    tables = read_campaign(path)
     field, spacing = tables["field"], tables["spacing"][0]
     pattern = np.array(field.get("row_pattern", [1.0]))
     own = field["rows"]

@@ -18,7 +18,6 @@ IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
 from __future__ import annotations
 
 import math
-import tomllib
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -26,7 +25,6 @@ from typing import Any
 import numpy as np
 from shared import (
     CAMPAIGNS,
-    MAIZE,
     ROUGH,
     Estimate,
     Numbers,
@@ -36,6 +34,7 @@ from shared import (
     mean_over_seeds,
     parser_of_searches,
     print_table,
+    read_campaign,
 )  # fmt: skip
 
 from ideotype import Stand
@@ -47,10 +46,7 @@ ALONE = {"maize": (0.6, 0.15), "soybean": (0.3, 0.1)}
 
 def campaign(file: str, common: Tables, **tables: Any) -> dict[str, Any]:
     """A campaign of this project with other tables."""
-    found = tomllib.loads((CAMPAIGNS / f"{file}.toml").read_text())
-    for component in found.get("component", []):
-        component["crop"] = str(CAMPAIGNS / component["crop"])
-    found["plant"] = {"baseline": str(MAIZE)}
+    found = read_campaign(CAMPAIGNS / f"{file}.toml")
     return {**found, **common, **tables}
 
 

@@ -8,6 +8,7 @@ import argparse
 import math
 import os
 import subprocess
+import tomllib
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from datetime import date, time
@@ -136,6 +137,15 @@ def parser_of_searches(
         )
     parser.add_argument("--rough", action="store_true")
     return parser
+
+
+def read_campaign(path: Path) -> dict[str, Any]:
+    """The tables of a campaign file, whose crop files are found from anywhere."""
+    tables = tomllib.loads(path.read_text())
+    for part in (tables["plant"], *tables.get("component", [])):
+        key = "crop" if "crop" in part else "baseline"
+        part[key] = str((path.parent / part[key]).resolve())
+    return tables
 
 
 def breed(

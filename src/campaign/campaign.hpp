@@ -213,7 +213,7 @@ struct Campaign {
     Accuracy sampling;  //!< of an evaluation during evolution
     //! Quantities that are searched for, in this order.
     std::vector<std::string> maximised{"absorbed_par"}, minimised;
-    //! What each component counts in the objectives, the one that is bred
+    //! Weight of each component in the objectives, the one that is bred
     //! first. Empty: objectives are those of all plants together.
     std::vector<double> weights;
     //! Axes whose entries are scenarios of one case, by the names of tables.

@@ -17,7 +17,7 @@ glm::dvec3 turned(const glm::dvec3& v, double sine, double cosine) {
     return {v.x * cosine + v.y * sine, v.y * cosine - v.x * sine, v.z};
 }
 
-//! How many faces a blade has along it and on each side of its midrib.
+//! Numbers of faces along a blade and on each side of its midrib.
 struct BladeCells {
     int along, beside;
 };

@@ -55,7 +55,8 @@ struct Blade {
     int leaflets = 1;
     double leaflet_divergence = 0;  //!< azimuth between neighbours [deg]
     double lateral_size = 1;        //!< of the others over the middle one
-    //! How much further along its own direction the middle one begins [m].
+    //! Distance along its own direction by which the middle one begins further
+    //! out [m].
     double rachis_length = 0;
 };
 
@@ -126,8 +127,8 @@ struct Plant {
 
 //! How finely curved surfaces are cut into faces.
 struct Tessellation {
-    //! Of a blade, with two cells across; leaflets have two thirds as many, at
-    //! least 4, and four across.
+    //! Cells along a blade, which has two across; leaflets have two thirds as
+    //! many, at least 4, and four across.
     int cells_along = 12;
     int stalk_sides = 8;
 };

@@ -49,7 +49,9 @@ Campaign ames(int plants) {
 
 void change(BenchStand& stand, const Setting& setting) {
     Band& par = stand.request.scene.bands.front();
-    par.optics = {{setting.surface, setting.surface}, setting.soil_albedo};
+    const PlantOptics optics{setting.surface, setting.surface,
+                             usual_optics.sheath};
+    par.optics = {optics.materials(), setting.soil_albedo};
     if (!setting.has_sky) {
         std::erase_if(par.light.light.sources,
                       [](const Source& source) { return !source.direction; });
@@ -135,7 +137,7 @@ void print_row(int plants, const Setting& setting, int randomisations,
     std::fflush(stdout);
 }
 
-void measure(const std::vector<int>& randomisations, double finest) {
+void measure_all(const std::vector<int>& randomisations, double finest) {
     fmt::print(
         "| plants | light | randomisations | tolerance % | s.e. % | paths | ms "
         "| geometry and scene ms | 1 / (variance x core-seconds) | s.e. of "
@@ -158,6 +160,6 @@ int main(int argc, char** argv) {
     std::vector<int> randomisations;
     for (int i = 2; i < argc; ++i) randomisations.push_back(std::atoi(argv[i]));
     if (randomisations.empty()) randomisations = {8};
-    ideotype::measure(randomisations,
-                      argc > 1 ? std::atof(argv[1]) / 100 * .999 : 0);
+    ideotype::measure_all(randomisations,
+                          argc > 1 ? std::atof(argv[1]) / 100 * .999 : 0);
 }

@@ -35,9 +35,9 @@ void light(benchmark::State& state) {
     const Accuracy accuracy = stand.campaign.sampling;
     for (auto _ : state)
         benchmark::DoNotOptimize(
-            simulate(traced, field.mesh.groups, stand.campaign.optics,
-                     stand.request.scene.bands[0].light.light, accuracy,
-                     {stand.chosen.seed, 0, 0}));
+            simulate({traced, field.mesh.groups, stand.request.scene.bands,
+                      stand.request.layers},
+                     accuracy, {stand.chosen.seed, 0, 0}));
     state.counters["paths"] =
         benchmark::Counter(1.0 * accuracy.paths * accuracy.randomisations,
                            benchmark::Counter::kIsIterationInvariantRate);

@@ -23,7 +23,7 @@ void expect_agreement(Estimate ours, Estimate reference, double bound,
     expect_none(findings);
 }
 
-Fractions closing(const Mesh& mesh, Period period, const Optics& optics,
+Fractions closing(const Mesh& mesh, GroundPeriod period, const Optics& optics,
                   const Illumination& light, Accuracy accuracy) {
     Findings findings;
     const Fractions fractions =

@@ -15,7 +15,7 @@ void expect_agreement(Estimate ours, Estimate reference, double bound,
                       const std::string& what);
 
 //! Traces and expects finite fractions that close the balance to rounding.
-Fractions closing(const Mesh& mesh, Period period, const Optics& optics,
+Fractions closing(const Mesh& mesh, GroundPeriod period, const Optics& optics,
                   const Illumination& light, Accuracy accuracy = {256, 4});
 
 //! The letters and digits of a case's name, for a test's name.

@@ -16,7 +16,7 @@ namespace ideotype {
 namespace {
 
 //! A sheet over the whole period in n x n faces that share edges.
-Mesh tiles(Period period, double height, int n) {
+Mesh tiles(GroundPeriod period, double height, int n) {
     Mesh mesh = leaves_only();
     for (int i = 0; i <= n; ++i)
         for (int j = 0; j <= n; ++j)

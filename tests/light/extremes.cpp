@@ -10,7 +10,7 @@
 
 namespace ideotype {
 
-Fractions Findings::closing(const Mesh& mesh, Period period,
+Fractions Findings::closing(const Mesh& mesh, GroundPeriod period,
                             const Optics& optics, const Illumination& light,
                             Accuracy accuracy) {
     const Fractions fractions = trace(mesh, period, optics, light, accuracy);

@@ -8,7 +8,7 @@
 
 namespace ideotype {
 
-inline constexpr Period own_cell{0.76, 0.15};
+inline constexpr GroundPeriod own_cell{0.76, 0.15};
 inline const Optics par = leaf_optics(.05, .05, .1);
 inline const Optics black = leaf_optics(0, 0, 0);
 
@@ -17,8 +17,9 @@ class Findings {
   public:
     //! Traces, and requires that all figures are finite fractions and that
     //! the balance closes to rounding.
-    Fractions closing(const Mesh& mesh, Period period, const Optics& optics,
-                      const Illumination& light, Accuracy accuracy = {256, 4});
+    Fractions closing(const Mesh& mesh, GroundPeriod period,
+                      const Optics& optics, const Illumination& light,
+                      Accuracy accuracy = {256, 4});
 
     //! As above, for fractions that come from elsewhere.
     void require_closed(const Fractions& fractions);

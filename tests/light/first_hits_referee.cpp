@@ -108,7 +108,7 @@ class Exact {
 
 class Referee {
   public:
-    Referee(std::string name, const Mesh& mesh, Period period, int points)
+    Referee(std::string name, const Mesh& mesh, GroundPeriod period, int points)
         : scene_(widest_device(), mesh, period.x, period.y),
           result_{std::move(name)},
           points_(points) {}
@@ -203,7 +203,7 @@ Mesh overhanging() {
 std::vector<FirstHitsCompared> compare_first_hits(int points) {
     std::vector<FirstHitsCompared> all;
     const auto add = [&](const std::string& name, const Mesh& mesh,
-                         Period period) {
+                         GroundPeriod period) {
         Referee referee(name, mesh, period, points);
         for (const double elevation : {90., 60., 30., 10., 1., .1, .01})
             for (const double azimuth : {0., 37., 90., 200.})

@@ -64,7 +64,7 @@ Fractions fractions_of(const std::vector<Tally>& tallies, std::size_t groups,
     return result;
 }
 
-Fractions trace(const Mesh& mesh, Period period, const Optics& optics,
+Fractions trace(const Mesh& mesh, GroundPeriod period, const Optics& optics,
                 const Illumination& light, Accuracy accuracy,
                 std::uint64_t seed) {
     const RayScene scene(widest_device(), mesh, period.x, period.y);
@@ -84,7 +84,8 @@ double deviation(Estimate ours, Estimate reference) {
            (std::hypot(ours.standard_error, reference.standard_error) + 1e-12);
 }
 
-void add_sheet(Mesh& mesh, Period period, double height, std::uint32_t group) {
+void add_sheet(Mesh& mesh, GroundPeriod period, double height,
+               std::uint32_t group) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), {{0, 0, height},
                                                {period.x, 0, height},

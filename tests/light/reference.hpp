@@ -19,11 +19,11 @@ const Device& widest_device();
 Mesh load_reference_mesh(const std::string& name);
 
 //! The period that belongs to a reference mesh.
-struct Period {
+struct GroundPeriod {
     double x, y;
 };
 
-inline constexpr Period unit_cell{1, 1};
+inline constexpr GroundPeriod unit_cell{1, 1};
 
 //! One unit of light on horizontal ground from a sun, azimuth from +y.
 Illumination sun_from(double elevation, double azimuth);
@@ -44,7 +44,7 @@ struct Fractions {
 Fractions fractions_of(const std::vector<Tally>& tallies, std::size_t groups,
                        double incident);
 
-Fractions trace(const Mesh& mesh, Period period, const Optics& optics,
+Fractions trace(const Mesh& mesh, GroundPeriod period, const Optics& optics,
                 const Illumination& light, Accuracy accuracy = {16384, 16},
                 std::uint64_t seed = 1);
 
@@ -56,6 +56,7 @@ Optics leaf_optics(double reflectance, double transmittance,
 double deviation(Estimate ours, Estimate reference);
 
 //! A horizontal square that covers a period.
-void add_sheet(Mesh& mesh, Period period, double height, std::uint32_t group);
+void add_sheet(Mesh& mesh, GroundPeriod period, double height,
+               std::uint32_t group);
 
 }  // namespace ideotype

@@ -58,7 +58,7 @@ std::function<Mesh(std::uint32_t)> random_mesh(LeafAngles angles,
 
 //! The cases of a file of values from an independent tracer.
 void add_file(std::vector<ReferenceScene>& scenes, const std::string& file,
-              Period period, int paths) {
+              GroundPeriod period, int paths) {
     std::ifstream stream(std::string(IDEOTYPE_TEST_DATA) + "/reference/" +
                          file + ".json");
     const auto cases = nlohmann::json::parse(stream).at("cases");
@@ -232,7 +232,7 @@ void add_sheets(std::vector<ReferenceScene>& scenes) {
 
 //! Where nothing absorbs, irradiance is 1 on both faces of everything.
 void add_furnace(std::vector<ReferenceScene>& scenes) {
-    const Period period{.76, .15};
+    const GroundPeriod period{.76, .15};
     const auto mesh = mesh_of("maize1");
     scenes.push_back(
         {"exact",

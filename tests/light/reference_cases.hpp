@@ -33,7 +33,7 @@ struct ReferenceScene {
     //! A random stand has a new realisation for each randomisation, so that
     //! the standard error of ours includes that of the sample of leaves.
     enum class Kind { fixed, random } kind;
-    Period period{};
+    GroundPeriod period{};
     Optics optics;
     std::vector<ReferenceCase> cases;
     Accuracy accuracy;    //!< that gets every standard error below the bound

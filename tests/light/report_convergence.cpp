@@ -28,27 +28,27 @@ struct Baseline {
     explicit Baseline(const std::string& campaigns)
         : campaign(ames(campaigns)),
           chosen(cases(campaign).front()),
-          scenario(scenario_of(campaign, chosen)),
-          field(draw_field(
-              build_plant(campaign.crop.baseline, campaign.tessellation),
-              scenario.field, {chosen.seed})),
+          scene(scene_of(campaign, chosen)),
+          field(draw_field(scene, {chosen.seed})),
           device(Device::supported_isas().back()),
-          scene(device, field.mesh, field.period_x, field.period_y) {}
+          surfaces(build_scene(device, field)) {}
 
     BudgetEstimate light(int paths) const {
-        return report(simulate(scene, field.mesh.groups, campaign.optics,
-                               scenario.light.light, {paths, randomisations},
-                               {chosen.seed}),
-                      scenario.light)
+        const Layers layers;
+        const Subject subject{surfaces, field.mesh.groups, scene.bands, layers};
+        return report(simulate(subject, Accuracy{paths, randomisations},
+                               {chosen.seed})
+                          .front(),
+                      scene.light())
             .day;
     }
 
     Campaign campaign;
     Case chosen;
-    Scenario scenario;
+    Scene scene;
     Field field;
     Device device;
-    RayScene scene;
+    RayScene surfaces;
 };
 
 //! A straight line by least squares.

@@ -145,7 +145,7 @@ Mesh as_triangles(const Mesh& mesh) {
     return result;
 }
 
-Mesh cut_and_wrapped(const Mesh& mesh, Period period) {
+Mesh cut_and_wrapped(const Mesh& mesh, GroundPeriod period) {
     Mesh result;
     result.groups = mesh.groups;
     const Mesh triangles = as_triangles(mesh);

@@ -13,7 +13,7 @@ namespace ideotype {
 //! A mesh, how it repeats, and what lights it.
 struct Setting {
     Mesh mesh;
-    Period period{};
+    GroundPeriod period{};
     Illumination light;
 };
 
@@ -36,6 +36,6 @@ Mesh as_triangles(const Mesh& mesh);
 
 //! Every face cut along the sides of the cells and its parts moved into the
 //! cell at the origin.
-Mesh cut_and_wrapped(const Mesh& mesh, Period period);
+Mesh cut_and_wrapped(const Mesh& mesh, GroundPeriod period);
 
 }  // namespace ideotype

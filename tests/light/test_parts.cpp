@@ -17,7 +17,7 @@ LightSeries instant(SunPosition sun, double beam, double diffuse) {
     return {{{12, 1, sun, {beam, diffuse}}}};
 }
 
-DayReport report_of(const Mesh& mesh, Period period, const Optics& optics,
+DayReport report_of(const Mesh& mesh, GroundPeriod period, const Optics& optics,
                     const LightSeries& day, const Layers& layers = {},
                     const Accuracy& accuracy = {4096, 16}) {
     const RayScene scene(widest_device(), mesh, period.x, period.y);

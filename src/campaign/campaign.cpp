@@ -25,30 +25,57 @@ namespace {
 
 //! As high as the highest leaf with all numbers at their upper bounds, or of
 //! the baseline, if it stood upright [m].
-double reach_of(const Campaign& campaign) {
+double reach_of(const Crop& crop, const std::vector<Range>& bounds,
+                const PlantVariation& variation) {
     std::vector<double> most;
-    for (const Range& range : campaign.bounds) most.push_back(range.upper);
-    const Plant largest = grow(campaign.crop, most);
+    for (const Range& range : bounds) most.push_back(range.upper);
+    const Plant largest = most.empty() ? crop.baseline : grow(crop, most);
     double top = 0;
-    for (const Plant* plant : {&campaign.crop.baseline, &largest})
+    for (const Plant* plant : {&crop.baseline, &largest})
         for (const Leaf& leaf : plant->leaves)
-            top =
-                std::max(top, furthest(*plant, leaf, campaign.field.variation));
+            top = std::max(top, furthest(*plant, leaf, variation));
     return top;
 }
 
-//! What Hansen (arXiv:1604.00772) advises for the most genes of any trait set.
+//! Returns the usual population for the most genes that any case has free.
 int usual_population_of(const Campaign& campaign) {
     std::size_t most = 1;
+    Case chosen;
     for (const Named<TraitSet>& set : campaign.trait_sets) {
-        std::size_t genes = 0;
-        for (const TraitNumber& number : trait_numbers(campaign.crop))
-            genes += static_cast<std::size_t>(
-                std::count(set.value.begin(), set.value.end(),
-                           campaign.crop.traits[number.trait].name));
-        most = std::max(most, genes);
+        chosen.traits = set.value;
+        most = std::max(most, count_free(gene_space(campaign, chosen)));
     }
     return usual_population(campaign.search.optimizer, most);
+}
+
+//! Completes a crop with its traits, and returns the bounds of their numbers.
+std::vector<Range> complete(const Draft& draft, Crop& crop) {
+    for (const TraitEntry& entry : draft.traits)
+        crop.traits.push_back(complete(entry));
+    const std::vector<double> baseline = baseline_numbers(crop);
+    const std::vector<TraitNumber> numbers = trait_numbers(crop);
+    std::vector<Range> bounds;
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        bounds.push_back(bounds_of(draft, numbers[i].trait, baseline[i]));
+    return bounds;
+}
+
+//! Makes a component of its draft.
+Neighbour to_neighbour(const Draft& draft, bool assimilates) {
+    const Campaign& own = draft.campaign;
+    Neighbour neighbour;
+    neighbour.name = own.name;
+    neighbour.standing = draft.standing;
+    neighbour.crop = own.crop;
+    for (const double row : draft.rows)
+        neighbour.standing.rows.push_back(static_cast<int>(row) - 1);
+    neighbour.bounds = complete(draft, neighbour.crop);
+    neighbour.free = own.trait_sets.front().value;
+    neighbour.optics = own.optics;
+    neighbour.nir_optics = own.nir_optics;
+    if (assimilates)
+        neighbour.photosynthesis = to_photosynthesis(draft.photosynthesis);
+    return neighbour;
 }
 
 //! A sensitivity study ends with the last row of its design, and with nothing
@@ -73,15 +100,18 @@ void plan_study(Draft& draft, Campaign& campaign) {
 Campaign complete(Draft& draft, const std::string& source,
                   const Report& report) {
     Campaign campaign = draft.campaign;
-    Crop& crop = campaign.crop;
-    for (const TraitEntry& entry : draft.traits)
-        crop.traits.push_back(complete(entry));
-    const std::vector<double> baseline = baseline_numbers(crop);
-    const std::vector<TraitNumber> numbers = trait_numbers(crop);
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-        campaign.bounds.push_back(
-            bounds_of(draft, numbers[i].trait, baseline[i]));
-    campaign.reach = reach_of(campaign);
+    const PlantVariation& variation = campaign.field.variation;
+    campaign.bounds = complete(draft, campaign.crop);
+    campaign.reach = reach_of(campaign.crop, campaign.bounds, variation);
+    for (const std::shared_ptr<Draft>& each : draft.neighbours) {
+        const Neighbour& added = campaign.neighbours.emplace_back(
+            to_neighbour(*each, draft.has_photosynthesis));
+        campaign.reach = std::max(
+            campaign.reach,
+            reach_of(added.crop,
+                     added.free.empty() ? std::vector<Range>{} : added.bounds,
+                     variation));
+    }
     if (uses_cma_es(campaign.search) && !draft.has_population)
         campaign.search.population = usual_population_of(campaign);
     if (draft.is_study) plan_study(draft, campaign);
@@ -89,20 +119,6 @@ Campaign complete(Draft& draft, const std::string& source,
     draft.campaign.stop = campaign.stop;
     if (draft.has_photosynthesis)
         campaign.photosynthesis = to_photosynthesis(draft.photosynthesis);
-    for (const std::shared_ptr<Draft>& each : draft.neighbours) {
-        const Campaign& own = each->campaign;
-        Neighbour neighbour{own.name, each->standing, own.crop.baseline,
-                            own.optics, own.nir_optics};
-        for (const double row : each->rows)
-            neighbour.standing.rows.push_back(static_cast<int>(row) - 1);
-        if (draft.has_photosynthesis)
-            neighbour.photosynthesis = to_photosynthesis(each->photosynthesis);
-        for (const Leaf& leaf : neighbour.plant.leaves)
-            campaign.reach = std::max(
-                campaign.reach,
-                furthest(neighbour.plant, leaf, campaign.field.variation));
-        campaign.neighbours.push_back(std::move(neighbour));
-    }
     std::erase_if(campaign.constraints.traits,
                   [](const TraitConstraint& x) { return !constrains(x); });
     campaign.source = source;
@@ -153,6 +169,16 @@ Campaign parse(const std::string& text, const std::string& file,
     if (!campaign.varied.keys.empty())
         campaign.draft = std::make_shared<const Draft>(std::move(draft));
     return campaign;
+}
+
+Aim to_aim(const std::string& name, Sense sense,
+           const std::vector<std::string>& components) {
+    const std::size_t dot = name.find('.');
+    if (dot == std::string::npos) return {name, name, {}, sense};
+    const auto found =
+        std::find(components.begin(), components.end(), name.substr(0, dot));
+    return {name, name.substr(dot + 1),
+            static_cast<std::size_t>(found - components.begin()), sense};
 }
 
 }  // namespace
@@ -233,22 +259,33 @@ void require_breedable(const Campaign& campaign) {
         throw InputError(campaign.outside_bounds);
 }
 
+std::vector<std::string> component_names(const Campaign& campaign) {
+    std::vector<std::string> names{campaign.crop.baseline.name};
+    for (const Neighbour& each : campaign.neighbours)
+        names.push_back(each.name);
+    return names;
+}
+
 std::vector<Aim> aims(const Campaign& campaign) {
+    const std::vector<std::string> components = component_names(campaign);
     std::vector<Aim> all;
     for (const std::string& each : campaign.maximised)
-        all.push_back({each, Sense::maximise});
+        all.push_back(to_aim(each, Sense::maximise, components));
     for (const std::string& each : campaign.minimised)
-        all.push_back({each, Sense::minimise});
+        all.push_back(to_aim(each, Sense::minimise, components));
     return all;
 }
 
-std::string crop_text(const Campaign& campaign, const Plant& baseline) {
+std::string crop_text(const Campaign& campaign, const Plant& baseline,
+                      std::size_t component) {
     Draft draft;
     Report report;
     read_draft(campaign.resolved, campaign.name, PlantSource::table, {}, draft,
                report);
-    draft.campaign.crop.baseline = baseline;
-    return resolved_plant_text(draft);
+    Draft& own = component == 0 ? draft : *draft.neighbours.at(component - 1);
+    own.campaign.crop.baseline = baseline;
+    own.campaign.has_nir = draft.campaign.has_nir;
+    return resolved_plant_text(own);
 }
 
 Campaign parse_campaign(const std::string& text, const std::string& file) {
@@ -257,7 +294,7 @@ Campaign parse_campaign(const std::string& text, const std::string& file) {
 
 Campaign at_keys(const Campaign& campaign, Genome& genome) {
     const std::vector<KeyFactor>& keys = campaign.varied.keys;
-    const std::size_t plain = campaign.bounds.size();
+    const std::size_t plain = count_genes(campaign);
     if (keys.empty() || genome.size() != plain + keys.size()) return campaign;
     Draft draft = *campaign.draft;
     for (std::size_t i = 0; i < keys.size(); ++i)

@@ -147,11 +147,13 @@ struct Standing {
     std::optional<double> jitter{};  //!< in the place of the field's [deg]
 };
 
-//! A kind of plant that stands in the field and is not bred.
+//! A kind of plant that stands in the field beside that of the campaign's crop.
 struct Neighbour {
     std::string name;
     Standing standing;
-    Plant plant;
+    Crop crop;
+    std::vector<Range> bounds;  //!< of trait_numbers(crop)
+    TraitSet free;              //!< its bred traits; none: it stays as it is
     PlantOptics optics, nir_optics;
     std::optional<Photosynthesis> photosynthesis{};  //!< if leaves assimilate
 };
@@ -206,7 +208,7 @@ struct Campaign {
     double nir_soil_albedo = usual_nir_soil_albedo;  //!< the same of the soil
     //! The waveband in which the tolerance bounds the light of leaves.
     BoundedBand bounded_band = BoundedBand::par;
-    std::vector<Neighbour> neighbours;       //!< components that are not bred
+    std::vector<Neighbour> neighbours;       //!< components beside the crop
     SkyModel sky_model = SkyModel::uniform;  //!< of diffuse light
     //! Of a climate: the suns of so many dates stand for all. 0: without one.
     int sun_dates = 3;
@@ -235,13 +237,18 @@ struct Campaign {
 
 //! An objective as a campaign asks for it.
 struct Aim {
-    std::string quantity;
+    std::string name;      //!< "net_assimilation" or "soybean.net_assimilation"
+    std::string quantity;  //!< its name without that of a component
+    std::optional<std::size_t> component{};  //!< if it is of one alone
     Sense sense = Sense::maximise;
 };
 
 //! Doubts a canopy with more leaves than fields have, "has a leaf area index of
 //! 9.3, ..."; "" for others.
 std::string doubt_of_lai(double lai);
+
+//! The names of all components, that of the crop's plant first.
+std::vector<std::string> component_names(const Campaign& campaign);
 
 //! What a campaign searches for, at least one.
 std::vector<Aim> aims(const Campaign& campaign);
@@ -335,8 +342,10 @@ struct SeasonLight {
 //! @throws Error if the file cannot be read.
 SeasonLight read_climate(const std::string& path);
 
-//! The text of a crop file with the traits of a campaign and another baseline.
-std::string crop_text(const Campaign& campaign, const Plant& baseline);
+//! The text of a crop file with the traits of a component, the campaign's crop
+//! unless another is chosen, and another baseline.
+std::string crop_text(const Campaign& campaign, const Plant& baseline,
+                      std::size_t component = 0);
 
 //! The light of a case, or of the first of its scenarios: of its clear days, or
 //! of its weather.
@@ -353,8 +362,23 @@ std::vector<Case> cases(const Campaign& campaign);
 //! @throws Error of wrong usage if there is none.
 Case case_at(const Campaign& campaign, int index, const std::string& path);
 
-//! The genes of a case with their bounds; genes outside its trait set are
-//! not free.
+//! One plant for each component, that of the campaign's crop first.
+using Plants = std::vector<Plant>;
+
+//! The numbers of the crop's baseline, then those of components that are bred:
+//! as gene_space().
+Genome baseline_genome(const Campaign& campaign);
+
+//! The number of genes of a genome, without keys that are varied.
+std::size_t count_genes(const Campaign& campaign);
+
+//! The plants that a genome makes of the baselines of all components.
+//! @throws Error if it has too few or too many genes
+Plants grow(const Campaign& campaign, const Genome& genome);
+
+//! The genes of a case with their bounds, those of the crop first, then those
+//! of components that are bred, "soybean.petiole_length". Genes outside the
+//! trait set are not free.
 GeneSpace gene_space(const Campaign& campaign, const Case& chosen);
 
 //! The same with the keys that a sensitivity study varies behind them. Where

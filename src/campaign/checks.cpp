@@ -195,13 +195,14 @@ void check_bands(const Campaign& campaign, Report& report) {
         report.add(
             &campaign.bounded_band,
             "light.band is \"nir\" (light is followed in PAR alone); " + add);
-    for (const auto* list : {&campaign.maximised, &campaign.minimised})
-        for (const std::string& each : *list)
-            if (report.usable({list}) && is_of_nir(each))
-                report.add(list,
-                           fmt::format("the objective {} needs near infrared; "
-                                       "{}",
-                                       each, add));
+    for (const Aim& aim : aims(campaign)) {
+        const auto* list = aim.sense == Sense::maximise ? &campaign.maximised
+                                                        : &campaign.minimised;
+        if (report.usable({list}) && is_of_nir(aim.quantity))
+            report.add(list,
+                       fmt::format("the objective {} needs near infrared; {}",
+                                   aim.name, add));
+    }
 }
 
 void check_stop(const StopRules& stop, Report& report) {

@@ -62,7 +62,7 @@ void check_standing(const Draft& neighbour, Report& report) {
                    "or use `rows` in the place of `mixed`");
 }
 
-//! Components that are not bred have names and places of their own, and leave
+//! Components beside the crop have names and places of their own, and leave
 //! places to the plants that are bred.
 void check_neighbours(Draft& draft, Report& report) {
     const FieldForm& field = draft.campaign.field;
@@ -147,10 +147,13 @@ void check_weights(const Draft& draft, Report& report) {
             if (has_weights &&
                 std::find(sums.begin(), sums.end(), each) == sums.end())
                 report.add(&weights,
-                           fmt::format("the objective {} is no sum over "
-                                       "components; remove objective.weights, "
-                                       "or use one of {}",
-                                       each, fmt::join(sums, ", ")));
+                           fmt::format("the objective {} is {}; remove "
+                                       "objective.weights, or use one of {}",
+                                       each,
+                                       each.find('.') == std::string::npos
+                                           ? "no sum over components"
+                                           : "that of one component",
+                                       fmt::join(sums, ", ")));
         }
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <span>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -118,42 +119,55 @@ const Named<TraitSet>* breeder(const Campaign& campaign,
     return nullptr;
 }
 
-//! Notes numbers of the baseline that are outside the bounds in which they
-//! would be bred, and the bounds to write.
+//! Notes numbers of a baseline that are outside the bounds in which they would
+//! be bred, and the bounds to write.
 class BaselineCheck {
   public:
-    BaselineCheck(Draft& draft, const Report& report)
-        : draft_(draft), report_(report), crop_(draft.campaign.crop) {
+    //! @param parent of the bounds: "plant" or "component"
+    BaselineCheck(Draft& draft, const std::string& parent, const Report& report)
+        : draft_(draft),
+          table_(parent + ".bounds"),
+          report_(report),
+          crop_(draft.campaign.crop) {
         for (const TraitEntry& entry : draft.traits)
             crop_.traits.push_back(complete(entry));
         wider_.resize(crop_.traits.size());
     }
 
-    void run() {
+    std::vector<Problem> run() {
         const bool is_table = draft_.rule.empty();
-        if (!is_table && !report_.usable({&draft_.rule})) return;
+        if (!is_table && !report_.usable({&draft_.rule})) return {};
         const std::vector<TraitNumber> numbers = trait_numbers(crop_);
         const std::vector<double> baseline = baseline_numbers(crop_);
         for (std::size_t i = 0; i < numbers.size(); ++i)
             if (!is_table ||
                 report_.usable({&draft_.own_bounds[numbers[i].trait]}))
                 check(numbers[i], baseline[i]);
-        if (found_.empty()) return;
+        if (found_.empty()) return {};
         found_ = report_.sorted(std::move(found_));
         found_.push_back(
             {report_.where(is_table ? static_cast<void*>(&draft_.own_bounds[0])
                                     : &draft_.rule),
-             fmt::format("plant.bounds leave the baseline out (what is bred "
-                         "begins with it); {}{}",
-                         is_table ? "write in [plant.bounds]:"
-                                  : "delete bounds = \"...\" if it is there, "
-                                    "and add at the end of the campaign:\n"
-                                    "[plant.bounds]",
+             fmt::format("{0} leave the baseline out (what is bred begins "
+                         "with it); {1}{2}",
+                         table_,
+                         is_table
+                             ? "write in [" + table_ + "]:"
+                             : "delete bounds = \"...\" if it is there, "
+                               "and add " +
+                                   place_of_table() + ":\n[" + table_ + ']',
                          lines())});
-        draft_.campaign.outside_bounds = std::move(found_);
+        return std::move(found_);
     }
 
   private:
+    bool is_of_component() const { return table_ == "component.bounds"; }
+
+    std::string place_of_table() const {
+        return is_of_component() ? "below the keys of its [[component]]"
+                                 : "at the end of the campaign";
+    }
+
     void check(const TraitNumber& number, double value) {
         const Trait& trait = crop_.traits[number.trait];
         const Named<TraitSet>* set = breeder(draft_.campaign, trait.name);
@@ -170,14 +184,16 @@ class BaselineCheck {
             {report_.where(written),
              fmt::format(
                  "{}{} is {}{} (outside the {} bounds {:.6g} .. {:.6g}{}, and "
-                 "trait set \"{}\" breeds it); change the baseline, the "
-                 "bounds or the free traits",
+                 "{} breeds it); change the baseline, the bounds or the free "
+                 "traits",
                  trait.effect == TraitEffect::sets ? trait.measures[0]
                                                    : "trait " + trait.name,
                  number.leaf > 0 ? fmt::format(" of leaf {}", number.leaf) : "",
                  value, unit,
                  draft_.rule.empty() ? "table's" : '"' + draft_.rule + '"',
-                 range.lower, range.upper, unit, set->name)});
+                 range.lower, range.upper, unit,
+                 is_of_component() ? "component.free"
+                                   : "trait set \"" + set->name + '"')});
     }
 
     //! Where the value of a number in the baseline was written.
@@ -210,13 +226,14 @@ class BaselineCheck {
             if (entry.trait.is_bred) by_table.push_back(entry.trait.name);
         }
         const Named<TraitSet>& first = draft_.campaign.trait_sets.front();
-        if (by_rule != by_table && first.value == by_rule)
+        if (!is_of_component() && by_rule != by_table && first.value == by_rule)
             text += fmt::format("\n[[traits]]\nname = \"{}\"\nfree = [\"{}\"]",
                                 first.name, fmt::join(by_rule, "\", \""));
         return text;
     }
 
     Draft& draft_;
+    std::string table_;  //!< of own bounds
     const Report& report_;
     Crop crop_;
     //! The bounds of each bred trait, widened to hold the baseline's numbers.
@@ -224,34 +241,34 @@ class BaselineCheck {
     std::vector<Problem> found_;
 };
 
-//! A start has a number of each gene, those that are bred within their bounds.
-void check_start(const Draft& draft, Report& report) {
-    const std::vector<double>& start = draft.campaign.search.start;
-    if (start.empty() || !report.usable({&start, &draft.rule})) return;
-    if (!uses_cma_es(draft.campaign.search))
-        return report.add(&start,
-                          "search.start is given (only CMA-ES begins around a "
-                          "plant of its own); leave it out, or use "
-                          "search.optimizer = \"auto\"");
+//! Returns the drafts of what is bred in the order of genes: the campaign's
+//! crop, then components.
+std::vector<Draft*> bred_drafts(Draft& draft) {
+    std::vector<Draft*> all{&draft};
+    for (const std::shared_ptr<Draft>& each : draft.neighbours)
+        if (!each->campaign.trait_sets.front().value.empty())
+            all.push_back(each.get());
+    return all;
+}
+
+//! Tells numbers of a start that are outside the bounds of a crop.
+//! @param start its numbers begin there
+//! @returns how many numbers the crop has
+std::size_t check_start_of(const Draft& draft, std::span<const double> start,
+                           const void* place, Report& report) {
     Crop crop = draft.campaign.crop;
     for (const TraitEntry& entry : draft.traits)
         crop.traits.push_back(complete(entry));
     const std::vector<TraitNumber> numbers = trait_numbers(crop);
     const std::vector<double> baseline = baseline_numbers(crop);
-    if (start.size() != numbers.size())
-        return report.add(
-            &start, fmt::format("search.start has {} numbers (the traits of "
-                                "this crop have {}); begin with run --start "
-                                "PLANT, which writes them",
-                                start.size(), numbers.size()));
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
+    for (std::size_t i = 0; i < std::min(numbers.size(), start.size()); ++i) {
         const auto& [t, leaf, point] = numbers[i];
         const std::string& trait = crop.traits[t].name;
         const Range range = bounds_of(draft, t, baseline[i]);
         if (!breeder(draft.campaign, trait) ||
             (start[i] >= range.lower && start[i] <= range.upper))
             continue;
-        report.add(&start,
+        report.add(place,
                    fmt::format("search.start has {:.6g} for {}{} (outside the "
                                "bounds {:.6g} .. {:.6g}); begin with another "
                                "plant, or widen the bounds",
@@ -259,6 +276,29 @@ void check_start(const Draft& draft, Report& report) {
                                leaf > 0 ? fmt::format(" of leaf {}", leaf) : "",
                                range.lower, range.upper));
     }
+    return numbers.size();
+}
+
+//! A start has a number of each gene, those that are bred within their bounds.
+void check_start(Draft& draft, Report& report) {
+    const std::vector<double>& start = draft.campaign.search.start;
+    if (start.empty() || !report.usable({&start, &draft.rule})) return;
+    if (!uses_cma_es(draft.campaign.search))
+        return report.add(&start,
+                          "search.start is given (only CMA-ES begins around a "
+                          "plant of its own); leave it out, or use "
+                          "search.optimizer = \"auto\"");
+    std::size_t count = 0;
+    for (Draft* each : bred_drafts(draft))
+        count += check_start_of(
+            *each, std::span(start).subspan(std::min(count, start.size())),
+            &start, report);
+    if (start.size() != count)
+        report.add(&start,
+                   fmt::format("search.start has {} numbers (the traits that "
+                               "can be bred have {}); begin with run --start "
+                               "PLANT, which writes them",
+                               start.size(), count));
 }
 
 }  // namespace
@@ -276,7 +316,15 @@ void check_breeding(Draft& draft, Report& report) {
     for (const TraitEntry& entry : draft.traits)
         if (!is_sound(entry, report)) return;
     check_constraints(draft, report);
-    BaselineCheck(draft, report).run();
+    std::vector<Problem>& outside = draft.campaign.outside_bounds;
+    outside.clear();
+    for (Draft* each : bred_drafts(draft))
+        if (each->is_crop_known)
+            std::ranges::move(
+                BaselineCheck(*each, each == &draft ? "plant" : "component",
+                              report)
+                    .run(),
+                std::back_inserter(outside));
     check_start(draft, report);
 }
 

@@ -137,7 +137,7 @@ void check_feasibility(Draft& draft, Report& report) {
                        fmt::format("objective: {} is a distance from measured "
                                    "lines (which there are not); add "
                                    "[feasibility] with lines = \"FILE.toml\"",
-                                   aim.quantity));
+                                   aim.name));
 }
 
 }  // namespace ideotype

@@ -204,9 +204,10 @@ Key own_bounds_key(const Trait& trait, Range& range, Plant& plant) {
                                 : key.within(least, most, measure->unit);
 }
 
-//! A key for each trait.
-Table own_bounds_table(Draft& draft) {
-    Section section{"plant.bounds", {}};
+}  // namespace
+
+Table own_bounds_table(Draft& draft, const std::string& parent) {
+    Section section{parent + ".bounds", {}};
     for (std::size_t t = 0; t < draft.traits.size(); ++t)
         section.keys.push_back(own_bounds_key(complete(draft.traits[t]),
                                               draft.own_bounds.at(t),
@@ -215,6 +216,8 @@ Table own_bounds_table(Draft& draft) {
     table.name = "bounds";
     return table;
 }
+
+namespace {
 
 Section plant_section(Draft& draft) {
     Campaign& campaign = draft.campaign;
@@ -252,7 +255,7 @@ Section plant_section(Draft& draft) {
 
 Table plant_table(Draft& draft) {
     Table table = one_table(plant_section(draft));
-    if (draft.rule.empty()) table.children = {own_bounds_table(draft)};
+    if (draft.rule.empty()) table.children = {own_bounds_table(draft, "plant")};
     return table;
 }
 

@@ -69,6 +69,7 @@ class DraftReader {
         if (const auto baseline = top["plant"]["baseline"])
             read_baseline(*baseline.node());
         prepare(top["plant"]["bounds"].value_or<std::string>(""));
+        read_neighbours(top);
         draft_.has_climate = top.contains("climate");
         if (top["plant"]["bounds"].is_table()) draft_.rule.clear();
         const std::vector<Table> tables = campaign_tables(draft_);
@@ -77,7 +78,6 @@ class DraftReader {
         campaign.has_nir = std::any_of(
             campaign.bands.begin(), campaign.bands.end(),
             [](const BandEntry& band) { return band.name == "nir"; });
-        read_neighbours(top);
         if (const auto lines = top["feasibility"]["lines"])
             read_lines(*lines.node());
         draft_.has_photosynthesis =
@@ -91,6 +91,9 @@ class DraftReader {
         draft_.has_samples = top["sensitivity"]["samples"].node() != nullptr;
         choose_organs();
         for (auto& [name, free] : campaign.trait_sets) sort_traits(free);
+        for (const std::shared_ptr<Draft>& each : draft_.neighbours)
+            DraftReader(file_, source_, *each, report_)
+                .sort_traits(each->campaign.trait_sets.front().value);
         // A number of paths alone means all of them.
         if (top["light"]["paths"] && !top["light"]["tolerance"])
             campaign.sampling.tolerance = 0;
@@ -198,17 +201,29 @@ class DraftReader {
                         tables_.where(baseline));
     }
 
-    //! Reads the crops of the components that are not bred.
+    //! Reads what the other keys of a component follow from: its name, its
+    //! crop and its own bounds.
+    void read_component(const toml::table& table) {
+        draft_.campaign.name = table["name"].value_or<std::string>("");
+        draft_.is_crop_known = false;
+        if (const toml::node* const crop = table.get("crop"))
+            read_baseline(*crop, "component.crop");
+        prepare("");
+        draft_.campaign.trait_sets.front().value.clear();
+        if (!table["bounds"].is_table()) return;
+        draft_.rule.clear();
+        tables_.read(table, own_bounds_table(draft_, "component"));
+    }
+
     void read_neighbours(const toml::table& top) {
         const toml::array* const all = top["component"].as_array();
-        for (std::size_t i = 0; all && i < draft_.neighbours.size(); ++i) {
-            const toml::table* const table = all->get_as<toml::table>(i);
-            const toml::node* const crop = table ? table->get("crop") : nullptr;
-            Draft& neighbour = *draft_.neighbours[i];
-            neighbour.is_crop_known = false;
-            if (crop)
+        const std::size_t count = all ? all->size() : 0;
+        for (std::size_t i = 0; i < std::min(count, most_components); ++i) {
+            Draft& neighbour =
+                *draft_.neighbours.emplace_back(std::make_shared<Draft>());
+            if (const auto* table = all->get_as<toml::table>(i))
                 DraftReader(file_, source_, neighbour, report_)
-                    .read_baseline(*crop, "component.crop");
+                    .read_component(*table);
         }
     }
 

@@ -60,7 +60,7 @@ void append_crop(std::string& text, const std::string& prefix, Draft& draft) {
         append_table(text, prefix, table);
 }
 
-//! Appends the components that are not bred, each with its crop.
+//! Appends the components beside the campaign's crop, each with its own.
 void append_neighbours(std::string& text, const Table& components,
                        Draft& draft) {
     for (std::size_t i = 0; i < draft.neighbours.size(); ++i) {
@@ -70,6 +70,9 @@ void append_neighbours(std::string& text, const Table& components,
         append_keys(text, components.section(i));
         text += "\n[component.crop]\n";
         append_crop(text, "component.crop.", neighbour);
+        if (neighbour.rule.empty())
+            append_table(text, "component.",
+                         own_bounds_table(neighbour, "component"));
     }
 }
 

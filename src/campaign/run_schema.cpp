@@ -75,15 +75,34 @@ Section light_section(Campaign& campaign) {
                  .trades({1, 2, 3, 6, 12}, !campaign.climates.empty())}};
 }
 
-Section objective_section(Campaign& campaign) {
-    const std::vector<std::string> names = objective_names();
+namespace {
+
+//! The names of all objectives, those of single components too.
+std::vector<std::string> objectives_of(const Draft& draft) {
+    std::vector<std::string> names = objective_names();
+    if (draft.neighbours.empty()) return names;
+    std::vector<std::string> components{draft.campaign.crop.baseline.name};
+    for (const std::shared_ptr<Draft>& each : draft.neighbours)
+        components.push_back(each->campaign.name);
+    for (const std::string& component : components)
+        for (const std::string& quantity : additive_objectives())
+            names.push_back(component + '.' + quantity);
+    return names;
+}
+
+}  // namespace
+
+Section objective_section(Draft& draft) {
+    Campaign& campaign = draft.campaign;
+    const std::vector<std::string> names = objectives_of(draft);
     return {"objective",
             {Key("maximise", &campaign.maximised,
                  "any single number of the canopy: on a mean day light that "
                  "leaves absorb, CO2 that they assimilate (net of their "
                  "respiration while there is light) or carbon that is left "
                  "(net of day and night, and of building leaves), per area of "
-                 "ground or of leaf; parts of the light; leaf area")
+                 "ground or of leaf; parts of the light; leaf area; "
+                 "\"NAME.net_assimilation\" is that of one component")
                  .set(&Key::count, any_count)
                  .one_of(names),
              Key("minimise", &campaign.minimised,

@@ -215,18 +215,24 @@ Section spacing_section(Named<Spacing>& spacing) {
                  .within(0, 360, "deg")}};
 }
 
-Section traits_section(const Draft& draft, Named<TraitSet>& traits) {
+//! The names of the crop's traits, unless it could not be read.
+std::vector<std::string> trait_names(const Draft& draft) {
     std::vector<std::string> known;
     if (draft.is_crop_known)
         for (const TraitEntry& each : draft.traits)
             known.push_back(each.trait.name);
-    return {"traits",
-            {entry_name(traits.name, "", R"("angles")"),
-             Key("free", &traits.value,
-                 "what may be bred; the rest keeps the baseline's values")
-                 .set(&Key::range, "traits of the crop file")
-                 .one_of(known)
-                 .required(R"(["insertion_angle", "azimuth"])")}};
+    return known;
+}
+
+Section traits_section(const Draft& draft, Named<TraitSet>& traits) {
+    Key free("free", &traits.value,
+             "what may be bred; the rest keeps the baseline's values");
+    free.set(&Key::range, "traits of the crop file")
+        .one_of(trait_names(draft))
+        .required(R"(["insertion_angle", "azimuth"])");
+    // Components may be bred in the place of the crop.
+    free.is_required = draft.neighbours.empty();
+    return {"traits", {entry_name(traits.name, "", R"("angles")"), free}};
 }
 
 Section field_section(FieldForm& field) {
@@ -386,9 +392,24 @@ Section component_section(Draft& neighbour) {
              .set(&Key::type, "path or table")
              .set(&Key::range, "-")
              .required("\"crops/mine.toml\""),
+         Key("free", &neighbour.campaign.trait_sets.front().value,
+             "what is bred of it; left out, it stays as its crop file has it")
+             .set(&Key::range, "traits of its crop file")
+             .set(&Key::initial, "[]")
+             .like(R"(["width"])")
+             .set(&Key::is_written,
+                  !neighbour.campaign.trait_sets.front().value.empty())
+             .one_of(trait_names(neighbour)),
+         Key("bounds", neighbour.rule.empty() ? Target{} : &neighbour.rule,
+             "as `plant.bounds`, of its own crop file; or [component.bounds]")
+             .set(&Key::type, "text or table")
+             .set(&Key::initial, "\"traits\"")
+             .set(&Key::range, "rules of its crop file")
+             .set(&Key::is_written, neighbour.rule != "traits")
+             .one_of(rule_names(neighbour)),
          Key("rows", &neighbour.rows,
-             "rows of the field that it stands in instead of the plants "
-             "that are bred, counted from 1")
+             "rows of the field that it stands in instead of the crop's "
+             "plants, counted from 1")
              .within(1, 100)
              .set(&Key::count, any_count)
              .set(&Key::type, "list of integers")
@@ -418,7 +439,6 @@ Table component_table(Draft& draft) {
             [&all](std::size_t i) { return component_section(*all.at(i)); },
             [&all] { return all.size(); },
             [&all](std::size_t n) {
-                all.clear();
                 while (all.size() < n) all.push_back(std::make_shared<Draft>());
             },
             {},
@@ -499,7 +519,7 @@ std::vector<Table> campaign_tables(Draft& draft) {
             band_table(campaign),
             optics_table(campaign),
             one_table(light_section(campaign)),
-            one_table(objective_section(campaign)),
+            one_table(objective_section(draft)),
             photosynthesis_table(draft),
             constraints_table(campaign.constraints),
             feasibility_table(draft),

@@ -193,7 +193,9 @@ std::vector<Table> crop_defaults(Draft& draft);
 // Those of run_schema.cpp and plant_schema.cpp.
 Table plant_table(Draft& draft);
 Section light_section(Campaign& campaign);
-Section objective_section(Campaign& campaign);
+Section objective_section(Draft& draft);
+//! The bounds of each trait of the crop, as a table of [plant] or [component].
+Table own_bounds_table(Draft& draft, const std::string& parent);
 Section photosynthesis_section(PhotosynthesisTable& table);
 //! Which campaigns without assimilation do not have.
 Table photosynthesis_table(Draft& draft);

@@ -36,7 +36,7 @@ CampaignCost::CampaignCost(const Campaign& campaign, const Case& chosen)
         double least = std::numeric_limits<double>::infinity();
         for (int i = 0; i < times && !(i > 0 && least > long_time); ++i) {
             const double began = now();
-            evaluator.evaluate(task, baseline_numbers(campaign.crop));
+            evaluator.evaluate(task, baseline_genome(campaign));
             least = std::min(least, now() - began);
         }
         return least;

@@ -27,13 +27,13 @@ Sampling sampling_in(const Campaign& under, const Case& chosen,
 ComparedPlant read_compared(const std::string& path, const Campaign& under) {
     if (!is_history(path)) {
         const Plant plant = read_crop(path, &under.crop.baseline).baseline;
-        return {plant.name, plant, {}, {}};
+        return {plant.name, {plant}, {}, {}};
     }
     RowChoice best;
     best.is_best = true;
     const ChosenRow found = choose_row(path, best);
     return {found.campaign.name + "/" + found.chosen.name,
-            grow(found.campaign.crop, found.row.candidate.genome),
+            grow(found.campaign, found.row.candidate.genome),
             {},
             {}};
 }
@@ -62,11 +62,12 @@ Layers layers_of(const Campaign& under,
                  const std::vector<ComparedPlant>& plants) {
     Layers layers = canopy_layers(under);
     for (const ComparedPlant& each : plants)
-        for (const Leaf& leaf : each.plant.leaves)
-            layers.count = std::max(
-                layers.count,
-                static_cast<std::size_t>(
-                    std::ceil(furthest(each.plant, leaf) / layers.thickness)));
+        for (const Plant& plant : each.plants)
+            for (const Leaf& leaf : plant.leaves)
+                layers.count = std::max(
+                    layers.count,
+                    static_cast<std::size_t>(
+                        std::ceil(furthest(plant, leaf) / layers.thickness)));
     return layers;
 }
 
@@ -78,12 +79,14 @@ std::vector<Figure> figures_of(const QuantitySet& measured,
     const auto add = [&](const Quantity& each) { figures.push_back({each}); };
     const auto is_aim = [&](const Quantity& each) {
         return std::any_of(aims.begin(), aims.end(), [&](const Aim& aim) {
-            return aim.quantity == each.name;
+            return aim.name == each.name;
         });
     };
-    for (const Aim& aim : aims)
+    for (const Aim& aim : aims) {
+        if (aim.component) add({aim.name, unit_of(aim.quantity), aim.name});
         for (const Quantity& each : measured.quantities)
-            if (each.name == aim.quantity) add(each);
+            if (each.name == aim.name) add(each);
+    }
     for (const Quantity& each : measured.quantities)
         if (each.axes.empty() && !is_aim(each)) add(each);
     for (const std::string axis : {"layer", "leaf"})
@@ -97,7 +100,7 @@ void choose_figures(Comparison& all) {
     const Case& first = all.cases.front().chosen;
     for (ComparedPlant& each : all.plants) {
         Scene scene = all.cases.front().scene;
-        set_plant(scene.components.front(), each.plant);
+        set_plant(scene.components.front(), each.plants.front());
         each.figures = figures_of(
             canopy_quantities(scene, all.layers, details_of(all.under)),
             aims(all.under));
@@ -169,7 +172,7 @@ Outcome evaluate(const Comparison& comparison, std::size_t plant,
     const Sampling sampling =
         sampling_in(comparison.under, in.chosen, comparison.tolerance);
     CanopyRequest request =
-        request_of(sampling, comparison.under, in.scene, compared.plant);
+        request_of(sampling, comparison.under, in.scene, compared.plants);
     request.layers = comparison.layers;
     const CanopyReport report = evaluate(request, device);
     std::map<std::string, std::vector<Randomised>> profiles;

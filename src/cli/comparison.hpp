@@ -27,7 +27,7 @@ struct Figure {
 //! figures; those that two plants have are the same, in the same order.
 struct ComparedPlant {
     std::string name;
-    Plant plant;
+    Plants plants;  //!< of a crop file one
     std::vector<Figure> figures;
     OutcomeSchema schema;  //!< each figure is an objective, so that all have
                            //!< values by randomisation

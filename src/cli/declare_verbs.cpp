@@ -130,6 +130,9 @@ void declare_export(CLI::App& verb, ExportOptions& options) {
     declare_row(verb, options.row);
     verb.add_option("--to", options.to, "new file, .obj, .vtp, .csv or .toml")
         ->required();
+    auto* component = verb.add_option(
+        "--component", options.component,
+        "the kind of plant, if the field has several; else that of the crop");
     verb.add_flag("--field", options.is_field,
                   "the whole field instead of one plant (.obj, .vtp)");
     verb.add_option("--paths", options.paths,
@@ -141,6 +144,7 @@ void declare_export(CLI::App& verb, ExportOptions& options) {
                       "all candidates with their fitness instead of one plant "
                       "(.csv), also of a file that was cut short");
     generations->excludes("--field")->excludes("--paths");
+    generations->excludes(component);
     for (const char* each : row_options) generations->excludes(each);
 }
 

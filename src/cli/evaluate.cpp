@@ -72,16 +72,16 @@ struct Study {
     double seconds;
 };
 
-//! Of a plant in each scenario of a case.
+//! Evaluates plants in each scenario of a case.
 std::vector<Study> studies(const Task& task, const Campaign& campaign,
-                           const Case& chosen, const Plant& plant,
+                           const Case& chosen, const Plants& plants,
                            const std::string& isa) {
     const Device device(isa);
     std::vector<Study> all;
     for (const Case& each : scenarios(chosen)) {
         CanopyRequest request =
             request_of(sampling_of(task, campaign, each), campaign,
-                       scene_of(campaign, each), plant);
+                       scene_of(campaign, each), plants);
         request.details.sunlit = true;
         const double began = now();
         CanopyReport report = evaluate(request, device);
@@ -122,7 +122,7 @@ ExitCode evaluate_baseline(const EvaluateOptions& options) {
     task.case_index = static_cast<std::uint32_t>(chosen.index);
     task.is_final = true;
     const std::vector<Study> all =
-        studies(task, campaign, chosen, campaign.crop.baseline,
+        studies(task, campaign, chosen, {campaign.crop.baseline},
                 Device::supported_isas().back());
     if (options.is_json)
         fmt::print("{}\n", to_text(to_json(all)));
@@ -140,9 +140,9 @@ std::string name_of(const Task& task) {
 //! Recomputes a row, and compares every bit.
 ExitCode repeat_row(const ChosenRow& which, bool is_json) {
     const auto& [campaign, chosen, task, row, schema, isa] = which;
-    const Plant plant = grow(campaign.crop, row.candidate.genome);
-    const std::vector<Study> all = studies(task, campaign, chosen, plant, isa);
-    const Outcome again = outcome_of(which, plant, all);
+    const Plants plants = grow(campaign, row.candidate.genome);
+    const std::vector<Study> all = studies(task, campaign, chosen, plants, isa);
+    const Outcome again = outcome_of(which, plants.front(), all);
     const bool is_done = row.outcome.status == Status::done;
     const bool agrees = agrees_with(which, again);
     if (is_json) {

@@ -9,6 +9,7 @@
 
 #include "choose_row.hpp"
 #include "ideotype/canopy/canopy.hpp"
+#include "ideotype/core/text.hpp"
 #include "ideotype/crop/measures.hpp"
 #include "mesh_files.hpp"
 #include "output_file.hpp"
@@ -52,12 +53,13 @@ void write_csv(const std::string& path, const Plant& plant) {
 
 //! The plant's name is that of the file, as far as names allow.
 void write_crop_file(const std::string& path, const std::string& title,
-                     const Campaign& campaign, Plant plant) {
+                     const Campaign& campaign, Plant plant,
+                     std::size_t component) {
     plant.name = std::filesystem::path(path).stem().string().substr(0, 64);
     for (char& c : plant.name)
         if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-') c = '_';
     OutputFile out(path);
-    out.print("# {}\n{}", title, crop_text(campaign, plant));
+    out.print("# {}\n{}", title, crop_text(campaign, plant, component));
     out.finish();
 }
 
@@ -77,7 +79,7 @@ std::string about_ground(const Field& field) {
                        cell.period_x, cell.period_y);
 }
 
-//! The PAR that faces of a request's first component absorb, or, as the row's
+//! The PAR that each face of a request's components absorbs, or, as the row's
 //! evaluation draws it, of its field [J m-2 day-1].
 std::vector<Estimate> light_on_faces(CanopyRequest request, std::size_t faces,
                                      std::optional<int> paths,
@@ -86,19 +88,22 @@ std::vector<Estimate> light_on_faces(CanopyRequest request, std::size_t faces,
     request.accuracy = paths ? Accuracy{*paths, request.accuracy.randomisations,
                                         0, request.accuracy.fields}
                              : face_accuracy(request.accuracy, faces);
-    std::vector<Estimate> light = evaluate(request, Device(isa)).par().faces;
-    light.resize(faces);
-    return light;
+    return evaluate(request, Device(isa)).par().faces;
 }
 
 //! The surfaces of a plant or its field, with the light on them or without.
 void write_shape(const ExportOptions& options, const ChosenRow& row,
-                 const std::string& title, bool is_lit, const Plant& grown) {
+                 const std::string& title, bool is_lit, const Plants& grown,
+                 std::size_t component) {
     CanopyRequest request =
         request_of(sampling_of(row.task, row.campaign, row.chosen),
                    row.campaign, scene_of(row.campaign, row.chosen), grown);
-    const Component& bred = request.scene.components.front();
-    Shape shape{about(title, row.chosen), bred.mesh, {}, bred.ground_per_plant};
+    const std::vector<Component>& all = request.scene.components;
+    const Component& own = all.at(component);
+    Shape shape{about(title, row.chosen), own.mesh, {}, own.ground_per_plant};
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < component; ++i)
+        first += all[i].mesh.faces.size();
     if (options.is_field) {
         const Field field = draw_field(request.scene, request.randomness);
         shape.about.push_back(about_ground(field));
@@ -106,13 +111,28 @@ void write_shape(const ExportOptions& options, const ChosenRow& row,
         shape.face_plant = field.face_plant;
         shape.ground_area = field.cell.ground_area;
         request.scene = as_drawn(std::move(request.scene), field);
+        first = 0;
     }
-    if (is_lit)
-        write_vtp(options.to, shape,
-                  light_on_faces(std::move(request), shape.mesh.faces.size(),
-                                 options.paths, row.isa));
-    else
-        write_obj(options.to, shape);
+    if (!is_lit) return write_obj(options.to, shape);
+    const std::size_t count = shape.mesh.faces.size();
+    std::vector<Estimate> light =
+        light_on_faces(std::move(request), count, options.paths, row.isa);
+    light.erase(light.begin(), light.begin() + static_cast<long>(first));
+    light.resize(count);
+    write_vtp(options.to, shape, light);
+}
+
+//! The place of a component that an option names.
+std::size_t chosen_component(const Campaign& campaign,
+                             const std::string& name) {
+    const std::vector<std::string> names = component_names(campaign);
+    const auto found = std::ranges::find(names, name);
+    if (name.empty()) return 0;
+    if (found == names.end())
+        throw Error(fmt::format("--component: there is no '{}'; {}", name,
+                                did_you_mean(name, names)),
+                    ExitCode::usage);
+    return static_cast<std::size_t>(found - names.begin());
 }
 
 }  // namespace
@@ -120,7 +140,8 @@ void write_shape(const ExportOptions& options, const ChosenRow& row,
 ExitCode export_plant(const ExportOptions& options) {
     const ChosenRow row = choose_row(options.path, options.row);
     const auto& [campaign, chosen, task, found, schema, isa] = row;
-    const Plant plant = grow(campaign.crop, found.candidate.genome);
+    const std::size_t component = chosen_component(campaign, options.component);
+    const Plants plants = grow(campaign, found.candidate.genome);
     const std::string title = fmt::format(
         "ideotype {} {} slot {}", chosen.name,
         task.is_final ? "final" : fmt::format("generation {}", task.generation),
@@ -137,11 +158,13 @@ ExitCode export_plant(const ExportOptions& options) {
                                 options.to),
                     ExitCode::refused);
     if (extension == ".csv")
-        write_csv(options.to, plant);
+        write_csv(options.to, plants[component]);
     else if (extension == ".toml")
-        write_crop_file(options.to, title, campaign, plant);
+        write_crop_file(options.to, title, campaign, plants[component],
+                        component);
     else
-        write_shape(options, row, title, extension == ".vtp", plant);
+        write_shape(options, row, title, extension == ".vtp", plants,
+                    component);
     fmt::print("{}\n", options.to);
     return ExitCode::ok;
 }

@@ -129,7 +129,7 @@ ServedCase::ServedCase(const Campaign& of, int index, const std::string& path)
     : campaign(of),
       chosen(case_at(of, index, path)),
       genes(gene_space(of, chosen)),
-      baseline(baseline_numbers(of.crop)),
+      baseline(baseline_genome(of)),
       schema(outcome_schema(of, chosen, of.sampling)) {
     schema.randomisations = 0;
 }

@@ -58,7 +58,7 @@ Outcome RequestEvaluator::evaluate(const Task& task, const Genome& genome) {
     Genome plain = genome;
     const SamplingRequest sampling = take_sampling(task, plain);
     Outcome outcome = stand_.evaluate(
-        grow(served_.campaign.crop, plain),
+        grow(served_.campaign, plain),
         sampling_of(sampling, served_.campaign, served_.chosen), device_);
     outcome.randomisations.clear();
     return outcome;

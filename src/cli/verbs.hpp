@@ -106,6 +106,7 @@ struct ExportOptions {
     std::string path;
     RowChoice row;
     std::string to;
+    std::string component;  //!< whose plant it is; "": that of the crop
     bool is_field = false;
     //! Of light on the faces, per randomisation; enough if not given.
     std::optional<int> paths;

@@ -52,8 +52,7 @@ std::unique_ptr<CaseStand> from_history(const std::string& text,
 }
 
 nb::list genes(const CaseStand& stand) {
-    const std::vector<double> baseline =
-        baseline_numbers(stand.campaign().crop);
+    const Genome baseline = baseline_genome(stand.campaign());
     nb::list list;
     for (std::size_t i = 0; i < stand.genes().size(); ++i) {
         const Gene& gene = stand.genes()[i];
@@ -113,8 +112,9 @@ nb::tuple evaluate(CaseStand& stand, const Input<double, 1>& genome,
 }
 
 //! vertices [n, 3] in m, faces [m, 4], group of each face, names of groups.
-nb::tuple mesh(const CaseStand& stand, const Input<double, 1>& genome) {
-    const Mesh mesh = stand.mesh(to_vector(genome));
+nb::tuple mesh(const CaseStand& stand, const Input<double, 1>& genome,
+               std::size_t component) {
+    const Mesh mesh = stand.mesh(to_vector(genome), component);
     std::vector<double> vertices;
     for (const glm::dvec3& x : mesh.vertices)
         vertices.insert(vertices.end(), {x.x, x.y, x.z});
@@ -193,13 +193,17 @@ void bind_stand(nb::module_& module) {
         .def("evaluate", &evaluate, nb::arg("genome"), nb::arg("generation"),
              nb::arg("is_final"), nb::arg("seed").none(),
              nb::arg("tolerance").none())
-        .def("mesh", &mesh, nb::arg("genome"))
+        .def_prop_ro(
+            "components",
+            [](const CaseStand& x) { return component_names(x.campaign()); })
+        .def("mesh", &mesh, nb::arg("genome"), nb::arg("component"))
         .def("light_on_sensors", &light_on_sensors)
-        .def("crop_text",
-             [](const CaseStand& x, const Input<double, 1>& genome) {
-                 return crop_text(x.campaign(),
-                                  grow(x.campaign().crop, to_vector(genome)));
-             });
+        .def("crop_text", [](const CaseStand& x, const Input<double, 1>& genome,
+                             std::size_t component) {
+            return crop_text(
+                x.campaign(),
+                grow(x.campaign(), to_vector(genome)).at(component), component);
+        });
 }
 
 }  // namespace ideotype::python

@@ -21,17 +21,18 @@ Outcome CaseStand::evaluate(const Genome& genome,
     schema.randomisations =
         static_cast<std::size_t>(sampling.accuracy.replicates());
     try {
-        const Plant plant = grow(campaign_.crop, genome);
+        const Plants plants = grow(campaign_, genome);
         return checked_outcome(schema, devices_.with([&](const Device& device) {
-            return stand_.evaluate(plant, sampling, device);
+            return stand_.evaluate(plants, sampling, device);
         }));
     } catch (const Error& error) {
         return failed_outcome(schema, error.what());
     }
 }
 
-Mesh CaseStand::mesh(const Genome& genome) const {
-    return build_plant(grow(campaign_.crop, genome), campaign_.tessellation);
+Mesh CaseStand::mesh(const Genome& genome, std::size_t component) const {
+    return build_plant(grow(campaign_, genome).at(component),
+                       campaign_.tessellation);
 }
 
 std::vector<std::vector<Estimate>> CaseStand::light_on_sensors(
@@ -42,7 +43,7 @@ std::vector<std::vector<Estimate>> CaseStand::light_on_sensors(
     sampling.randomness = {chosen_.seed};
     const CanopyRequest request =
         request_of(sampling, campaign_, scene_of(campaign_, chosen_),
-                   grow(campaign_.crop, genome));
+                   grow(campaign_, genome));
     return devices_.with([&](const Device& device) {
         return ideotype::light_on_sensors(request, device, sensors, points);
     });

@@ -67,8 +67,8 @@ class CaseStand {
     //! @throws Error if the request is impossible
     Outcome evaluate(const Genome& genome, const SamplingRequest& request);
 
-    //! At the origin, y along the row [m].
-    Mesh mesh(const Genome& genome) const;
+    //! One plant of a component at the origin, y along the row [m].
+    Mesh mesh(const Genome& genome, std::size_t component) const;
 
     //! The light on sensors among plants of a genome by instant, see
     //! light_on_sensors(), in as many fields.

@@ -16,7 +16,7 @@ const OutcomeSchema& CanopyEvaluator::schema(const Task& task) const {
 Outcome CanopyEvaluator::evaluate(const Task& task, const Genome& genome) {
     const auto in = [&](const Campaign& campaign, const Case& chosen,
                         Stand& stand, const Genome& plant) {
-        return stand.evaluate(grow(campaign.crop, plant),
+        return stand.evaluate(grow(campaign, plant),
                               sampling_of(task, campaign, chosen), device_);
     };
     const std::uint32_t i = task.case_index;

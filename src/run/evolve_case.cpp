@@ -41,7 +41,7 @@ Routine<bool> evaluate_finalists(const Evolution& evolution, History& history) {
 
 SearchSpace search_space(const Campaign& campaign, const Case& chosen) {
     SearchSpace space{
-        search_genes(campaign, chosen), baseline_numbers(campaign.crop), {}};
+        search_genes(campaign, chosen), baseline_genome(campaign), {}};
     for (const KeyFactor& each : campaign.varied.keys)
         space.baseline.push_back(each.value);
     for (const Aim& aim : aims(campaign)) space.senses.push_back(aim.sense);

@@ -163,7 +163,7 @@ Genome best_of_history(const GeneSpace& genes, Genome start,
 //! @throws Error if the file cannot be read or has no finalist.
 //! @throws InputError with all problems of a crop file.
 std::string start_setting(const Campaign& campaign, const std::string& path) {
-    Genome start = baseline_numbers(campaign.crop);
+    Genome start = baseline_genome(campaign);
     if (std::filesystem::path(path).extension() == ".h5") {
         const GeneSpace genes = gene_space(campaign, cases(campaign).front());
         start = best_of_history(genes, std::move(start), path);
@@ -176,7 +176,7 @@ std::string start_setting(const Campaign& campaign, const std::string& path) {
                 "with another plant",
                 path, crop.baseline.leaves.size(),
                 campaign.crop.baseline.leaves.size()));
-        start = baseline_numbers(crop);
+        std::ranges::copy(baseline_numbers(crop), start.begin());
     }
     return fmt::format("search.start=[{}]", fmt::join(start, ", "));
 }

@@ -82,7 +82,7 @@ std::string doubt_of(const std::string& what, double lai) {
 //! Plain absorption in an endless stand has a ceiling: a word of warning.
 std::string left_to_gain(const History& history, const Campaign& campaign,
                          const Row& best) {
-    if (aims(campaign).front().quantity != "absorbed_par" ||
+    if (aims(campaign).front().name != "absorbed_par" ||
         !campaign.weights.empty() || !campaign.over.empty() ||
         campaign.field.boundary != Boundary::periodic)
         return "";

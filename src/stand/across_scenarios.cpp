@@ -76,9 +76,9 @@ AcrossScenarios::AcrossScenarios(const Campaign& campaign, const Case& chosen)
     measured_.axes.push_back(
         {"scenario", "", "what plants are evaluated under", labels});
     for (const Aim& aim : aims_)
-        measured_.quantities.push_back({aim.quantity + "_by_scenario",
+        measured_.quantities.push_back({aim.name + "_by_scenario",
                                         unit_of(aim.quantity),
-                                        aim.quantity + " in each scenario",
+                                        aim.name + " in each scenario",
                                         {"scenario"}});
 }
 

@@ -28,6 +28,11 @@ Layers canopy_layers(const Campaign& campaign) {
 
 namespace {
 
+//! The place of a component's first material among those of the scene.
+std::uint32_t first_material(std::size_t component) {
+    return static_cast<std::uint32_t>(plant_materials * component);
+}
+
 //! Makes a component one of a mixture that shares its places.
 void mix(Component& component, std::size_t plants) {
     component.ground_per_plant *= static_cast<double>(component.places.size()) /
@@ -82,13 +87,12 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
     if (bred_plants(campaign) < bred.places.size())
         mix(bred, bred_plants(campaign));
     for (const Neighbour& each : campaign.neighbours) {
-        const auto first = static_cast<std::uint32_t>(plant_materials *
-                                                      scene.components.size());
+        const std::uint32_t first = first_material(scene.components.size());
         Component& component = scene.components.emplace_back();
         component.name = each.name;
         component.tessellation = campaign.tessellation;
         component.photosynthesis = each.photosynthesis;
-        set_plant(component, each.plant, first);
+        set_plant(component, each.crop.baseline, first);
         stand_in(component, form, campaign, each.standing);
         for (Band& band : scene.bands)
             for (const Material& material :
@@ -104,8 +108,10 @@ Details details_of(const Campaign& campaign) {
 }
 
 CanopyRequest request_of(const Sampling& sampling, const Campaign& campaign,
-                         Scene scene, const Plant& plant) {
-    set_plant(scene.components.front(), plant);
+                         Scene scene, const Plants& plants) {
+    for (std::size_t i = 0; i < plants.size(); ++i)
+        if (i == 0 || !campaign.neighbours.at(i - 1).free.empty())
+            set_plant(scene.components.at(i), plants[i], first_material(i));
     return {std::move(scene), canopy_layers(campaign), sampling.accuracy,
             sampling.randomness, details_of(campaign)};
 }
@@ -119,7 +125,7 @@ OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
     schema.randomisations = static_cast<std::size_t>(accuracy.replicates());
     for (const Aim& aim : aims(campaign))
         schema.objectives.push_back(
-            {aim.quantity, unit_of(aim.quantity), aim.sense});
+            {aim.name, unit_of(aim.quantity), aim.sense});
     return schema;
 }
 
@@ -145,11 +151,11 @@ double lai_of_line(const Campaign& campaign, const Plant& plant,
 Randomised measure_number(const Campaign& campaign, const std::string& name,
                           const CanopyReport& report) {
     const std::vector<Aim> all = aims(campaign);
-    const bool is_weighted =
-        !campaign.weights.empty() &&
-        std::any_of(all.begin(), all.end(),
-                    [&](const Aim& aim) { return aim.quantity == name; });
-    return is_weighted
+    const auto aim = std::find_if(all.begin(), all.end(),
+                                  [&](const Aim& x) { return x.name == name; });
+    if (aim != all.end() && aim->component)
+        return measure_parts(aim->quantity, report).at(*aim->component);
+    return aim != all.end() && !campaign.weights.empty()
                ? weighted_sum(measure_parts(name, report), campaign.weights)
                : measure_objective(name, report);
 }
@@ -159,8 +165,7 @@ Outcome to_outcome(const Campaign& campaign, const Plant& plant,
     Outcome outcome;
     outcome.status = Status::done;
     for (const Aim& aim : aims(campaign)) {
-        const auto [mean, values] =
-            measure_number(campaign, aim.quantity, report);
+        const auto [mean, values] = measure_number(campaign, aim.name, report);
         outcome.objectives.push_back(mean);
         outcome.randomisations.insert(outcome.randomisations.end(),
                                       values.begin(), values.end());
@@ -190,14 +195,14 @@ void Stand::prepare() {
         scenes_.push_back(scene_of(campaign_, each));
 }
 
-Outcome Stand::evaluate(const Plant& plant, const Sampling& sampling,
+Outcome Stand::evaluate(const Plants& plants, const Sampling& sampling,
                         const Device& device) {
     prepare();
     std::vector<Outcome> outcomes;
     for (const Scene& scene : scenes_)
         outcomes.push_back(to_outcome(
-            campaign_, plant,
-            ideotype::evaluate(request_of(sampling, campaign_, scene, plant),
+            campaign_, plants.front(),
+            ideotype::evaluate(request_of(sampling, campaign_, scene, plants),
                                device)));
     return across_ ? across_->combine(outcomes) : std::move(outcomes.front());
 }

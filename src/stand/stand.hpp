@@ -28,20 +28,24 @@ Scene scene_of(const Campaign& campaign, const Case& chosen);
 //! What is found out about all plants of a campaign.
 Details details_of(const Campaign& campaign);
 
-//! Requests the evaluation of a plant in a scene of a campaign.
+//! Requests the evaluation of plants in a scene of a campaign: that of the
+//! crop, and those of components that are bred. What the list lacks stays as
+//! the scene has it.
 CanopyRequest request_of(const Sampling& sampling, const Campaign& campaign,
-                         Scene scene, const Plant& plant);
+                         Scene scene, const Plants& plants);
 
 //! The form of a case's outcomes, with this accuracy.
 OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
                              const Accuracy& accuracy);
 
-//! A quantity without axes; an objective is weighted as the campaign tells.
+//! An objective, of one component, weighted or of all plants together as the
+//! campaign tells, or another quantity without axes.
 //! @throws Error if the report has none of this name.
 Randomised measure_number(const Campaign& campaign, const std::string& name,
                           const CanopyReport& report);
 
 //! What a report says of a plant, in the form of a case without others.
+//! @param plant of the campaign's crop, which constraints are about
 Outcome to_outcome(const Campaign& campaign, const Plant& plant,
                    const CanopyReport& report);
 
@@ -62,9 +66,9 @@ class Stand {
     //! After it several threads may evaluate, each with a device of its own.
     void prepare();
 
-    //! One outcome in all scenarios. A pure function of plant and sampling.
+    //! One outcome in all scenarios. A pure function of plants and sampling.
     //! @throws Error as ideotype::evaluate()
-    Outcome evaluate(const Plant& plant, const Sampling& sampling,
+    Outcome evaluate(const Plants& plants, const Sampling& sampling,
                      const Device& device);
 
   private:

@@ -87,7 +87,7 @@ BENCHMARK(evaluation)
 void generation(benchmark::State& state) {
     const Campaign campaign = BenchStand::ames();
     CanopyEvaluator evaluator(campaign, Device::supported_isas().back());
-    const Genome baseline = baseline_numbers(campaign.crop);
+    const Genome baseline = baseline_genome(campaign);
     for (auto _ : state)
         for (int slot = 0; slot < campaign.search.population; ++slot) {
             Task task;
@@ -105,7 +105,7 @@ BENCHMARK(generation)->Unit(benchmark::kMillisecond)->Iterations(1);
 void memory(benchmark::State& state) {
     const Campaign campaign = BenchStand::ames();
     CanopyEvaluator evaluator(campaign, Device::supported_isas().back());
-    const Genome baseline = baseline_numbers(campaign.crop);
+    const Genome baseline = baseline_genome(campaign);
     for (auto _ : state)
         benchmark::DoNotOptimize(evaluator.evaluate({}, baseline));
     struct rusage usage {};

@@ -76,7 +76,7 @@ void sites(benchmark::State& state) {
         campaign.sites.push_back(ames);
         campaign.sites.back().name += std::to_string(i);
     }
-    const Genome baseline = baseline_numbers(campaign.crop);
+    const Genome baseline = baseline_genome(campaign);
     for (auto _ : state) {
         CanopyEvaluator evaluator(campaign, Device::supported_isas().back());
         Task task;

@@ -10,9 +10,9 @@ Campaign BenchStand::ames() {
 BenchStand::BenchStand(Campaign changed)
     : campaign(std::move(changed)),
       chosen(cases(campaign).front()),
-      baseline(baseline_numbers(campaign.crop)),
+      baseline(baseline_genome(campaign)),
       request(request_of(sampling_of(Task{}, campaign, chosen), campaign,
-                         scene_of(campaign, chosen), campaign.crop.baseline)),
+                         scene_of(campaign, chosen), {campaign.crop.baseline})),
       device(Device::supported_isas().back()) {}
 
 Field BenchStand::field(const Genome& genome) const {

@@ -160,7 +160,7 @@ TEST(GeneSpace, IsThatOfTheTraitsOfTheCrop) {
     EXPECT_EQ(genes[4].trait, "angles");
     EXPECT_EQ(genes[4].lower, -20);
     EXPECT_TRUE(genes[4].is_free);
-    EXPECT_EQ(baseline_numbers(campaign.crop),
+    EXPECT_EQ(baseline_genome(campaign),
               (std::vector<double>{0.08, 1, 0, 0, 0}));
     EXPECT_EQ(parse_campaign(campaign.resolved, "again").resolved,
               campaign.resolved);

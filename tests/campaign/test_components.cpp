@@ -33,7 +33,7 @@ TEST(Components, HaveTheirCropAndAreFoundAgainInAResolvedCampaign) {
     const Neighbour& one = campaign.neighbours.front();
     EXPECT_EQ(one.name, "sorghum");
     EXPECT_EQ(one.standing.rows, std::vector<int>{1});
-    EXPECT_EQ(one.plant.leaves.size(), 16u);
+    EXPECT_EQ(one.crop.baseline.leaves.size(), 16u);
     EXPECT_TRUE(one.photosynthesis);
     EXPECT_TRUE(campaign.has_nir);
     EXPECT_EQ(parse_campaign(campaign.resolved, "again").resolved,
@@ -97,6 +97,62 @@ TEST(Components, CountInObjectivesByTheirWeights) {
           std::pair{std::string("[objective]\nmaximise = \"invasion\"\n"),
                     "compares two components, and there are 1"}})
         EXPECT_NE(problems_of(text).find(problem), std::string::npos) << text;
+}
+
+TEST(Components, MayBeBredWithinBoundsOfTheirOwn) {
+    const std::string bred =
+        sorghum + "rows = [2]\nfree = [\"width\", \"insertion_angle\"]\n";
+    const Campaign campaign =
+        mixed(bred + "[component.bounds]\nwidth = [0.01, 0.2]\n");
+    EXPECT_EQ(parse_campaign(campaign.resolved, "again").resolved,
+              campaign.resolved);
+    const Case chosen = cases(campaign).front();
+    const GeneSpace genes = gene_space(campaign, chosen);
+    const Genome baseline = baseline_genome(campaign);
+    ASSERT_EQ(genes.size(), baseline.size());
+    EXPECT_EQ(genes.size(), count_genes(campaign));
+    EXPECT_EQ(genes.size(),
+              gene_space(mixed(sorghum + "rows = [2]\n"), chosen).size() +
+                  campaign.neighbours[0].bounds.size());
+    std::size_t widths = 0;
+    for (const Gene& gene : genes) {
+        const bool is_own = gene.name.starts_with("sorghum.");
+        if (!is_own) continue;
+        EXPECT_EQ(gene.is_free, gene.trait == "sorghum.width" ||
+                                    gene.trait == "sorghum.insertion_angle")
+            << gene.name;
+        if (gene.trait != "sorghum.width") continue;
+        ++widths;
+        EXPECT_EQ(gene.lower, 0.01);
+        EXPECT_EQ(gene.upper, 0.2);
+    }
+    EXPECT_EQ(widths, 16u);
+    for (const auto& [more, problem] :
+         {std::pair{bred + "bounds = \"paper\"\n", "component.bounds"},
+          std::pair{sorghum + "rows = [2]\nfree = [\"widht\"]\n",
+                    "did you mean 'width'"},
+          std::pair{bred + "[objective]\n"
+                           "maximise = \"sorgum.net_assimilation\"\n",
+                    "did you mean 'sorghum.net_assimilation'"},
+          std::pair{bred + "[objective]\n"
+                           "maximise = \"sorghum.net_assimilation\"\n"
+                           "weights = [1, 1]\n",
+                    "is that of one component"}})
+        EXPECT_NE(problems_of(more).find(problem), std::string::npos)
+            << more << problems_of(more);
+}
+
+TEST(Components, TellBaselinesOutsideTheirOwnBounds) {
+    const Campaign campaign =
+        mixed(sorghum +
+              "rows = [2]\nfree = [\"width\"]\n"
+              "[component.bounds]\nwidth = [0.15, 0.2]\n");
+    ASSERT_FALSE(campaign.outside_bounds.empty());
+    EXPECT_NE(campaign.outside_bounds.front().what.find("component.free"),
+              std::string::npos);
+    EXPECT_NE(campaign.outside_bounds.back().what.find(
+                  "write in [component.bounds]:\nwidth = ["),
+              std::string::npos);
 }
 
 TEST(Rows, RepeatTheirDistances) {

@@ -158,7 +158,8 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
         "[field]\nrow_pattern = [1, 3]\n[objective]\nweights = [1, 1, 2]\n"
         "[[component]]\nname = \"weed\"\nrows = [2]\nplants = 3\njitter = 5\n"
         "crop = \"crops/sorghum.toml\"\n"
-        "[[component]]\nname = \"other\"\nmixed = 2\n"
+        "[[component]]\nname = \"other\"\nmixed = 2\nfree = [\"width\"]\n"
+        "bounds = \"biological\"\n"
         "crop = \"crops/sorghum.toml\"\n[[band]]\nname = \"nir\"\n";
     for (const std::string& line : lines_of(read_campaign_text(
              sample_text("", mixed), IDEOTYPE_CAMPAIGNS "/mixed.toml")))

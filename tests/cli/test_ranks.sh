@@ -26,7 +26,7 @@ same_for_any_ranks nsga2 --set search.optimizer=nsga2 \
 same_for_any_ranks streams --set search.optimizer=auto --set search.streams=3
 same_for_any_ranks sobol --set search.optimizer=sobol
 same_for_any_ranks mixture --set 'band=[{name="nir"}]' \
-    --set 'component=[{name="weed", crop="crops/sorghum.toml", rows=[2]}]'
+    --set 'component=[{name="weed", crop="crops/sorghum.toml", rows=[2], free=["width"]}]'
 
 # The comparison itself must be able to fail.
 sed -i 's/seed = 7/seed = 8/' campaigns/same.toml

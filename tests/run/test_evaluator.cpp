@@ -13,7 +13,7 @@ class Ames : public ::testing::Test {
     const Campaign campaign =
         read_campaign(std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml");
     const std::vector<Case> all = cases(campaign);
-    const Genome baseline = baseline_numbers(campaign.crop);
+    const Genome baseline = baseline_genome(campaign);
     CanopyEvaluator evaluator{campaign, Device::supported_isas().back()};
 
     const OutcomeSchema schema =
@@ -87,9 +87,10 @@ TEST_F(Ames, CandidatesOfAGenerationShareTheirRandomNumbers) {
 TEST_F(Ames, TheElitePlantAbsorbsMoreThanTheBaseline) {
     const Device device(Device::supported_isas().back());
     const auto absorbed = [&](const Plant& plant) {
-        return evaluate(request_of(sampling_of(Task{}, campaign, all[0]),
-                                   campaign, scene_of(campaign, all[0]), plant),
-                        device)
+        return evaluate(
+                   request_of(sampling_of(Task{}, campaign, all[0]), campaign,
+                              scene_of(campaign, all[0]), {plant}),
+                   device)
             .par()
             .light.day.leaves;
     };
@@ -226,7 +227,7 @@ TEST(Canopy, InThePolarNightAllFiguresAreZero) {
             outcome_schema(campaign, night, campaign.sampling),
             to_outcome(campaign, baseline,
                        evaluate(request_of(sampling_of(Task{}, campaign, night),
-                                           campaign, scene, baseline),
+                                           campaign, scene, {baseline}),
                                 device)));
         EXPECT_EQ(outcome.status, Status::done) << outcome.message;
         EXPECT_EQ(outcome.objectives[0].mean, 0);
@@ -241,7 +242,7 @@ class Study : public ::testing::Test {
         {"sensitivity.keys=[{key=\"optics.soil_albedo\", range=[0, 1]}, "
          "{key=\"spacing.row\", range=[0.5, 0.9]}]"});
     CanopyEvaluator evaluator{campaign, Device::supported_isas().back()};
-    Genome genome = baseline_numbers(campaign.crop);
+    Genome genome = baseline_genome(campaign);
 
     Outcome evaluated(std::uint32_t generation, std::uint32_t slot,
                       double albedo, double row) {

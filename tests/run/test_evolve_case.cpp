@@ -168,7 +168,7 @@ class GrowingOptimizer : public GenerationalOptimizer {
 TEST_F(EvolveCase, GenerationsMayDifferInSize) {
     campaign.final_rule.candidates = 2;
     const HistoryHeader h = header();
-    GrowingOptimizer optimizer(baseline_numbers(campaign.crop));
+    GrowingOptimizer optimizer(baseline_genome(campaign));
     {
         History written = History::create(path("a.h5"), h);
         SumEvaluator evaluator(h.schema, stop);

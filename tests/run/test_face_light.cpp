@@ -67,7 +67,7 @@ class FaceLight : public ::testing::Test {
     const double ground = chosen.spacing.row * chosen.spacing.plant;
     CanopyRequest request =
         request_of(sampling_of(Task{}, campaign, chosen), campaign,
-                   scene_of(campaign, chosen), campaign.crop.baseline);
+                   scene_of(campaign, chosen), {campaign.crop.baseline});
     const Mesh plant =
         build_plant(campaign.crop.baseline, campaign.tessellation);
     const Device device{Device::supported_isas().back()};

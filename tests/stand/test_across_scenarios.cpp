@@ -37,7 +37,7 @@ Campaign over_sites(const std::string& how) {
 Outcome evaluated(const Campaign& campaign, const Task& task = {}) {
     const Case chosen = cases(campaign).at(task.case_index);
     return Stand(campaign, chosen)
-        .evaluate(campaign.crop.baseline, sampling_of(task, campaign, chosen),
+        .evaluate({campaign.crop.baseline}, sampling_of(task, campaign, chosen),
                   Device(Device::supported_isas().back()));
 }
 
@@ -53,7 +53,7 @@ std::vector<Outcome> separately(const Case& robust) {
         each.push_back(to_outcome(
             campaign, plant,
             evaluate(request_of(sampling_of(Task{}, campaign, one), campaign,
-                                scene_of(campaign, one), plant),
+                                scene_of(campaign, one), {plant}),
                      device)));
     }
     return each;

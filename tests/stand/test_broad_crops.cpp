@@ -19,7 +19,7 @@ class Soybean : public ::testing::Test {
         const Case chosen = cases(campaign).back();
         request =
             request_of(sampling_of(Task{}, campaign, chosen), campaign,
-                       scene_of(campaign, chosen), campaign.crop.baseline);
+                       scene_of(campaign, chosen), {campaign.crop.baseline});
     }
 
     Campaign campaign;

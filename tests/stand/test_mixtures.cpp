@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Campaigns of several components and wavebands.
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -28,7 +29,7 @@ class Mixtures : public ::testing::Test {
         const Case chosen = cases(campaign).front();
         return evaluate(
             request_of(sampling_of(Task{}, campaign, chosen), campaign,
-                       scene_of(campaign, chosen), campaign.crop.baseline),
+                       scene_of(campaign, chosen), {campaign.crop.baseline}),
             device);
     }
 
@@ -131,6 +132,43 @@ TEST_F(Mixtures, PartsOfAnObjectiveAreKnownByRandomisation) {
     }
 }
 
+//! Genes of a component change its plants alone, and objectives of single
+//! components sum to that of all.
+TEST_F(Mixtures, OfPlantsThatAreAllBredTellEachByItself) {
+    const Campaign campaign =
+        read_campaign(IDEOTYPE_CAMPAIGNS "/intercrop.toml",
+                      {"light.paths=1024",
+                       "objective.maximise=[\"b73.net_assimilation\", "
+                       "\"soybean.net_assimilation\", \"net_assimilation\"]"});
+    const Case chosen = cases(campaign).front();
+    Stand stand(campaign, chosen);
+    const auto outcome = [&](const Plants& plants) {
+        return stand.evaluate(plants, sampling_of(Task{}, campaign, chosen),
+                              device);
+    };
+    Genome genome = baseline_genome(campaign);
+    const Outcome before = outcome(grow(campaign, genome));
+    EXPECT_NEAR(before.objectives[0].mean + before.objectives[1].mean,
+                before.objectives[2].mean, 1e-9);
+    EXPECT_EQ(before.objectives[0].mean,
+              outcome({campaign.crop.baseline}).objectives[0].mean);
+
+    const GeneSpace genes = gene_space(campaign, chosen);
+    const auto gene =
+        std::ranges::find(genes, "soybean.internode_length", &Gene::name);
+    ASSERT_NE(gene, genes.end());
+    genome[static_cast<std::size_t>(gene - genes.begin())] = gene->upper;
+    const Plants taller = grow(campaign, genome);
+    EXPECT_EQ(taller[0].leaves.back().insertion_height,
+              campaign.crop.baseline.leaves.back().insertion_height);
+    EXPECT_GT(
+        taller[1].leaves.back().insertion_height,
+        campaign.neighbours[0].crop.baseline.leaves.back().insertion_height);
+    EXPECT_GT(outcome(taller).objectives[1].mean, before.objectives[1].mean);
+    genome.pop_back();
+    EXPECT_THROW(grow(campaign, genome), Error);
+}
+
 //! Parts sum to the whole in each scenario and in their mean, whatever the
 //! sense.
 TEST_F(Mixtures, WeighObjectivesInAllScenarios) {
@@ -145,7 +183,7 @@ TEST_F(Mixtures, WeighObjectivesInAllScenarios) {
         const Case chosen = cases(campaign).front();
         Stand stand(campaign, chosen);
         Outcome found =
-            stand.evaluate(campaign.crop.baseline,
+            stand.evaluate({campaign.crop.baseline},
                            sampling_of(Task{}, campaign, chosen), device);
         EXPECT_TRUE(has_form(stand.schema(false), found));
         return found;

@@ -242,10 +242,18 @@ class Stand:
         found = _map(one, plants, threads or _processors())
         return self._dataset(found, wanted)
 
-    def mesh(self, genome: ArrayLike) -> Mesh:
+    @property
+    def components(self) -> list[str]:
+        """The names of the kinds of plants in the field, that of the
+        campaign's crop first."""
+        return list(self._case.components)
+
+    def mesh(self, genome: ArrayLike, component: int = 0) -> Mesh:
         """The surfaces of one plant: its foot at the origin, y along the row,
-        z up [m]."""
-        return Mesh.of(*self._case.mesh(self._plants(genome)[0]))
+        z up [m].
+
+        component: place of its kind in `components`."""
+        return Mesh.of(*self._case.mesh(self._plants(genome)[0], component))
 
     def light_at(
         self,
@@ -294,9 +302,11 @@ class Stand:
             },
         )
 
-    def crop_file(self, genome: ArrayLike) -> str:
-        """The text of a crop file with this plant as its baseline."""
-        return self._case.crop_text(self._plants(genome)[0])
+    def crop_file(self, genome: ArrayLike, component: int = 0) -> str:
+        """The text of a crop file with this plant as its baseline.
+
+        component: place of its kind in `components`."""
+        return self._case.crop_text(self._plants(genome)[0], component)
 
     def _plants(self, genomes: ArrayLike) -> NDArray[np.float64]:
         """[plants, genes]"""

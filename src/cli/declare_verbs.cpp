@@ -148,6 +148,13 @@ void declare_export(CLI::App& verb, ExportOptions& options) {
     for (const char* each : row_options) generations->excludes(each);
 }
 
+void declare_light(CLI::App& verb, MeshOptions& options) {
+    verb.add_option("mesh", options.path, "mesh (OBJ, metres, z up)")
+        ->required();
+    declare(verb, options);
+    add_json(verb, options.is_json);
+}
+
 ExitCode export_any(const ExportOptions& options) {
     return options.is_generations ? export_generations(options)
                                   : export_plant(options);

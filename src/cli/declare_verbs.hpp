@@ -13,16 +13,11 @@ class App;
 
 namespace ideotype {
 
-struct MeshOptions;
-
 //! Adds all verbs to a command line. Parsing it sets the action to what the
 //! given verb does, which returns an exit code.
 //! @param words of the command line, the program's name first
 void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
                    std::function<int()>& action);
-
-//! Declares the mesh and the options of `light`.
-void declare_light(CLI::App& verb, MeshOptions& options);
 
 //! The verb `run` as typed.
 struct RunCommand {

@@ -19,9 +19,6 @@ namespace nb = nanobind;
 
 namespace {
 
-using Two = std::tuple<double, double>;
-using Three = std::tuple<double, double, double>;
-
 //! A mesh made of polygons.
 struct Divided {
     Mesh mesh;
@@ -171,97 +168,33 @@ nb::dict to_scene_dict(const MeshReport& report) {
     return dict;
 }
 
-std::optional<SkyModel> to_sky(const std::optional<std::string>& name) {
-    if (!name) return std::nullopt;
-    if (*name == "uniform") return SkyModel::uniform;
-    if (*name == "overcast") return SkyModel::overcast;
-    if (*name == "clear") return SkyModel::clear;
-    throw Error("there is no sky '" + *name +
-                    "'; use \"uniform\", \"overcast\" or \"clear\"",
-                ExitCode::usage);
-}
-
-Lambertian to_surface(const Two& pair) {
-    return {std::get<0>(pair), std::get<1>(pair)};
-}
-
 }  // namespace
 
 void bind_mesh(nb::module_& module) {
-    nb::class_<MeshOptions>(module, "MeshOptions")
-        .def(nb::init<>())
-        .def("set_period",
-             [](MeshOptions& x, double along_x, double along_y) {
-                 x.period = {along_x, along_y};
-             })
-        .def("set_isolated",
-             [](MeshOptions& x) { x.boundary = Boundary::isolated; })
-        .def_rw("ground_area", &MeshOptions::ground_area)
-        .def("set_field",
-             [](MeshOptions& x, int rows, int plants, double row, double plant,
-                double jitter) {
-                 x.field.emplace();
-                 x.field->rows = rows;
-                 x.field->plants = plants;
-                 x.field->spacing.row = row;
-                 x.field->spacing.plant = plant;
-                 x.field->jitter = jitter;
-             })
-        .def("set_sun",
-             [](MeshOptions& x, double elevation, double azimuth) {
-                 x.sun = {90 - elevation, azimuth};
-             })
-        .def("set_sky", [](MeshOptions& x,
-                           const std::string& name) { x.sky = to_sky(name); })
-        .def("set_day",
-             [](MeshOptions& x, const Three& site, int year, int month,
-                int day) {
-                 x.site.emplace();
-                 std::tie(x.site->latitude, x.site->longitude,
-                          x.site->utc_offset) = site;
-                 x.date = Date{year, month, day};
-             })
-        .def_rw("beam_ppfd", &MeshOptions::beam_ppfd)
-        .def_rw("sky_ppfd", &MeshOptions::sky_ppfd)
-        .def_rw("climate", &MeshOptions::climate)
-        .def_rw("photosynthesis", &MeshOptions::photosynthesis)
-        .def_rw("scene", &MeshOptions::scene)
-        .def_rw("is_exact", &MeshOptions::is_exact)
-        .def_rw("is_by_face", &MeshOptions::is_by_face)
-        .def("set_optics",
-             [](MeshOptions& x, const std::string& material, const Two& pair) {
-                 (material == "leaf"    ? x.optics.leaf
-                  : material == "stalk" ? x.optics.stalk
-                                        : x.optics.sheath) = to_surface(pair);
-             })
-        .def_rw("soil_albedo", &MeshOptions::soil_albedo)
-        .def_rw("tolerance", &MeshOptions::tolerance)
-        .def_rw("paths", &MeshOptions::paths)
-        .def_rw("seed", &MeshOptions::seed)
-        .def_prop_ro("is_day", &has_day);
-    module.def(
-        "evaluate_mesh",
-        [](const Input<double, 2>& vertices,
-           const Input<std::uint32_t, 1>& corners,
-           const Input<std::uint32_t, 1>& counts,
-           const Input<std::uint32_t, 1>& group,
-           const std::vector<std::string>& names, const MeshOptions& options) {
-            MeshReport report;
-            std::vector<Estimate> faces;
-            {
-                const nb::gil_scoped_release released;
-                Divided divided =
-                    divide(vertices, corners, counts, group, names);
-                const std::vector<double> areas = face_areas(divided.mesh);
-                report = study(std::move(divided.mesh), options);
-                faces = by_polygon(divided, areas, report.canopy.par().faces);
-            }
-            return options.scene.empty()
-                       ? to_dict(report, has_day(options), faces)
-                       : to_scene_dict(report);
-        },
-        nb::arg("vertices"), nb::arg("corners"), nb::arg("counts"),
-        nb::arg("group"), nb::arg("names"), nb::arg("options"));
+    module.def("evaluate_mesh", [](const Input<double, 2>& vertices,
+                                   const Input<std::uint32_t, 1>& corners,
+                                   const Input<std::uint32_t, 1>& counts,
+                                   const Input<std::uint32_t, 1>& group,
+                                   const std::vector<std::string>& names,
+                                   std::vector<std::string> arguments,
+                                   bool by_face) {
+        MeshOptions options = read_mesh_options(std::move(arguments));
+        options.is_by_face = by_face;
+        MeshReport report;
+        std::vector<Estimate> faces;
+        {
+            const nb::gil_scoped_release released;
+            Divided divided = divide(vertices, corners, counts, group, names);
+            const std::vector<double> areas = face_areas(divided.mesh);
+            report = study(std::move(divided.mesh), options);
+            faces = by_polygon(divided, areas, report.canopy.par().faces);
+        }
+        const bool is_day = has_day(options);
+        nb::dict found = options.scene.empty() ? to_dict(report, is_day, faces)
+                                               : to_scene_dict(report);
+        found["is_day"] = is_day;
+        return found;
+    });
 }
 
 }  // namespace ideotype::python

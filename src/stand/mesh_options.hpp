@@ -4,11 +4,16 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ideotype/canopy/field.hpp"
 #include "ideotype/climate/sky_sampler.hpp"
 #include "ideotype/climate/sun.hpp"
 #include "ideotype/light/ray_scene.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace ideotype {
 
@@ -48,6 +53,13 @@ struct MeshOptions {
     std::uint64_t seed = 1;
     bool is_json = false;
 };
+
+//! Declares the options of meshes for a command line.
+void declare(CLI::App& verb, MeshOptions& options);
+
+//! Reads arguments as a command line has them: {"--sun", "60", "180"}.
+//! @throws Error of wrong usage
+MeshOptions read_mesh_options(std::vector<std::string> arguments);
 
 //! Whether the light is that of a mean day, not a single one.
 inline bool has_day(const MeshOptions& options) {

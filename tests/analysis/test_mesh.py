@@ -128,8 +128,11 @@ def test_a_mesh_has_the_bits_of_the_command_line(tmp_path: Path) -> None:
     [
         ({"sun": (90, 0)}, "period X Y is missing"),
         ({"period": (1, 1)}, "sun"),
-        ({"period": (1, 1), "sky": "grey"}, "no sky 'grey'"),
-        ({"period": (1, 1), "site": (42, 0, 0)}, "site and day go together"),
+        ({"period": (1, 1), "sky": "grey"}, "sky: grey not in"),
+        (
+            {"period": (1, 1), "site": (42, 0, 0)},
+            "site and day belong together",
+        ),
         ({"isolated": True, "sun": (90, 0)}, "needs ground_area"),
     ],
 )
@@ -184,5 +187,5 @@ def test_a_scene_file_tells_components_and_bands(tmp_path: Path) -> None:
     assert found.gross_assimilation.units == "umol m-2 s-1"
     assert 20 < found.gross_assimilation.item() < 40
     assert found.net_assimilation < found.gross_assimilation
-    with pytest.raises(ideotype.Error, match="tells all optics"):
+    with pytest.raises(ideotype.Error, match="scene excludes leaf"):
         canopy.evaluate(**light, leaf=(0.1, 0.1))

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Sequence
 from datetime import date
@@ -51,27 +50,28 @@ class Canopy:
         isolated: bool = False,
         ground_area: float | None = None,
         field: tuple[int, int, float, float] | None = None,
-        jitter: float = 0,
+        jitter: float | None = None,
         sun: Pair | None = None,
         sky: str | None = None,
         site: tuple[float, float, float] | None = None,
         day: date | str | None = None,
         beam_ppfd: float | None = None,
         sky_ppfd: float | None = None,
-        climate: str | PathLike[str] = "",
-        photosynthesis: str | PathLike[str] = "",
+        climate: str | PathLike[str] | None = None,
+        photosynthesis: str | PathLike[str] | None = None,
         exact: bool = False,
         leaf: Pair | None = None,
         stalk: Pair | None = None,
         sheath: Pair | None = None,
         soil_albedo: float | None = None,
-        scene: str | PathLike[str] = "",
-        tolerance: float = 1e-3,
+        scene: str | PathLike[str] | None = None,
+        tolerance: float | None = None,
         paths: int | None = None,
         by_face: bool = False,
-        seed: int = 1,
+        seed: int | None = None,
     ) -> xarray.Dataset:
-        """Where light goes, as `ideotype light` tells it.
+        """Where light goes, as `ideotype light` tells it: what is not given
+        is as on its command line.
 
         period: of the lattice on which the mesh repeats, along x and y [m].
         isolated: the mesh alone on endless soil, with `ground_area` [m2] that
@@ -107,41 +107,34 @@ class Canopy:
         `gross_assimilation` and `net_assimilation`.
 
         Raises Error if options contradict each other."""
-        options = _core.MeshOptions()
-        if period is not None:
-            options.set_period(*period)
-        if isolated:
-            options.set_isolated()
-        options.ground_area = ground_area
-        if field is not None:
-            options.set_field(*field, jitter)
-        if sun is not None:
-            options.set_sun(*sun)
-        if sky is not None:
-            options.set_sky(sky)
-        if (site is None) != (day is None):
-            raise Error("site and day go together; give both or neither")
-        if site is not None and day is not None:
-            on = day if isinstance(day, date) else date.fromisoformat(day)
-            options.set_day(site, on.year, on.month, on.day)
-        options.beam_ppfd, options.sky_ppfd = beam_ppfd, sky_ppfd
-        options.climate = os.fspath(climate)
-        options.photosynthesis = os.fspath(photosynthesis)
-        options.is_exact, options.is_by_face = exact, by_face
+        arguments = _arguments(
+            period=period,
+            boundary="isolated" if isolated else None,
+            ground_area=ground_area,
+            field=field,
+            jitter=jitter,
+            sun=sun,
+            sky=sky,
+            site=site,
+            date=day,
+            beam_ppfd=beam_ppfd,
+            sky_ppfd=sky_ppfd,
+            climate=climate,
+            photosynthesis=photosynthesis,
+            exact=exact,
+            soil_albedo=soil_albedo,
+            scene=scene,
+            tolerance=tolerance,
+            paths=paths,
+            seed=seed,
+        )
         surfaces = {"leaf": leaf, "stalk": stalk, "sheath": sheath}
-        given = {name: pair for name, pair in surfaces.items() if pair}
-        options.scene = os.fspath(scene)
-        if options.scene and (given or soil_albedo is not None):
-            raise Error(
-                "a scene file tells all optics; leave out leaf, stalk, sheath "
-                "and soil_albedo"
-            )
-        for name, pair in given.items():
-            options.set_optics(name, pair)
-        if soil_albedo is not None:
-            options.soil_albedo = soil_albedo
-        options.tolerance, options.paths = tolerance, paths
-        options.seed = seed
+        for name, pair in surfaces.items():
+            if pair is not None:
+                for part, value in zip(
+                    ("reflectance", "transmittance"), pair, strict=True
+                ):
+                    arguments += [f"--{name}-{part}", str(value)]
         try:
             found = _core.evaluate_mesh(
                 self._vertices,
@@ -149,14 +142,15 @@ class Canopy:
                 self._counts,
                 self._face_group,
                 self._names,
-                options,
+                arguments,
+                by_face,
             )
         except Error as error:
             raise type(error)(_in_python(str(error))) from None
         is_ppfd = beam_ppfd is not None or sky_ppfd is not None
-        if options.scene:
-            return _scene_dataset(found, options.is_day, is_ppfd)
-        if options.is_day:
+        if scene is not None:
+            return _scene_dataset(found, found["is_day"], is_ppfd)
+        if found["is_day"]:
             return _dataset(found, "MJ m-2 day-1", 1e-6)
         return _dataset(found, "umol m-2 s-1" if is_ppfd else "1", 1)
 
@@ -222,8 +216,23 @@ def _polygons(
     return whole.astype(np.uint32), counts
 
 
+def _arguments(**given: Any) -> list[str]:
+    """The words of a command line with these options; None leaves one out."""
+    words: list[str] = []
+    for name, value in given.items():
+        if value is None or value is False:
+            continue
+        words.append("--" + name.replace("_", "-"))
+        if value is not True:
+            values = value if isinstance(value, tuple | list) else [value]
+            words += map(str, values)
+    return words
+
+
 def _in_python(message: str) -> str:
     """The names of arguments in the place of those of options."""
+    message = re.sub(r"--(leaf|stalk|sheath)-\w+", r"\1", message)
+    message = message.replace("--date", "--day")
     return re.sub(
         r"--([a-z-]+)", lambda found: found[1].replace("-", "_"), message
     )

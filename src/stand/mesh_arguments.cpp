@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <tuple>
 
 #include <CLI/CLI.hpp>
 
-#include "declare_verbs.hpp"
-#include "stand/mesh_options.hpp"
+#include "ideotype/core/error.hpp"
+#include "mesh_options.hpp"
 
 namespace ideotype {
 
@@ -139,9 +140,7 @@ void add_surface(CLI::App& verb, const std::string& material,
 
 }  // namespace
 
-void declare_light(CLI::App& verb, MeshOptions& options) {
-    verb.add_option("mesh", options.path, "mesh (OBJ, metres, z up)")
-        ->required();
+void declare(CLI::App& verb, MeshOptions& options) {
     auto* scene = verb.add_option(
         "--scene", options.scene,
         "FILE.toml of materials, components and wavebands, by the names of "
@@ -170,7 +169,19 @@ void declare_light(CLI::App& verb, MeshOptions& options) {
         ->excludes(tolerance);
     verb.add_option("--seed", options.seed, "of the random numbers")
         ->capture_default_str();
-    verb.add_flag("--json", options.is_json, "print JSON instead of text");
+}
+
+MeshOptions read_mesh_options(std::vector<std::string> arguments) {
+    CLI::App app;
+    MeshOptions options;
+    declare(app, options);
+    std::reverse(arguments.begin(), arguments.end());
+    try {
+        app.parse(std::move(arguments));
+    } catch (const CLI::ParseError& error) {
+        throw Error(error.what(), ExitCode::usage);
+    }
+    return options;
 }
 
 }  // namespace ideotype

@@ -50,6 +50,7 @@ int usual_population_of(const Campaign& campaign) {
 
 //! Completes a crop with its traits, and returns the bounds of their numbers.
 std::vector<Range> complete(const Draft& draft, Crop& crop) {
+    if (draft.has_growth) crop.growth = draft.growth;
     for (const TraitEntry& entry : draft.traits)
         crop.traits.push_back(complete(entry));
     const std::vector<double> baseline = baseline_numbers(crop);
@@ -219,6 +220,7 @@ Crop read_crop(const std::string& path, const Plant* other) {
     for (const TraitEntry& entry : draft.traits)
         crop.traits.push_back(complete(entry));
     crop.rules = rule_names(draft);
+    if (draft.has_growth) crop.growth = draft.growth;
     return crop;
 }
 

@@ -301,6 +301,28 @@ void check_start(Draft& draft, Report& report) {
                                start.size(), count));
 }
 
+//! Tells growth whose dates contradict each other or the plant.
+void check_growth(const Draft& draft, Report& report) {
+    const Growth& growth = draft.growth;
+    const auto leaves =
+        static_cast<int>(draft.campaign.crop.baseline.leaves.size());
+    if (!draft.has_growth || !report.usable({&growth.leaves})) return;
+    if (growth.leaves < leaves)
+        report.add(
+            &growth.leaves,
+            fmt::format("growth.leaves is {} (the plant has {} leaves, "
+                        "the highest of those that grow); use {} or more",
+                        growth.leaves, leaves, leaves));
+    for (const auto& [name, share] : {std::pair("largest", &growth.largest),
+                                      std::pair("slowest", &growth.slowest)})
+        if (report.usable({share}) && *share * growth.leaves <= 1)
+            report.add(
+                share,
+                fmt::format("growth.{} is {} (of {} leaves, below the "
+                            "second one); use more than {:.3g}",
+                            name, *share, growth.leaves, 1. / growth.leaves));
+}
+
 }  // namespace
 
 void check_plant(Draft& draft, Report& report) {
@@ -308,6 +330,7 @@ void check_plant(Draft& draft, Report& report) {
     check_blade(plant.blade, report);
     check_leaves(plant, report);
     check_organs(plant, report);
+    check_growth(draft, report);
     check_traits(draft, report);
 }
 

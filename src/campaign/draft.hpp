@@ -43,6 +43,8 @@ struct Draft {
     std::vector<std::string> organs;  //!< that plants have besides leaves
     PhotosynthesisTable photosynthesis;
     MeasuredLines lines;
+    Growth growth;                    //!< of the crop
+    bool has_growth = false;          //!< the crop file tells it
     bool has_photosynthesis = false;  //!< leaves assimilate
     bool is_crop_known = true;        //!< no file is missing
     bool has_climate = false;         //!< instead of days

@@ -53,6 +53,70 @@ Table petiole_table(Plant& plant) {
     return table;
 }
 
+Key thermal_time(const std::string& name, double& value,
+                 const std::string& meaning) {
+    return Key(name, &value, meaning).within(0, 5000, "deg C d");
+}
+
+Key fraction_of_leaves(const std::string& name, double& value,
+                       const std::string& meaning) {
+    return Key(name, &value, meaning).within(0.01, 0.99);
+}
+
+Section growth_section(Growth& growth) {
+    return {
+        "growth",
+        {Key("leaves", &growth.leaves,
+             "of the main stem; the plant's are the highest of them")
+             .within(3, 40),
+         thermal_time("interval", growth.interval,
+                      "between the tips of successive leaves"),
+         Key("largest_area", &growth.largest_area,
+             "of the blade that is largest, one-sided")
+             .within(1e-5, 1, "m2"),
+         fraction_of_leaves("largest", growth.largest,
+                            "rank of the largest blade over the leaves"),
+         Key("narrowing", &growth.narrowing,
+             "a of the area by rank, exp(-a x^2 + b x^3) with x = (n - m) / "
+             "(m - 1) and m the rank of the largest")
+             .within(0, 100),
+         Key("skewness", &growth.skewness, "b of the area by rank")
+             .within(-100, 100),
+         thermal_time("first_extension", growth.first_extension,
+                      "from tip to collar of the first leaf"),
+         thermal_time("longest_extension", growth.longest_extension,
+                      "from tip to collar of the leaf that takes longest"),
+         thermal_time("last_extension", growth.last_extension,
+                      "from tip to collar of the highest leaf"),
+         fraction_of_leaves("slowest", growth.slowest,
+                            "rank of the leaf that takes longest over the "
+                            "leaves"),
+         fraction_of_leaves("lower_leaves", growth.lower_leaves,
+                            "ranks up to it over the leaves die while the "
+                            "plant grows"),
+         thermal_time("lower_death", growth.lower_death,
+                      "from emergence to the death of the lowest leaf"),
+         thermal_time("lower_interval", growth.lower_interval,
+                      "between the deaths of lower leaves"),
+         thermal_time("upper_death", growth.upper_death,
+                      "from silking to the death of the first upper leaf"),
+         thermal_time("upper_interval", growth.upper_interval,
+                      "between the deaths of upper leaves"),
+         thermal_time("fading", growth.fading,
+                      "from the death of a blade to its last green"),
+         thermal_time("silking", growth.silking,
+                      "from as many intervals as there are leaves to silking"),
+         thermal_time("maturity", growth.maturity, "from silking to maturity"),
+         Key("internode_rate", &growth.internode_rate,
+             "growth of an internode from the collar of its leaf on")
+             .within(1e-5, 0.1, "m / (deg C d)"),
+         Key("base", &growth.base,
+             "temperature that thermal time is counted from")
+             .within(-5, 20, "deg C"),
+         Key("cap", &growth.cap, "temperature above which growth is no faster")
+             .within(20, 50, "deg C")}};
+}
+
 Section blade_section(Blade& blade) {
     Section section{"blade", measure_keys(blade_measures, blade)};
     section.keys.push_back(
@@ -290,6 +354,9 @@ std::vector<Table> plant_tables(Draft& draft) {
     Table bounds = list_of_tables<BoundsEntry>("bounds", bounds_entry_section,
                                                draft.bounds);
     organs.is_optional = bounds.is_optional = true;
+    Table growth = one_table(growth_section(draft.growth));
+    growth.is_optional = true;
+    growth.is_default = !draft.has_growth;
     leaves.most = most_leaves;
     organs.most = most_organs;
     traits.most = most_traits;
@@ -297,6 +364,7 @@ std::vector<Table> plant_tables(Draft& draft) {
             one_table(sheath_section(plant.sheath)),
             petiole_table(plant),
             one_table(blade_section(plant.blade)),
+            growth,
             leaves,
             organs,
             traits,

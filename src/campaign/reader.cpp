@@ -291,6 +291,7 @@ class DraftReader {
     }
 
     void read_plant(const toml::table& table, TableReader& tables) {
+        draft_.has_growth = table.contains("growth");
         // The bounds of the usual traits are not those of others.
         if (table.contains("trait")) draft_.bounds.clear();
         Plant& plant = draft_.campaign.crop.baseline;

@@ -22,7 +22,7 @@ std::string place(const std::string& section) {
 
 bool is_of_plant_file(const std::string& section) {
     for (const char* own : {"crop file", "stalk", "sheath", "petiole", "blade",
-                            "leaf", "organ", "trait", "bounds"})
+                            "growth", "leaf", "organ", "trait", "bounds"})
         if (section == own) return true;
     return false;
 }

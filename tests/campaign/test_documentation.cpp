@@ -93,8 +93,8 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
     // and a trait does only one thing; the plant has a table of its own.
     const std::set<std::string> left_out{"plant.bounds", "constraints.TRAIT"};
     const std::set<std::string> of_plant{"stalk", "sheath", "petiole",
-                                         "blade", "leaf",   "organ",
-                                         "trait", "bounds"};
+                                         "blade", "growth", "leaf",
+                                         "organ", "trait",  "bounds"};
     std::set<std::string> declared;
     for (const KeyInfo& key : campaign_keys()) {
         if (left_out.contains(key.section) || key.name == "baseline" ||
@@ -140,7 +140,8 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
         "roll = 9\ntwist = 9\nmidrib = [[0, 0], [1, 2]]\n"
         "petiole_length = 0.1\npetiole_angle = 9\ninternode = 0.2\n");
     twisted +=
-        "[plant.baseline.blade]\nleaflets = 3\nleaflet_divergence = 80\n";
+        "[plant.baseline.blade]\nleaflets = 3\nleaflet_divergence = 80\n"
+        "[plant.baseline.growth]\n";
     auto lines = lines_of(parse_campaign(twisted, "sample.toml"));
     // A campaign has days or climates, one scenario or several, and one
     // objective or a front of them.

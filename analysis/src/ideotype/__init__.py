@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from ._errors import Error, InputError, Problem
 
 if TYPE_CHECKING:
+    from ._crop import Crop
     from ._mesh import Canopy, mesh
     from ._search import Search
     from ._stand import Stand
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Canopy",
+    "Crop",
     "Error",
     "InputError",
     "Problem",
@@ -36,6 +38,7 @@ __all__ = [
 # what draws figures.
 _PLACES = {
     "Canopy": ("._mesh", "Canopy"),
+    "Crop": ("._crop", "Crop"),
     "Search": ("._search", "Search"),
     "Stand": ("._stand", "Stand"),
     "mesh": ("._mesh", "mesh"),

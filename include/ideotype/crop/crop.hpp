@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "ideotype/core/range.hpp"
+#include "ideotype/crop/growth.hpp"
 #include "ideotype/crop/plant.hpp"
 
 namespace ideotype {
@@ -38,6 +40,8 @@ struct Crop {
     std::vector<Trait> traits;
     //! Bounds that its crop file has under names, for campaigns to choose.
     std::vector<std::string> rules{};
+    //! How its plants grow and age; none: the baseline is all that is known.
+    std::optional<Growth> growth{};
 };
 
 //! One number of a trait.

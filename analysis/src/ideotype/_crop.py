@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Crops whose plants grow and age."""
+
+from __future__ import annotations
+
+import os
+from datetime import date
+from os import PathLike
+
+import numpy as np
+import xarray
+from numpy.typing import ArrayLike
+
+import ideotype._core as _core
+
+from ._arrays import real
+from ._errors import Error
+
+_THERMAL = {"units": "degC day"}
+_UNITS = {
+    "green_area": {"units": "m2", "long_name": "green area of the blade"},
+    "dead_area": {"units": "m2", "long_name": "dead area of the blade"},
+    "tip": {**_THERMAL, "long_name": "thermal time at which the tip appears"},
+    "collar": {
+        **_THERMAL,
+        "long_name": "thermal time at which the blade is out",
+    },
+    "death": {
+        **_THERMAL,
+        "long_name": "thermal time at which the blade fades",
+    },
+    "collar_height": {"units": "m", "long_name": "height of the collar"},
+}
+
+
+class Crop:
+    """A crop whose file has a [growth] table."""
+
+    def __init__(self, core: _core.GrowingCrop) -> None:
+        self._core = core
+
+    @classmethod
+    def from_file(cls, path: str | PathLike[str]) -> Crop:
+        """Reads a crop file.
+
+        Raises Error if it has no [growth], InputError with all problems."""
+        return cls(_core.GrowingCrop(os.fspath(path)))
+
+    @property
+    def name(self) -> str:
+        """The name of the plant."""
+        return self._core.name
+
+    @property
+    def silking(self) -> float:
+        """Thermal time from emergence to silking [deg C d]."""
+        return self._core.silking
+
+    @property
+    def maturity(self) -> float:
+        """Thermal time from emergence to maturity [deg C d]."""
+        return self._core.maturity
+
+    def at(self, thermal_time: float) -> xarray.Dataset:
+        """One plant at a thermal time from emergence [deg C d].
+
+        Returns a Dataset over `rank` from the lowest leaf, 1: `green_area` and
+        `dead_area` of blades [m2], dates `tip`, `collar` and `death`
+        [deg C d], and `collar_height` [m]."""
+        if not np.isfinite(thermal_time):
+            raise Error(f"thermal_time is {thermal_time}; it must be finite")
+        found = self._core.at(float(thermal_time))
+        ranks = np.arange(1, len(found["tip"]) + 1)
+        return xarray.Dataset(
+            {name: ("rank", found[name], _UNITS[name]) for name in _UNITS},
+            {"rank": ranks},
+            {"thermal_time": float(thermal_time)},
+        )
+
+    def season(
+        self,
+        emergence: date | str,
+        temperatures: ArrayLike,
+        density: float,
+    ) -> xarray.Dataset:
+        """A stand day by day.
+
+        emergence: day on which plants emerge.
+        temperatures: of each hour from the beginning of that day on, of whole
+            days [deg C].
+        density: plants per area of ground [m-2].
+
+        Returns a Dataset over `day`: at its end `thermal_time` [deg C d],
+        `leaf_area_index` of green blades and `dead_area_index`.
+
+        Raises Error if numbers are impossible."""
+        hourly = np.ascontiguousarray(real(temperatures, "temperatures"))
+        if hourly.ndim != 1 or hourly.size == 0 or hourly.size % 24:
+            raise Error(
+                f"temperatures are an array of {hourly.shape}; give 24 hours "
+                "of each day"
+            )
+        bad = np.flatnonzero(~np.isfinite(hourly))
+        if bad.size:
+            raise Error(
+                f"temperatures[{bad[0]}] is {hourly[bad[0]]}; fill gaps first"
+            )
+        if not (np.isfinite(density) and density > 0):
+            raise Error(f"density is {density}; it must be positive [m-2]")
+        time, green, dead = self._core.season(hourly)
+        first = np.datetime64(str(emergence), "D")
+        index = {"units": "m2 m-2"}
+        return xarray.Dataset(
+            {
+                "thermal_time": ("day", time, _THERMAL),
+                "leaf_area_index": ("day", density * green, index),
+                "dead_area_index": ("day", density * dead, index),
+            },
+            {"day": (first + np.arange(time.size)).astype("datetime64[ns]")},
+        )

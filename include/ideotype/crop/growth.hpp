@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "ideotype/crop/plant.hpp"
+
+namespace ideotype {
+
+//! How plants of a crop grow and age in thermal time [deg C d] since they
+//! emerged. Blades appear tip first at a steady rate, fade after their death,
+//! and keep a final area that follows their rank. Defaults are a hybrid of the
+//! Corn Belt.
+struct Growth {
+    int leaves = 19;       //!< of the main stem, from the lowest rank, 1
+    double interval = 44;  //!< between the tips of successive leaves [deg C d]
+    //! The area of the largest blade [m2], and its rank over the number of
+    //! leaves.
+    double largest_area = 0.07, largest = 0.67;
+    //! Exponents of the area by rank, see final_area().
+    double narrowing = 4.5, skewness = 1.1;
+    //! From tip to collar of the first leaf, of the slowest and of the last
+    //! leaf [deg C d], and the rank of the slowest over the number of leaves.
+    double first_extension = 70, longest_extension = 190, last_extension = 105,
+           slowest = 0.45;
+    //! Ranks up to this fraction of all leaves die one by one from
+    //! `lower_death` on, `lower_interval` apart, the others from
+    //! `upper_death` after silking on [deg C d].
+    double lower_leaves = 0.4, lower_death = 200, lower_interval = 100,
+           upper_death = 500, upper_interval = 84;
+    double fading = 150;    //!< from the death of a blade to its last green
+    double silking = 20;    //!< after `leaves` intervals [deg C d]
+    double maturity = 970;  //!< after silking [deg C d]
+    double internode_rate = 0.002;  //!< growth of an internode [m / (deg C d)]
+    double base = 8, cap = 34;      //!< of thermal time [deg C]
+
+    bool operator==(const Growth&) const = default;
+};
+
+//! The dates of one leaf [deg C d], and the area of its blade [m2].
+struct LeafDates {
+    double tip = 0;     //!< when it begins to appear
+    double collar = 0;  //!< when the whole blade is out
+    double death = 0;   //!< when it begins to fade
+    double area = 0;    //!< of the full-grown blade, one-sided
+};
+
+//! What there is of the blade of one leaf at a thermal time [m2].
+struct BladeArea {
+    double green = 0, dead = 0;
+};
+
+//! Returns the thermal time from emergence to silking [deg C d].
+double silking_time(const Growth& growth);
+
+//! Returns the thermal time from emergence to maturity [deg C d].
+double maturity_time(const Growth& growth);
+
+//! Returns the dates of each leaf from the lowest up. Areas are
+//! A exp(-a x^2 + b x^3) with x = (n - m) / (m - 1), where m is the rank of the
+//! largest blade (Lizaso and others 2003, doi:10.1016/S0378-4290(02)00151-X).
+std::vector<LeafDates> leaf_dates(const Growth& growth);
+
+//! Returns how much of a blade is out at a thermal time, 0 to 1: it appears
+//! from the tip on, steadily from the date of its tip to that of its collar.
+double visible_share(const LeafDates& leaf, double thermal_time);
+
+//! Returns how much of a blade has faded, 0 to 1.
+double faded_share(const Growth& growth, const LeafDates& leaf,
+                   double thermal_time);
+
+//! Returns the area of a blade at a thermal time.
+BladeArea blade_area(const Growth& growth, const LeafDates& leaf,
+                     double thermal_time);
+
+//! Returns the heights of the collars of full-grown leaves [m]: of the plant's
+//! leaves, which are the highest, where they are inserted; of those below, in
+//! equal steps from the soil.
+std::vector<double> final_collar_heights(const Growth& growth,
+                                         const Plant& plant);
+
+//! Returns the heights of collars above the soil at a thermal time [m]. An
+//! internode grows at a steady rate from the date of its leaf's collar on, and
+//! a sheath from the date of its leaf's tip to that of its collar.
+//! @param final_heights of the collars of full-grown leaves from the lowest
+//! rank up [m]
+//! @param sheath length of sheaths that are not cut short by the soil [m]
+std::vector<double> collar_heights(const Growth& growth,
+                                   std::span<const double> final_heights,
+                                   double sheath, double thermal_time);
+
+//! Returns the thermal time of one day [deg C d]: the mean over its hours of
+//! how far the temperature, at most `cap`, is above `base`.
+double daily_thermal_time(const Growth& growth,
+                          std::span<const double> temperatures);
+
+}  // namespace ideotype

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ideotype/crop/growth.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ideotype {
+
+namespace {
+
+//! Returns the place of a number between two others, 0 at the first, 1 at the
+//! second and beyond.
+double ramp(double value, double from, double to) {
+    if (value <= from) return 0;
+    return value >= to ? 1 : (value - from) / (to - from);
+}
+
+//! Returns the thermal time from tip to collar of a rank, which rises and falls
+//! straight.
+double extension(const Growth& growth, double rank) {
+    const double slowest = growth.slowest * growth.leaves;
+    if (rank <= slowest)
+        return growth.first_extension +
+               (growth.longest_extension - growth.first_extension) *
+                   (rank - 1) / (slowest - 1);
+    return growth.longest_extension +
+           (growth.last_extension - growth.longest_extension) *
+               (rank - slowest) / (growth.leaves - slowest);
+}
+
+double final_area(const Growth& growth, double rank) {
+    const double largest = growth.largest * growth.leaves;
+    const double x = (rank - largest) / (largest - 1);
+    return growth.largest_area *
+           std::exp(-growth.narrowing * x * x + growth.skewness * x * x * x);
+}
+
+double death(const Growth& growth, int rank) {
+    const int lower = static_cast<int>(growth.lower_leaves * growth.leaves);
+    if (rank <= lower)
+        return growth.lower_death + growth.lower_interval * (rank - 1);
+    return silking_time(growth) + growth.upper_death +
+           growth.upper_interval * (rank - lower - 1);
+}
+
+}  // namespace
+
+double silking_time(const Growth& growth) {
+    return growth.leaves * growth.interval + growth.silking;
+}
+
+double maturity_time(const Growth& growth) {
+    return silking_time(growth) + growth.maturity;
+}
+
+std::vector<LeafDates> leaf_dates(const Growth& growth) {
+    // The first leaf is partly out when the plant emerges.
+    constexpr double ahead = 10;
+    std::vector<LeafDates> leaves;
+    for (int rank = 1; rank <= growth.leaves; ++rank) {
+        const double tip = std::max(0., (rank - 1) * growth.interval - ahead);
+        leaves.push_back({tip, tip + extension(growth, rank),
+                          death(growth, rank), final_area(growth, rank)});
+    }
+    return leaves;
+}
+
+double visible_share(const LeafDates& leaf, double thermal_time) {
+    return ramp(thermal_time, leaf.tip, leaf.collar);
+}
+
+double faded_share(const Growth& growth, const LeafDates& leaf,
+                   double thermal_time) {
+    return ramp(thermal_time, leaf.death, leaf.death + growth.fading);
+}
+
+BladeArea blade_area(const Growth& growth, const LeafDates& leaf,
+                     double thermal_time) {
+    const double visible = leaf.area * visible_share(leaf, thermal_time);
+    const double faded = faded_share(growth, leaf, thermal_time);
+    return {visible * (1 - faded), visible * faded};
+}
+
+std::vector<double> final_collar_heights(const Growth& growth,
+                                         const Plant& plant) {
+    const auto count = static_cast<std::size_t>(growth.leaves);
+    const std::size_t below = count - std::min(count, plant.leaves.size());
+    std::vector<double> heights;
+    for (std::size_t i = 0; i < below; ++i)
+        heights.push_back(plant.leaves.front().insertion_height *
+                          static_cast<double>(i + 1) /
+                          static_cast<double>(below + 1));
+    for (const Leaf& leaf : plant.leaves)
+        heights.push_back(leaf.insertion_height);
+    return heights;
+}
+
+std::vector<double> collar_heights(const Growth& growth,
+                                   std::span<const double> final_heights,
+                                   double sheath, double thermal_time) {
+    const std::vector<LeafDates> leaves = leaf_dates(growth);
+    std::vector<double> heights;
+    double stem = 0, final_stem = 0;
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+        const double own_sheath = std::min(sheath, final_heights[i]);
+        const double internode =
+            std::max(0., final_heights[i] - own_sheath - final_stem);
+        final_stem += internode;
+        stem += std::clamp(
+            growth.internode_rate * (thermal_time - leaves[i].collar), 0.,
+            internode);
+        heights.push_back(stem +
+                          own_sheath * visible_share(leaves[i], thermal_time));
+    }
+    return heights;
+}
+
+double daily_thermal_time(const Growth& growth,
+                          std::span<const double> temperatures) {
+    double sum = 0;
+    for (const double each : temperatures)
+        sum += std::clamp(each, growth.base, growth.cap) - growth.base;
+    return temperatures.empty()
+               ? 0
+               : sum / static_cast<double>(temperatures.size());
+}
+
+}  // namespace ideotype

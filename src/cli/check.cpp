@@ -33,7 +33,7 @@ std::vector<std::string> scenario_names(const Campaign& campaign,
         across.measured().axis("scenario").coordinates);
 }
 
-//! Of several scenarios, a line.
+//! Returns a line that names the scenarios, if there are several.
 std::string scenario_text(const Campaign& campaign, const Case& chosen) {
     const std::vector<std::string> names = scenario_names(campaign, chosen);
     if (names.empty()) return "";

@@ -137,8 +137,8 @@ int run_verb(int argc, char** argv) {
     declare_verbs(app, words, action);
 
     const Launch launch = launch_of_this_process();
-    // What is wrong with a command line rank 0 tells. Others that end with a
-    // code before it would keep its words from being heard.
+    // Rank 0 alone tells what is wrong with a command line: a rank that ended
+    // with a code before it would keep its words from being heard.
     const bool is_silent = launch.rank != 0;
     try {
         check_verb_name(app, argc > 1 ? argv[1] : "");

@@ -125,7 +125,7 @@ Comparison read(const CompareOptions& options) {
     return read_comparison(options);
 }
 
-//! What this rank reads, if all could read theirs.
+//! Returns what this rank has read, if all could read theirs.
 //! @throws Error of what could not be read, on rank 0 if it could not.
 std::optional<Comparison> read_on_all(const Session& session,
                                       const CompareOptions& options) {

@@ -14,8 +14,8 @@
 
 namespace ideotype {
 
-//! What is measured of a plant: a single number, or one place of a profile by
-//! leaf or by layer of height.
+//! One figure of a plant: a single number, or one place of a profile by leaf or
+//! by layer of height.
 struct Figure {
     Quantity quantity;
     std::size_t place = 0;  //!< along its axis, from 0
@@ -52,7 +52,7 @@ struct Comparison {
 
     std::size_t size() const { return plants.size() * cases.size(); }
 
-    //! Of the plant with the most leaves.
+    //! Returns the figures of the plant with the most leaves.
     const std::vector<Figure>& figures() const;
 
     //! Nothing if the plant has no such leaf.

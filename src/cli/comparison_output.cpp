@@ -47,7 +47,7 @@ void add_matrices(Json& json, const Comparison& all, const Figure& figure) {
     }
 }
 
-//! Of values and differences; lists of them if there are several figures.
+//! Adds values and differences, as lists if there are several figures.
 void add_figures(Json& json, const Comparison& all,
                  const std::vector<std::size_t>& figures, bool is_list) {
     const auto of = [&](const auto& take) {

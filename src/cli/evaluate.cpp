@@ -40,8 +40,8 @@ bool same_bits(const std::vector<Estimate>& a, const std::vector<Estimate>& b) {
     return true;
 }
 
-//! Whether all that is stored of a row is found again. An older format may
-//! lack quantities, or have some that are computed no more.
+//! Returns whether all that is stored of a row is found again. An older format
+//! may lack quantities, or have some that are computed no more.
 bool agrees_with(const ChosenRow& which, const Outcome& again) {
     const OutcomeSchema now = outcome_schema(which.campaign, which.chosen, {});
     const Outcome& was = which.row.outcome;
@@ -104,7 +104,7 @@ void print_studies(const std::vector<Study>& all) {
     }
 }
 
-//! What a row would have in its history.
+//! Returns the outcome that a row would have in its history.
 Outcome outcome_of(const ChosenRow& row, const Plant& plant,
                    const std::vector<Study>& all) {
     std::vector<Outcome> each;

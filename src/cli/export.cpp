@@ -34,7 +34,7 @@ std::vector<Measure<Leaf>> written_measures(const std::vector<Leaf>& leaves) {
     return written;
 }
 
-//! What each leaf measures.
+//! Writes the measures of each leaf.
 void write_csv(const std::string& path, const Plant& plant) {
     const std::vector<Measure<Leaf>> measures = written_measures(plant.leaves);
     OutputFile out(path);

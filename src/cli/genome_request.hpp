@@ -24,7 +24,7 @@ struct ServedCase {
     OutcomeSchema schema;
 };
 
-//! What a line asks for.
+//! The evaluation that a line asks for.
 struct GenomeRequest {
     Json id;                 //!< that comes back with the answer; may be null
     std::uint64_t line = 0;  //!< from 1

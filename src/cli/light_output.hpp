@@ -6,8 +6,8 @@
 
 namespace ideotype {
 
-//! Whether the light is that of a day, in J m-2, with its hours, or a single
-//! one, of which level ground receives 1.
+//! The kind of light that is told: a day in J m-2 with its hours, or a single
+//! light, of which level ground receives 1.
 enum class Span { day, single };
 
 //! `incident` and, as fractions of it, what became of it: in all, by group,

@@ -27,7 +27,8 @@ std::optional<Line> LineReader::next(double seconds) {
     }
 }
 
-//! What has arrived in full; at the end also a line that is not ended.
+//! Returns a line that has arrived in full; at the end of the input also one
+//! without a line break.
 std::optional<Line> LineReader::take() {
     const std::size_t end = buffer_.find('\n', searched_);
     if (end == std::string::npos && (!is_closed_ || has_ended())) {
@@ -100,7 +101,8 @@ int pipe_of_mpirun() {
     const std::string output = *mpirun + "/fd/1";
     if (stat(output.c_str(), &about) != 0 || !S_ISFIFO(about.st_mode))
         return -1;
-    // Of a named pipe that nobody reads it would wait for ever.
+    // Without O_NONBLOCK, opening a named pipe that nobody reads would never
+    // end.
     const int file = open(output.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
     if (file < 0 && errno == ENXIO) throw Error(nobody_reads);
     if (file >= 0) fcntl(file, F_SETFL, O_WRONLY);

@@ -30,7 +30,7 @@ class LineReader {
     //! @throws Error if it cannot be read.
     std::optional<Line> next(double seconds);
 
-    //! Whether there will be no other line.
+    //! Returns whether the input has no further line.
     bool has_ended() const { return is_closed_ && buffer_.empty() && !is_cut_; }
 
   private:

@@ -18,7 +18,8 @@ inline constexpr int most_threads = 4096;
 //! @throws Error of wrong usage.
 int parse_threads(const std::string& text);
 
-//! What an MPI launcher, such as mpirun or srun, told this process.
+//! The place of this process among those that an MPI launcher, such as mpirun
+//! or srun, has started.
 struct Launch {
     bool is_launched = false;
     int rank = 0;

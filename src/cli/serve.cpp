@@ -19,8 +19,8 @@ namespace ideotype {
 
 namespace {
 
-//! How soon a new line is noticed while evaluations are in flight [s]; looking
-//! more often would take time from them.
+//! The time after which a new line is noticed while evaluations are in flight
+//! [s]; looking more often would take time from them.
 constexpr double attention = 1e-3;
 
 //! Between looks at what else may have come while there is no work [s].
@@ -79,8 +79,8 @@ class Service : public Director {
         co_return true;
     }
 
-    //! What can be evaluated now. With nothing in flight it waits for that;
-    //! else answers that arrive must not wait for input.
+    //! Returns a genome that can be evaluated now. With nothing in flight it
+    //! waits for one; else answers that arrive must not wait for input.
     std::optional<Work> next() {
         while (!stop_.requested() && !reader_.has_ended()) {
             const bool is_idle = in_flight_.empty();
@@ -142,7 +142,7 @@ class Service : public Director {
     std::optional<Routine<bool>> service_;
 };
 
-//! What all ranks need.
+//! The facts that all ranks need before they evaluate.
 struct Shared {
     std::string isa;
     std::string resolved;

@@ -51,8 +51,8 @@ std::string state_of(Writer writer, const std::optional<std::string>& reason) {
     return writer == Writer::closed ? "drained" : "dead";
 }
 
-//! How the last start of a case would be repeated; empty if it is not known
-//! in full, or is no start of this program.
+//! Returns the command that repeats the last start of a case; empty if it is
+//! not known in full, or is no start of this program.
 std::string way_on_with(const History& history) {
     const auto last = history.last_session();
     if (!last || last->command.size() >= longest_command ||
@@ -61,7 +61,7 @@ std::string way_on_with(const History& history) {
     return way_on(last->command, last->ranks);
 }
 
-//! What is told of a case; not all of it is known of each.
+//! The state of a case as it is told; not all of it is known of each.
 struct Report {
     std::string path, case_name, state;
     std::uint64_t missing_bytes = 0;

@@ -39,7 +39,7 @@ ExitCode status(const StatusOptions& options);
 //! `light MESH`: traces and prints the light in any mesh.
 ExitCode light_in_mesh(const MeshOptions& options);
 
-//! Which plant of a history is meant.
+//! The plant of a history that is meant.
 struct RowChoice {
     bool is_best = false;  //!< the best finalist, or the best so far
     std::optional<std::uint32_t> generation;
@@ -108,7 +108,8 @@ struct ExportOptions {
     std::string to;
     std::string component;  //!< whose plant it is; "": that of the crop
     bool is_field = false;
-    //! Of light on the faces, per randomisation; enough if not given.
+    //! Paths of light per randomisation for the light on faces; not given:
+    //! enough for their number.
     std::optional<int> paths;
     bool is_generations = false;
 };

@@ -20,7 +20,7 @@ double mean_day(const LightSeries& series, double Irradiance::*component) {
     return sum / series.days;
 }
 
-//! How many steps the span has.
+//! Returns how many steps the span has.
 int step_count(const DaySpan& span) {
     const double steps = (span.end - span.start) * 60 / span.step_minutes;
     const double whole = std::round(steps);

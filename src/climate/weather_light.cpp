@@ -104,7 +104,7 @@ std::vector<Irradiance> light_of(const std::vector<WeatherStep>& series,
                 "a step of the night has no light in the file; it counts as 0");
         } else {
             missing = &step;
-            // Of several in a row the first is told.
+            // The first of several in a row is told.
             if (!was_missing)
                 findings.add(
                     step.line, 1,

@@ -125,7 +125,7 @@ struct WeatherValues {
     std::optional<double> temperature;       //!< [deg C]
     std::optional<double> humidity;          //!< 0 to 1
 
-    //! Whether the light on the ground follows.
+    //! Returns whether the light on the ground follows from its columns.
     bool lit() const { return global || (beam_normal && diffuse); }
 };
 
@@ -146,7 +146,7 @@ struct WeatherTable {
     std::vector<WeatherStep> rows{};
     double utc_offset = 0;  //!< of the clock [h]
     std::chrono::seconds step{3600};
-    //! Whether the global light, or else the beam, is told in photons.
+    //! True if the global light, or else the beam, is told in photons.
     bool counts_photons = false;
     //! The ends of a period: its first and last midnight; else the first and
     //! last rows.

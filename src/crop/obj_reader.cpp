@@ -214,7 +214,7 @@ class ObjBuilder {
 
 ObjMesh parse_obj(std::string text, const std::string& file) {
     ObjStatements statements = pick_statements(text, file);
-    // Of large meshes one text at a time is enough.
+    // One text of a large mesh at a time is enough.
     text = {};
     ObjBuilder builder(file, statements);
     {

@@ -54,7 +54,7 @@ class Lines {
         return true;
     }
 
-    //! Of the last line, where it begins.
+    //! Returns the number of the line where the last statement begins.
     int number() const { return number_; }
 
   private:

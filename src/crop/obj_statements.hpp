@@ -6,7 +6,7 @@
 
 namespace ideotype {
 
-//! How often something was met, and where first.
+//! The number of times that something was met, and where first.
 struct Occurrences {
     int count = 0;
     int first_line = 0;

@@ -59,7 +59,7 @@ struct Section {
     bool is_sheath;
 };
 
-//! What shows of the stalk from the soil up.
+//! Returns the parts of the stalk that show, from the soil up.
 std::vector<Section> sections(const Plant& plant) {
     const auto& [is_present, length, thickness] = plant.sheath;
     if (!is_present) return {{0, plant.stalk.height, false}};
@@ -136,7 +136,7 @@ void add_organ(Mesh& mesh, const Plant& plant, const Organ& organ) {
                                360.0 * i / organ.count;
         const double up =
             organ.count < 2 ? 0 : organ.spread * i / (organ.count - 1);
-        // What leans out begins at the stalk's surface.
+        // An organ that leans out begins at the stalk's surface.
         const double out = leaf ? plant.stalk.radius(foot) : 0;
         const glm::dvec3 axis =
             about_stalk(glm::dvec3{0, sine, cosine}, azimuth);

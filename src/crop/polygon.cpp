@@ -64,8 +64,8 @@ class Outline {
         return points_[a] == points_[b];
     }
 
-    //! Whether all corners are seen in turn from one of them, so that the
-    //! triangles between it and the edges do not overlap.
+    //! Returns whether all corners are seen in turn from one of them, so that
+    //! the triangles between it and the edges do not overlap.
     bool is_fan(std::size_t from) const {
         const std::size_t n = points_.size();
         for (std::size_t i = 1; i + 1 < n; ++i)

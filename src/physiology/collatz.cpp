@@ -49,7 +49,7 @@ LeafBalance balance(const CollatzLeaf& leaf, const Stomata& stomata,
             collatz_at(leaf, temperature, ci).gross(absorbed) - respiration;
         const double surface = stomata.ambient - 1.37 * net / stomata.boundary;
         const double gs = conductance(stomata, net, surface, humidity);
-        // What the stomata let in, less what there would have to be.
+        // The CO2 that the stomata let in, less what there would have to be.
         return std::pair{LeafBalance{net, surface - 1.6 * net / gs, gs},
                          surface - 1.6 * net / gs - ci};
     };

@@ -65,7 +65,7 @@ std::vector<Estimate> by_polygon(const Divided& divided,
     for (std::size_t f = 0; f < faces.size(); ++f) {
         Estimate& polygon = all[divided.polygon[f]];
         polygon.mean += faces[f].mean * areas[f];
-        // As if they erred together, which is if anything too much.
+        // Errors add up as if faces erred together, which is at most too much.
         polygon.standard_error += faces[f].standard_error * areas[f];
         area[divided.polygon[f]] += areas[f];
     }

@@ -78,8 +78,8 @@ std::optional<std::string> CaseSearch::ending() const {
     return reason_.value_or("room");
 }
 
-//! Whether there will be no such generation; asked for when all that it needs
-//! is known. What a candidate follows from also decides whether there is one.
+//! Returns whether there is no such generation. It is asked when all that the
+//! generation needs is known, which also decides whether there is one.
 bool CaseSearch::is_over(std::uint32_t generation) const {
     const Optimizer& optimizer = evolution_.optimizer;
     const auto most =
@@ -121,7 +121,7 @@ void CaseSearch::propose() {
     if (!candidates.empty()) add(candidates);
 }
 
-//! Whether a generation has begun and has rows that are not proposed.
+//! Returns whether a generation has begun and has rows that are not proposed.
 bool CaseSearch::is_proposing() const {
     return !open_.empty() && open_.back().rows.size() < open_.back().size;
 }
@@ -245,7 +245,7 @@ void CaseSearch::judge(const GenerationSummary& summary) {
     reason_row_ = known_rows_;
 }
 
-//! Of all sessions [s].
+//! Returns the time that all sessions have spent on the case [s].
 double CaseSearch::wall_time() const {
     return spent_before_ + evolution_.elapsed();
 }

@@ -9,7 +9,7 @@
 
 namespace ideotype {
 
-//! What the histories of a campaign take on the disk [bytes].
+//! The room that the histories of a campaign take on the disk [bytes].
 struct DiskRoom {
     std::uint64_t largest = 0;  //!< case
     std::uint64_t all = 0;

@@ -37,10 +37,10 @@ class Watcher {
     virtual void on_final(const std::string& reason) = 0;
 };
 
-//! What is searched in a case.
+//! Returns the genes, baseline and senses of objectives of a case.
 SearchSpace search_space(const Campaign& campaign, const Case& chosen);
 
-//! What an evolution works with; all must outlive it.
+//! The parts that an evolution works with; all must outlive it.
 struct Evolution {
     const Campaign& campaign;
     const Case& chosen;

@@ -5,15 +5,15 @@
 
 namespace ideotype {
 
-//! What a line of a log is about; what comes first is more urgent.
+//! The urgency of a line of a log, the most urgent first.
 enum class LogLevel { error, warning, info, debug };
 
 //! Width of the terminal on which somebody looks at this standard stream (1 or
 //! 2) of the program; 0: it is a log.
 int columns_of(int file);
 
-//! What a verb tells of its work on the standard error, in a log file with the
-//! time before each line.
+//! The messages of a verb about its work, on the standard error; in a log file
+//! with the time before each line.
 class Log {
   public:
     //! @param least the least urgent level that is told

@@ -10,14 +10,14 @@
 
 namespace ideotype {
 
-//! What results depend on bit for bit, besides the campaign and the
+//! The facts that results depend on bit for bit, besides the campaign and the
 //! instruction set, by the names of a history's attributes.
 using ProgramFacts = std::map<std::string, std::string>;
 
 //! program_version, compiler, embree_version and maths of this process.
 ProgramFacts program_facts();
 
-//! What one rank of a job computes with.
+//! The hardware and program of one rank of a job.
 struct Machine {
     std::string host;
     ProgramFacts program;
@@ -32,7 +32,7 @@ Machine this_machine();
 std::string to_text(const Machine& machine);
 Machine machine_of(const std::string& text);
 
-//! Those of all ranks, on rank 0. Collective.
+//! Gathers the machines of all ranks on rank 0. Collective.
 //! @param own that of this rank
 std::vector<Machine> gather_machines(const Session& session,
                                      const Machine& own);

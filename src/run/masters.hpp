@@ -10,9 +10,9 @@
 
 namespace ideotype {
 
-//! How many ranks evolve cases, each with workers of its own: as many as are
-//! wanted, else one for each 1,000 ranks, which is what a master can serve
-//! (tests/scale). Not more than there are cases.
+//! Returns how many ranks evolve cases, each with workers of its own: as many
+//! as are wanted, else one for each 1,000 ranks, which is what a master can
+//! serve (tests/scale). Not more than there are cases.
 int masters(std::optional<int> wanted, int ranks, int cases);
 
 //! The part of a rank, if ranks and cases are divided into as many parts as
@@ -23,8 +23,8 @@ int part_of(int rank, int ranks, int cases, int parts);
 //! The cases of a part.
 std::vector<Case> dealt(const std::vector<Case>& cases, int part, int parts);
 
-//! How many workers a search keeps busy: each has four plants under way, so
-//! that it finds another one while a generation ends (tests/scale).
+//! Returns how many workers a search keeps busy: each has four plants under
+//! way, so that it finds another one while a generation ends (tests/scale).
 int busy_workers(const SearchSettings& search, std::size_t cases);
 
 //! Advises what to change where workers would wait, or where a search on

@@ -40,7 +40,7 @@ class ProgressLog {
     //! Warnings and errors go to the standard error if nothing else is told.
     void print(const std::string& text, LogLevel level = LogLevel::info);
 
-    //! The same of a result, which is told at any level.
+    //! Prints a result, which is told at any level.
     void print_result(const std::string& text);
 
   private:

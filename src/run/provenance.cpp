@@ -62,7 +62,7 @@ void require_same_campaign(const HistoryHeader& header,
                            const std::string& path) {
     auto changed =
         differences(header.campaign_resolved, campaign.resolved, chosen);
-    // How long workers may take is a matter of the machine.
+    // The time that workers may take is a matter of the machine.
     std::erase_if(changed, [](const std::string& line) {
         return line.starts_with("parallel.");
     });

@@ -30,7 +30,7 @@ std::vector<Case> chosen_cases(const RunOptions& options,
     return {case_at(campaign, *options.case_index, options.campaign_path)};
 }
 
-//! What rank 0 tells the others before the work begins.
+//! The facts that rank 0 tells the others before the work begins.
 struct Start {
     std::string isa;
     std::string resolved;
@@ -88,7 +88,7 @@ Start prepare(const RunOptions& options, const Campaign& campaign,
     return {isa, campaign.resolved};
 }
 
-//! What a master works with.
+//! The ranks and cases of one master.
 struct Crew {
     const Session& job;
     const Session& own;      //!< the master and its workers

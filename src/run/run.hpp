@@ -18,7 +18,7 @@ namespace ideotype {
 std::string path_of(const std::string& out, const Campaign& campaign,
                     const Case& chosen);
 
-//! How long a campaign waits for answers.
+//! Returns how long a campaign waits for answers.
 AnswerRules answer_rules(const Campaign& campaign);
 
 //! `run CAMPAIGN`: evolves one case, or all of them in one job.

@@ -101,7 +101,8 @@ std::string left_to_gain(const History& history, const Campaign& campaign,
                      : ", which other organs and soil take");
 }
 
-//! How far a plant is from measured lines and which is the nearest, or "".
+//! Tells how far a plant is from measured lines and which is the nearest, or
+//! "".
 std::string among_lines(const History& history, const Campaign& campaign,
                         const Row& row) {
     const auto& lines = campaign.feasibility.lines;

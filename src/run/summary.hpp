@@ -24,14 +24,14 @@ std::string format_daily(Estimate mj_per_m2);
 std::size_t best_finalist(const History& history,
                           const std::vector<Row>& finalists);
 
-//! What a history tells of the result of its case.
+//! The result of a case as its history tells it.
 struct CaseResult {
     std::optional<std::string> reason;  //!< of the end
     double complete = 0, generations = 0;
     double evaluations = 0, failures = 0;
     double wall_time = 0;  //!< of all sessions [s]
     std::string objective, unit;
-    //! Of the final evaluation, or of the last generation.
+    //! The best objective of the final evaluation, or of the last generation.
     std::optional<Estimate> best;
     std::optional<Estimate> hypervolume;
     bool is_evaluated_again = false;

@@ -111,7 +111,7 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
             *dispatcher_, *watcher, [began] { return now() - began; }};
         const Ending ending = co_await evolve_case(evolution, history);
         if (ending == Ending::drained) {
-            // What was saved before the stop may have gone since.
+            // The file may have been deleted since it was saved.
             history.require_in_place();
             co_return ending;
         }

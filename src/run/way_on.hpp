@@ -9,8 +9,9 @@ namespace ideotype {
 //! The words as one line that a shell takes apart again as they were.
 std::string quoted(const std::vector<std::string>& words);
 
-//! Whether a line, which may come from a history of unknown origin, is as
-//! quoted() writes it and does nothing in a shell but start a run of ideotype.
+//! Returns whether a line, which may come from a history of unknown origin, is
+//! as quoted() writes it and does nothing in a shell but start a run of
+//! ideotype.
 bool is_start(const std::string& line);
 
 //! The line that goes on with a run, started as it was: under mpirun if it had

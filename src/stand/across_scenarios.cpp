@@ -12,7 +12,7 @@ namespace ideotype {
 
 namespace {
 
-//! What tells a scenario from the others of its case.
+//! Returns a text that tells a scenario from the others of its case.
 std::string label(const Campaign& campaign, const Case& scenario) {
     std::string text;
     const auto add = [&](bool is_named, const std::string& name) {

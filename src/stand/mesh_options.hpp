@@ -61,7 +61,7 @@ void declare(CLI::App& verb, MeshOptions& options);
 //! @throws Error of wrong usage
 MeshOptions read_mesh_options(std::vector<std::string> arguments);
 
-//! Whether the light is that of a mean day, not a single one.
+//! Returns whether the light is that of a mean day, not a single one.
 inline bool has_day(const MeshOptions& options) {
     return options.site || !options.climate.empty();
 }

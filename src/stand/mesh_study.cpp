@@ -40,7 +40,7 @@ LightSeries day_of(const MeshOptions& options) {
 SeriesIllumination light_of(const MeshOptions& options,
                             std::vector<std::string>& warnings) {
     constexpr double north = 0;  // the mesh's y axis
-    //! Of a season: more than a campaign has, which only compares plants.
+    //! Dates of a season: more than a campaign has, which only compares plants.
     constexpr int dates = 6;
     const SkyModel sky = options.sky.value_or(SkyModel::uniform);
     if (options.climate.empty()) return illuminate(day_of(options), sky, north);

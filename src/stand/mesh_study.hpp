@@ -11,7 +11,7 @@
 
 namespace ideotype {
 
-//! What light does in a mesh. Of single lights, level ground receives 1.
+//! The light in a mesh. Level ground receives 1 of a single light.
 struct MeshReport {
     CanopyReport canopy;
     std::vector<std::string> warnings;
@@ -25,7 +25,7 @@ inline constexpr std::uint64_t most_tolerance_paths = std::uint64_t{1} << 28;
 //! @throws Error, also of wrong usage.
 MeshReport study(const MeshOptions& options);
 
-//! The same for a mesh that is here; the path of the options is not used.
+//! Studies a mesh that is here; the path of the options is not used.
 MeshReport study(Mesh mesh, const MeshOptions& options);
 
 }  // namespace ideotype

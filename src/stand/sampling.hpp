@@ -11,7 +11,7 @@
 
 namespace ideotype {
 
-//! How accurate a task is: finalists are evaluated more finely.
+//! Returns how accurate a task is: finalists are evaluated more finely.
 Accuracy accuracy_of(const Task& task, const Campaign& campaign);
 
 //! The random numbers of a task: common to all candidates of a generation;
@@ -20,17 +20,17 @@ Accuracy accuracy_of(const Task& task, const Campaign& campaign);
 Randomness randomness_of(const Task& task, const Campaign& campaign,
                          const Case& chosen);
 
-//! How a plant is evaluated: how accurately, and with which random numbers.
+//! The accuracy and the random numbers that a plant is evaluated with.
 struct Sampling {
     Accuracy accuracy;
     Randomness randomness;
 };
 
-//! That of a task.
+//! Returns the sampling of a task.
 Sampling sampling_of(const Task& task, const Campaign& campaign,
                      const Case& chosen);
 
-//! What an evaluation asks for besides its plant.
+//! The request of an evaluation besides its plant.
 struct SamplingRequest {
     std::uint32_t generation = 0;  //!< of the search whose fields it has
     bool is_final = false;         //!< as finalists are evaluated
@@ -41,8 +41,8 @@ struct SamplingRequest {
     std::optional<double> tolerance{};
 };
 
-//! That of an evaluation outside of a run. With nothing asked for, it is that
-//! of generation 0.
+//! Returns the sampling of an evaluation outside of a run. With nothing asked
+//! for, it is that of generation 0.
 //! @throws Error of wrong usage if the tolerance is impossible.
 Sampling sampling_of(const SamplingRequest& request, const Campaign& campaign,
                      const Case& chosen);

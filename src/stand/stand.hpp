@@ -14,8 +14,8 @@
 
 namespace ideotype {
 
-//! How many times longer the evaluation of a finalist takes, about: it has
-//! more paths, and a field for each randomisation.
+//! Returns about how many times longer the evaluation of a finalist takes: it
+//! has more paths, and a field for each randomisation.
 double final_effort(const Campaign& campaign);
 
 //! Layers of 0.25 m, up to what the highest leaf could reach.
@@ -25,7 +25,7 @@ Layers canopy_layers(const Campaign& campaign);
 //! keeping for all other plants.
 Scene scene_of(const Campaign& campaign, const Case& chosen);
 
-//! What is found out about all plants of a campaign.
+//! Returns the details that are found out about all plants of a campaign.
 Details details_of(const Campaign& campaign);
 
 //! Requests the evaluation of plants in a scene of a campaign: that of the
@@ -44,13 +44,13 @@ OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
 Randomised measure_number(const Campaign& campaign, const std::string& name,
                           const CanopyReport& report);
 
-//! What a report says of a plant, in the form of a case without others.
+//! Returns the outcome that a report tells of a plant, in the form of a case
+//! with one scenario.
 //! @param plant of the campaign's crop, which constraints are about
 Outcome to_outcome(const Campaign& campaign, const Plant& plant,
                    const CanopyReport& report);
 
-//! What plants of one case are evaluated in: its scenarios, set up once for all
-//! of them.
+//! The scenarios of one case, set up once for all plants that are evaluated.
 class Stand {
   public:
     //! The campaign must outlive the stand.

@@ -9,7 +9,7 @@
 
 namespace ideotype {
 
-//! Which part of which days counts.
+//! The days that count, and the part of each.
 struct DaySpan {
     std::vector<Date> dates;   //!< in order
     double start = 7;          //!< local clock [h]
@@ -76,8 +76,8 @@ struct Daylight {
 
 Daylight daylight(const Site& site, const Date& date);
 
-//! How far the local clock is ahead of the mean sun's [h], from -12 to 12:
-//! but for the equation of time, noon comes so much later than 12:00.
+//! Returns how far the local clock is ahead of the mean sun's [h], from -12 to
+//! 12: but for the equation of time, noon comes so much later than 12:00.
 double clock_ahead(const Site& site);
 
 //! The part of the light of clear days that comes before the start and after

@@ -8,7 +8,7 @@
 
 namespace ideotype {
 
-//! How the brightness of the sky changes with direction.
+//! The change of the sky's brightness with direction.
 enum class SkyModel { uniform, overcast, clear };
 
 //! The shape of a sky's radiance.
@@ -36,7 +36,7 @@ double relative_radiance(const SkyRadiance& sky, const glm::dvec3& travel);
 //! A clear one takes some 0.3 ms to set up; copies share that.
 class SkySampler {
   public:
-    //! Of a uniform sky.
+    //! Makes the sampler of a uniform sky.
     SkySampler() = default;
 
     //! @throws Error if the sky is clear and its sun below the horizon.

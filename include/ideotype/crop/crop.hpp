@@ -11,12 +11,12 @@
 
 namespace ideotype {
 
-//! Which numbers a trait has: one per leaf, one for the whole plant, or the
+//! The numbers that a trait has: one per leaf, one for the whole plant, or the
 //! points of a smooth curve over leaf position.
 enum class TraitNumbers { leaf, plant, profile };
 
-//! What a trait's number does to a measure: it is its value, multiplies it or
-//! is added to it.
+//! The effect of a trait's number on a measure: it is its value, multiplies it
+//! or is added to it.
 enum class TraitEffect { sets, scales, shifts };
 
 //! Something of a plant that can be bred.
@@ -29,7 +29,7 @@ struct Trait {
     std::string unit;                   //!< of its numbers; "1": a factor
     Range range;                        //!< of each number
     bool is_circular = false;           //!< both ends of range are the same
-    //! Whether campaigns that name no trait set breed it.
+    //! True if campaigns that name no trait set breed it.
     bool is_bred = true;
 };
 
@@ -40,7 +40,8 @@ struct Crop {
     std::vector<Trait> traits;
     //! Bounds that its crop file has under names, for campaigns to choose.
     std::vector<std::string> rules{};
-    //! How its plants grow and age; none: the baseline is all that is known.
+    //! Growth and ageing of its plants; none: the baseline is all that is
+    //! known.
     std::optional<Growth> growth{};
 };
 

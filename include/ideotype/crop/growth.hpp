@@ -8,10 +8,10 @@
 
 namespace ideotype {
 
-//! How plants of a crop grow and age in thermal time [deg C d] since they
-//! emerged. Blades appear tip first at a steady rate, fade after their death,
-//! and keep a final area that follows their rank. Defaults are a hybrid of the
-//! Corn Belt.
+//! The growth and ageing of plants of a crop in thermal time [deg C d] since
+//! they emerged. Blades appear tip first at a steady rate, fade after their
+//! death, and keep a final area that follows their rank. Defaults are a hybrid
+//! of the Corn Belt.
 struct Growth {
     int leaves = 19;       //!< of the main stem, from the lowest rank, 1
     double interval = 44;  //!< between the tips of successive leaves [deg C d]
@@ -46,7 +46,7 @@ struct LeafDates {
     double area = 0;    //!< of the full-grown blade, one-sided
 };
 
-//! What there is of the blade of one leaf at a thermal time [m2].
+//! The parts of a blade that are out at a thermal time [m2].
 struct BladeArea {
     double green = 0, dead = 0;
 };

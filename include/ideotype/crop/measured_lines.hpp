@@ -46,11 +46,11 @@ struct LineDistance {
     std::size_t line = 0;  //!< the nearest one, from 1; 0: no line is known
 };
 
-//! Whether a text names a leaf as LineTrait does.
+//! Returns whether a text names a leaf as LineTrait does.
 bool names_leaf(const std::string& leaf);
 
-//! Whether correlations are those of any numbers: their matrix is positive
-//! definite.
+//! Returns whether correlations can be those of numbers: their matrix is
+//! positive definite.
 bool are_correlations(const MeasuredLines& known);
 
 //! The distance of a plant from measured lines (Mahalanobis 1936, reprinted as

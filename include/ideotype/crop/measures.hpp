@@ -73,12 +73,12 @@ inline constexpr std::array<Measure<Leaf>, 11> leaf_measures{
       "height above the leaf below, or of the lowest above the soil, in the "
       "place of insertion_height"}}};
 
-//! Of the measures of leaves the first so many have to be told of every leaf;
-//! the others are 0 where they are not.
+//! The number of measures, the first ones, that have to be told of every leaf;
+//! the others are 0 where they are not told.
 inline constexpr std::size_t needed_leaf_measures = 6;
 
-//! As many measures are written of every leaf; the later ones, which grasses do
-//! not have, where any leaf has one.
+//! The number of measures that are written of every leaf; the later ones, which
+//! grasses do not have, are written where any leaf has one.
 inline constexpr std::size_t usual_leaf_measures = 8;
 
 inline constexpr std::array<Measure<Blade>, 5> blade_measures{
@@ -154,8 +154,8 @@ inline constexpr std::array<Measure<Organ>, 7> organ_measures{
       &Organ::azimuth,
       "of the first; 0 is along the row, or the azimuth of its leaf"}}};
 
-//! What the name of a measure in a plant, such as "leaf.length" or
-//! "stalk.height", stands for.
+//! The meaning of the name of a measure in a plant, such as "leaf.length" or
+//! "stalk.height".
 struct MeasureInfo {
     std::string name;
     std::string unit;

@@ -45,7 +45,7 @@ inline constexpr std::size_t most_obj_faces = 20'000'000;
 //! fewer than three corners; or if no face has an area, or there are too many.
 ObjMesh read_obj(const std::string& path);
 
-//! As read_obj, from text; file is used in messages.
+//! Reads the text of an OBJ file, as read_obj(); file is used in messages.
 ObjMesh parse_obj(std::string text, const std::string& file);
 
 }  // namespace ideotype

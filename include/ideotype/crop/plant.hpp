@@ -109,7 +109,7 @@ struct Organ {
     double base_diameter = 0;  //!< [m]
     double top_diameter = 0;   //!< [m]
     double inclination = 0;    //!< from the vertical [deg]
-    //! Of the first [deg]: 0 is along the row, or the azimuth of the leaf.
+    //! Azimuth of the first [deg]: 0 is along the row, or that of the leaf.
     double azimuth = 0;
     int sides = 6;  //!< faces around each
 };
@@ -125,7 +125,7 @@ struct Plant {
     Petiole petiole{};
 };
 
-//! How finely curved surfaces are cut into faces.
+//! The fineness with which curved surfaces are cut into faces.
 struct Tessellation {
     //! Cells along a blade, which has two across; leaflets have two thirds as
     //! many, at least 4, and four across.
@@ -137,7 +137,7 @@ struct Tessellation {
 //! their groups: "stalk", "sheath", "petiole", then the others.
 std::vector<std::string> organ_names(const Plant& plant);
 
-//! Whether any leaf has a petiole, be it present or not.
+//! Returns whether any leaf has a petiole, be it present or not.
 bool has_petioles(const Plant& plant);
 
 //! Puts each leaf whose internode is told so far above the leaf below it, and

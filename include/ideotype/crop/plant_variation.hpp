@@ -14,20 +14,20 @@ namespace ideotype {
 //! the lower, middle and upper third. One number holds for all leaves.
 using LeafSpread = std::vector<double>;
 
-//! How the plants of one line differ from each other in a field: standard
-//! deviations of distributions that end at three of them.
+//! The differences of plants of one line in a field: standard deviations of
+//! distributions that end at three of them.
 struct PlantVariation {
     double length = 0;              //!< of each blade, relative, normal
     double width = 0;               //!< of each blade, relative, normal
     LeafSpread insertion_angle{0};  //!< normal
     LeafSpread azimuth{0};          //!< normal
-    //! Of the whole plant, relative, normal: stalk, sheaths and where leaves
-    //! begin.
+    //! Relative deviation of the whole plant, normal: stalk, sheaths and where
+    //! leaves begin.
     double height = 0;
     LeafSpread curvature{0};  //!< normal
     LeafSpread roll{0};       //!< normal
-    //! Of a Laplace distribution, in which most blades are hardly twisted and
-    //! some are twisted a lot.
+    //! Deviation of a Laplace distribution, in which most blades are hardly
+    //! twisted and some are twisted a lot.
     LeafSpread twist{0};
     double missing = 0;  //!< fraction of plants that there are not
     double late = 0;     //!< fraction of plants that emerged late
@@ -37,7 +37,7 @@ struct PlantVariation {
     //! none: all plants do, but for the turn that the field gives them.
     std::optional<double> across_row{};
 
-    //! Whether plants differ by more than their direction.
+    //! Returns whether plants differ by more than their direction.
     bool is_any() const;
 };
 

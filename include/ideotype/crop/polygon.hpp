@@ -12,7 +12,7 @@ namespace ideotype {
 //! Corners of a polygon, as indices of vertices.
 using Corners = std::vector<std::uint32_t>;
 
-//! What kind of polygon was split.
+//! The kind of polygon that was split.
 enum class PolygonKind {
     simple,
     without_area,  //!< there are no faces

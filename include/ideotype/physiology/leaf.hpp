@@ -53,7 +53,7 @@ LeafResponse response(const LeafRates& leaf, const Air& air);
 void gross(const LeafResponse& response, std::span<const double> absorbed,
            double* assimilation);
 
-//! The same with the first two derivatives.
+//! Returns the assimilation with its first two derivatives.
 void expand(const LeafResponse& response, std::span<const double> absorbed,
             double* assimilation, double* slope, double* curvature);
 

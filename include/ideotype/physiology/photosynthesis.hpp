@@ -8,7 +8,7 @@
 
 namespace ideotype {
 
-//! How the capacity of leaves differs with their place in the canopy.
+//! The change of leaves' capacity with their place in the canopy.
 enum class CapacityProfile {
     none,         //!< as the rates say
     exponential,  //!< exp(-kn L) of the leaf area index L above
@@ -16,16 +16,16 @@ enum class CapacityProfile {
     rank,         //!< by the place of the leaf between the lowest and highest
 };
 
-//! What the leaves of a canopy do with light.
+//! The photosynthesis of the leaves of a canopy.
 struct Photosynthesis {
-    //! Of all leaves; or of each, the lowest first.
+    //! Rates of all leaves; or of each, the lowest first.
     std::vector<LeafRates> rates{HyperbolaLeaf{}};
     CapacityProfile profile = CapacityProfile::exponential;
     CanopyNitrogen nitrogen{};  //!< its kn is that of either profile
     //! Capacity over that of the rates, at equal distances from the lowest leaf
     //! to the highest and linear in between; for CapacityProfile::rank.
     std::vector<double> rank_capacity{1};
-    //! Whether leaves have the temperature and humidity of the weather; else
+    //! True if leaves have the temperature and humidity of the weather; else
     //! their air is that of clear days.
     bool follows_weather = true;
     //! Carbon that leaves are built of [mol m-2 of leaf], over so many days.

@@ -131,6 +131,8 @@ void require_intact(GenerationChecksums& found, const Generations& generations,
 
 void require_intact(hid_t file, const std::string& path) {
     require_header_intact(file, path);
+    // First of all, because a case that runs may be over before the last read.
+    const bool is_finished = Journal(file).finished().has_value();
     const Generations generations(file);
     GenerationChecksums found(file, nullptr);
     const std::uint32_t committed = generations.committed();
@@ -140,7 +142,6 @@ void require_intact(hid_t file, const std::string& path) {
         checksum(file, "final/checksum");
     const auto statuses = status.read<Status>(0, status.rows());
     const auto expected = checksum.read_text(0, status.rows());
-    const bool is_finished = Journal(file).finished().has_value();
     // A case that is over has no checksum of what is not recorded.
     if (is_finished && committed < generations.most() &&
         !generations.checksum(committed).empty())

@@ -3,8 +3,26 @@
 #include <unistd.h>
 
 #include <gtest/gtest.h>
+#include <sys/syscall.h>
 
 #include "sample_history.hpp"
+
+namespace ideotype {
+namespace {
+
+//! Is called before each read of a file, also of HDF5.
+std::function<void()> before_read;
+
+}  // namespace
+}  // namespace ideotype
+
+//! Stands in for that of the system.
+extern "C" [[gnu::visibility("default")]] ssize_t pread(int file, void* bytes,
+                                                        std::size_t count,
+                                                        off_t first) {
+    if (ideotype::before_read) ideotype::before_read();
+    return syscall(SYS_pread64, file, bytes, count, first);
+}
 
 namespace ideotype {
 namespace {
@@ -111,6 +129,31 @@ TEST(Live, ReaderThatStaysOpenSeesWhatIsWrittenLater) {
     EXPECT_EQ(live.finished(), std::nullopt);
     writer.step();
     EXPECT_EQ(live.finished(), "generations");
+}
+
+TEST(Live, CaseMayBeOverBetweenTwoReads) {
+    constexpr int apart = 5;  // so that it is quick
+    int reads = 0;
+    for (int at = 0; at <= reads; at += apart) {
+        const Folder folder;
+        const std::string path = folder / "case.h5";
+        Writer writer(path, {[](History& history) { complete(history, 0); },
+                             [](History& history) {
+                                 complete(history, 1);
+                                 history.propose_final(sample_candidates(2, 1));
+                                 history.record_final(0,
+                                                      sample_outcome(2, 0, 3));
+                                 history.finish("generations");
+                             }});
+        writer.step();
+        reads = 0;
+        before_read = [&] {
+            if (reads++ == at) writer.step();
+        };
+        EXPECT_NO_THROW(History::read(path)) << "before read " << at;
+        before_read = nullptr;
+    }
+    EXPECT_GT(reads, 100);
 }
 
 }  // namespace

@@ -36,10 +36,11 @@ from typing import Any
 import numpy as np
 from climates import CLEAR_DAY, bondville, overcast_day, season, site
 from shared import (
-    FIELD_PLANTS,
     MAIZE,
     PLANT_AREA,
     ROUGH,
+    SEVERAL_FIELDS,
+    SMALL_FIELD,
     Estimate,
     Numbers,
     best,
@@ -94,12 +95,12 @@ def campaign(where: Condition, folder: Path, is_rough: bool) -> dict[str, Any]:
                 "plant": round(1 / where.density / ROW, 6),
             }
         ],
-        "field": {"rows": 2, "variation": FIELD_PLANTS},
+        "field": SMALL_FIELD,
         "plant": {"baseline": str(MAIZE), "bounds": "breedable"},
         "objective": {"maximise": "carbon_balance"},
-        "light": {"tolerance": 0.012},
+        "light": {"tolerance": 0.012, **SEVERAL_FIELDS},
         "search": {"optimizer": "cma_es", "population": 20},
-        "final": {"candidates": 2, "paths": 4096, "randomisations": 32},
+        "final": {"candidates": 2, "paths": 4096, "randomisations": 64},
     }
     if where.light == "clear":
         tables["day"] = [CLEAR_DAY]

@@ -22,7 +22,6 @@ from fields import DAY, SEASON
 from shared import (
     BREEDABLE,
     CAMPAIGNS,
-    FIELD_PLANTS,
     ROUGH,
     TITLES,
     best,
@@ -46,7 +45,7 @@ def campaign(objective: str, limit: float) -> dict[str, Any]:
     """The tables of a search."""
     under = SEASON if objective == "carbon_balance" else DAY
     tables = tomllib.loads(under.read_text())
-    kept = ("site", "day", "climate", "photosynthesis", "light")
+    kept = ("site", "day", "climate", "photosynthesis")
     name = f"{objective}_{'limited' if limit else 'free'}"
     found = {key: tables[key] for key in kept if key in tables}
     for each in found.get("climate", []):
@@ -56,7 +55,6 @@ def campaign(objective: str, limit: float) -> dict[str, Any]:
         **BREEDABLE,
         "name": name,
         "objective": {"maximise": objective},
-        "field": {"variation": FIELD_PLANTS},
         "feasibility": {"lines": str(LINES), "limit": limit},
         "search": {"population": 24},
     }

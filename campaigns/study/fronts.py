@@ -89,7 +89,7 @@ def campaign(options: argparse.Namespace) -> dict[str, Any]:
         "objective": {"maximise": "carbon_balance", "minimise": "lai"},
         "search": {"optimizer": "nsga2", "population": 40},
         "stop": {"generations": options.generations},
-        "final": {"candidates": 20, "randomisations": 32},
+        "final": {**BREEDABLE["final"], "candidates": 20},
         **(ROUGH if options.rough else {}),
     }
 

@@ -17,8 +17,8 @@ unless --search names them. Evaluates the best plants again, all with the same r
 numbers, and prints gains over the baseline [%] with standard errors, leaf area, and the
 gain per leaf area. With --alike all plants of a field are the same while they are bred;
 a second table tells what those champions gain where plants differ. Tells also after how many
-core-seconds the first seed had a plant with 90 % of the largest gain under the first condition, which has more seeds than
-the others. The season is that of Bondville, Illinois, 40 deg north in the place of 42, and moved to the other latitudes
+core-seconds (by the clock of the wall: leave other work aside) the first seed had a plant with 90 % of the largest gain under the
+first condition, which has more seeds than the others. The season is that of Bondville, Illinois, 40 deg north in the place of 42, and moved to the other latitudes
 (climates.moved_season). Searches that are
 in FOLDER already are not repeated; interrupted ones go on. --rough is for tests.
 IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
@@ -40,9 +40,10 @@ from climates import CLEAR_DAY, bondville, moved_season, season, site
 from numpy.typing import ArrayLike
 from searches import best_until
 from shared import (
-    FIELD_PLANTS,
     MAIZE,
     ROUGH,
+    SEVERAL_FIELDS,
+    SMALL_FIELD,
     TITLES,
     Estimate,
     Numbers,
@@ -96,8 +97,6 @@ CONDITIONS = (
         for row, plant in ((15, 3), (15, 6), (20, 3), (20, 6), (30, 3))
     ),
 )  # fmt: skip
-#: A field whose plants differ.
-VARIED = {"rows": 4, "plants": 4, "variation": FIELD_PLANTS}
 UNITS = {
     "absorbed_par": "MJ m-2 day-1",
     "net_assimilation": "mol m-2 day-1",
@@ -152,8 +151,9 @@ def campaign(
         "traits": [{"name": "free", "free": list(where.free)}],
         "plant": {"baseline": str(plant), "bounds": "paper"},
         "objective": {"maximise": objective},
-        "field": {} if is_alike else VARIED,
-        "final": {"candidates": 3, "randomisations": 64},
+        "field": {} if is_alike else SMALL_FIELD,
+        "light": {} if is_alike else SEVERAL_FIELDS,
+        "final": {"candidates": 3, "paths": 4096, "randomisations": 256},
     }
     if objective != "carbon_balance":
         here, light = site(where.latitude), {"day": [CLEAR_DAY]}
@@ -319,7 +319,7 @@ def find(
     first = int(values[1:].mean(1).argmax()) + 1
     varied = None
     if not tables["field"]:
-        field = Stand({**tables, "field": VARIED})
+        field = Stand({**tables, "field": SMALL_FIELD})
         varied = field.evaluate(genomes, [], final=True)
     found = gains(values)
     least = 0.9 * max(mean for each in found.values() for mean, _ in each)

@@ -61,6 +61,10 @@ FIELD_PLANTS = {
     "missing": 0.045,
     "late": 0.04,
 }
+#: [field] and [light] of searches where plants differ: several small fields, so that
+#: errors of rows contain how fields differ.
+SMALL_FIELD = {"rows": 2, "plants": 2, "variation": FIELD_PLANTS}
+SEVERAL_FIELDS = {"fields": 4}
 Numbers = NDArray[np.float64]
 Settings = Sequence[str]
 """As for --set: "search.optimizer=ga"."""
@@ -84,9 +88,10 @@ ROUGH: Mapping[str, Any] = {
 #: plants; a campaign that lacks light and an objective.
 BREEDABLE: Mapping[str, Any] = {
     "spacing": [{"name": "30x6", "row": 0.762, "plant": 0.1524}],
-    "field": {"rows": 4, "plants": 4, "variation": FIELD_PLANTS},
+    "field": SMALL_FIELD,
+    "light": SEVERAL_FIELDS,
     "plant": {"baseline": str(MAIZE), "bounds": "breedable"},
-    "final": {"candidates": 3, "randomisations": 32},
+    "final": {"candidates": 3, "paths": 4096, "randomisations": 128},
 }
 
 ANYWHERE: Mapping[str, Any] = {

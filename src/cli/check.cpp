@@ -181,6 +181,10 @@ void print(const CheckOptions& options, const Campaign& campaign,
         fmt::print(
             "advice    plants are all alike; what is bred in such a "
             "field gains less where plants differ: [field.variation]\n");
+    else if (campaign.sampling.fields == 1)
+        fmt::print(
+            "advice    errors of rows lack how fields differ; each plant in "
+            "several small fields has them: light.fields = 4\n");
     fmt::print("field     {} x {} plants, period {} x {} m, LAI {}, {} faces\n",
                campaign.field.rows, campaign.field.plants,
                stands.period_x.text("{:.4g}"), stands.period_y.text("{:.4g}"),

@@ -45,7 +45,8 @@ plant = {plant}
 row_direction
 # Plants that repeat without end.
 [field]
-rows plants
+rows = 2 # of each field; several small fields cost less than a large one, see light.fields
+plants = 2 # of each row
 boundary # "isolated" is a plot alone
 # How plants differ from each other in fields, as measured; see docs/campaign_files.md.
 [field.variation]
@@ -71,7 +72,7 @@ soil_albedo par_fraction
 tolerance = 0.008 # relative standard error of the light that leaves absorb
 paths # light paths per randomisation, at most
 randomisations
-fields # 4 or more: errors of rows contain how fields differ
+fields = 4 # of each plant, one after the other: errors of rows contain how fields differ
 sky # diffuse light; "overcast" and "clear" are others
 # What plants are bred for.
 [objective]
@@ -85,7 +86,9 @@ generations
 no_gain # generations without a gain; 0: off, else 5 or more
 # The best are evaluated again, with fresh random numbers.
 [final]
-candidates paths randomisations
+candidates
+paths = 4096 # light paths per randomisation
+randomisations = 64 # each in a field of its own
 )";
 
 //! A full hour in TOML, whose days end before 24:00.

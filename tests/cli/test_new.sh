@@ -13,6 +13,9 @@ says "^next: ideotype check own/my.toml$"
 cmp own/maize.toml campaigns/crops/maize.toml
 expect 0 "$ideotype" check own/my.toml
 says "^own/my.toml: no errors$"
+! grep -q "^advice" out.log || fail "what new writes needs advice: $(cat out.log)"
+expect 0 "$ideotype" check own/my.toml --set light.fields=1
+says "^advice    errors of rows lack how fields differ; .*: light.fields = 4$"
 says "^campaign  my, 3 cases (--cases lists them)$"
 says "^sun .*left out"
 says " 0.0 % "
@@ -21,7 +24,8 @@ says " 0.0 % "
 for line in 'latitude = 42.03  *# .*\[deg\]' 'utc_offset = -6  *#' \
     'start = 04:00:00' 'end = 20:00:00' 'row = 0.762  *# .*\[m\]' \
     'maximise = "carbon_balance"  *#' 'replicates = 3  *#' \
-    'bounds = "breedable"  *#' 'baseline = "maize.toml"  *#'; do
+    'bounds = "breedable"  *#' 'baseline = "maize.toml"  *#' \
+    'rows = 2  *#' 'plants = 2  *#' 'fields = 4  *#' 'randomisations = 64  *#'; do
     grep -q "^$line" own/my.toml || fail "no '$line' in $(cat own/my.toml)"
 done
 if grep -E '^[a-z_]+ = ' own/my.toml | grep -v '#'; then

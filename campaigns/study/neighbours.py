@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What is a plant worth beside others, in strips with soybean and as an invader?
 
-neighbours.py FOLDER [--generations N] [--seeds N] [--rough]
+neighbours.py FOLDER [--generations N] [--seeds N] [--figure FILE] [--rough]
 
 Breeds crops/maize.toml in the strips of strip.toml for the net assimilation of both crops
 by land (the land equivalent ratio: of each crop what it has over what it has alone, maize
@@ -11,7 +11,8 @@ alone. Then breeds it in a stand of its own at 30 x 6 inches, and as one plant o
 plants of the baseline (invader.toml) and among plants that are best for the stand. Prints
 land equivalent ratios with their parts, what invaders gain over their neighbours, and what
 a stand of invaders has. ± is the standard error of randomisations, or over seeds where that
-is larger. What is in FOLDER already is not bred again. --rough is for tests.
+is larger. --figure draws what the rows of the strip of baselines absorb and
+assimilate. What is in FOLDER already is not bred again. --rough is for tests.
 IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
 """
 
@@ -22,6 +23,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+import matplotlib
 import numpy as np
 from shared import (
     CAMPAIGNS,
@@ -38,6 +40,14 @@ from shared import (
 )  # fmt: skip
 
 from ideotype import Stand
+from ideotype.analysis.style import (
+    BEST,
+    MEAN,
+    RC,
+    WIDTH,
+    new_figure,
+    unit_label,
+)
 
 Tables = Mapping[str, Any]
 #: Of single crops, between rows and plants [m].
@@ -87,6 +97,37 @@ def bred(tables: Tables, folder: Path) -> list[Numbers]:
 
 def tell(x: Estimate, digits: int = 3) -> str:
     return f"{x[0]:.{digits}f} ± {x[1]:.{digits}f}"
+
+
+def draw_rows(stand: Stand, genome: Numbers, path: Path) -> None:
+    """Draws light, net assimilation and leaf area of each row of a strip, per
+    ground that is nearest to the row. Bars are as wide as that ground."""
+    found = stand.evaluate(genome, final=True).isel(plant=0)
+    panels = {
+        "absorbed_light_by_row": "PAR that leaves absorb",
+        "net_assimilation_by_row": "net assimilation",
+        "lai_by_row": "leaf area index",
+    }
+    crops = [str(name).rpartition("_")[0] for name in found.field_row.values]
+    color = dict(zip(dict.fromkeys(crops), (BEST, MEAN), strict=True))
+    with matplotlib.rc_context(RC):
+        figure = new_figure(WIDTH, 2.6)
+        each = figure.subplots(1, 3)
+        for axes, (name, title) in zip(each, panels.items(), strict=True):
+            axes.bar(
+                100 * found.row_position,
+                found[name],
+                96 * found.row_width,
+                color=[color[crop] for crop in crops],
+                yerr=found.get(f"{name}_standard_error"),
+            )
+            axes.set_title(title)
+            axes.set_xlabel("across the strip [cm]")
+            axes.set_ylabel(f"[{unit_label(found[name].units)}]")
+        for crop, one in color.items():
+            each[1].bar(0, 0, color=one, label=crop)
+        each[1].legend()
+        figure.savefig(path)
 
 
 def strips(common: Tables, folder: Path) -> None:
@@ -162,6 +203,7 @@ def invaders(common: Tables, folder: Path) -> None:
 
 def main() -> None:
     parser = parser_of_searches(__doc__, generations=40, seeds=1)
+    parser.add_argument("--figure", type=Path)
     options = parser.parse_args()
     common: dict[str, Any] = {
         "replicates": options.seeds,
@@ -171,6 +213,9 @@ def main() -> None:
     }
     if options.rough:
         common |= ROUGH
+    if options.figure:
+        strip = Stand(campaign("strip", common, name="strip"))
+        draw_rows(strip, strip.baseline, options.figure)
     parts: Sequence[Callable[[Tables, Path], None]] = (strips, invaders)
     for part in parts:
         part(common, options.folder)

@@ -55,10 +55,10 @@ class Assimilation {
           expectation_(places_, tallies),
           mean_(places_.count()),
           differences_(tallies.size(), std::vector<double>(places_.count())),
-          all_(tallies.size(),
-               {std::vector<double>(lit.leaves.size()),
-                std::vector<double>(lit.layers.count),
-                std::vector<double>(light_.series.steps.size())}) {
+          all_(tallies.size(), {std::vector<double>(lit.leaves.size()),
+                                std::vector<double>(lit.layers.count),
+                                std::vector<double>(light_.series.steps.size()),
+                                std::vector<double>(pieces.rows)}) {
         shaded_.resize(places_.count());
     }
 
@@ -167,7 +167,7 @@ class Assimilation {
         }
     }
 
-    //! Pseudo-values of places to those of leaves and layers.
+    //! Pseudo-values of places to those of leaves, layers and rows.
     void add_up() {
         for (std::size_t p = 0; p < places_.count(); ++p) {
             double mean = 0;
@@ -178,6 +178,8 @@ class Assimilation {
                 all_[r].groups[places_.group[p]] += amount;
                 all_[r].layers[lit_leaves_.layers.at(places_.height[p])] +=
                     amount;
+                if (!all_[r].rows.empty())
+                    all_[r].rows[places_.row[p]] += amount;
             }
         }
     }

@@ -30,6 +30,7 @@ Scene with_a_group_per_face(Scene scene) {
     };
     for (Component& each : scene.components) split(each.mesh);
     for (FixedObject& each : scene.objects) split(each.mesh);
+    scene.cell.row_ground.clear();
     return scene;
 }
 
@@ -75,10 +76,13 @@ class Reporter {
         result_.seconds = found_.seconds;
         report_lines();
         report_areas();
-        for (std::size_t b = 0; b < scene_.bands.size(); ++b)
+        for (std::size_t b = 0; b < scene_.bands.size(); ++b) {
             report_band(scene_.bands[b], found_.light[b]);
+            report_rows(result_.bands.back(), found_.light[b], found_.rows[b]);
+        }
         if (request_.details.sunlit) report_sunlit();
         if (scene_.assimilates()) report_assimilation();
+        report_rows();
         return std::move(result_);
     }
 
@@ -123,6 +127,54 @@ class Reporter {
         if (!(report.light.balance_error < balance_tolerance))
             throw Error(fmt::format("the energy balance is off by {:.3g}",
                                     report.light.balance_error));
+    }
+
+    static void report_rows(BandReport& report,
+                            const std::vector<Tally>& tallies,
+                            const std::vector<std::vector<double>>& found) {
+        report.rows_by_randomisation = found;
+        for (std::size_t row = 0; !found.empty() && row < found.front().size();
+             ++row) {
+            std::vector<double> light;
+            for (const std::vector<double>& each : found)
+                light.push_back(each[row]);
+            report.rows.push_back(absorbed_by_some_leaves(tallies, light));
+        }
+    }
+
+    //! Reports leaf areas of rows, and what those lose.
+    void report_rows() {
+        const Cell& cell = scene_.cell;
+        const std::size_t groups = lines_.groups.size();
+        for (std::size_t row = 0; row < cell.row_ground.size(); ++row) {
+            const double ground = cell.row_ground[row];
+            RowReport one{0, cell.rows[row], ground / cell.period_y, ground};
+            for (std::size_t g = 0; g < groups; ++g) {
+                const double area = found_.areas_of_rows[row * groups + g];
+                if (!(area > 0)) continue;
+                one.component = lines_.groups[g].id.component;
+                one.lai += area / found_.fields;
+                if (!result_.assimilation) continue;
+                const AssimilationReport& all = *result_.assimilation;
+                const double share = area / found_.leaf_area_index[g];
+                ComponentAssimilation& part = one.assimilation;
+                part.respiration.in_light +=
+                    share * all.respiration[g].in_light;
+                part.respiration.at_night +=
+                    share * all.respiration[g].at_night;
+                part.building += share * all.building_of_groups[g];
+            }
+            if (result_.assimilation)
+                one.assimilation.gross = gross_of_row(row);
+            result_.rows.push_back(one);
+        }
+    }
+
+    Estimate gross_of_row(std::size_t row) const {
+        std::vector<double> values;
+        for (const AssimilationTally& tally : result_.assimilation->tallies)
+            values.push_back(tally.rows[row]);
+        return estimate(values);
     }
 
     void report_sunlit() {

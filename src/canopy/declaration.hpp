@@ -32,6 +32,7 @@ struct Scope {
     std::vector<std::string> bands;
     bool assimilates = false;
     bool has_lines = false;
+    bool has_rows = false;  //!< that are told apart
 
     bool has_band(const std::string& name) const {
         return std::find(bands.begin(), bands.end(), name) != bands.end();
@@ -56,8 +57,11 @@ std::vector<Declaration> assimilation_quantities();
 //! Quantities of reports with measured lines, after those of assimilation.
 std::vector<Declaration> line_quantities();
 
-//! Quantities of several components or wavebands, after all others.
+//! Quantities of several components or wavebands, after those.
 std::vector<Declaration> part_quantities();
+
+//! Quantities by row and by strip, after those.
+std::vector<Declaration> row_quantities();
 
 inline Randomised scaled(Randomised x, double factor) {
     x.estimate = scaled(x.estimate, factor);
@@ -79,6 +83,22 @@ inline std::vector<Randomised> randomised(
         all.push_back(scaled(std::move(one), factor));
     }
     return all;
+}
+
+//! Carbon that leaves of a part of the canopy lose [mol m-2 day-1].
+using Loss = double (*)(const ComponentAssimilation&);
+
+inline double no_loss(const ComponentAssimilation&) {
+    return 0;
+}
+
+inline double loss_in_light(const ComponentAssimilation& part) {
+    return part.respiration.in_light;
+}
+
+inline double loss_of_carbon(const ComponentAssimilation& part) {
+    return part.respiration.in_light + part.respiration.at_night +
+           part.building;
 }
 
 //! What is the same in all randomisations.

@@ -60,6 +60,20 @@ Cell cell_of(const FieldForm& form) {
     return cell;
 }
 
+std::vector<double> ground_of_rows(const FieldForm& form) {
+    const std::vector<double> x = row_places(form);
+    const double period = form.rows * form.spacing.row;
+    const double length = form.plants * form.spacing.plant;
+    std::vector<double> ground;
+    for (std::size_t row = 0; row < x.size(); ++row) {
+        const double before = row > 0 ? x[row - 1] : x.back() - period;
+        const double after =
+            row + 1 < x.size() ? x[row + 1] : x.front() + period;
+        ground.push_back((after - before) / 2 * length);
+    }
+    return ground;
+}
+
 std::vector<Place> places_of(const FieldForm& form,
                              const std::vector<int>& rows) {
     std::vector<Place> places;
@@ -70,7 +84,8 @@ std::vector<Place> places_of(const FieldForm& form,
             continue;
         for (int plant = 0; plant < form.plants; ++plant)
             places.push_back({x[static_cast<std::size_t>(row)],
-                              (plant + 0.5) * form.spacing.plant});
+                              (plant + 0.5) * form.spacing.plant,
+                              static_cast<std::uint32_t>(row)});
     }
     return places;
 }
@@ -313,6 +328,7 @@ Field draw_field(const Scene& scene, const Randomness& randomness,
             if (plant.faces.empty()) continue;
             add_plant(field, plant, places[number][p], turns[p], first_group,
                       present++);
+            field.plant_row.push_back(places[number][p].row);
         }
         first_group += static_cast<std::uint32_t>(line.groups.size());
         ++number;
@@ -345,6 +361,7 @@ Scene as_drawn(Scene scene, const Field& field) {
         component = {.name = component.name, .mesh = std::move(mesh)};
     }
     scene.cell.kept.reset();
+    scene.cell.row_ground.clear();
     return scene;
 }
 

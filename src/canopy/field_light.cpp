@@ -59,14 +59,16 @@ class FieldPass {
             std::max(accuracy.paths,
                      static_cast<int>(scene_.light().light.sources.size()));
         Simulation simulation = simulate(surfaces, mesh, accuracy);
-        if (lines_.are_cut)
-            assimilate(surfaces, mesh, simulation.tallies.front());
-        else if (scene_.assimilates())
-            assimilate_exactly(surfaces, mesh, accuracy);
+        if (scene_.assimilates()) {
+            if (lines_.are_cut)
+                assimilate(surfaces, mesh, simulation.tallies.front());
+            else
+                assimilate_exactly(surfaces, mesh, accuracy);
+        }
         accuracy.paths = simulation.paths;
         found_.paths = accuracy.all_paths();
         found_.is_capped |= simulation.is_capped;
-        take_light(std::move(simulation.tallies));
+        take_light(std::move(simulation.tallies), mesh.groups);
         if (!request_.details.sunlit) return;
         accuracy.paths = std::min(accuracy.paths, most_sunlit_points);
         found_.sunlit = sunlit_fractions(surfaces, mesh, scene_.light().light,
@@ -97,6 +99,7 @@ class FieldPass {
         for (const PlantArea& each : areas)
             found_.areas.push_back(
                 {each.leaves / ground, each.other_organs / ground});
+        measure_rows(mesh, of_faces);
         if (!request_.details.faces) return;
         found_.areas_of_groups.resize(lines_.groups.size());
         for (std::size_t f = 0; f < of_faces.size(); ++f) {
@@ -104,6 +107,18 @@ class FieldPass {
             found_.areas_of_groups[lines_.are_cut ? pieces_.group[group]
                                                   : group] += of_faces[f];
         }
+    }
+
+    void measure_rows(const Mesh& mesh, const std::vector<double>& of_faces) {
+        if (pieces_.rows == 0) return;
+        const std::size_t groups = lines_.groups.size();
+        found_.areas_of_rows.resize(pieces_.rows * groups);
+        for (std::size_t f = 0; f < of_faces.size(); ++f)
+            if (const std::uint32_t group = mesh.face_group[f];
+                mesh.groups[group].id.is_leaf())
+                found_.areas_of_rows[pieces_.row[group] * groups +
+                                     pieces_.group[group]] +=
+                    of_faces[f] / scene_.cell.ground_area;
     }
 
     //! Takes as much light as the tolerance asked for in the first field.
@@ -179,11 +194,16 @@ class FieldPass {
         found_.is_capped |= exact.is_capped;
     }
 
-    void take_light(BandTallies tallies) {
+    //! @param groups of the surfaces
+    void take_light(BandTallies tallies, const std::vector<Group>& groups) {
         for (std::vector<Tally>& band : tallies) {
+            auto& rows =
+                found_.rows.emplace_back(light_of_rows(band, pieces_, groups));
             if (lines_.are_cut)
                 add_up_pieces(band, pieces_, lines_.groups.size());
-            if (plan_.is_one_of_many) band = {mean_of(band)};
+            if (!plan_.is_one_of_many) continue;
+            band = {mean_of(band)};
+            if (!rows.empty()) rows = {mean_of(rows)};
         }
         found_.light = std::move(tallies);
     }
@@ -201,7 +221,8 @@ class FieldPass {
 }  // namespace
 
 Lines::Lines(const Scene& scene, const CanopyRequest& request)
-    : are_cut(scene.assimilates() && !request.details.exact),
+    : are_cut((scene.assimilates() && !request.details.exact) ||
+              !scene.cell.row_ground.empty()),
       groups(groups_of(scene)) {
     if (!are_cut) return;
     for (const Component& each : scene.components) {
@@ -212,8 +233,11 @@ Lines::Lines(const Scene& scene, const CanopyRequest& request)
 
 void FieldLight::append(FieldLight more) {
     light.resize(more.light.size());
-    for (std::size_t b = 0; b < light.size(); ++b)
+    rows.resize(more.rows.size());
+    for (std::size_t b = 0; b < light.size(); ++b) {
         ideotype::append(light[b], std::move(more.light[b]));
+        ideotype::append(rows[b], std::move(more.rows[b]));
+    }
     ideotype::append(assimilation, std::move(more.assimilation));
     ideotype::append(sunlit, std::move(more.sunlit));
     ideotype::append(hit_by_sun, std::move(more.hit_by_sun));
@@ -221,6 +245,7 @@ void FieldLight::append(FieldLight more) {
     add(areas, more.areas);
     add(leaf_area_index, more.leaf_area_index);
     add(areas_of_groups, more.areas_of_groups);
+    add(areas_of_rows, more.areas_of_rows);
     paths += more.paths;
     is_capped |= more.is_capped;
     seconds += more.seconds;

@@ -18,7 +18,8 @@ struct Lines {
     //! @param scene of the request, or with other groups
     Lines(const Scene& scene, const CanopyRequest& request);
 
-    bool are_cut = false;        //!< so that there are:
+    //! Leaves are cut into pieces, or rows are told apart; then there are:
+    bool are_cut = false;
     std::vector<Pieces> pieces;  //!< without their meshes
     std::vector<Mesh> meshes;    //!< of the pieces
     std::vector<Group> groups;   //!< of the scene before leaves were cut
@@ -40,6 +41,9 @@ struct FieldLight {
     void append(FieldLight more);
 
     BandTallies light;
+    //! Light that leaves absorb by row, where rows are told apart
+    //! [J m-2 of ground; band, randomisation, row].
+    std::vector<std::vector<std::vector<double>>> rows;
     std::vector<AssimilationTally> assimilation;
     SunlitFractions sunlit;      //!< by points of leaves
     SunlitFractions hit_by_sun;  //!< by first hits
@@ -47,6 +51,8 @@ struct FieldLight {
     std::vector<PlantArea> areas;         //!< of components [m2 m-2]
     std::vector<double> leaf_area_index;  //!< of groups of the lines
     std::vector<double> areas_of_groups;  //!< of all copies of faces [m2]
+    //! Leaf area index of each row, where they are told apart, and group.
+    std::vector<double> areas_of_rows;
     std::uint64_t paths = 0;
     bool is_capped = false;
     Timing seconds;

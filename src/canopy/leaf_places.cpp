@@ -15,6 +15,7 @@ LeafPlaces::LeafPlaces(const Pieces& pieces, const LitLeaves& lit, bool is_each)
             of[v] = static_cast<std::uint32_t>(index.size());
             index.push_back(0);
             group.push_back(pieces.group[v]);
+            row.push_back(pieces.row.empty() ? 0 : pieces.row[v]);
             height.push_back(pieces.height[v]);
             absorptance.push_back(
                 lit.par.optics.of(lit.groups[v].material).most_absorbed());
@@ -56,7 +57,9 @@ std::vector<std::uint32_t> joined(const LeafPlaces& places,
     std::vector<std::uint32_t> first(places.count());
     std::uint32_t start = 0;
     for (std::uint32_t p = 0; p < places.count(); ++p) {
-        if (p > 0 && places.group[p] != places.group[p - 1]) start = p;
+        if (p > 0 && (places.group[p] != places.group[p - 1] ||
+                      places.row[p] != places.row[p - 1]))
+            start = p;
         first[p] = p - (p - start) % size;
     }
     return first;

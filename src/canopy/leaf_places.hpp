@@ -23,6 +23,7 @@ struct LeafPlaces {
     std::vector<double> per_index;     //!< 1 / leaf area index, of pieces
     std::vector<double> index;         //!< leaf area index, of places
     std::vector<std::uint32_t> group;  //!< of places, each in a run
+    std::vector<std::uint32_t> row;    //!< of places; 0 if none is told
     std::vector<double> height;        //!< of places [m]
     //! The part of light that the face of a place that absorbs most absorbs.
     std::vector<double> absorptance;

@@ -120,22 +120,6 @@ TakeNumbers fraction_by_band(Estimate BudgetEstimate::*part) {
     };
 }
 
-//! Carbon that a component loses [mol m-2 day-1].
-using Loss = double (*)(const ComponentAssimilation&);
-
-double no_loss(const ComponentAssimilation&) {
-    return 0;
-}
-
-double loss_in_light(const ComponentAssimilation& part) {
-    return part.respiration.in_light;
-}
-
-double loss_of_carbon(const ComponentAssimilation& part) {
-    return part.respiration.in_light + part.respiration.at_night +
-           part.building;
-}
-
 //! Returns the gross assimilation of each component, lowered by a loss.
 std::vector<Randomised> assimilation_by_component(const CanopyReport& report,
                                                   Loss loss) {

@@ -311,7 +311,7 @@ struct Share {
     std::uint32_t cut_from;  //!< the first of the meshes that were cut
     std::uint32_t pieces;    //!< the first piece
     std::uint32_t first_plant;
-    std::uint32_t others = 0;  //!< the first that is not cut
+    std::uint32_t others = 0;  //!< the first that is not cut, row by row
 };
 
 }  // namespace
@@ -323,6 +323,8 @@ Pieces pieces_of_field(std::span<const Pieces> lines, Field& field) {
     Mesh& mesh = result.mesh;
     mesh = std::move(field.mesh);
     mesh.groups.clear();
+    result.rows = field.cell.row_ground.size();
+    const bool has_rows = result.rows > 0;
     // Up to the last that has not been cut away.
     std::vector<std::uint32_t> plants(lines.size());
     for (std::size_t f = 0, c = 0; f < field.face_plant.size(); ++f) {
@@ -339,12 +341,18 @@ Pieces pieces_of_field(std::span<const Pieces> lines, Field& field) {
         const auto pieces = static_cast<std::uint32_t>(mesh.groups.size());
         shares.push_back({first, cut_from, pieces, field.first_plant[c]});
         const auto begin = groups.begin() + first;
-        for (std::uint32_t p = 0; p < plants[c]; ++p)
+        std::uint32_t like = pieces;
+        for (std::uint32_t p = 0; p < plants[c]; ++p) {
+            const auto row = field.plant_row.begin() + field.first_plant[c] + p;
+            if (has_rows && p > 0 && row[0] != row[-1])
+                like = static_cast<std::uint32_t>(mesh.groups.size());
             for (std::uint32_t v = 0; v < line.count; ++v) {
                 mesh.groups.push_back(begin[v]);
                 result.group.push_back(cut_from + line.group[v]);
-                result.like.push_back(pieces + v);
+                result.like.push_back(like + v);
+                if (has_rows) result.row.push_back(*row);
             }
+        }
         first += static_cast<std::uint32_t>(line.group.size());
         cut_from += static_cast<std::uint32_t>(line.uncut_groups);
     }
@@ -352,10 +360,13 @@ Pieces pieces_of_field(std::span<const Pieces> lines, Field& field) {
     // Groups that are not cut come last, those of fixed objects too.
     for (std::size_t c = 0; c < lines.size(); ++c) {
         shares[c].others = static_cast<std::uint32_t>(mesh.groups.size());
-        for (std::size_t g = lines[c].count; g < lines[c].group.size(); ++g) {
-            mesh.groups.push_back(groups[shares[c].groups + g]);
-            result.group.push_back(shares[c].cut_from + lines[c].group[g]);
-        }
+        for (std::uint32_t row = 0; row == 0 || row < result.rows; ++row)
+            for (std::size_t g = lines[c].count; g < lines[c].group.size();
+                 ++g) {
+                mesh.groups.push_back(groups[shares[c].groups + g]);
+                result.group.push_back(shares[c].cut_from + lines[c].group[g]);
+                if (has_rows) result.row.push_back(row);
+            }
     }
     const std::uint32_t objects = first;
     const auto all = static_cast<std::uint32_t>(mesh.groups.size());
@@ -363,6 +374,7 @@ Pieces pieces_of_field(std::span<const Pieces> lines, Field& field) {
         mesh.groups.push_back(groups[g]);
         result.group.push_back(cut_from++);
     }
+    if (has_rows) result.row.resize(mesh.groups.size());
     result.area.resize(result.count);
     result.height.resize(result.count);
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
@@ -378,6 +390,10 @@ Pieces pieces_of_field(std::span<const Pieces> lines, Field& field) {
         const std::uint32_t of_line = group - share.groups;
         if (of_line >= count) {
             group = share.others + of_line - count;
+            if (has_rows)
+                group += field.plant_row[field.face_plant[f]] *
+                         static_cast<std::uint32_t>(lines[c].group.size() -
+                                                    lines[c].count);
             continue;
         }
         group = share.pieces + of_line +

@@ -32,17 +32,19 @@ std::vector<const Declaration*> declared(const Scope& scope) {
     if (scope.assimilates) add(all_of<assimilation_quantities>());
     if (scope.has_lines) add(all_of<line_quantities>());
     add(all_of<part_quantities>());
+    add(all_of<row_quantities>());
     return all;
 }
 
 //! A canopy that has every quantity.
-const Scope everything{2, {"par", "nir"}, true, true};
+const Scope everything{2, {"par", "nir"}, true, true, true};
 
 Scope scope_of(const CanopyReport& report) {
     Scope scope{report.components.size(),
                 {},
                 report.assimilation.has_value(),
-                report.lines.has_value()};
+                report.lines.has_value(),
+                !report.rows.empty()};
     for (const BandReport& band : report.bands)
         scope.bands.push_back(band.name);
     return scope;
@@ -52,7 +54,8 @@ Scope scope_of(const Scene& scene, const Details& details) {
     Scope scope{scene.components.size(),
                 {},
                 scene.assimilates(),
-                details.lines.has_value()};
+                details.lines.has_value(),
+                !scene.cell.row_ground.empty()};
     for (const Band& band : scene.bands) scope.bands.push_back(band.name);
     return scope;
 }
@@ -130,6 +133,16 @@ Axis organ_axis(const Scene& scene) {
     return {"organ", "", "leaves together, or another organ", std::move(names)};
 }
 
+Axis row_axis(const Scene& scene) {
+    Names names(scene.cell.row_ground.size());
+    for (const Component& each : scene.components)
+        for (const Place& place : each.places)
+            names[place.row] =
+                part_name(scene, each, std::to_string(place.row + 1));
+    return {"field_row", "", "row of the field, 1 has the lowest x",
+            std::move(names)};
+}
+
 //! Leaves out the axes that have a single place.
 Quantity without_short_axes(Quantity quantity, const Scene& scene) {
     std::erase_if(quantity.axes, [&](const std::string& axis) {
@@ -165,6 +178,7 @@ QuantitySet canopy_quantities(const Scene& scene, const Layers& layers,
     }
     if (scope.bands.size() > 1)
         set.axes.push_back({"band", "", "waveband", scope.bands});
+    if (scope.has_rows) set.axes.push_back(row_axis(scene));
     for (const Declaration* each : declared(scope))
         if ((has_days || each->quantity.axes != Names{"day"}) &&
             (scene.cell.boundary == Boundary::periodic ||

@@ -57,11 +57,25 @@ Tally mean_of(const std::vector<Tally>& tallies) {
 
 AssimilationTally mean_of(const std::vector<AssimilationTally>& tallies) {
     return mean_of_parts(tallies, &AssimilationTally::groups,
-                         &AssimilationTally::layers, &AssimilationTally::steps);
+                         &AssimilationTally::layers, &AssimilationTally::steps,
+                         &AssimilationTally::rows);
 }
 
 LightClasses mean_of(const std::vector<LightClasses>& classes) {
     return mean_of_parts(classes, &LightClasses::sunlit, &LightClasses::shaded);
+}
+
+std::vector<std::vector<double>> light_of_rows(
+    const std::vector<Tally>& tallies, const Pieces& pieces,
+    const std::vector<Group>& groups) {
+    std::vector<std::vector<double>> all;
+    if (pieces.rows == 0) return all;
+    for (const Tally& tally : tallies) {
+        std::vector<double>& rows = all.emplace_back(pieces.rows);
+        for (std::size_t g = 0; g < groups.size(); ++g)
+            if (groups[g].id.is_leaf()) rows[pieces.row[g]] += tally.groups[g];
+    }
+    return all;
 }
 
 void add_up_pieces(std::vector<Tally>& tallies, const Pieces& pieces,

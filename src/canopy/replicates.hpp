@@ -37,6 +37,13 @@ inline void append(SunlitFractions& all, SunlitFractions more) {
     all.steps = std::move(more.steps);
 }
 
+//! Sums the light that leaves absorb by row [randomisation, row]; none if rows
+//! are not told apart.
+//! @param groups of the pieces' mesh
+std::vector<std::vector<double>> light_of_rows(
+    const std::vector<Tally>& tallies, const Pieces& pieces,
+    const std::vector<Group>& groups);
+
 //! Makes the light of pieces that of the groups that they are of.
 //! @param pieces with light
 void add_up_pieces(std::vector<Tally>& tallies, const Pieces& pieces,

@@ -6,6 +6,7 @@
 #include "choose_row.hpp"
 #include "ideotype/light/device.hpp"
 #include "light_output.hpp"
+#include "parts_output.hpp"
 #include "run/progress.hpp"
 #include "run/summary.hpp"
 #include "stand/stand.hpp"
@@ -18,6 +19,7 @@ namespace {
 Json to_json(const CanopyReport& report, const Case& chosen, double seconds) {
     Json json{{"case", chosen.name}};
     json.update(to_json(report, Span::day));
+    json.update(parts_json(report));
     json["seconds"] = seconds;
     return json;
 }
@@ -26,6 +28,7 @@ void print_report(const CanopyReport& report, const Case& chosen,
                   double seconds) {
     fmt::print("case {}, {:.0f} ms\n", chosen.name, seconds * 1e3);
     print_light(report, Span::day);
+    print_parts(report);
     fmt::print("\nleaves absorb {}\n",
                format_daily(scaled(report.par().light.day.leaves, 1e-6)));
 }

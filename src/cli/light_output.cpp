@@ -28,6 +28,14 @@ bool has_stalks(const CanopyReport& report) {
                        [](const Group& group) { return !group.id.is_leaf(); });
 }
 
+//! The name of a group, with that of its component where there are several.
+std::string group_name(const CanopyReport& report, std::size_t group) {
+    const auto& [name, id, material] = report.groups[group];
+    return report.components.size() > 1 && !id.is_object()
+               ? report.components[id.component].name + '_' + name
+               : name;
+}
+
 //! The sunlit leaf area of an instant is known only with a sun.
 bool has_sun(const StepReport& step) {
     return step.sunlit && step.budget.leaves_beam.mean > 0;
@@ -124,7 +132,7 @@ void print_assimilation(const CanopyReport& report, Span span) {
     line("leaf", all.gross, all.net_loss());
     for (std::size_t g = 0; g < report.groups.size(); ++g)
         if (report.groups[g].id.is_leaf())
-            line("  " + report.groups[g].name, all.groups[g],
+            line("  " + group_name(report, g), all.groups[g],
                  all.respiration[g].in_light);
     if (!report.light_classes) return;
     const auto& [sunlit, shaded] = *report.light_classes;
@@ -199,7 +207,7 @@ Json assimilation_json(const CanopyReport& report, Span span) {
     for (std::size_t g = 0; g < report.groups.size(); ++g)
         if (report.groups[g].id.is_leaf())
             groups.get_ref<Json::object_t&>().emplace_back(
-                report.groups[g].name,
+                group_name(report, g),
                 both(all.groups[g], all.respiration[g].in_light));
     json["groups"] = std::move(groups);
     if (report.light_classes)
@@ -230,7 +238,7 @@ Json to_json(const CanopyReport& report, Span span) {
     // Names differ; to look each up among the others takes too long.
     Json groups = Json::object();
     for (std::size_t g = 0; g < report.groups.size(); ++g)
-        groups.get_ref<Json::object_t&>().emplace_back(report.groups[g].name,
+        groups.get_ref<Json::object_t&>().emplace_back(group_name(report, g),
                                                        part(light.groups[g]));
     json["groups"] = std::move(groups);
     if (report.boundary == Boundary::isolated)
@@ -266,7 +274,7 @@ void print_light(const CanopyReport& report, Span span) {
     if (report.assimilation) print_assimilation(report, span);
     totals.head("organ");
     for (std::size_t g = 0; g < report.groups.size(); ++g)
-        totals.line(report.groups[g].name, light.groups[g]);
+        totals.line(group_name(report, g), light.groups[g]);
     totals.head("height, leaves");
     for (std::size_t l = light.layers.size(); l-- > 0;)
         totals.line(

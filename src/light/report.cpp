@@ -200,6 +200,14 @@ Estimate absorbed_by_groups(const std::vector<Tally>& tallies,
     });
 }
 
+Estimate absorbed_by_some_leaves(const std::vector<Tally>& tallies,
+                                 const std::vector<double>& of_some) {
+    const Resolution resolution = resolution_of(tallies);
+    return at_least(
+        estimate(of_some),
+        resolution.leaves * resolution.largest_path() / count(tallies));
+}
+
 Estimate absorbed_by_leaves(const std::vector<Tally>& tallies) {
     const Resolution resolution = resolution_of(tallies);
     return over(tallies, resolution, resolution.leaves,

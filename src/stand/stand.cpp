@@ -57,6 +57,17 @@ void stand_in(Component& component, FieldForm form, const Campaign& campaign,
     if (is_mixed) mix(component, static_cast<std::size_t>(standing.mixed));
 }
 
+//! Tells whether figures of single rows are wanted: rows are not alike, and
+//! each has plants of one component.
+bool has_rows_apart(const Campaign& campaign) {
+    const FieldForm& field = campaign.field;
+    return field.boundary == Boundary::periodic && field.rows > 1 &&
+           (!field.row_pattern.empty() || !campaign.neighbours.empty()) &&
+           std::none_of(
+               campaign.neighbours.begin(), campaign.neighbours.end(),
+               [](const Neighbour& each) { return each.standing.mixed > 0; });
+}
+
 }  // namespace
 
 Scene scene_of(const Campaign& campaign, const Case& chosen) {
@@ -82,6 +93,7 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
         scene.bands[0].is_bounded = !is_nir;
         scene.bands[1].is_bounded = is_nir;
     }
+    if (has_rows_apart(campaign)) scene.cell.row_ground = ground_of_rows(form);
     if (campaign.neighbours.empty()) return scene;
     set_places(bred, form, bred_rows(campaign));
     if (bred_plants(campaign) < bred.places.size())

@@ -40,7 +40,10 @@ def test_erect_leaves_pay_only_where_plants_stand_close() -> None:
 
 
 def test_neighbours_share_land_and_are_invaded(tmp_path: Path) -> None:
-    told = run("neighbours.py", tmp_path, "--rough", "--generations", 1)
+    figure = tmp_path / "rows.png"
+    words = ("--rough", "--generations", 1, "--figure", figure)
+    told = run("neighbours.py", tmp_path, *words)
+    assert figure.stat().st_size > 10_000
     cell = r" (\S+) ± (\S+) \|"
     ratios = re.findall(rf"(?m)^\| [a-z ]+ \|{3 * cell}$", told)
     assert len(ratios) == 3, told

@@ -21,6 +21,7 @@ struct AssimilationTally {
     std::vector<double> groups;  //!< of the mesh that was cut [mol m-2]
     std::vector<double> layers;  //!< by the heights of pieces [mol m-2]
     std::vector<double> steps;   //!< of all leaves [umol m-2 s-1]
+    std::vector<double> rows{};  //!< where they are told apart [mol m-2]
 
     double gross() const;  //!< of all leaves [mol m-2]
 };
@@ -58,7 +59,8 @@ struct AssimilationReport {
     double carbon_loss() const;
 };
 
-//! Assimilation of the leaves of one component, as in the report of all.
+//! Assimilation of the leaves of one component or row, as in the report of
+//! all.
 struct ComponentAssimilation {
     Estimate gross;
     Respiration respiration{};

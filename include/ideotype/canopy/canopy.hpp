@@ -52,6 +52,10 @@ struct BandReport {
         layers_by_randomisation;
     //! Parts for each component, then each fixed object, if there are several.
     std::vector<PartReport> parts;
+    //! What leaves of each row absorb, where rows are told apart
+    //! [J m-2 of all ground], and the same by randomisation.
+    std::vector<Estimate> rows;
+    std::vector<std::vector<double>> rows_by_randomisation;
     //! If asked for, by face of the mesh of one plant of each component and of
     //! objects: what both sides absorb, for the one-sided area of the face
     //! [J m-2 day-1]. That of a plant is a mean over all its copies; in a plot
@@ -75,10 +79,22 @@ struct ComponentReport {
     double ground_per_plant = 0;  //!< of all ground [m2]
 };
 
+//! The plants of a row, where rows are told apart.
+struct RowReport {
+    std::uint32_t component = 0;
+    double position = 0;  //!< along x [m]
+    double width = 0;     //!< of the ground that is nearest to it [m]
+    double ground = 0;    //!< area of that [m2]
+    double lai = 0;       //!< one-sided leaf area per area of all ground
+    //! If leaves assimilate, per area of all ground.
+    ComponentAssimilation assimilation{};
+};
+
 //! The result of evaluating one canopy.
 struct CanopyReport {
     std::vector<BandReport> bands;  //!< PAR first
     std::vector<ComponentReport> components;
+    std::vector<RowReport> rows;                     //!< if they are told apart
     std::vector<std::string> objects;                //!< names of fixed objects
     std::optional<AssimilationReport> assimilation;  //!< if leaves assimilate
     //! Sunlit leaf area by the first hits that assimilation is made of, in

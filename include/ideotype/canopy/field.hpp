@@ -40,6 +40,9 @@ struct FieldForm {
 //! @throws Error if nothing is left of a plot.
 Cell cell_of(const FieldForm& form);
 
+//! The ground that is nearer to each row of a lattice than to others [m2].
+std::vector<double> ground_of_rows(const FieldForm& form);
+
 //! The places of a lattice row by row.
 //! @param rows of the lattice, from 0; empty: all
 std::vector<Place> places_of(const FieldForm& form,
@@ -64,6 +67,7 @@ struct Field {
     std::vector<std::uint32_t> face_plant;
     //! The first plant of each component, then the number of all plants.
     std::vector<std::uint32_t> first_plant;
+    std::vector<std::uint32_t> plant_row{};  //!< of each plant
     Cell cell;
 };
 

@@ -21,6 +21,10 @@ struct Pieces {
     std::size_t uncut_groups = 0;      //!< of the mesh that was cut
     //! The first of pieces that are the same part of plants that are alike.
     std::vector<std::uint32_t> like;
+    //! The row that each group is in, where rows are told apart; plants of
+    //! other rows are then not alike. Of objects it is of no account.
+    std::vector<std::uint32_t> row{};
+    std::size_t rows = 0;        //!< that are told apart
     std::vector<double> area;    //!< one-sided, of each piece [m2]
     std::vector<double> height;  //!< of the centre of each piece [m]
 };

@@ -14,7 +14,7 @@ inline constexpr auto extinction = "extinction_coefficient";
 
 //! All that is measured of a scene whose components are plants, along leaf,
 //! organ, layer, hour, light_source, leaf_side, and, where there are several,
-//! day, component and band.
+//! day, component, band and field_row.
 //! @param details that the canopy is evaluated with
 QuantitySet canopy_quantities(const Scene& scene, const Layers& layers,
                               const Details& details);
@@ -75,7 +75,7 @@ std::vector<Randomised> measure_parts(const std::string& name,
 Randomised weighted_sum(const std::vector<Randomised>& parts,
                         const std::vector<double>& weights);
 
-//! A quantity along leaf, layer or component alone, place by place.
+//! A quantity along leaf, layer, component or field_row alone, place by place.
 //! @throws Error if the report has none of this name.
 std::vector<Randomised> measure_profile(const std::string& name,
                                         const CanopyReport& report);

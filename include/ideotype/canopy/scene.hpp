@@ -31,11 +31,15 @@ struct Cell {
     std::optional<Rectangle> kept{};
     std::vector<double> rows{};  //!< places of rows along x, if there are [m]
     double row_distance = 0;  //!< mean distance between neighbouring rows [m]
+    //! Ground that is nearer to each row than to others [m2], where rows are
+    //! told apart: each then has plants of one component. Empty: they are not.
+    std::vector<double> row_ground{};
 };
 
 //! Where a plant stands [m].
 struct Place {
     double x = 0, y = 0;
+    std::uint32_t row = 0;  //!< of the cell, from 0
 };
 
 //! A kind of plant and where its plants stand.

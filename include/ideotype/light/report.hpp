@@ -72,6 +72,12 @@ std::vector<Estimate> absorbed_by_group(const std::vector<Tally>& tallies);
 Estimate absorbed_by_groups(const std::vector<Tally>& tallies,
                             const std::vector<std::size_t>& groups);
 
+//! The light that some leaves absorb together, from all sources
+//! [J m-2 of ground]; standard error as above.
+//! @param of_some that light by tally
+Estimate absorbed_by_some_leaves(const std::vector<Tally>& tallies,
+                                 const std::vector<double>& of_some);
+
 //! The light that all leaves absorb, from all sources [J m-2 of ground];
 //! standard error as above.
 Estimate absorbed_by_leaves(const std::vector<Tally>& tallies);

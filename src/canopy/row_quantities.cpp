@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <functional>
+#include <string>
+#include <tuple>
+
+#include "declaration.hpp"
+#include "ideotype/core/units.hpp"
+
+namespace ideotype {
+
+namespace {
+
+using Rows = std::vector<Randomised>;
+
+//! Returns the light that leaves of each row absorb in each band
+//! [MJ m-2 day-1 of all ground].
+std::vector<Rows> light_of_rows(const CanopyReport& report) {
+    std::vector<Rows> bands;
+    for (const BandReport& band : report.bands)
+        bands.push_back(randomised(band.rows, band.rows_by_randomisation,
+                                   1 / joule_per_megajoule));
+    return bands;
+}
+
+//! Returns the gross assimilation of each row, lowered by a loss
+//! [mol m-2 day-1 of all ground].
+Rows assimilation_of_rows(const CanopyReport& report, Loss loss) {
+    Rows rows;
+    for (std::size_t row = 0; row < report.rows.size(); ++row) {
+        const double lost = loss(report.rows[row].assimilation);
+        std::vector<double> values;
+        for (const AssimilationTally& tally : report.assimilation->tallies)
+            values.push_back(tally.rows[row] - lost);
+        const Estimate mean = estimate(values);
+        rows.push_back({mean, std::move(values)});
+    }
+    return rows;
+}
+
+Rows lai_of_rows(const CanopyReport& report) {
+    Rows rows;
+    for (const RowReport& row : report.rows)
+        rows.push_back(certain(report, row.lai));
+    return rows;
+}
+
+//! Makes what rows have per area of all ground that per area of their own.
+Rows on_own_ground(const CanopyReport& report, Rows rows) {
+    for (std::size_t row = 0; row < rows.size(); ++row)
+        rows[row] = scaled(std::move(rows[row]),
+                           report.ground_area / report.rows[row].ground);
+    return rows;
+}
+
+//! Sums what the rows of each component have per area of all ground, and makes
+//! it that per area of the ground of those rows.
+Rows on_own_strip(const CanopyReport& report, Rows rows) {
+    Rows strips;
+    for (std::size_t c = 0; c < report.components.size(); ++c) {
+        double ground = 0;
+        std::vector<double> sums(rows.front().by_randomisation.size());
+        for (std::size_t row = 0; row < rows.size(); ++row) {
+            if (report.rows[row].component != c) continue;
+            ground += report.rows[row].ground;
+            for (std::size_t r = 0; r < sums.size(); ++r)
+                sums[r] += rows[row].by_randomisation[r];
+        }
+        const Estimate sum = estimate(sums);
+        strips.push_back(scaled(Randomised{sum, std::move(sums)},
+                                report.ground_area / ground));
+    }
+    return strips;
+}
+
+//! Takes what rows have per area of all ground, for each band of an axis or
+//! once.
+using Take = std::function<std::vector<Rows>(const CanopyReport&)>;
+
+//! Returns numbers of places and bands, places first.
+Rows places_first(const std::vector<Rows>& bands) {
+    Rows all;
+    for (std::size_t place = 0; place < bands.front().size(); ++place)
+        for (const Rows& band : bands) all.push_back(band[place]);
+    return all;
+}
+
+//! Takes a figure of rows per area of their own ground, or of the strip of
+//! their component.
+TakeProfile of_ground(const Take& take, Rows (*of)(const CanopyReport&, Rows)) {
+    return [take, of](const CanopyReport& report) {
+        std::vector<Rows> bands = take(report);
+        for (Rows& rows : bands) rows = of(report, std::move(rows));
+        return places_first(bands);
+    };
+}
+
+//! Declares a figure of rows by row and by strip.
+void add_figure(std::vector<Declaration>& all, const Quantity& figure,
+                const Take& take, bool assimilates = false) {
+    const auto declare =
+        [&](const std::string& name, const std::string& meaning,
+            const std::string& axis, const auto& of, bool has_strips) {
+            Quantity one = figure;
+            one.name += name;
+            one.meaning += meaning;
+            one.axes.insert(one.axes.begin(), axis);
+            all.push_back({std::move(one), of_ground(take, of), false,
+                           [=](const Scope& scope) {
+                               return scope.has_rows &&
+                                      (!assimilates || scope.assimilates) &&
+                                      (!has_strips || scope.components > 1);
+                           }});
+        };
+    declare("_by_row", " per ground that is nearest to the row", "field_row",
+            on_own_ground, false);
+    declare("_of_strip", " per ground that is nearest to rows of the component",
+            "component", on_own_strip, true);
+}
+
+}  // namespace
+
+std::vector<Declaration> row_quantities() {
+    using Report = CanopyReport;
+    constexpr Certainty exact = Certainty::exact;
+    std::vector<Declaration> all;
+    for (const auto& [name, meaning, take] :
+         {std::tuple{"row_position", "place of the row across the field",
+                     &RowReport::position},
+          std::tuple{"row_width", "width of the ground nearest to the row",
+                     &RowReport::width}})
+        all.push_back({{name, "m", meaning, {"field_row"}, exact},
+                       [take = take](const Report& r) {
+                           std::vector<Estimate> values;
+                           for (const RowReport& row : r.rows)
+                               values.push_back({row.*take, 0});
+                           return values;
+                       },
+                       false,
+                       [](const Scope& scope) { return scope.has_rows; }});
+    add_figure(
+        all, {"lai", "m2 m-2", "one-sided leaf area", {}, exact},
+        [](const Report& r) { return std::vector<Rows>{lai_of_rows(r)}; });
+    add_figure(all,
+               {"absorbed_light", daily, "light that leaves absorb", {"band"}},
+               light_of_rows);
+    const auto add_assimilation = [&](const char* name, const char* meaning,
+                                      Loss loss) {
+        add_figure(
+            all, {name, rate, meaning},
+            [loss](const Report& r) {
+                return std::vector<Rows>{assimilation_of_rows(r, loss)};
+            },
+            true);
+    };
+    add_assimilation("gross_assimilation", "CO2 that leaves take up", no_loss);
+    add_assimilation("net_assimilation",
+                     "CO2 that leaves take up less what they respire while "
+                     "there is light",
+                     loss_in_light);
+    add_assimilation("carbon_balance",
+                     "CO2 that leaves take up less what they respire day and "
+                     "night and the carbon that they are built of",
+                     loss_of_carbon);
+    return all;
+}
+
+}  // namespace ideotype

@@ -146,8 +146,9 @@ TakeProfile assimilation(Loss loss) {
 
 //! Returns how much more the mean plant of the first component has than that of
 //! the second, relative to it: net assimilation, or light where leaves do not
-//! assimilate. The values are pseudo-values of a jackknife; 0 where the second
-//! has nothing.
+//! assimilate. Plants in deep shade lose more than they take up: relative to
+//! how much that is, whatever its sign, a plant that has more gains. The values
+//! are pseudo-values of a jackknife; 0 where the second has nothing.
 Randomised invasion(const CanopyReport& report) {
     const std::vector<Randomised> parts = measure_parts(
         report.assimilation ? "net_assimilation" : "absorbed_par", report);
@@ -163,7 +164,8 @@ Randomised invasion(const CanopyReport& report) {
     Numbers values;
     for (std::size_t r = 0; r < own.size(); ++r) {
         const double without = (sum - own[r]) / (of_other - other[r]);
-        values.push_back(plants * (n * whole - (n - 1) * without) - 1);
+        values.push_back(std::copysign(1, of_other) *
+                         (plants * (n * whole - (n - 1) * without) - 1));
     }
     return known_to(0, std::move(values));
 }
@@ -293,8 +295,8 @@ std::vector<Declaration> part_quantities() {
          have_assimilation},
         {{"invasion", "1",
           "how much more the mean plant of the first component has than that "
-          "of the second, relative to it: net assimilation, or absorbed light "
-          "where leaves do not assimilate"},
+          "of the second, relative to how much that is: net assimilation, or "
+          "absorbed light where leaves do not assimilate"},
          TakeNumber(invasion),
          false,
          are_two},

@@ -273,6 +273,26 @@ void expect_rows_sum(const CanopyReport& report, const std::string& figure,
     for (std::size_t c = 0; c < components.size(); ++c) {
         double sum = 0, ground = 0;
         for (std::size_t row = 0; row < rows.size(); ++row) {
+//! Neighbours that lose carbon are not better off than a plant that gains.
+TEST_F(Mixtures, TellAGainOverPlantsThatLose) {
+    CanopyReport report = evaluated({weed});
+    AssimilationReport& all = *report.assimilation;
+    const double gross =
+        measure_parts("gross_assimilation", report)[1].estimate.mean;
+    for (std::size_t g = 0; g < report.groups.size(); ++g)
+        if (report.groups[g].id.component == 1)
+            all.respiration[g].in_light += gross / 5;
+    const auto net = measure_parts("net_assimilation", report);
+    const double own = net[0].estimate.mean, other = net[1].estimate.mean;
+    ASSERT_GT(own, 0);
+    ASSERT_LT(other, 0);
+    const Estimate gain = number("invasion", report);
+    EXPECT_NEAR(gain.mean, (own - other) / -other, .02);
+    // A plant that loses twice as much as they do does not invade.
+    all.respiration.front().in_light += own - 2 * other;
+    EXPECT_NEAR(number("invasion", report).mean, -1, .02);
+}
+
             if (report.rows[row].component != c) continue;
             const double share = report.rows[row].ground / report.ground_area;
             sum += share * rows[row].estimate.mean;

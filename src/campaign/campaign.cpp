@@ -70,6 +70,8 @@ Neighbour to_neighbour(const Draft& draft, bool assimilates) {
     neighbour.crop = own.crop;
     for (const double row : draft.rows)
         neighbour.standing.rows.push_back(static_cast<int>(row) - 1);
+    if (draft.has_variation)
+        neighbour.standing.variation = own.field.variation;
     neighbour.bounds = complete(draft, neighbour.crop);
     neighbour.free = own.trait_sets.front().value;
     neighbour.optics = own.optics;
@@ -111,7 +113,7 @@ Campaign complete(Draft& draft, const std::string& source,
             campaign.reach,
             reach_of(added.crop,
                      added.free.empty() ? std::vector<Range>{} : added.bounds,
-                     variation));
+                     added.standing.variation.value_or(variation)));
     }
     if (uses_cma_es(campaign.search) && !draft.has_population)
         campaign.search.population = usual_population_of(campaign);

@@ -145,6 +145,8 @@ struct Standing {
     int mixed = 0;
     int plants = 0;                  //!< in each of its rows; 0: as the field's
     std::optional<double> jitter{};  //!< in the place of the field's [deg]
+    //! How plants differ, in the place of how those of the field do.
+    std::optional<PlantVariation> variation{};
 };
 
 //! A kind of plant that stands in the field beside that of the campaign's crop.

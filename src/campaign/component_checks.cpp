@@ -47,7 +47,8 @@ void check_rows(const Draft& neighbour, std::vector<bool>& taken,
 
 //! Tells a component that stands nowhere, or in two ways.
 void check_standing(const Draft& neighbour, Report& report) {
-    const auto& [rows, mixed, plants, jitter] = neighbour.standing;
+    const int &mixed = neighbour.standing.mixed,
+              &plants = neighbour.standing.plants;
     if (!report.usable({&neighbour.rows, &mixed, &plants})) return;
     const std::string& name = neighbour.campaign.name;
     if (neighbour.rows.empty() == (mixed == 0))

@@ -58,6 +58,8 @@ struct Draft {
     std::vector<std::shared_ptr<Draft>> neighbours;
     std::vector<double> rows;  //!< of the field that a neighbour has, from 1
     Standing standing;         //!< of a neighbour, without its rows
+    //! Whether plants of a neighbour differ as its own `campaign.field` tells.
+    bool has_variation = false;
 };
 
 //! The names that campaigns may choose bounds by.

@@ -201,6 +201,21 @@ class DraftReader {
                         tables_.where(baseline));
     }
 
+    //! Reads how the plants of a component differ.
+    void read_variation(const toml::node& node) {
+        const Section section = variation_section(
+            draft_.campaign.field.variation, "component.variation");
+        draft_.has_variation = true;
+        if (const toml::table* table = node.as_table())
+            tables_.read(*table, section);
+        else
+            report_.add(tables_.where(node),
+                        fmt::format("component.variation is {} (expected: "
+                                    "table); write [component.variation] "
+                                    "before its keys",
+                                    kind(node)));
+    }
+
     //! Reads what the other keys of a component follow from: its name, its
     //! crop and its own bounds.
     void read_component(const toml::table& table) {
@@ -208,6 +223,8 @@ class DraftReader {
         draft_.is_crop_known = false;
         if (const toml::node* const crop = table.get("crop"))
             read_baseline(*crop, "component.crop");
+        if (const toml::node* const variation = table.get("variation"))
+            read_variation(*variation);
         prepare("");
         draft_.campaign.trait_sets.front().value.clear();
         if (!table["bounds"].is_table()) return;

@@ -68,6 +68,12 @@ void append_neighbours(std::string& text, const Table& components,
         neighbour.campaign.has_nir = draft.campaign.has_nir;
         text += "\n[[component]]\n";
         append_keys(text, components.section(i));
+        if (neighbour.has_variation) {
+            text += "\n[component.variation]\n";
+            append_keys(text,
+                        variation_section(neighbour.campaign.field.variation,
+                                          "component.variation"));
+        }
         text += "\n[component.crop]\n";
         append_crop(text, "component.crop.", neighbour);
         if (neighbour.rule.empty())

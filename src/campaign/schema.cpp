@@ -277,10 +277,12 @@ Key of_leaves(const std::string& name, LeafSpread& spread,
         .set(&Key::initial, "0");
 }
 
-Section variation_section(PlantVariation& variation) {
+}  // namespace
+
+Section variation_section(PlantVariation& variation, const std::string& name) {
     constexpr double largest = 0.3;  // three of them leave something
     return {
-        "field.variation",
+        name,
         {Key("length", &variation.length, "of each blade, relative")
              .within(0, largest),
          Key("width", &variation.width, "of each blade, relative")
@@ -315,6 +317,8 @@ Section variation_section(PlantVariation& variation) {
              "all lengths of late plants over those of the others")
              .within(0.1, 1)}};
 }
+
+namespace {
 
 //! @param band as it is called in the middle of a sentence
 Section plant_optics_section(const std::string& name, PlantOptics& optics,
@@ -407,6 +411,12 @@ Section component_section(Draft& neighbour) {
              .set(&Key::range, "rules of its crop file")
              .set(&Key::is_written, neighbour.rule != "traits")
              .one_of(rule_names(neighbour)),
+         Key("variation", {},
+             "how its plants differ, with the keys of [field.variation], in "
+             "the place of those of the field; {} for plants that do not")
+             .set(&Key::type, "table")
+             .set(&Key::range, "-")
+             .set(&Key::initial, "as the field"),
          Key("rows", &neighbour.rows,
              "rows of the field that it stands in instead of the crop's "
              "plants, counted from 1")
@@ -480,7 +490,8 @@ std::vector<Table> climate_file_tables(Campaign& campaign) {
 
 Table field_table(FieldForm& field) {
     Table table = one_table(field_section(field));
-    Table variation = one_table(variation_section(field.variation));
+    Table variation =
+        one_table(variation_section(field.variation, "field.variation"));
     variation.name = "variation";
     variation.is_optional = true;
     variation.is_default = !field.variation.is_any();

@@ -165,6 +165,9 @@ Table list_of_tables(const std::string& name,
             [&records](std::size_t n) { records.assign(n, Record{}); }};
 }
 
+//! How plants of a field differ, or those of a component.
+Section variation_section(PlantVariation& variation, const std::string& name);
+
 //! The keys before the first table.
 Section top_section(Campaign& campaign);
 

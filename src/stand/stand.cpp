@@ -52,6 +52,7 @@ void stand_in(Component& component, FieldForm form, const Campaign& campaign,
         form.jitter = *standing.jitter;
         form.variation.across_row.reset();
     }
+    if (standing.variation) form.variation = *standing.variation;
     const bool is_mixed = standing.mixed > 0;
     set_places(component, form, is_mixed ? bred_rows(campaign) : standing.rows);
     if (is_mixed) mix(component, static_cast<std::size_t>(standing.mixed));

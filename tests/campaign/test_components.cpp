@@ -153,6 +153,28 @@ TEST(Components, TellBaselinesOutsideTheirOwnBounds) {
     EXPECT_NE(campaign.outside_bounds.back().what.find(
                   "write in [component.bounds]:\nwidth = ["),
               std::string::npos);
+TEST(Components, DifferAsTheFieldUnlessTheyHaveAVariationOfTheirOwn) {
+    const std::string field = "[field.variation]\nlength = 0.1\n";
+    const auto of = [&](const std::string& own) {
+        return mixed(sorghum + "rows = [2]\n" + own + field);
+    };
+    EXPECT_FALSE(of("").neighbours[0].standing.variation);
+    EXPECT_FALSE(
+        of("variation = {}\n").neighbours[0].standing.variation->is_any());
+    const Campaign campaign = of("variation = { azimuth = [10, 20] }\n");
+    const PlantVariation& own = *campaign.neighbours[0].standing.variation;
+    EXPECT_EQ(own.length, 0);
+    EXPECT_EQ(own.azimuth, (std::vector<double>{10, 20}));
+    EXPECT_EQ(campaign.field.variation.length, 0.1);
+    EXPECT_EQ(parse_campaign(campaign.resolved, "again").resolved,
+              campaign.resolved);
+    for (const auto& [text, problem] :
+         {std::pair{"variation = 3\n", "expected: table"},
+          std::pair{"variation = { lenth = 0.1 }\n", "unknown key 'lenth'"},
+          std::pair{"variation = { length = 0.9 }\n", "length is 0.9"}})
+        EXPECT_NE(problems_of(sorghum + "rows = [2]\n" + text).find(problem),
+                  std::string::npos)
+            << problems_of(sorghum + "rows = [2]\n" + text);
 }
 
 TEST(Rows, RepeatTheirDistances) {

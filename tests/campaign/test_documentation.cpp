@@ -158,6 +158,7 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
         "tpu = 11\ng1 = 4\n"
         "[field]\nrow_pattern = [1, 3]\n[objective]\nweights = [1, 1, 2]\n"
         "[[component]]\nname = \"weed\"\nrows = [2]\nplants = 3\njitter = 5\n"
+        "variation = { length = 0.1 }\n"
         "crop = \"crops/sorghum.toml\"\n"
         "[[component]]\nname = \"other\"\nmixed = 2\nfree = [\"width\"]\n"
         "bounds = \"biological\"\n"
@@ -167,7 +168,8 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
         lines.push_back(line);
     for (const std::string& line : lines) {
         std::string name = line.substr(0, line.find(' '));
-        if (name.starts_with("component.crop")) name = "component.crop";
+        for (const std::string key : {"component.crop", "component.variation"})
+            if (name.starts_with(key)) name = key;
         const std::size_t index = name.find('[');
         if (index != std::string::npos) name.erase(index, 3);
         written.insert(name);

@@ -410,6 +410,20 @@ TEST_F(Mixtures, MeasureWhatTheyDeclareInTheSameOrder) {
     const Campaign campaign =
         read_campaign(IDEOTYPE_CAMPAIGNS "/ames_quick.toml",
                       {weed, nir, "objective.maximise=net_assimilation"});
+//! Plants of the field may be alike while those of a component differ.
+TEST_F(Mixtures, DifferByComponent) {
+    const std::string crop = "name=\"weed\", crop=\"crops/maize.toml\", ";
+    const CanopyRequest request =
+        requested({"component=[{" + crop +
+                   "rows=[2, 4], variation={length=0.1, missing=0.25}}]"});
+    EXPECT_FALSE(request.scene.components[0].variation.is_any());
+    EXPECT_EQ(request.scene.components[1].variation.length, 0.1);
+    const Field field = draw_field(request.scene, request.randomness);
+    EXPECT_EQ(field.first_plant[1], request.scene.components[0].plants());
+    EXPECT_EQ(field.first_plant[2] - field.first_plant[1],
+              request.scene.components[1].plants() * 3 / 4);
+}
+
     const Case chosen = cases(campaign).front();
     const QuantitySet measured = measured_in(campaign, chosen);
     const CanopyReport report = evaluated({weed, nir});

@@ -9,7 +9,8 @@ by land (the land equivalent ratio: of each crop what it has over what it has al
 in rows .60 m apart with .15 m between plants, soybean .30 by .10 m), and for that of maize
 alone. Then breeds it in a stand of its own at 30 x 6 inches, and as one plant of 25 among
 plants of the baseline (invader.toml) and among plants that are best for the stand. Prints
-land equivalent ratios with their parts, what invaders gain over their neighbours, and what
+land equivalent ratios with their parts (crops of a strip share its light, so that the
+error of the sum is not that of both), what invaders gain over their neighbours, and what
 a stand of invaders has. ± is the standard error of randomisations, or over seeds where that
 is larger. --figure draws what the rows of the strip of baselines absorb and
 assimilate. What is in FOLDER already is not bred again. --rough is for tests.
@@ -32,6 +33,7 @@ from shared import (
     Numbers,
     best,
     breed_tables,
+    estimate,
     guard,
     mean_over_seeds,
     parser_of_searches,
@@ -133,20 +135,30 @@ def draw_rows(stand: Stand, genome: Numbers, path: Path) -> None:
 def strips(common: Tables, folder: Path) -> None:
     """Prints the land equivalent ratio of the strip, before and after."""
     alone = [net_alone(crop, common) for crop in ALONE]
-    land = [1 / net for net, _ in alone]
-    goals = {"both crops by land": land, "maize alone": [land[0], 0]}
-    stand = Stand(campaign("strip", common, name="strip"))
-    plants = {"the baseline": [stand.baseline]}
-    for i, (goal, weights) in enumerate(goals.items()):
+    goals: dict[str, dict[str, list[float]]] = {
+        "both crops by land": {"sole": [net for net, _ in alone]},
+        "maize alone": {"weights": [1, 0]},
+    }
+    plants = {}
+    stands = []
+    for i, (goal, counts) in enumerate(goals.items()):
         tables = campaign("strip", common, name=f"strip{i}")
-        tables["objective"]["weights"] = weights
+        tables["objective"] |= counts
+        stands.append(Stand(tables))
         plants[goal] = bred(tables, folder)
+    stand = stands[0]
+    plants = {"the baseline": [stand.baseline], **plants}
 
     def ratios(genome: Numbers) -> list[Estimate]:
         found = values(stand, genome, "net_assimilation_by_component")
         each = [over(*pair) for pair in zip(found, alone, strict=True)]
-        whole = sum(x for x, _ in each), math.hypot(*(e for _, e in each))
-        return [whole, *each]
+        told = stand.evaluate(genome, [], final=True)
+        mean, error = estimate(told.objective_by_randomisation.values[0, 0])
+        of_alone = [
+            part * own / net
+            for (part, _), (net, own) in zip(each, alone, strict=True)
+        ]
+        return [(mean, math.hypot(error, *of_alone)), *each]
 
     rows = []
     for goal, genomes in plants.items():

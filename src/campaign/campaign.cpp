@@ -9,6 +9,7 @@
 
 #include "checks.hpp"
 #include "draft.hpp"
+#include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/hash.hpp"
 #include "key_factors.hpp"
 #include "measured_plant.hpp"
@@ -278,6 +279,22 @@ std::vector<Aim> aims(const Campaign& campaign) {
     for (const std::string& each : campaign.minimised)
         all.push_back(to_aim(each, Sense::minimise, components));
     return all;
+}
+
+std::vector<double> component_weights(const Campaign& campaign) {
+    if (campaign.sole.empty()) return campaign.weights;
+    std::vector<double> weights;
+    for (const double alone : campaign.sole) weights.push_back(1 / alone);
+    return weights;
+}
+
+std::string unit_of(const Campaign& campaign, const std::string& quantity) {
+    const std::vector<Aim> all = aims(campaign);
+    const bool is_ratio =
+        !campaign.sole.empty() &&
+        std::any_of(all.begin(), all.end(),
+                    [&](const Aim& aim) { return aim.quantity == quantity; });
+    return is_ratio ? "1" : unit_of(quantity);
 }
 
 std::string crop_text(const Campaign& campaign, const Plant& baseline,

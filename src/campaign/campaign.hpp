@@ -220,6 +220,10 @@ struct Campaign {
     //! Weight of each component in the objectives, the one that is bred
     //! first. Empty: objectives are those of all plants together.
     std::vector<double> weights;
+    //! What each component has when it stands alone, in the unit of the
+    //! objective, which is then the land equivalent ratio, and standard errors
+    //! of that. Empty: the objective is no such ratio.
+    std::vector<double> sole, sole_errors;
     //! Axes whose entries are scenarios of one case, by the names of tables.
     std::vector<std::string> over;
     Across across = Across::mean;
@@ -254,6 +258,13 @@ std::vector<std::string> component_names(const Campaign& campaign);
 
 //! What a campaign searches for, at least one.
 std::vector<Aim> aims(const Campaign& campaign);
+
+//! What each component counts in objectives; empty: they are those of all
+//! plants together.
+std::vector<double> component_weights(const Campaign& campaign);
+
+//! The unit of a quantity, or of the ratio that it is as an objective.
+std::string unit_of(const Campaign& campaign, const std::string& quantity);
 
 //! Whether an objective is of what leaves make of light.
 bool asks_for_assimilation(const Campaign& campaign);

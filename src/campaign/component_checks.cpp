@@ -113,24 +113,56 @@ void check_row_pattern(const FieldForm& field, Report& report) {
                                count, field.rows, count));
 }
 
+//! Tells a list of numbers that does not have one for each component.
+void check_list(const std::vector<double>& list, const std::string& key,
+                std::size_t components, Report& report) {
+    if (list.empty()) return;
+    if (components == 1)
+        report.add(&list,
+                   fmt::format("objective.{} tell components apart, and there "
+                               "is none but the plants that are bred; remove "
+                               "them, or add a [[component]]",
+                               key));
+    else if (list.size() != components)
+        report.add(&list,
+                   fmt::format("objective.{} has {} numbers, but there "
+                               "are {} components with the plants that are "
+                               "bred; give one for each",
+                               key, list.size(), components));
+}
+
+//! Tells what makes an objective no land equivalent ratio.
+void check_sole(const Campaign& campaign, std::size_t components,
+                Report& report) {
+    const std::vector<double>&sole = campaign.sole,
+          &errors = campaign.sole_errors;
+    check_list(sole, "sole", components, report);
+    check_list(errors, "sole_errors", components, report);
+    if (sole.empty() && !errors.empty())
+        report.add(&errors,
+                   "objective.sole_errors are those of objective.sole, which "
+                   "is not given; give it, or remove them");
+    if (sole.empty()) return;
+    if (!campaign.weights.empty())
+        report.add(&sole,
+                   "objective.sole and objective.weights both tell what "
+                   "components count; remove one of them");
+    if (campaign.maximised.size() + campaign.minimised.size() != 1)
+        report.add(&sole,
+                   "objective.sole has what crops have of one quantity; ask "
+                   "for one objective");
+}
+
 //! Tells weights that do not fit components, and objectives that have no parts.
 void check_weights(const Draft& draft, Report& report) {
     const Campaign& campaign = draft.campaign;
     const std::vector<double>& weights = campaign.weights;
     const std::size_t components = 1 + draft.neighbours.size();
-    if (!report.usable({&weights})) return;
+    if (!report.usable({&weights, &campaign.sole, &campaign.sole_errors}))
+        return;
     const bool has_weights = !weights.empty();
-    if (has_weights && components == 1)
-        report.add(&weights,
-                   "objective.weights tell components apart, and there is "
-                   "none but the plants that are bred; remove them, or add a "
-                   "[[component]]");
-    else if (has_weights && weights.size() != components)
-        report.add(&weights,
-                   fmt::format("objective.weights has {} numbers, but there "
-                               "are {} components with the plants that are "
-                               "bred; give one for each",
-                               weights.size(), components));
+    check_list(weights, "weights", components, report);
+    check_sole(campaign, components, report);
     if (has_weights && std::all_of(weights.begin(), weights.end(),
                                    [](double x) { return x == 0; }))
         report.add(&weights,
@@ -145,15 +177,17 @@ void check_weights(const Draft& draft, Report& report) {
                                        "components, and there are {}; add or "
                                        "remove a [[component]]",
                                        each, components));
-            if (has_weights &&
+            const bool has_sole = !campaign.sole.empty();
+            if ((has_weights || has_sole) &&
                 std::find(sums.begin(), sums.end(), each) == sums.end())
-                report.add(&weights,
+                report.add(has_sole ? &campaign.sole : &weights,
                            fmt::format("the objective {} is {}; remove "
-                                       "objective.weights, or use one of {}",
+                                       "objective.{}, or use one of {}",
                                        each,
                                        each.find('.') == std::string::npos
                                            ? "no sum over components"
                                            : "that of one component",
+                                       has_sole ? "sole" : "weights",
                                        fmt::join(sums, ", ")));
         }
 }

@@ -121,6 +121,27 @@ Section objective_section(Draft& draft) {
                  .set(&Key::initial, "none")
                  .set(&Key::is_written, !campaign.weights.empty())
                  .like("[1, 0.5]"),
+             Key("sole", &campaign.sole,
+                 "what the plants that are bred, and then each [[component]], "
+                 "have when they stand alone, in the unit of the objective: "
+                 "this is then the land equivalent ratio, the sum of what each "
+                 "has over what it has alone")
+                 .within(1e-6, 1e6)
+                 .set(&Key::count, any_count)
+                 .set(&Key::type, "list of numbers")
+                 .set(&Key::initial, "none")
+                 .set(&Key::is_written, !campaign.sole.empty())
+                 .like("[1.1, 0.9]"),
+             Key("sole_errors", &campaign.sole_errors,
+                 "standard errors of `sole`, which `evaluate` adds to that of "
+                 "the ratio; all rows share them, so that differences have "
+                 "none of them")
+                 .within(0, 1e6)
+                 .set(&Key::count, any_count)
+                 .set(&Key::type, "list of numbers")
+                 .set(&Key::initial, "none")
+                 .set(&Key::is_written, !campaign.sole_errors.empty())
+                 .like("[0.002, 0.001]"),
              Key("over", &campaign.over,
                  "axes whose entries are scenarios, not cases: each plant is "
                  "evaluated in all of them")

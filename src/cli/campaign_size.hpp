@@ -65,12 +65,13 @@ class Extent {
 //! The ranges over the stands of all cases and their scenarios.
 struct Stands {
     Extent period_x, period_y;   //!< [m]
-    Extent lai;                  //!< of the baseline
+    Extent lai;                  //!< of the baseline and other components
     Extent steps, par, diffuse;  //!< number, [J m-2 day-1], part of it
 };
 
 //! Computes the ranges of a campaign.
-//! @param leaf_area of the baseline [m2]
+//! @param leaf_area of a place of the field, of all components on the average
+//! [m2]
 Stands stands_of(const Campaign& campaign, double leaf_area);
 
 }  // namespace ideotype

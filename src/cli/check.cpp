@@ -102,6 +102,36 @@ struct Findings {
     std::size_t genes, free_genes;
 };
 
+//! Returns the mean leaf area of a place of the field, of plants that do not
+//! deviate from their lines [m2].
+double leaf_area_of_place(const Scene& scene, const Case& chosen) {
+    double lai = 0;
+    for (const Component& each : scene.components)
+        lai += lai_of_line(each.mesh, each.ground_per_plant);
+    return lai * chosen.spacing.row * chosen.spacing.plant;
+}
+
+//! Tells what is searched for.
+std::string objective_text(const Campaign& campaign) {
+    std::string text;
+    const std::vector<double>& factors =
+        campaign.sole.empty() ? campaign.weights : campaign.sole;
+    for (const Aim& aim : aims(campaign)) {
+        text +=
+            fmt::format("{}{} {}", text.empty() ? "objective " : ", ",
+                        aim.sense == Sense::maximise ? "maximise" : "minimise",
+                        aim.quantity);
+        for (std::size_t c = 0; c < factors.size(); ++c)
+            text += fmt::format("{}{} {} {:g}", c == 0 ? " of " : " + ",
+                                c == 0 ? campaign.crop.baseline.name
+                                       : campaign.neighbours[c - 1].name,
+                                campaign.sole.empty() ? "times" : "over",
+                                factors[c]);
+    }
+    return text +
+           (campaign.sole.empty() ? "\n" : ": the land equivalent ratio\n");
+}
+
 Findings look_at(const Campaign& campaign) {
     const std::vector<Case> all = cases(campaign);
     const Case& first = all.front();
@@ -113,16 +143,15 @@ Findings look_at(const Campaign& campaign) {
     Findings found{plant,
                    scene.light().series,
                    field,
-                   stands_of(campaign, plant_area(plant).leaves),
+                   stands_of(campaign, leaf_area_of_place(scene, first)),
                    CampaignCost(campaign, first),
                    disk_room(campaign, all),
                    0,
                    genes.size(),
                    count_free(genes)};
-    const Mesh bred = as_drawn(scene, field).components.front().mesh;
-    found.excess = violation(campaign.constraints, campaign.crop.traits,
-                             campaign.crop.baseline,
-                             plant_area(bred).leaves / field.cell.ground_area);
+    found.excess = violation(
+        campaign.constraints, campaign.crop.traits, campaign.crop.baseline,
+        lai_of_line(plant, scene.components.front().ground_per_plant));
     return found;
 }
 
@@ -172,7 +201,8 @@ void print(const CheckOptions& options, const Campaign& campaign,
     fmt::print("{}: no errors\n", options.campaign_path);
     fmt::print("campaign  {}, {} case{}\n", campaign.name, all.size(),
                all.size() == 1 ? "" : "s (--cases lists them)");
-    fmt::print("{}", scenario_text(campaign, all.front()));
+    fmt::print("{}{}", objective_text(campaign),
+               scenario_text(campaign, all.front()));
     fmt::print("plant     {}, {} leaves, {:.4f} m2 of leaf, {} faces\n",
                campaign.crop.baseline.name,
                campaign.crop.baseline.leaves.size(),

@@ -74,18 +74,23 @@ Layers layers_of(const Campaign& under,
 //! Single numbers, the objectives first, then profiles: layer by layer and leaf
 //! by leaf, so that only the end differs between plants.
 std::vector<Figure> figures_of(const QuantitySet& measured,
-                               const std::vector<Aim>& aims) {
+                               const Campaign& campaign) {
+    const std::vector<Aim> all = aims(campaign);
     std::vector<Figure> figures;
     const auto add = [&](const Quantity& each) { figures.push_back({each}); };
     const auto is_aim = [&](const Quantity& each) {
-        return std::any_of(aims.begin(), aims.end(), [&](const Aim& aim) {
+        return std::any_of(all.begin(), all.end(), [&](const Aim& aim) {
             return aim.name == each.name;
         });
     };
-    for (const Aim& aim : aims) {
-        if (aim.component) add({aim.name, unit_of(aim.quantity), aim.name});
-        for (const Quantity& each : measured.quantities)
-            if (each.name == aim.name) add(each);
+    for (const Aim& aim : all) {
+        const std::string unit = unit_of(campaign, aim.quantity);
+        if (aim.component) add({aim.name, unit, aim.name});
+        for (Quantity each : measured.quantities)
+            if (each.name == aim.name) {
+                each.unit = unit;
+                add(each);
+            }
     }
     for (const Quantity& each : measured.quantities)
         if (each.axes.empty() && !is_aim(each)) add(each);
@@ -103,7 +108,7 @@ void choose_figures(Comparison& all) {
         set_plant(scene.components.front(), each.plants.front());
         each.figures = figures_of(
             canopy_quantities(scene, all.layers, details_of(all.under)),
-            aims(all.under));
+            all.under);
         for (const Figure& figure : each.figures)
             each.schema.objectives.push_back(
                 {figure.quantity.name, figure.quantity.unit});

@@ -83,7 +83,7 @@ std::string csv_numbers(const std::optional<Estimate>& x) {
 }
 
 std::string title(const Quantity& quantity) {
-    return fmt::format("{} [{}]", quantity.name, quantity.unit);
+    return title_of(quantity.name, quantity.unit);
 }
 
 //! Also relative to the first plant, if both are more than zero as they are

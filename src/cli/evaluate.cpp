@@ -16,21 +16,21 @@ namespace ideotype {
 
 namespace {
 
-Json to_json(const CanopyReport& report, const Case& chosen, double seconds) {
-    Json json{{"case", chosen.name}};
-    json.update(to_json(report, Span::day));
-    json.update(parts_json(report));
-    json["seconds"] = seconds;
-    return json;
-}
-
-void print_report(const CanopyReport& report, const Case& chosen,
-                  double seconds) {
-    fmt::print("case {}, {:.0f} ms\n", chosen.name, seconds * 1e3);
-    print_light(report, Span::day);
-    print_parts(report);
-    fmt::print("\nleaves absorb {}\n",
-               format_daily(scaled(report.par().light.day.leaves, 1e-6)));
+//! Names the objectives, each with its number and unit. The error of a land
+//! equivalent ratio contains those of crops alone.
+std::vector<Measured> objectives_of(const CanopyReport& report,
+                                    const Campaign& campaign) {
+    std::vector<Measured> all;
+    for (const Aim& aim : aims(campaign))
+        all.push_back(
+            {{(campaign.sole.empty() ? "" : "land equivalent ratio of ") +
+                  ((campaign.weights.empty() ? "" : "weighted ") +
+                   aim.quantity),
+              unit_of(campaign, aim.quantity), ""},
+             campaign.sole.empty()
+                 ? measure_number(campaign, aim.quantity, report).estimate
+                 : land_equivalent_ratio(campaign, report)});
+    return all;
 }
 
 bool same_bits(const std::vector<Estimate>& a, const std::vector<Estimate>& b) {
@@ -72,8 +72,33 @@ bool agrees_with(const ChosenRow& which, const Outcome& again) {
 struct Study {
     Case scenario;
     CanopyReport report;
+    std::vector<Measured> objectives;
     double seconds;
 };
+
+Json to_json(const Study& study) {
+    Json json{{"case", study.scenario.name}};
+    json.update(to_json(study.report, Span::day));
+    json.update(parts_json(study.report));
+    for (const auto& [quantity, estimate] : study.objectives) {
+        json["objectives"][quantity.name] = to_json(estimate);
+        json["objectives"][quantity.name]["unit"] = quantity.unit;
+    }
+    json["seconds"] = study.seconds;
+    return json;
+}
+
+void print_study(const Study& study) {
+    fmt::print("case {}, {:.0f} ms\n", study.scenario.name,
+               study.seconds * 1e3);
+    print_light(study.report, Span::day);
+    print_parts(study.report);
+    fmt::print("\nleaves absorb {}\n",
+               format_daily(scaled(study.report.par().light.day.leaves, 1e-6)));
+    for (const auto& [quantity, estimate] : study.objectives)
+        fmt::print("objective: {} {}\n", quantity.name,
+                   with_unit(format(estimate), quantity.unit));
+}
 
 //! Evaluates plants in each scenario of a case.
 std::vector<Study> studies(const Task& task, const Campaign& campaign,
@@ -88,22 +113,24 @@ std::vector<Study> studies(const Task& task, const Campaign& campaign,
         request.details.sunlit = true;
         const double began = now();
         CanopyReport report = evaluate(request, device);
-        all.push_back({each, std::move(report), now() - began});
+        const double seconds = now() - began;
+        std::vector<Measured> objectives = objectives_of(report, campaign);
+        all.push_back(
+            {each, std::move(report), std::move(objectives), seconds});
     }
     return all;
 }
 
 Json to_json(const std::vector<Study>& all) {
     std::vector<Json> each;
-    for (const auto& [scenario, report, seconds] : all)
-        each.push_back(to_json(report, scenario, seconds));
+    for (const Study& study : all) each.push_back(to_json(study));
     return each.size() == 1 ? each.front() : Json{{"scenarios", each}};
 }
 
 void print_studies(const std::vector<Study>& all) {
-    for (const auto& [scenario, report, seconds] : all) {
-        if (&scenario != &all.front().scenario) fmt::print("\n");
-        print_report(report, scenario, seconds);
+    for (const Study& study : all) {
+        if (&study != &all.front()) fmt::print("\n");
+        print_study(study);
     }
 }
 

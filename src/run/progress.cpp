@@ -22,6 +22,14 @@ double now() {
         .count();
 }
 
+std::string with_unit(const std::string& number, const std::string& unit) {
+    return unit == "1" ? number : number + ' ' + unit;
+}
+
+std::string title_of(const std::string& name, const std::string& unit) {
+    return unit == "1" ? name : fmt::format("{} [{}]", name, unit);
+}
+
 std::string format(Estimate x) {
     if (!std::isfinite(x.mean)) return "unknown";
     const double error = std::abs(x.standard_error);
@@ -183,8 +191,9 @@ std::string ProgressLog::time_left() const {
 
 std::string ProgressLog::best_of(const Entry& entry) const {
     return fmt::format(
-        "best {} {}{}", format(entry.best.value()),
-        unit_of(aims(campaign_).front().quantity),
+        "best {}{}",
+        with_unit(format(entry.best.value()),
+                  unit_of(campaign_, aims(campaign_).front().quantity)),
         entry.hypervolume ? ", hypervolume " + format(*entry.hypervolume) : "");
 }
 

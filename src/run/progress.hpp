@@ -83,6 +83,12 @@ std::string certainty(bool is_evaluated_again, double violation);
 //! differs from zero by rounding alone.
 std::string format(Estimate x);
 
+//! A number with its unit behind it; "1" is none.
+std::string with_unit(const std::string& number, const std::string& unit);
+
+//! The title of a column, "lai [m2 m-2]"; the unit "1" is left out.
+std::string title_of(const std::string& name, const std::string& unit);
+
 //! "1:02:03" or "2:03".
 std::string format_duration(double seconds);
 

@@ -52,7 +52,7 @@ double lai_of(const History& history, const Row& row) {
 //! The mean of b - a over randomisations that both plants share, with units
 //! and relative to a.
 std::string gain(const Outcome& a, const Outcome& b, const std::string& unit) {
-    const std::string found = format(difference(a, b)) + " " + unit;
+    const std::string found = with_unit(format(difference(a, b)), unit);
     if (!(a.objectives.front().mean > 0)) return found;
     return fmt::format(
         "{} = {} %", found,
@@ -83,7 +83,7 @@ std::string doubt_of(const std::string& what, double lai) {
 std::string left_to_gain(const History& history, const Campaign& campaign,
                          const Row& best) {
     if (aims(campaign).front().name != "absorbed_par" ||
-        !campaign.weights.empty() || !campaign.over.empty() ||
+        !component_weights(campaign).empty() || !campaign.over.empty() ||
         campaign.field.boundary != Boundary::periodic)
         return "";
     const Estimate stalks = quantity(history, best, "stalk_fraction");
@@ -130,7 +130,7 @@ std::string front(const History& history, const Campaign& campaign,
     std::string text = "\n  plant";
     for (const Objective& each : history.header().schema.objectives) {
         senses.push_back(each.sense);
-        text += fmt::format("  {:>28}", each.name + " [" + each.unit + "]");
+        text += fmt::format("  {:>28}", title_of(each.name, each.unit));
     }
     Population members;
     for (const auto& [candidate, outcome, attempt] : finalists)
@@ -228,9 +228,9 @@ std::string to_text(const CaseResult& result, const std::string& path,
                     result.reason ? " by " + *result.reason : "",
                     result.complete, result.generations);
     if (result.best)
-        line +=
-            fmt::format(", best {} {} {}", format(*result.best), result.unit,
-                        certainty(result.is_evaluated_again, result.violation));
+        line += fmt::format(
+            ", best {} {}", with_unit(format(*result.best), result.unit),
+            certainty(result.is_evaluated_again, result.violation));
     if (!result.gain.empty()) line += ", " + result.gain;
     if (result.complete > 0)
         line +=

@@ -77,7 +77,7 @@ AcrossScenarios::AcrossScenarios(const Campaign& campaign, const Case& chosen)
         {"scenario", "", "what plants are evaluated under", labels});
     for (const Aim& aim : aims_)
         measured_.quantities.push_back({aim.name + "_by_scenario",
-                                        unit_of(aim.quantity),
+                                        unit_of(campaign, aim.quantity),
                                         aim.name + " in each scenario",
                                         {"scenario"}});
 }

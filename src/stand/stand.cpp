@@ -138,28 +138,27 @@ OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
     schema.randomisations = static_cast<std::size_t>(accuracy.replicates());
     for (const Aim& aim : aims(campaign))
         schema.objectives.push_back(
-            {aim.name, unit_of(aim.quantity), aim.sense});
+            {aim.name, unit_of(campaign, aim.quantity), aim.sense});
     return schema;
 }
 
 namespace {
 
-//! That constraints are about: of plants that do not deviate from their line,
-//! so that a plant is within them or not whatever the random numbers.
-double lai_of_line(const Campaign& campaign, const Plant& plant,
-                   const CanopyReport& report) {
-    const FieldForm& field = campaign.field;
-    if (!field.variation.is_any()) return report.components.front().lai;
-    const double share = static_cast<double>(bred_plants(campaign)) /
-                         (field.rows * field.plants);
-    const double plants = (field.rows - 2. * field.border_rows) *
-                          (field.plants - 2. * field.border_rows) * share;
-    return plants *
-           plant_area(build_plant(plant, campaign.tessellation)).leaves /
-           report.ground_area;
+//! Returns the leaf area index that constraints are about.
+double constrained_lai(const Campaign& campaign, const Plant& plant,
+                       const CanopyReport& report) {
+    const ComponentReport& bred = report.components.front();
+    return campaign.field.variation.is_any()
+               ? lai_of_line(build_plant(plant, campaign.tessellation),
+                             bred.ground_per_plant)
+               : bred.lai;
 }
 
 }  // namespace
+
+double lai_of_line(const Mesh& plant, double ground_per_plant) {
+    return plant_area(plant).leaves / ground_per_plant;
+}
 
 Randomised measure_number(const Campaign& campaign, const std::string& name,
                           const CanopyReport& report) {
@@ -168,9 +167,23 @@ Randomised measure_number(const Campaign& campaign, const std::string& name,
                                   [&](const Aim& x) { return x.name == name; });
     if (aim != all.end() && aim->component)
         return measure_parts(aim->quantity, report).at(*aim->component);
-    return aim != all.end() && !campaign.weights.empty()
-               ? weighted_sum(measure_parts(name, report), campaign.weights)
+    const std::vector<double> weights = component_weights(campaign);
+    return aim != all.end() && !weights.empty()
+               ? weighted_sum(measure_parts(name, report), weights)
                : measure_objective(name, report);
+}
+
+Estimate land_equivalent_ratio(const Campaign& campaign,
+                               const CanopyReport& report) {
+    const std::string quantity = aims(campaign).front().quantity;
+    Estimate ratio = measure_number(campaign, quantity, report).estimate;
+    const std::vector<Randomised> parts = measure_parts(quantity, report);
+    for (std::size_t c = 0; c < campaign.sole_errors.size(); ++c)
+        ratio.standard_error =
+            std::hypot(ratio.standard_error,
+                       parts[c].estimate.mean / campaign.sole[c] *
+                           campaign.sole_errors[c] / campaign.sole[c]);
+    return ratio;
 }
 
 Outcome to_outcome(const Campaign& campaign, const Plant& plant,
@@ -183,8 +196,9 @@ Outcome to_outcome(const Campaign& campaign, const Plant& plant,
         outcome.randomisations.insert(outcome.randomisations.end(),
                                       values.begin(), values.end());
     }
-    outcome.violation = violation(campaign.constraints, campaign.crop.traits,
-                                  plant, lai_of_line(campaign, plant, report));
+    outcome.violation =
+        violation(campaign.constraints, campaign.crop.traits, plant,
+                  constrained_lai(campaign, plant, report));
     if (const double limit = campaign.feasibility.limit;
         report.lines && limit > 0)
         outcome.violation += std::max(0.0, report.lines->from_mean / limit - 1);

@@ -153,6 +153,32 @@ TEST(Components, TellBaselinesOutsideTheirOwnBounds) {
     EXPECT_NE(campaign.outside_bounds.back().what.find(
                   "write in [component.bounds]:\nwidth = ["),
               std::string::npos);
+}
+
+TEST(Components, HaveALandEquivalentRatioByWhatTheyHaveAlone) {
+    const std::string rows = sorghum + "rows = [2]\n";
+    const std::string net = "[objective]\nmaximise = \"net_assimilation\"\n";
+    const Campaign campaign =
+        mixed(rows + net + "sole = [0.5, 4]\nsole_errors = [0.1, 0]\n");
+    EXPECT_EQ(component_weights(campaign), (std::vector<double>{2, 0.25}));
+    EXPECT_EQ(unit_of(campaign, "net_assimilation"), "1");
+    EXPECT_EQ(unit_of(campaign, "gross_assimilation"), "mol m-2 day-1");
+    EXPECT_EQ(parse_campaign(campaign.resolved, "again").resolved,
+              campaign.resolved);
+    for (const auto& [text, problem] :
+         {std::pair{rows + net + "sole = [1]\n", "there are 2 components"},
+          std::pair{net + "sole = [1]\n", "tell components apart"},
+          std::pair{rows + net + "sole_errors = [1, 1]\n", "is not given"},
+          std::pair{rows + net + "sole = [1, 1]\nweights = [1, 1]\n",
+                    "remove one of them"},
+          std::pair{rows + net + "minimise = \"lai\"\nsole = [1, 1]\n",
+                    "ask for one objective"},
+          std::pair{rows + "[objective]\nmaximise = \"fapar\"\n"
+                           "sole = [1, 1]\n",
+                    "fapar is no sum over components; remove objective.sole"}})
+        EXPECT_NE(problems_of(text).find(problem), std::string::npos) << text;
+}
+
 TEST(Components, DifferAsTheFieldUnlessTheyHaveAVariationOfTheirOwn) {
     const std::string field = "[field.variation]\nlength = 0.1\n";
     const auto of = [&](const std::string& own) {

@@ -166,6 +166,13 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
     for (const std::string& line : lines_of(read_campaign_text(
              sample_text("", mixed), IDEOTYPE_CAMPAIGNS "/mixed.toml")))
         lines.push_back(line);
+    const std::string ratio =
+        "[objective]\nsole = [1, 2]\nsole_errors = [0.1, 0.1]\n"
+        "[[component]]\nname = \"weed\"\nrows = [2]\n"
+        "crop = \"crops/sorghum.toml\"\n";
+    for (const std::string& line : lines_of(read_campaign_text(
+             sample_text("", ratio), IDEOTYPE_CAMPAIGNS "/ratio.toml")))
+        lines.push_back(line);
     for (const std::string& line : lines) {
         std::string name = line.substr(0, line.find(' '));
         for (const std::string key : {"component.crop", "component.variation"})

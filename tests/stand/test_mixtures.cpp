@@ -171,6 +171,44 @@ TEST_F(Mixtures, OfPlantsThatAreAllBredTellEachByItself) {
     EXPECT_THROW(grow(campaign, genome), Error);
 }
 
+//! What crops have alone is uncertain too, but of all rows alike.
+TEST_F(Mixtures, HaveALandEquivalentRatio) {
+    std::vector<std::string> settings = alike;
+    settings.push_back(weed);
+    settings.push_back("objective.maximise=net_assimilation");
+    settings.push_back("objective.sole=[0.8, 1.6]");
+    settings.push_back("objective.sole_errors=[0.08, 0.16]");
+    const Campaign campaign =
+        read_campaign(IDEOTYPE_CAMPAIGNS "/ames_quick.toml", settings);
+    const CanopyReport report = evaluated(settings);
+    const auto parts = measure_parts("net_assimilation", report);
+    const double first = parts[0].estimate.mean / .8,
+                 second = parts[1].estimate.mean / 1.6;
+    const Estimate paired =
+        measure_number(campaign, "net_assimilation", report).estimate;
+    EXPECT_NEAR(paired.mean, first + second, 1e-9);
+    const Estimate ratio = land_equivalent_ratio(campaign, report);
+    EXPECT_EQ(ratio.mean, paired.mean);
+    EXPECT_NEAR(std::pow(ratio.standard_error, 2),
+                std::pow(paired.standard_error, 2) + std::pow(.1 * first, 2) +
+                    std::pow(.1 * second, 2),
+                1e-9);
+    const OutcomeSchema schema =
+        outcome_schema(campaign, cases(campaign).front(), {});
+    EXPECT_EQ(schema.objectives.front().unit, "1");
+}
+
+//! The line of a crop has the leaf area of its plants, as the light finds it.
+TEST_F(Mixtures, HaveTheLeafAreaOfTheirLines) {
+    const CanopyRequest request = requested({weed});
+    const CanopyReport report = evaluate(request, device);
+    for (std::size_t c = 0; c < 2; ++c) {
+        const Component& each = request.scene.components[c];
+        EXPECT_NEAR(lai_of_line(each.mesh, each.ground_per_plant),
+                    report.components[c].lai, 1e-9);
+    }
+}
+
 //! Parts sum to the whole in each scenario and in their mean, whatever the
 //! sense.
 TEST_F(Mixtures, WeighObjectivesInAllScenarios) {
@@ -235,6 +273,26 @@ TEST_F(Mixtures, TellHowMuchMoreTheMeanPlantOfOneComponentHas) {
     EXPECT_GT(over_cowpea.mean, 1 + 4 * over_cowpea.standard_error);
 }
 
+//! Neighbours that lose carbon are not better off than a plant that gains.
+TEST_F(Mixtures, TellAGainOverPlantsThatLose) {
+    CanopyReport report = evaluated({weed});
+    AssimilationReport& all = *report.assimilation;
+    const double gross =
+        measure_parts("gross_assimilation", report)[1].estimate.mean;
+    for (std::size_t g = 0; g < report.groups.size(); ++g)
+        if (report.groups[g].id.component == 1)
+            all.respiration[g].in_light += gross / 5;
+    const auto net = measure_parts("net_assimilation", report);
+    const double own = net[0].estimate.mean, other = net[1].estimate.mean;
+    ASSERT_GT(own, 0);
+    ASSERT_LT(other, 0);
+    const Estimate gain = number("invasion", report);
+    EXPECT_NEAR(gain.mean, (own - other) / -other, .02);
+    // A plant that loses twice as much as they do does not invade.
+    all.respiration.front().in_light += own - 2 * other;
+    EXPECT_NEAR(number("invasion", report).mean, -1, .02);
+}
+
 //! A gain over nothing would let every row of a history fail.
 TEST_F(Mixtures, TellNoGainOverPlantsThatHaveNothing) {
     CanopyReport report = evaluated({weed});
@@ -273,26 +331,6 @@ void expect_rows_sum(const CanopyReport& report, const std::string& figure,
     for (std::size_t c = 0; c < components.size(); ++c) {
         double sum = 0, ground = 0;
         for (std::size_t row = 0; row < rows.size(); ++row) {
-//! Neighbours that lose carbon are not better off than a plant that gains.
-TEST_F(Mixtures, TellAGainOverPlantsThatLose) {
-    CanopyReport report = evaluated({weed});
-    AssimilationReport& all = *report.assimilation;
-    const double gross =
-        measure_parts("gross_assimilation", report)[1].estimate.mean;
-    for (std::size_t g = 0; g < report.groups.size(); ++g)
-        if (report.groups[g].id.component == 1)
-            all.respiration[g].in_light += gross / 5;
-    const auto net = measure_parts("net_assimilation", report);
-    const double own = net[0].estimate.mean, other = net[1].estimate.mean;
-    ASSERT_GT(own, 0);
-    ASSERT_LT(other, 0);
-    const Estimate gain = number("invasion", report);
-    EXPECT_NEAR(gain.mean, (own - other) / -other, .02);
-    // A plant that loses twice as much as they do does not invade.
-    all.respiration.front().in_light += own - 2 * other;
-    EXPECT_NEAR(number("invasion", report).mean, -1, .02);
-}
-
             if (report.rows[row].component != c) continue;
             const double share = report.rows[row].ground / report.ground_area;
             sum += share * rows[row].estimate.mean;
@@ -372,6 +410,20 @@ TEST_F(Mixtures, RowsOfOneKindHaveTheSame) {
     EXPECT_TRUE(evaluated(settings).rows.empty());
 }
 
+//! Plants of the field may be alike while those of a component differ.
+TEST_F(Mixtures, DifferByComponent) {
+    const std::string crop = "name=\"weed\", crop=\"crops/maize.toml\", ";
+    const CanopyRequest request =
+        requested({"component=[{" + crop +
+                   "rows=[2, 4], variation={length=0.1, missing=0.25}}]"});
+    EXPECT_FALSE(request.scene.components[0].variation.is_any());
+    EXPECT_EQ(request.scene.components[1].variation.length, 0.1);
+    const Field field = draw_field(request.scene, request.randomness);
+    EXPECT_EQ(field.first_plant[1], request.scene.components[0].plants());
+    EXPECT_EQ(field.first_plant[2] - field.first_plant[1],
+              request.scene.components[1].plants() * 3 / 4);
+}
+
 TEST_F(Mixtures, OfOneKindAreThatKind) {
     const CanopyReport one = evaluated(alike);
     std::vector<std::string> settings = alike;
@@ -410,20 +462,6 @@ TEST_F(Mixtures, MeasureWhatTheyDeclareInTheSameOrder) {
     const Campaign campaign =
         read_campaign(IDEOTYPE_CAMPAIGNS "/ames_quick.toml",
                       {weed, nir, "objective.maximise=net_assimilation"});
-//! Plants of the field may be alike while those of a component differ.
-TEST_F(Mixtures, DifferByComponent) {
-    const std::string crop = "name=\"weed\", crop=\"crops/maize.toml\", ";
-    const CanopyRequest request =
-        requested({"component=[{" + crop +
-                   "rows=[2, 4], variation={length=0.1, missing=0.25}}]"});
-    EXPECT_FALSE(request.scene.components[0].variation.is_any());
-    EXPECT_EQ(request.scene.components[1].variation.length, 0.1);
-    const Field field = draw_field(request.scene, request.randomness);
-    EXPECT_EQ(field.first_plant[1], request.scene.components[0].plants());
-    EXPECT_EQ(field.first_plant[2] - field.first_plant[1],
-              request.scene.components[1].plants() * 3 / 4);
-}
-
     const Case chosen = cases(campaign).front();
     const QuantitySet measured = measured_in(campaign, chosen);
     const CanopyReport report = evaluated({weed, nir});

@@ -57,6 +57,22 @@ def test_neighbours_share_land_and_are_invaded(tmp_path: Path) -> None:
     assert float(invaders[0][0]) > 2 * float(invaders[0][1])
 
 
+def test_light_of_strips_agrees_with_reports_by_sign(tmp_path: Path) -> None:
+    told = run("strip_light.py", "--rough")
+    rows = re.findall(
+        r"(?m)^\|.*\| ([+-]\d+)[^|]*\| ([+-]\d+) ± (\d+) \|", told
+    )
+    assert len(rows) == 6, told
+    for reported, found, error in rows[:3] + rows[4:]:
+        assert int(reported) * int(found) > 0, told
+        assert abs(int(found)) > 2 * int(error), told
+    form = CAMPAIGNS / "study" / "measured" / "strips" / "form.csv"
+    compared = run("strip_light.py", "--table", form)
+    # The form has numbers of the program.
+    agreement = re.search(r"1:1 (\S+)", compared)
+    assert agreement and float(agreement[1]) > 0.99, compared
+
+
 def test_searches_are_compared_by_their_gains(tmp_path: Path) -> None:
     words = [
         tmp_path,

@@ -1,0 +1,307 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Does light in strips of maize and soybean agree with reports of fields?
+
+strip_light.py [--table FILE.csv] [--rough]
+
+Puts what abstracts tell of light in strips beside the light of this program, by sign and
+size: nothing is fitted. Maize is crops/maize.toml. Soybean at a stage is crops/soybean.toml
+with as many of its leaves as the stage has, all lengths times one factor that makes its
+stem as high as the sum of internodes (DSSAT, as in that file). Days are clear, of
+Chengdu. What a report does not tell is marked in the table: "rows" where distances between
+rows are ours, "stage" where the stage is. ± is the standard error of randomisations.
+--table compares light that was measured by row instead; measured/strips/README.md tells its
+form. --rough is for tests.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import tomllib
+from collections.abc import Sequence
+from datetime import date, time
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import tomli_w
+from shared import (
+    CAMPAIGNS,
+    MAIZE,
+    Estimate,
+    guard,
+    print_table,
+)  # fmt: skip
+
+from ideotype import Stand
+
+SOYBEAN = CAMPAIGNS / "crops" / "soybean.toml"
+#: Trifoliate nodes of soybean at stages, the height of its stem [m], and days on which it
+#: has them between maize that is sown two months earlier.
+STAGES = {
+    "V2": (2, 0.134, date(2017, 6, 25)),
+    "V5": (5, 0.308, date(2017, 7, 5)),
+    "R1": (9, 0.553, date(2017, 7, 25)),
+}
+SITE = {
+    "name": "chengdu",
+    "latitude": 30.7,
+    "longitude": 104.0,
+    "utc_offset": 7,
+}
+
+
+def soybean_at(stage: str, folder: Path) -> Path:
+    """A crop file of soybean at a stage."""
+    nodes, height, _ = STAGES[stage]
+    crop = tomllib.loads(SOYBEAN.read_text())
+    crop["leaf"] = crop["leaf"][:nodes]
+    factor = height / sum(leaf["internode"] for leaf in crop["leaf"])
+    for leaf in crop["leaf"]:
+        for key in ("length", "width", "internode", "petiole_length"):
+            leaf[key] *= factor
+    crop["blade"]["rachis_length"] *= factor
+    for key in ("base_diameter", "top_diameter"):
+        crop["stalk"][key] *= factor
+    crop["petiole"]["diameter"] *= factor
+    crop["name"] = f"soybean_{stage}"
+    del crop["trait"]
+    path = folder / f"{stage}.toml"
+    path.write_text(tomli_w.dumps(crop))
+    return path
+
+
+class Strips:
+    """Stands of maize with soybean in some rows."""
+
+    def __init__(self, folder: Path, rough: bool) -> None:
+        self._folder = folder
+        self._light = {"light": {"randomisations": 32}}
+        self._points = 512
+        if rough:
+            self._light["light"] |= {"paths": 2048, "randomisations": 4}
+            self._points = 32
+
+    def stand(
+        self,
+        pattern: Sequence[float],
+        plant: float,
+        *,
+        crop: Path = MAIZE,
+        soybean: Sequence[int] = (),
+        stage: str = "R1",
+        direction: float = 0,
+    ) -> Stand:
+        """Rows at these distances [m], with plants `plant` apart [m], and
+        soybean .10 m apart in some of them."""
+        length = 0.6  # of the cell along the rows, about [m]
+        tables: dict[str, Any] = {
+            "name": "strip",
+            "seed": 1,
+            "site": [SITE],
+            "day": [
+                {"date": STAGES[stage][2], "start": time(7), "end": time(19)}
+            ],
+            "spacing": [
+                {
+                    "row": float(np.mean(pattern)),
+                    "plant": plant,
+                    "row_direction": direction,
+                }
+            ],
+            "field": {
+                "rows": len(pattern),
+                "plants": round(length / plant),
+                "row_pattern": list(pattern),
+                "variation": {"azimuth": 20, "insertion_angle": 10},
+            },
+            "plant": {"baseline": str(crop)},
+            "objective": {"maximise": "absorbed_par"},
+            **self._light,
+        }
+        if soybean:
+            tables["component"] = [
+                {
+                    "name": "soybean",
+                    "crop": str(soybean_at(stage, self._folder)),
+                    "rows": list(soybean),
+                    "plants": round(length / 0.1),
+                    "jitter": 180,
+                }
+            ]
+        return Stand(tables)
+
+    def at(self, stand: Stand, height: float, position: float) -> Estimate:
+        """The part of the day's light that arrives at a height, so far from a
+        row [m]."""
+        found = stand.light_at(
+            stand.baseline, height, position, points=self._points
+        ).isel(sensor=0)
+        part = found.incident / found.incident.sum()
+        error = float(
+            np.sqrt(((part * found.fraction_standard_error) ** 2).sum())
+        )
+        return float((part * found.fraction).sum()), error
+
+    def by_row(self, stand: Stand) -> list[Estimate]:
+        """Light that leaves of each row absorb, per length of row."""
+        found = stand.evaluate(stand.baseline, final=True).isel(plant=0)
+        width = found.row_width
+        means = found.absorbed_light_by_row * width
+        errors = found.absorbed_light_by_row_standard_error * width
+        return list(
+            zip(means.values.tolist(), errors.values.tolist(), strict=True)
+        )
+
+
+def total(rows: Sequence[Estimate]) -> Estimate:
+    """The sum of rows, whose errors are taken as independent."""
+    return sum(x for x, _ in rows), math.hypot(*(e for _, e in rows))
+
+
+def more(a: Estimate, b: Estimate) -> str:
+    """How much more a is than b [%]."""
+    ratio = a[0] / b[0]
+    error = ratio * math.hypot(a[1] / a[0], b[1] / b[0])
+    return f"{100 * ratio - 100:+.0f} ± {100 * error:.0f}"
+
+
+def above_soybean(strips: Strips) -> list[list[str]]:
+    """Light above soybean between maize that has grown, in strips of two rows
+    over that in alternate rows; as many plants of maize in both."""
+    rows = []
+    for stage, reported in (("V2", "+218"), ("V5", "+160"), ("R1", "+172")):
+        height = STAGES[stage][1]
+        # Soybean stands 1.0 m from the further row of maize on either side.
+        two = strips.stand((0.4, 1.6), 0.2, stage=stage)
+        one = strips.stand((1.0, 1.0), 0.2, stage=stage)
+        found = more(strips.at(two, height, 1.0), strips.at(one, height, 0.5))
+        rows.append(
+            [
+                f"above soybean at {stage}, 2M2S over 1M1S (PMC6391028)",
+                reported,
+                found,
+                "",
+            ]
+        )
+    return rows
+
+
+def of_maize(strips: Strips) -> list[str]:
+    """Light of maize in strips before soybean has grown, over that of maize
+    alone with as many plants."""
+    strip = strips.stand((0.4, 1.6), 0.2, stage="V2")
+    alone = strips.stand((0.7, 0.7), 0.2 / 0.7, stage="V2")
+    in_strip = total(strips.by_row(strip))
+    sole = total(strips.by_row(alone))
+    land = 2.0 / 1.4  # of the cell of strips over that of the other
+    scaled = (sole[0] * land, sole[1] * land)
+    return [
+        "all maize leaves, 2M2S over sole (PMC6391028: those at wide rows)",
+        "+27, +20, +16",
+        more(in_strip, scaled),
+        "rows of sole",
+    ]
+
+
+def of_strips(strips: Strips) -> list[str]:
+    """Light of soybean in strips over that in alternate rows, as many plants
+    of each on the land."""
+    strip = strips.stand((0.4, 0.6, 0.4, 0.6), 0.2, soybean=(3, 4))
+    alternate = strips.stand((0.5, 0.5), 0.2, soybean=(2,))
+    a = total(strips.by_row(strip)[2:])
+    b = total(strips.by_row(alternate)[1:])
+    return [
+        "soybean at R1, strips over alternate rows (pone.0169218)",
+        "+35",
+        more((a[0] / 2, a[1] / 2), b),
+        "rows, stage",
+    ]
+
+
+def southernmost(strips: Strips) -> list[str]:
+    """Light that the southernmost of three rows of soybean loses to maize at
+    its south, over that of the same rows without maize."""
+    between = strips.stand(
+        (0.4, 0.6, 0.3, 0.3, 0.6), 0.2, soybean=(3, 4, 5), direction=90
+    )
+    with TemporaryDirectory() as folder:
+        bare = strips.stand(
+            (0.3, 0.3, 1.6),
+            0.1,
+            crop=soybean_at("R1", Path(folder)),
+            direction=90,
+        )
+        alone = strips.by_row(bare)
+    shaded = strips.by_row(between)[2:]
+    # Which end of the pattern is south is seen by which row has less.
+    worst = int(np.argmin([shaded[0][0], shaded[2][0]])) * 2
+    return [
+        "southernmost row of soybean at R1, rows east to west, to maize "
+        "(Li 2023: direct light)",
+        "-52 to -57",
+        more(shaded[worst], alone[worst]),
+        "rows, stage",
+    ]
+
+
+def compare(path: Path) -> None:
+    """Prints light that was measured by row beside that of the program, and
+    how far they agree."""
+    told = pd.read_csv(path, comment="#")
+    rows, pairs = [], []
+    for campaign, part in told.groupby("campaign", sort=False):
+        stand = Stand.from_campaign(path.parent / str(campaign))
+        found = stand.evaluate(stand.baseline, final=True).isel(plant=0)
+        light = found.absorbed_light_by_row / found.incident
+        error = found.absorbed_light_by_row_standard_error / found.incident
+        for each in part.itertuples():
+            i = int(each.row) - 1
+            pairs.append((each.fraction, float(light[i])))
+            rows.append(
+                [
+                    f"{campaign} {found.field_row.values[i]}",
+                    f"{each.fraction:.3f}",
+                    f"{float(light[i]):.3f} ± {float(error[i]):.3f}",
+                ]
+            )
+    print_table(["row", "measured", "computed"], rows)
+    measured, computed = np.array(pairs).T
+    residual = float(((measured - computed) ** 2).sum())
+    spread = float(((measured - measured.mean()) ** 2).sum())
+    print(f"\nmean difference {np.mean(computed - measured):+.3f}", end="")
+    print(
+        f", R2 about the line 1:1 {1 - residual / spread:.2f}"
+        if spread
+        else ""
+    )
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(
+        description=(__doc__ or "").partition("\n")[0]
+    )
+    parser.add_argument("--table", type=Path)
+    parser.add_argument("--rough", action="store_true")
+    options = parser.parse_args()
+    if options.table:
+        compare(options.table)
+        return
+    with TemporaryDirectory() as folder:
+        strips = Strips(Path(folder), options.rough)
+        rows = [
+            *above_soybean(strips),
+            of_maize(strips),
+            of_strips(strips),
+            southernmost(strips),
+        ]
+    print_table(
+        ["light", "reported [%]", "here [%]", "not told by the report"], rows
+    )
+
+
+if __name__ == "__main__":
+    guard(main)

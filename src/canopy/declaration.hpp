@@ -32,6 +32,8 @@ struct Scope {
     std::vector<std::string> bands;
     bool assimilates = false;
     bool has_lines = false;
+    bool has_objects = false;
+    bool has_panels = false;
 
     bool has_band(const std::string& name) const {
         return std::find(bands.begin(), bands.end(), name) != bands.end();
@@ -56,8 +58,11 @@ std::vector<Declaration> assimilation_quantities();
 //! Quantities of reports with measured lines, after those of assimilation.
 std::vector<Declaration> line_quantities();
 
-//! Quantities of several components or wavebands, after all others.
+//! Quantities of several components or wavebands, after those.
 std::vector<Declaration> part_quantities();
+
+//! Quantities of scenes with fixed objects, after all others.
+std::vector<Declaration> object_quantities();
 
 inline Randomised scaled(Randomised x, double factor) {
     x.estimate = scaled(x.estimate, factor);

@@ -141,8 +141,8 @@ BandTallies simulate(const Subject& subject, const Workload& work,
                      int randomisations, const Randomness& randomness) {
     const RayScene& scene = subject.scene;
     const std::vector<Source>& sources = subject.light().sources;
-    const Counted counted{scene, subject.groups, subject.layers,
-                          subject.pieces};
+    const Counted counted{scene, subject.groups, subject.layers, subject.pieces,
+                          object_numbers(subject.groups)};
     double brightest_soil = 0;
     for (const Band& band : subject.bands)
         brightest_soil = std::max(brightest_soil, band.optics.soil_albedo);
@@ -163,9 +163,14 @@ BandTallies simulate(const Subject& subject, const Workload& work,
                             std::vector<double>(subject.groups.size()),
                             std::vector<double>(subject.layers.count)}));
     for (std::size_t b = 0; b < bands.size(); ++b)
-        if (bands[b].has_leaf_light)
-            for (Tally& tally : tallies[b])
+        for (Tally& tally : tallies[b]) {
+            if (bands[b].has_leaf_light)
                 tally.leaf_light.resize(sources.size());
+            if (counted.objects.count > 0)
+                tally.objects.assign(
+                    sources.size(),
+                    std::vector<double>(2 * counted.objects.count));
+        }
     if (sources.empty()) return tallies;
     // So many randomisations at a time as memory is reasonable for.
     constexpr std::size_t room = 1 << 18;

@@ -146,6 +146,7 @@ Campaign parse(const std::string& text, const std::string& file,
     Report report;
     read_draft(text, file, source, settings, draft, report);
     read_weathers(file, source, draft, report);
+    read_objects(file, draft, report);
     check_draft(draft, report);
     if (report.empty()) try_ends(draft, report);
     report.throw_if_any();

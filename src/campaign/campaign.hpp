@@ -18,6 +18,7 @@
 #include "ideotype/crop/measured_lines.hpp"
 #include "ideotype/light/accuracy.hpp"
 #include "ideotype/physiology/photosynthesis.hpp"
+#include "objects.hpp"
 #include "search/outcome.hpp"
 #include "search/population.hpp"
 #include "search/settings.hpp"
@@ -206,7 +207,9 @@ struct Campaign {
     double nir_soil_albedo = usual_nir_soil_albedo;  //!< the same of the soil
     //! The waveband in which the tolerance bounds the light of leaves.
     BoundedBand bounded_band = BoundedBand::par;
-    std::vector<Neighbour> neighbours;       //!< components that are not bred
+    std::vector<Neighbour> neighbours;  //!< components that are not bred
+    std::vector<PanelEntry> panels;
+    std::vector<ObjectEntry> objects;
     SkyModel sky_model = SkyModel::uniform;  //!< of diffuse light
     //! Of a climate: the suns of so many dates stand for all. 0: without one.
     int sun_dates = 3;

@@ -496,6 +496,8 @@ std::vector<Table> campaign_tables(Draft& draft) {
             field_table(campaign.field),
             plant_table(draft),
             component_table(draft),
+            panel_table(campaign),
+            object_table(campaign),
             band_table(campaign),
             optics_table(campaign),
             one_table(light_section(campaign)),

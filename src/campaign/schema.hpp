@@ -190,9 +190,11 @@ Table plant_optics_table(Campaign& campaign);
 //! The tables of a crop file that campaigns have too, which go before it.
 std::vector<Table> crop_defaults(Draft& draft);
 
-// Those of run_schema.cpp and plant_schema.cpp.
+// Those of run_schema.cpp, plant_schema.cpp and object_schema.cpp.
 Table plant_table(Draft& draft);
 Section light_section(Campaign& campaign);
+Table panel_table(Campaign& campaign);
+Table object_table(Campaign& campaign);
 Section objective_section(Campaign& campaign);
 Section photosynthesis_section(PhotosynthesisTable& table);
 //! Which campaigns without assimilation do not have.

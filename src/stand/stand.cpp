@@ -6,6 +6,7 @@
 
 #include "ideotype/core/hash.hpp"
 #include "ideotype/light/tolerance.hpp"
+#include "placed_objects.hpp"
 
 namespace ideotype {
 
@@ -77,7 +78,10 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
         scene.bands[0].is_bounded = !is_nir;
         scene.bands[1].is_bounded = is_nir;
     }
-    if (campaign.neighbours.empty()) return scene;
+    if (campaign.neighbours.empty()) {
+        add_objects(scene, campaign, form.spacing);
+        return scene;
+    }
     set_places(bred, form, bred_rows(campaign));
     if (bred_plants(campaign) < bred.places.size())
         mix(bred, bred_plants(campaign));
@@ -96,6 +100,7 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
                      .materials())
                 band.optics.materials.push_back(material);
     }
+    add_objects(scene, campaign, form.spacing);
     return scene;
 }
 

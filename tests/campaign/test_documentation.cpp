@@ -159,7 +159,11 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
         "[[component]]\nname = \"weed\"\nrows = [2]\nplants = 3\njitter = 5\n"
         "crop = \"crops/sorghum.toml\"\n"
         "[[component]]\nname = \"other\"\nmixed = 2\n"
-        "crop = \"crops/sorghum.toml\"\n[[band]]\nname = \"nir\"\n";
+        "crop = \"crops/sorghum.toml\"\n"
+        "[[panel]]\npitch = 3.048\nheight = 4\nwidth = 2\nazimuth = 180\n"
+        "[[object]]\nname = \"post\"\nobj = \"post.obj\"\n"
+        "vertices = [0, 0, 0, 1, 0, 0, 1, 0, 1]\nfaces = [0, 1, 2, 2]\n"
+        "[[band]]\nname = \"nir\"\n";
     for (const std::string& line : lines_of(read_campaign_text(
              sample_text("", mixed), IDEOTYPE_CAMPAIGNS "/mixed.toml")))
         lines.push_back(line);

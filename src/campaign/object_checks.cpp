@@ -114,8 +114,11 @@ void check_modules(const PanelRows& rows, Report& report) {
                    fmt::format("panel.width is {} (rows are {} m apart, so "
                                "that modules would meet); use {} or less",
                                rows.width, rows.pitch, rows.pitch));
-    if (!report.usable({&rows.width, &rows.height, &rows.tilt})) return;
-    const double lowest = rows.width / 2 * std::sin(rows.tilt * degree);
+    if (!report.usable({&rows.width, &rows.height, &rows.tilt, &rows.tracks,
+                        &rows.max_angle}))
+        return;
+    const double steepest = rows.tracks ? rows.max_angle : rows.tilt;
+    const double lowest = rows.width / 2 * std::sin(steepest * degree);
     if (rows.height < lowest)
         report.add(&rows.height,
                    fmt::format("panel.height is {} (of the middle of modules, "

@@ -56,7 +56,16 @@ Section panel_section(PanelEntry& entry) {
              "of a module along the row; 0: one without end")
              .within(0, 100, "m"),
          Key("gap", &rows.gap, "between the modules of a row")
-             .within(0, 100, "m")}};
+             .within(0, 100, "m"),
+         Key("tracks", &rows.tracks,
+             "whether modules turn about a level axis after the sun, in the "
+             "place of `tilt`"),
+         Key("max_angle", &rows.max_angle,
+             "largest turn of modules that track, either way from level")
+             .within(0, 85, "deg"),
+         Key("backtracks", &rows.backtracks,
+             "whether modules that track turn back while the sun is low, so "
+             "that no row shades another")}};
     add_optics(section, entry.optics, entry.nir_optics);
     return section;
 }

@@ -104,8 +104,12 @@ class Reporter {
             if (component.photosynthesis) result_.assimilating_lai += lai;
         }
         for (const FixedObject& each : scene_.objects) {
+            const std::vector<double> faces = face_areas(each.mesh);
             double area = 0;
-            for (const double face : face_areas(each.mesh)) area += face;
+            // What moves has the same area in each pose.
+            for (std::size_t f = 0; f < faces.size(); ++f)
+                if (each.mesh.groups[each.mesh.face_group[f]].pose <= 1)
+                    area += faces[f];
             result_.objects.push_back(
                 {each.name, each.is_panel, area / scene_.cell.ground_area});
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ideotype/canopy/panels.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -22,6 +23,20 @@ int count_of(double part, double whole) {
 }
 
 }  // namespace
+
+double tracker_angle(const PanelRows& panels, const SunPosition& sun) {
+    if (!(sun.zenith < 90)) return 0;
+    const double zenith = sun.zenith * degree;
+    const double ideal = std::atan2(
+        std::sin(zenith) * std::cos((sun.azimuth - panels.azimuth) * degree),
+        std::cos(zenith));
+    double angle = ideal;
+    if (panels.backtracks) {
+        const double lit = panels.pitch / panels.width * std::cos(ideal);
+        if (lit < 1) angle -= std::copysign(std::acos(lit), ideal);
+    }
+    return std::clamp(angle / degree, -panels.max_angle, panels.max_angle);
+}
 
 bool divides(double part, double whole) {
     constexpr double rounding = 1e-6;

@@ -82,7 +82,8 @@ class SourceRun {
                 const double u = numbers.back().next();
                 shifts.push_back({u, numbers.back().next()});
             }
-            const DepthBuffer buffer(scene_, direction, lattice, shifts);
+            const DepthBuffer buffer(scene_, direction, lattice, shifts,
+                                     source_.pose);
             for (std::size_t i = 0; i < numbers.size(); ++i, ++r)
                 use(r, {scene_, buffer, i, energy}, start(numbers[i]));
         }
@@ -105,7 +106,7 @@ struct BandRun {
             double brightest_soil)
         : band(subject.bands[number]),
           first_net(static_cast<std::uint32_t>(number) * nets_of_band),
-          tracer(counted, band.optics),
+          tracer(counted, band.optics, band.light.light.sources),
           has_leaf_light(number == 0 && counted.pieces > 0) {
         const std::vector<Source>& sources = band.light.light.sources;
         for (std::size_t s = 0; s < sources.size(); ++s) {

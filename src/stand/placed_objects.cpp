@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "placed_objects.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "ideotype/core/units.hpp"
 
@@ -29,6 +32,55 @@ Mesh mesh_of(const ObjectEntry& object) {
     return mesh;
 }
 
+//! The rows as they stand for each pose, or as they always do.
+//! @param angles of each pose [deg]
+Mesh mesh_of(const PanelRows& rows, const Cell& cell, double row_direction,
+             const std::vector<double>& angles) {
+    if (!rows.tracks) return panel_mesh(rows, cell, row_direction, rows.tilt);
+    Mesh all;
+    for (const double angle : angles) {
+        const Mesh one = panel_mesh(rows, cell, row_direction, angle);
+        const auto first = static_cast<std::uint32_t>(all.vertices.size());
+        const auto pose = static_cast<std::uint32_t>(all.groups.size() + 1);
+        all.groups.push_back(one.groups.front());
+        all.groups.back().pose = pose;
+        all.groups.back().name += fmt::format("_pose{:02}", pose);
+        all.vertices.insert(all.vertices.end(), one.vertices.begin(),
+                            one.vertices.end());
+        for (auto face : one.faces) {
+            for (std::uint32_t& vertex : face) vertex += first;
+            all.faces.push_back(face);
+            all.face_group.push_back(pose - 1);
+        }
+    }
+    return all;
+}
+
+//! Gives each source the pose that all rows which track take after its sun.
+//! @return angles of each of those rows [deg], by pose
+std::vector<std::vector<double>> set_poses(Scene& scene,
+                                           const Campaign& campaign) {
+    std::vector<std::vector<double>> poses;
+    std::vector<std::uint32_t> pose_of;
+    for (const std::size_t i : scene.light().instant_of) {
+        std::vector<double> angles;
+        for (const PanelEntry& each : campaign.panels)
+            angles.push_back(
+                each.rows.tracks
+                    ? tracker_angle(each.rows,
+                                    scene.light().series.steps[i].sun)
+                    : each.rows.tilt);
+        const auto found = std::find(poses.begin(), poses.end(), angles);
+        pose_of.push_back(
+            static_cast<std::uint32_t>(found - poses.begin() + 1));
+        if (found == poses.end()) poses.push_back(angles);
+    }
+    for (Band& band : scene.bands)
+        for (std::size_t s = 0; s < pose_of.size(); ++s)
+            band.light.light.sources[s].pose = pose_of[s];
+    return poses;
+}
+
 //! Adds an object with a material of its own.
 void add(Scene& scene, FixedObject object, const Lambertian& par,
          const Lambertian& nir) {
@@ -45,15 +97,25 @@ void add(Scene& scene, FixedObject object, const Lambertian& par,
 
 }  // namespace
 
+bool has_trackers(const Campaign& campaign) {
+    return std::any_of(campaign.panels.begin(), campaign.panels.end(),
+                       [](const PanelEntry& each) { return each.rows.tracks; });
+}
+
 void add_objects(Scene& scene, const Campaign& campaign,
                  const Spacing& spacing) {
-    for (const PanelEntry& each : campaign.panels)
+    std::vector<std::vector<double>> poses;
+    if (has_trackers(campaign)) poses = set_poses(scene, campaign);
+    for (std::size_t p = 0; p < campaign.panels.size(); ++p) {
+        const PanelEntry& each = campaign.panels[p];
+        std::vector<double> angles;
+        for (const std::vector<double>& pose : poses) angles.push_back(pose[p]);
         add(scene,
             {each.rows.name,
-             panel_mesh(each.rows, scene.cell, spacing.row_direction,
-                        each.rows.tilt),
+             mesh_of(each.rows, scene.cell, spacing.row_direction, angles),
              true},
             each.optics, each.nir_optics);
+    }
     for (const ObjectEntry& each : campaign.objects)
         add(scene, {each.name, mesh_of(each)}, each.optics, each.nir_optics);
 }

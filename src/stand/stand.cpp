@@ -64,11 +64,13 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
         component_of(campaign.crop.baseline, form, campaign.tessellation)};
     Component& bred = scene.components.front();
     bred.photosynthesis = campaign.photosynthesis;
-    scene.bands = {{"par",
-                    illuminate(light_of(campaign, chosen), campaign.sky_model,
-                               chosen.spacing.row_direction, Skies::shared,
-                               campaign.sun_dates),
-                    {campaign.optics.materials(), campaign.soil_albedo}}};
+    scene.bands = {
+        {"par",
+         illuminate(light_of(campaign, chosen), campaign.sky_model,
+                    chosen.spacing.row_direction,
+                    has_trackers(campaign) ? Skies::each : Skies::shared,
+                    campaign.sun_dates),
+         {campaign.optics.materials(), campaign.soil_albedo}}};
     if (campaign.has_nir) {
         scene.bands.push_back(
             {"nir",

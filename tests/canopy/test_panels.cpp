@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Panels over bare ground against pvlib's infinite sheds, which are exact for
 // the ground, and an exact radiosity for modules: tests/data/stands.
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fstream>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -153,6 +156,28 @@ TEST(PanelRows, AreTheSameAcrossTheRowsOfPlants) {
         EXPECT_NEAR(on_panel(across, side), on_panel(along, side),
                     std::max(.005 * on_panel(along, side), .1));
     EXPECT_NEAR(mean_of_strips(across) / mean_of_strips(along), 1, .003);
+}
+
+TEST(PanelRows, TrackTheSunAsPvlibDoes) {
+    std::ifstream table(IDEOTYPE_TEST_DATA "/stands/pvlib_tracker_angles.csv");
+    std::string line;
+    int compared = 0;
+    while (std::getline(table, line)) {
+        if (!std::isdigit(static_cast<unsigned char>(line[0]))) continue;
+        std::replace(line.begin(), line.end(), ',', ' ');
+        std::istringstream numbers(line);
+        PanelRows rows;
+        rows.pitch = 6;
+        double coverage = 0, angle = 0;
+        SunPosition sun;
+        numbers >> rows.azimuth >> coverage >> rows.max_angle >>
+            rows.backtracks >> sun.zenith >> sun.azimuth >> angle;
+        rows.width = coverage * rows.pitch;
+        EXPECT_NEAR(tracker_angle(rows, sun), angle, 1e-6) << line;
+        ++compared;
+    }
+    EXPECT_EQ(compared, 72);
+    EXPECT_EQ(tracker_angle({.azimuth = 90}, {95, 90}), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Arrays, Panels, ::testing::ValuesIn(array_names()),

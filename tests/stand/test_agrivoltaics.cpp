@@ -3,7 +3,9 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,8 +25,8 @@ const std::string panel =
     "offset=1.524}]";
 
 Campaign campaign_with(Settings settings) {
-    settings.push_back("light.paths=16384");
-    settings.push_back("light.randomisations=16");
+    settings.insert(settings.begin(),
+                    {"light.paths=16384", "light.randomisations=16"});
     return read_campaign(IDEOTYPE_CAMPAIGNS "/ames_quick.toml", settings);
 }
 
@@ -97,6 +99,51 @@ TEST(Agrivoltaics, TheCellMayBeMuchNarrowerThanPanelsAreHigh) {
     expect_equal(a.par().light.day.soil, b.par().light.day.soil);
     for (const std::size_t side : {0, 1})
         expect_equal(a.par().objects[side].day, b.par().objects[side].day);
+}
+
+//! Panels that stand as those that track do at one hour give the same light
+//! then.
+TEST(Agrivoltaics, PanelsThatTrackStandAsTheirAngleTells) {
+    const std::string rows =
+        "pitch=3.048, height=4, width=1.5, offset=1.524, transmittance=0.2, ";
+    const Settings day{
+        "day=[{date=2025-08-07, start=09:00:00, "
+        "end=17:00:00, step_minutes=240}]",
+        "spacing.row_direction=0", "light.paths=32768", "light.tolerance=0"};
+    const auto with = [&](const std::string& panels) {
+        Settings all = day;
+        all.push_back("panel=[{" + rows + panels + "}]");
+        return all;
+    };
+    const Settings tracked = with("azimuth=90, tracks=true");
+    const Campaign campaign = campaign_with(tracked);
+    const LightSeries series = light_of(campaign, cases(campaign).front());
+    const CanopyReport moving = light_of_field(tracked);
+    ASSERT_EQ(series.steps.size(), 3u);
+    std::set<double> angles;
+    for (std::size_t h = 0; h < series.steps.size(); ++h) {
+        const double angle =
+            tracker_angle(campaign.panels[0].rows, series.steps[h].sun);
+        angles.insert(angle);
+        const CanopyReport standing = light_of_field(with(fmt::format(
+            "azimuth={}, tilt={:.9f}", angle > 0 ? 90 : 270, std::abs(angle))));
+        const auto budget = [&](const CanopyReport& report) {
+            return report.par().light.steps[h].budget;
+        };
+        expect_equal(budget(moving).leaves, budget(standing).leaves);
+        expect_equal(budget(moving).soil, budget(standing).soil);
+        for (const std::size_t side : {0, 1}) {
+            const auto on_side = [&](const CanopyReport& report) {
+                return report.par().objects[side].hours[h];
+            };
+            expect_equal(on_side(moving), on_side(standing));
+            EXPECT_LT(on_side(moving).standard_error,
+                      .02 * on_side(moving).mean + .3);
+        }
+    }
+    EXPECT_EQ(angles.size(), 3u);
+    EXPECT_LT(*angles.begin(), -20);
+    EXPECT_GT(*angles.rbegin(), 20);
 }
 
 TEST(Agrivoltaics, GapsBetweenModulesLetLightThrough) {

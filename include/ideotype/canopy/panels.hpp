@@ -20,7 +20,17 @@ struct PanelRows {
     double offset = 0;   //!< of the first row from the edge of the cell [m]
     double module_length = 0;  //!< along the row [m]; 0: one without end
     double gap = 0;            //!< between the modules of a row [m]
+    //! Modules turn about the axis of their row after the sun, in the place of
+    //! the tilt.
+    bool tracks = false;
+    double max_angle = 60;   //!< from level, of modules that track [deg]
+    bool backtracks = true;  //!< so that no row shades another
 };
+
+//! How far modules that track are turned from level towards the azimuth of
+//! their rows [deg], as pvlib's tracking.singleaxis() computes it about a level
+//! axis; they lie level when the sun is down.
+double tracker_angle(const PanelRows& panels, const SunPosition& sun);
 
 //! How rows of panels lie in a cell, whose edges they are parallel to.
 struct PanelLayout {

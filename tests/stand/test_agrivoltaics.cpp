@@ -183,6 +183,12 @@ TEST(Agrivoltaics, ObjectsAreKeptInTheResolvedCampaign) {
     }
 }
 
+TEST(Agrivoltaics, ASettingTakesPanelsAway) {
+    EXPECT_TRUE(campaign_with({panel, "panel=[]"}).panels.empty());
+    EXPECT_EQ(campaign_with({panel, "panel=[]"}).resolved,
+              campaign_with({}).resolved);
+}
+
 TEST(Agrivoltaics, TellsWhatDoesNotRepeatWithTheField) {
     EXPECT_THAT(
         error_of({"panel=[{pitch=6.096, height=4, width=2, azimuth=180}]"}),

@@ -90,7 +90,13 @@ void check_rows(const PanelRows& rows, const FieldForm& field,
                                       360,
                                   360)));
     if (!layout->is_along) std::swap(across, along);
-    check_period("pitch", rows.pitch, 0, across, report);
+    if (rows.pitch > 0) check_period("pitch", rows.pitch, 0, across, report);
+    const double pitch = in_cell(rows, cell, spacing.row_direction).pitch;
+    if (report.usable({&rows.width}) && rows.width > pitch)
+        report.add(&rows.width,
+                   fmt::format("panel.width is {} (rows are {:.6g} m apart, so "
+                               "that modules would meet); use {:.6g} or less",
+                               rows.width, pitch, pitch));
     if (rows.module_length > 0)
         check_period("gap", rows.gap, rows.module_length, along, report);
 }
@@ -109,11 +115,6 @@ void check_optics(const std::string& table, const Lambertian& optics,
 
 //! Tells modules that meet each other or the soil.
 void check_modules(const PanelRows& rows, Report& report) {
-    if (report.usable({&rows.width, &rows.pitch}) && rows.width > rows.pitch)
-        report.add(&rows.width,
-                   fmt::format("panel.width is {} (rows are {} m apart, so "
-                               "that modules would meet); use {} or less",
-                               rows.width, rows.pitch, rows.pitch));
     if (!report.usable({&rows.width, &rows.height, &rows.tilt, &rows.tracks,
                         &rows.max_angle}))
         return;

@@ -32,9 +32,8 @@ Section panel_section(PanelEntry& entry) {
              .like("\"panel\""),
          Key("pitch", &rows.pitch,
              "from row to row of panels; goes into the field a whole number "
-             "of times")
-             .metres(0.1, 100)
-             .required("6.08"),
+             "of times; 0: as wide as the field")
+             .metres(0, 100),
          Key("height", &rows.height, "of the middle of modules above the soil")
              .metres(0, 50)
              .required("4"),

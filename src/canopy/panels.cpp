@@ -56,6 +56,12 @@ std::optional<PanelLayout> layout_of(const PanelRows& panels, const Cell& cell,
     return PanelLayout{false, cell.period_y, cell.period_x};
 }
 
+PanelRows in_cell(PanelRows panels, const Cell& cell, double row_direction) {
+    const auto layout = layout_of(panels, cell, row_direction);
+    if (panels.pitch == 0 && layout) panels.pitch = layout->across;
+    return panels;
+}
+
 Mesh panel_mesh(const PanelRows& panels, const Cell& cell, double row_direction,
                 double tilt) {
     const auto layout = layout_of(panels, cell, row_direction);

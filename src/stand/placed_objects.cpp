@@ -59,17 +59,15 @@ Mesh mesh_of(const PanelRows& rows, const Cell& cell, double row_direction,
 //! Gives each source the pose that all rows which track take after its sun.
 //! @return angles of each of those rows [deg], by pose
 std::vector<std::vector<double>> set_poses(Scene& scene,
-                                           const Campaign& campaign) {
+                                           const std::vector<PanelRows>& all) {
     std::vector<std::vector<double>> poses;
     std::vector<std::uint32_t> pose_of;
     for (const std::size_t i : scene.light().instant_of) {
         std::vector<double> angles;
-        for (const PanelEntry& each : campaign.panels)
-            angles.push_back(
-                each.rows.tracks
-                    ? tracker_angle(each.rows,
-                                    scene.light().series.steps[i].sun)
-                    : each.rows.tilt);
+        const SunPosition& sun = scene.light().series.steps[i].sun;
+        for (const PanelRows& rows : all)
+            angles.push_back(rows.tracks ? tracker_angle(rows, sun)
+                                         : rows.tilt);
         const auto found = std::find(poses.begin(), poses.end(), angles);
         pose_of.push_back(
             static_cast<std::uint32_t>(found - poses.begin() + 1));
@@ -104,17 +102,18 @@ bool has_trackers(const Campaign& campaign) {
 
 void add_objects(Scene& scene, const Campaign& campaign,
                  const Spacing& spacing) {
+    std::vector<PanelRows> all;
+    for (const PanelEntry& each : campaign.panels)
+        all.push_back(in_cell(each.rows, scene.cell, spacing.row_direction));
     std::vector<std::vector<double>> poses;
-    if (has_trackers(campaign)) poses = set_poses(scene, campaign);
-    for (std::size_t p = 0; p < campaign.panels.size(); ++p) {
-        const PanelEntry& each = campaign.panels[p];
+    if (has_trackers(campaign)) poses = set_poses(scene, all);
+    for (std::size_t p = 0; p < all.size(); ++p) {
         std::vector<double> angles;
         for (const std::vector<double>& pose : poses) angles.push_back(pose[p]);
         add(scene,
-            {each.rows.name,
-             mesh_of(each.rows, scene.cell, spacing.row_direction, angles),
-             true},
-            each.optics, each.nir_optics);
+            {all[p].name,
+             mesh_of(all[p], scene.cell, spacing.row_direction, angles), true},
+            campaign.panels[p].optics, campaign.panels[p].nir_optics);
     }
     for (const ObjectEntry& each : campaign.objects)
         add(scene, {each.name, mesh_of(each)}, each.optics, each.nir_optics);

@@ -183,6 +183,22 @@ TEST(Agrivoltaics, ObjectsAreKeptInTheResolvedCampaign) {
     }
 }
 
+TEST(Agrivoltaics, RowsOfPanelsMayBeAsFarApartAsTheFieldIsWide) {
+    std::string own = panel;
+    own.erase(own.find("pitch=3.048, "), 13);
+    for (const std::string direction : {"90", "0"}) {
+        // Across the rows of plants the field is .6096 m wide.
+        const Settings settings{
+            own, "spacing.row_direction=" + direction,
+            direction == "0" ? "field.plants=20" : "field.plants=4"};
+        const Campaign campaign = campaign_with(settings);
+        const Scene scene = scene_of(campaign, cases(campaign).front());
+        EXPECT_EQ(scene.objects[0].mesh.faces.size(), 1u);
+    }
+    EXPECT_THAT(error_of({own, "spacing.row_direction=0"}),
+                HasSubstr("panel.width is 1.5 (rows are 0.6096 m apart"));
+}
+
 TEST(Agrivoltaics, ASettingTakesPanelsAway) {
     EXPECT_TRUE(campaign_with({panel, "panel=[]"}).panels.empty());
     EXPECT_EQ(campaign_with({panel, "panel=[]"}).resolved,

@@ -12,7 +12,7 @@ namespace ideotype {
 //! Rows of photovoltaic modules: parallel, evenly spaced and without end.
 struct PanelRows {
     std::string name = "panel";
-    double pitch = 0;    //!< from row to row [m]
+    double pitch = 0;    //!< from row to row [m]; 0: one row in each cell
     double height = 0;   //!< of the middle of modules [m]
     double width = 0;    //!< of modules, across the row [m]
     double tilt = 0;     //!< from level; 90 stands upright [deg]
@@ -44,6 +44,9 @@ struct PanelLayout {
 //! the rows of plants
 std::optional<PanelLayout> layout_of(const PanelRows& panels, const Cell& cell,
                                      double row_direction);
+
+//! The rows with their pitch, if it is that of the cell.
+PanelRows in_cell(PanelRows panels, const Cell& cell, double row_direction);
 
 //! Whether a length goes into another a whole number of times.
 bool divides(double part, double whole);

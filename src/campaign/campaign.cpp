@@ -48,7 +48,8 @@ int usual_population_of(const Campaign& campaign) {
                            campaign.crop.traits[number.trait].name));
         most = std::max(most, genes);
     }
-    return usual_population(campaign.search.optimizer, most);
+    return usual_population(campaign.search.optimizer,
+                            most + campaign.varied.keys.size());
 }
 
 //! A sensitivity study ends with the last row of its design, and with nothing
@@ -82,11 +83,16 @@ Campaign complete(Draft& draft, const std::string& source,
         campaign.bounds.push_back(
             bounds_of(draft, numbers[i].trait, baseline[i]));
     campaign.reach = reach_of(campaign);
+    if (!draft.is_study) campaign.varied.keys = draft.searched;
     if (uses_cma_es(campaign.search) && !draft.has_population)
         campaign.search.population = usual_population_of(campaign);
     if (draft.is_study) plan_study(draft, campaign);
     draft.campaign.search = campaign.search;
     draft.campaign.stop = campaign.stop;
+    // A start is a plant; keys begin where the campaign has them.
+    if (!campaign.search.start.empty())
+        for (const KeyFactor& each : campaign.varied.keys)
+            campaign.search.start.push_back(each.value);
     if (draft.has_photosynthesis)
         campaign.photosynthesis = to_photosynthesis(draft.photosynthesis);
     for (const std::shared_ptr<Draft>& each : draft.neighbours) {
@@ -122,8 +128,8 @@ void check_again(Draft& draft) {
 }
 
 //! Reports ends of ranges that contradict the rest of the campaign.
-void try_ends(const Draft& draft, Report& report) {
-    for (const KeyFactor& factor : draft.varied.keys)
+void try_ends(Draft& draft, Report& report) {
+    for (const KeyFactor& factor : draft.factors())
         for (const double end : {factor.range.lower, factor.range.upper}) try {
                 Draft varied = draft;
                 set_key(varied, factor, end);
@@ -131,7 +137,8 @@ void try_ends(const Draft& draft, Report& report) {
             } catch (const InputError& error) {
                 report.add(
                     &factor.range,
-                    fmt::format("sensitivity.keys: with {} of {}, {}", end,
+                    fmt::format("{}.keys: with {} of {}, {}",
+                                draft.is_study ? "sensitivity" : "search", end,
                                 factor.key, error.problems().front().what));
                 break;
             }

@@ -505,7 +505,7 @@ std::vector<Table> campaign_tables(Draft& draft) {
             photosynthesis_table(draft),
             constraints_table(campaign.constraints),
             feasibility_table(draft),
-            one_table(search_section(campaign.search)),
+            search_table(draft),
             sensitivity_table(draft),
             one_table(stop_section(campaign.stop)),
             one_table(final_section(campaign.final_rule)),

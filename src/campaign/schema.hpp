@@ -208,7 +208,8 @@ Section lines_section(MeasuredLines& known);
 //! All tables of such a file.
 std::vector<Table> lines_tables(MeasuredLines& known);
 Table feasibility_table(Draft& draft);
-Section search_section(SearchSettings& search);
+//! With a table for each key that is varied.
+Table search_table(Draft& draft);
 //! With a table for each key that is varied.
 Table sensitivity_table(Draft& draft);
 Section stop_section(StopRules& stop);

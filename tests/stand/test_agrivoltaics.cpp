@@ -6,6 +6,7 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -197,6 +198,47 @@ TEST(Agrivoltaics, RowsOfPanelsMayBeAsFarApartAsTheFieldIsWide) {
     }
     EXPECT_THAT(error_of({own, "spacing.row_direction=0"}),
                 HasSubstr("panel.width is 1.5 (rows are 0.6096 m apart"));
+}
+
+TEST(Agrivoltaics, HeightAndPitchMayBeGenesBesideThoseOfThePlant) {
+    std::string own = panel;
+    own.erase(own.find("pitch=3.048, "), 13);
+    const Campaign campaign =
+        campaign_with({own,
+                       "search.keys=[{key=\"panel.height\", range=[3, 5]}, "
+                       "{key=\"spacing.row\", range=[0.5, 1]}]"});
+    const Case chosen = cases(campaign).front();
+    const GeneSpace genes = search_genes(campaign, chosen);
+    ASSERT_EQ(genes.size(), gene_space(campaign, chosen).size() + 2);
+    EXPECT_EQ(genes.back().name, "spacing.row");
+    EXPECT_TRUE(genes.back().is_free);
+    Genome genome = baseline_numbers(campaign.crop);
+    const std::size_t plant = genome.size();
+    genome.insert(genome.end(), {3.5, .9});
+    const Campaign varied = at_keys(campaign, genome);
+    EXPECT_EQ(genome.size(), plant);
+    const Scene scene = scene_of(varied, cases(varied).front());
+    EXPECT_NEAR(scene.cell.period_x, 3.6, 1e-12);
+    ASSERT_EQ(scene.objects[0].mesh.faces.size(), 1u);
+    EXPECT_NEAR(face_areas(scene.objects[0].mesh)[0], 1.5 * .6096, 1e-9);
+    double height = 0;
+    for (const glm::dvec3& v : scene.objects[0].mesh.vertices)
+        height += v.z / 4;
+    EXPECT_NEAR(height, 3.5, 1e-12);
+    // A search that begins around a plant begins with the keys as they are.
+    const std::vector<double> start =
+        campaign_with(
+            {own, "search.optimizer=cma_es",
+             "search.keys=[{key=\"panel.height\", range=[3, 5]}]",
+             fmt::format("search.start=[{}]",
+                         fmt::join(baseline_numbers(campaign.crop), ", "))})
+            .search.start;
+    ASSERT_EQ(start.size(), plant + 1);
+    EXPECT_EQ(start.back(), 4);
+    EXPECT_THAT(error_of({own,
+                          "search.keys=[{key=\"panel.height\", "
+                          "range=[0.1, 5]}]"}),
+                HasSubstr("search.keys: with 0.1 of panel.height"));
 }
 
 TEST(Agrivoltaics, ASettingTakesPanelsAway) {

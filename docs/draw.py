@@ -14,12 +14,15 @@ import copy
 import sys
 import tomllib
 from collections.abc import Callable
+from datetime import time
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.patches import Arc, Rectangle
 from PIL import Image
@@ -31,7 +34,8 @@ from ideotype.analysis.style import RC, new_figure
 DOCS = Path(__file__).resolve().parent
 sys.path.insert(0, str(DOCS.parent / "campaigns" / "study"))
 from draw_plants import TURN, draw  # noqa: E402
-from shared import ANYWHERE  # noqa: E402
+from plant_shapes import drawn  # noqa: E402
+from shared import ANYWHERE, read_campaign  # noqa: E402
 
 ROW, PLANT = 0.76, 0.15
 """Distances between rows and between plants in a row [m]."""
@@ -387,6 +391,64 @@ def response(_: Shapes) -> Figure:
     return figure
 
 
+def agrivoltaics(_: Shapes) -> Figure:
+    """The field of a campaign across its rows at three hours, and its light."""
+    tables = read_campaign(DOCS.parent / "campaigns/agrivoltaic.toml")
+    stand = Stand(tables)
+    found = stand.evaluate(stand.baseline, tolerance=0.005).isel(
+        plant=0, band=0
+    )
+    figure = new_figure(4.8, 6.0)
+    grid = figure.subplots(4, 1, height_ratios=(1, 1, 1, 1.6))
+    tables |= {
+        "light": {"paths": 16, "randomisations": 4},
+        "search": {"population": 2, "elites": 0},
+        "stop": {"generations": 1},
+        "final": {"candidates": 1, "paths": 16, "randomisations": 2},
+    }
+    colors = {"panel": "#234E78", "leaf": "#4E9A3A"}
+    for axes, hour in zip(grid, (8, 12, 18)):
+        (day,) = tables["day"]
+        day |= {"start": time(hour), "end": time(hour + 1)}
+        with TemporaryDirectory() as folder:
+            field = drawn(tables, Path(folder))
+        # The field and its neighbours on both sides.
+        (panel,) = tables["panel"]
+        across = np.concatenate(
+            [
+                field.corners[..., (0, 2)] + (panel["pitch"] * i, 0)
+                for i in (-1, 0, 1)
+            ]
+        )
+        kinds = 3 * [
+            next((kind for kind in colors if kind in group), "")
+            for group in field.groups
+        ]
+        axes.add_collection(
+            PolyCollection(
+                across, facecolors=[colors.get(k, "#A3B57E") for k in kinds],
+                edgecolors=[colors.get(k, "none") for k in kinds],
+                linewidths=[1.5 if k == "panel" else 0.1 for k in kinds],
+            )
+        )  # fmt: skip
+        axes.plot([-5, 11], [0, 0], color="#8F7459", lw=2)
+        axes.text(-5, 4.4, f"{hour}:00", color=INK)
+        axes.set(xlim=(-5, 11), ylim=(-0.1, 5.2))
+        bare(axes)
+    hours, light = found.hour, found.object_light_by_hour.sel(object="panel")
+    last = grid[-1]
+    for label, values, color in (
+        ("front of modules", light.sel(object_side="front"), "#234E78"),
+        ("back of modules", light.sel(object_side="back"), "#7FA8CC"),
+        ("leaves, absorbed per ground", found.absorbed_by_hour, "#4E9A3A"),
+        ("ground", found.ground_light_by_hour, "#8F7459"),
+    ):
+        last.plot(hours, values, color=color, label=label)
+    last.set(xlabel="hour", ylabel="PAR [W m⁻²]", xlim=(6, 21), ylim=(0, 640))
+    last.legend(fontsize=8, loc="upper left", ncols=2)
+    return figure
+
+
 FIGURES: dict[str, Callable[[Shapes], Figure]] = {
     "azimuth": azimuth,
     "insertion_angle": insertion_angle,
@@ -396,6 +458,7 @@ FIGURES: dict[str, Callable[[Shapes], Figure]] = {
     "traits": traits,
     "light": light,
     "response": response,
+    "agrivoltaics": agrivoltaics,
 }
 
 

@@ -46,7 +46,8 @@ int usual_population_of(const Campaign& campaign) {
         chosen.traits = set.value;
         most = std::max(most, count_free(gene_space(campaign, chosen)));
     }
-    return usual_population(campaign.search.optimizer, most);
+    return usual_population(campaign.search.optimizer,
+                            most + campaign.varied.keys.size());
 }
 
 //! Completes a crop with its traits, and returns the bounds of their numbers.
@@ -116,11 +117,16 @@ Campaign complete(Draft& draft, const std::string& source,
                      added.free.empty() ? std::vector<Range>{} : added.bounds,
                      added.standing.variation.value_or(variation)));
     }
+    if (!draft.is_study) campaign.varied.keys = draft.searched;
     if (uses_cma_es(campaign.search) && !draft.has_population)
         campaign.search.population = usual_population_of(campaign);
     if (draft.is_study) plan_study(draft, campaign);
     draft.campaign.search = campaign.search;
     draft.campaign.stop = campaign.stop;
+    // A start is a plant; keys begin where the campaign has them.
+    if (!campaign.search.start.empty())
+        for (const KeyFactor& each : campaign.varied.keys)
+            campaign.search.start.push_back(each.value);
     if (draft.has_photosynthesis)
         campaign.photosynthesis = to_photosynthesis(draft.photosynthesis);
     std::erase_if(campaign.constraints.traits,
@@ -142,8 +148,8 @@ void check_again(Draft& draft) {
 }
 
 //! Reports ends of ranges that contradict the rest of the campaign.
-void try_ends(const Draft& draft, Report& report) {
-    for (const KeyFactor& factor : draft.varied.keys)
+void try_ends(Draft& draft, Report& report) {
+    for (const KeyFactor& factor : draft.factors())
         for (const double end : {factor.range.lower, factor.range.upper}) try {
                 Draft varied = draft;
                 set_key(varied, factor, end);
@@ -151,7 +157,8 @@ void try_ends(const Draft& draft, Report& report) {
             } catch (const InputError& error) {
                 report.add(
                     &factor.range,
-                    fmt::format("sensitivity.keys: with {} of {}, {}", end,
+                    fmt::format("{}.keys: with {} of {}, {}",
+                                draft.is_study ? "sensitivity" : "search", end,
                                 factor.key, error.problems().front().what));
                 break;
             }
@@ -166,6 +173,7 @@ Campaign parse(const std::string& text, const std::string& file,
     Report report;
     read_draft(text, file, source, settings, draft, report);
     read_weathers(file, source, draft, report);
+    read_objects(file, draft, report);
     check_draft(draft, report);
     if (report.empty()) try_ends(draft, report);
     report.throw_if_any();

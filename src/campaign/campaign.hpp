@@ -18,6 +18,7 @@
 #include "ideotype/crop/measured_lines.hpp"
 #include "ideotype/light/accuracy.hpp"
 #include "ideotype/physiology/photosynthesis.hpp"
+#include "objects.hpp"
 #include "search/outcome.hpp"
 #include "search/population.hpp"
 #include "search/settings.hpp"
@@ -211,6 +212,8 @@ struct Campaign {
     //! The waveband in which the tolerance bounds the light of leaves.
     BoundedBand bounded_band = BoundedBand::par;
     std::vector<Neighbour> neighbours;       //!< components beside the crop
+    std::vector<PanelEntry> panels;
+    std::vector<ObjectEntry> objects;
     SkyModel sky_model = SkyModel::uniform;  //!< of diffuse light
     //! Of a climate: the suns of so many dates stand for all. 0: without one.
     int sun_dates = 3;

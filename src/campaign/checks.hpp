@@ -28,6 +28,13 @@ void check_sky(const Campaign& campaign, Report& report);
 //! Checks where components stand, and what is asked of them together.
 void check_components(Draft& draft, Report& report);
 
+//! Reads the files of fixed objects.
+//! @param file of the campaign
+void read_objects(const std::string& file, Draft& draft, Report& report);
+
+//! Checks how panels and objects repeat with the field.
+void check_objects(const Draft& draft, Report& report);
+
 //! Reports a surface that reflects and transmits more than all light.
 //! @param name of its keys
 void check_surface(const std::string& name, const Lambertian& surface,

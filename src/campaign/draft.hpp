@@ -53,6 +53,12 @@ struct Draft {
     bool is_study = false;            //!< of sensitivity, and no search
     SensitivitySettings design;       //!< of studies
     Variation varied;                 //!< by studies
+    std::vector<KeyFactor> searched;  //!< keys that searches vary
+
+    //! The keys that are varied, by a study or a search.
+    std::vector<KeyFactor>& factors() {
+        return is_study ? varied.keys : searched;
+    }
 
     //! Components that are not bred: each has its crop and its name.
     std::vector<std::shared_ptr<Draft>> neighbours;

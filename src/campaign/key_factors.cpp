@@ -41,7 +41,7 @@ std::vector<NamedKey> variable_keys(Draft& draft) {
         }
     };
     add(campaign_tables(draft), "",
-        {"field", "spacing", "optics", "photosynthesis"});
+        {"field", "spacing", "panel", "optics", "photosynthesis"});
     if (draft.is_crop_known)
         add(plant_tables(draft), plant_prefix,
             {"stalk", "sheath", "petiole", "blade", "organ", "leaf"});
@@ -64,7 +64,7 @@ std::string advice(const std::string& name, const std::vector<NamedKey>& keys) {
         if (each.is_there && each.tables == 1 && numbers_of(each.key))
             known.push_back(each.name);
     const std::string nearest = nearest_name(name, known);
-    return nearest.empty() ? "name a number of field, spacing, optics, "
+    return nearest.empty() ? "name a number of field, spacing, panel, optics, "
                              "photosynthesis or plant.baseline"
                            : "did you mean \"" + nearest + "\"?";
 }
@@ -106,24 +106,43 @@ bool is_in_range(const KeyFactor& factor, const NamedKey& found,
     return true;
 }
 
-void check_key(KeyFactor& factor, const std::vector<NamedKey>& keys,
-               Report& report) {
+//! @param table of the study or search
+void check_key(const std::string& table, KeyFactor& factor,
+               const std::vector<NamedKey>& keys, Report& report) {
     const auto found = std::find_if(
         keys.begin(), keys.end(),
         [&](const NamedKey& each) { return each.name == factor.key; });
     const std::string what =
         found == keys.end() ? "(there is no such number)" : fault(*found);
     if (!what.empty())
-        return report.add(
-            &factor.key,
-            fmt::format("sensitivity.keys has \"{}\" {}; {}", factor.key, what,
-                        advice(factor.key, keys)));
+        return report.add(&factor.key, fmt::format("{}.keys has \"{}\" {}; {}",
+                                                   table, factor.key, what,
+                                                   advice(factor.key, keys)));
     if (!report.usable({&factor.range}) || !is_in_range(factor, *found, report))
         return;
     const std::vector<double> numbers = *numbers_of(found->key);
     const auto& [lower, upper] = factor.range;
     factor.unit = found->key.unit.empty() ? "1" : found->key.unit;
     factor.value = numbers.empty() ? (lower + upper) / 2 : numbers.front();
+}
+
+//! Checks the keys [[TABLE.keys]].
+void check_keys(const std::string& table, std::vector<KeyFactor>& factors,
+                Draft& draft, Report& report) {
+    std::set<std::string> seen;
+    const std::vector<NamedKey> keys = variable_keys(draft);
+    for (KeyFactor& factor : factors) {
+        // Without its file nothing is known of the plant.
+        if (!report.usable({&factor.key}) ||
+            (!draft.is_crop_known && factor.key.starts_with(plant_prefix)))
+            continue;
+        if (seen.insert(factor.key).second)
+            check_key(table, factor, keys, report);
+        else
+            report.add(&factor.key,
+                       fmt::format("{}.keys has \"{}\" twice; remove one",
+                                   table, factor.key));
+    }
 }
 
 }  // namespace
@@ -141,20 +160,8 @@ void check_sensitivity(Draft& draft, Report& report) {
                    "sensitivity.traits is false (and there are no "
                    "sensitivity.keys, so nothing would vary); name a key, or "
                    "leave it out");
-    std::set<std::string> seen;
-    const std::vector<NamedKey> keys = variable_keys(draft);
-    for (KeyFactor& factor : varied.keys) {
-        // Without its file nothing is known of the plant.
-        if (!report.usable({&factor.key}) ||
-            (!draft.is_crop_known && factor.key.starts_with(plant_prefix)))
-            continue;
-        if (seen.insert(factor.key).second)
-            check_key(factor, keys, report);
-        else
-            report.add(&factor.key, fmt::format("sensitivity.keys has \"{}\" "
-                                                "twice; remove one",
-                                                factor.key));
-    }
+    check_keys("sensitivity", varied.keys, draft, report);
+    check_keys("search", draft.searched, draft, report);
 }
 
 void set_key(Draft& draft, const KeyFactor& factor, double value) {

@@ -202,6 +202,28 @@ Table constraints_table(Constraints& constraints) {
     return table;
 }
 
+namespace {
+
+//! The tables [[TABLE.keys]] of keys that are varied.
+Table keys_table(const std::string& table, std::vector<KeyFactor>& keys,
+                 const std::string& range) {
+    Table all = list_of_tables<KeyFactor>(
+        "keys",
+        [=](KeyFactor& factor) -> Section {
+            return {
+                table + ".keys",
+                {Key("key", &factor.key,
+                     "a number of field, spacing, panel, optics, "
+                     "photosynthesis or plant.baseline that is varied")
+                     .set(&Key::is_any_text, true)
+                     .required("\"optics.soil_albedo\""),
+                 Key("range", &factor.range, range).required("[0.05, 0.3]")}};
+        },
+        keys);
+    all.is_optional = true;
+    return all;
+}
+
 Section search_section(SearchSettings& search) {
     GaSettings& ga = search.ga;
     return {
@@ -260,6 +282,15 @@ Section search_section(SearchSettings& search) {
              .set(&Key::initial, "the worst of each in generation 0")}};
 }
 
+}  // namespace
+
+Table search_table(Draft& draft) {
+    Table table = one_table(search_section(draft.campaign.search));
+    table.children = {keys_table("search", draft.searched,
+                                 "in which, beside the genes of the plant")};
+    return table;
+}
+
 Table sensitivity_table(Draft& draft) {
     Variation& varied = draft.varied;
     SensitivitySettings& design = draft.design;
@@ -283,20 +314,8 @@ Table sensitivity_table(Draft& draft) {
               .one_of({"trait", "gene"}),
           Key("traits", &varied.has_traits,
               "whether the traits of the case's trait set are varied")}});
-    table.children = {list_of_tables<KeyFactor>(
-        "keys",
-        [](KeyFactor& factor) -> Section {
-            return {"sensitivity.keys",
-                    {Key("key", &factor.key,
-                         "a number of field, spacing, optics, photosynthesis "
-                         "or plant.baseline that is varied")
-                         .set(&Key::is_any_text, true)
-                         .required("\"optics.soil_albedo\""),
-                     Key("range", &factor.range, "in which, evenly")
-                         .required("[0.05, 0.3]")}};
-        },
-        varied.keys)};
-    table.children.front().is_optional = true;
+    table.children = {
+        keys_table("sensitivity", varied.keys, "in which, evenly")};
     table.is_default = !draft.is_study;
     return table;
 }

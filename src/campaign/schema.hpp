@@ -193,9 +193,11 @@ Table plant_optics_table(Campaign& campaign);
 //! The tables of a crop file that campaigns have too, which go before it.
 std::vector<Table> crop_defaults(Draft& draft);
 
-// Those of run_schema.cpp and plant_schema.cpp.
+// Those of run_schema.cpp, plant_schema.cpp and object_schema.cpp.
 Table plant_table(Draft& draft);
 Section light_section(Campaign& campaign);
+Table panel_table(Campaign& campaign);
+Table object_table(Campaign& campaign);
 Section objective_section(Draft& draft);
 //! The bounds of each trait of the crop, as a table of [plant] or [component].
 Table own_bounds_table(Draft& draft, const std::string& parent);
@@ -211,7 +213,8 @@ Section lines_section(MeasuredLines& known);
 //! All tables of such a file.
 std::vector<Table> lines_tables(MeasuredLines& known);
 Table feasibility_table(Draft& draft);
-Section search_section(SearchSettings& search);
+//! With a table for each key that is varied.
+Table search_table(Draft& draft);
 //! With a table for each key that is varied.
 Table sensitivity_table(Draft& draft);
 Section stop_section(StopRules& stop);

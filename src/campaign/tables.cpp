@@ -120,7 +120,7 @@ std::vector<const toml::table*> TableReader::entries(const toml::node& node,
     const toml::array* array = node.as_array();
     if (!table.resize)
         refuse(node, fmt::format("one table); write [{}] once", table.name));
-    else if (!array || array->empty())
+    else if (!array || (array->empty() && !table.is_optional))
         refuse(node, lists);
     else
         for (const toml::node& element : *array) {

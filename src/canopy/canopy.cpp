@@ -107,14 +107,23 @@ class Reporter {
             result_.plant_area_index += index;
             if (component.photosynthesis) result_.assimilating_lai += lai;
         }
-        for (const FixedObject& each : scene_.objects)
-            result_.objects.push_back(each.name);
+        for (const FixedObject& each : scene_.objects) {
+            const std::vector<double> faces = face_areas(each.mesh);
+            double area = 0;
+            // What moves has the same area in each pose.
+            for (std::size_t f = 0; f < faces.size(); ++f)
+                if (each.mesh.groups[each.mesh.face_group[f]].pose <= 1)
+                    area += faces[f];
+            result_.objects.push_back(
+                {each.name, each.is_panel, area / scene_.cell.ground_area});
+        }
     }
 
     void report_band(const Band& band, const std::vector<Tally>& tallies) {
         BandReport& report = result_.bands.emplace_back();
         const bool has_faces = request_.details.faces;
         report.name = band.name;
+        report.soil_albedo = band.optics.soil_albedo;
         for (const Tally& tally : tallies) {
             report.budget_by_randomisation.push_back(tally.budget());
             if (has_faces) continue;
@@ -122,6 +131,7 @@ class Reporter {
             report.layers_by_randomisation.push_back(tally.layers);
         }
         report.light = ideotype::report(tallies, band.light);
+        report.objects = light_on_objects(band.optics, report.light.objects);
         report.parts = parts_of(tallies);
         if (has_faces) report.faces = per_area(report.light.groups);
         if (!(report.light.balance_error < balance_tolerance))
@@ -195,6 +205,24 @@ class Reporter {
                 ideotype::report(found_.hit_by_sun, scene_.light());
         if (!found_.light_classes.empty())
             result_.light_classes = ideotype::report(found_.light_classes);
+    }
+
+    //! Returns what falls on sides of objects, per area, from what they absorb.
+    std::vector<SideLight> light_on_objects(
+        const Optics& optics, std::vector<SideLight> absorbed) const {
+        for (std::size_t side = 0; side < absorbed.size(); ++side) {
+            const std::uint32_t material =
+                scene_.objects[side / 2].mesh.groups.front().material;
+            const double kept =
+                result_.objects[side / 2].area_index *
+                (1 - optics.of(material).face(side % 2 == 0).scattered());
+            const double factor = kept > 0 ? 1 / kept : 0;
+            SideLight& light = absorbed[side];
+            light.day = scaled(light.day, factor);
+            for (double& x : light.by_randomisation) x *= factor;
+            for (Estimate& x : light.hours) x = scaled(x, factor);
+        }
+        return absorbed;
     }
 
     //! Returns the light of each component and then of each object.

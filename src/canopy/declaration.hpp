@@ -33,6 +33,8 @@ struct Scope {
     bool assimilates = false;
     bool has_lines = false;
     bool has_rows = false;  //!< that are told apart
+    bool has_objects = false;
+    bool has_panels = false;
 
     bool has_band(const std::string& name) const {
         return std::find(bands.begin(), bands.end(), name) != bands.end();
@@ -62,6 +64,8 @@ std::vector<Declaration> part_quantities();
 
 //! Quantities by row and by strip, after those.
 std::vector<Declaration> row_quantities();
+//! Quantities of scenes with fixed objects, after all others.
+std::vector<Declaration> object_quantities();
 
 inline Randomised scaled(Randomised x, double factor) {
     x.estimate = scaled(x.estimate, factor);

@@ -33,18 +33,28 @@ std::vector<const Declaration*> declared(const Scope& scope) {
     if (scope.has_lines) add(all_of<line_quantities>());
     add(all_of<part_quantities>());
     add(all_of<row_quantities>());
+    add(all_of<object_quantities>());
     return all;
 }
 
 //! A canopy that has every quantity.
-const Scope everything{2, {"par", "nir"}, true, true, true};
+const Scope everything{2, {"par", "nir"}, true, true, true, true, true};
+
+//! Returns whether any object is a panel.
+template <class Object>
+bool has_panels(const std::vector<Object>& objects) {
+    return std::any_of(objects.begin(), objects.end(),
+                       [](const Object& each) { return each.is_panel; });
+}
 
 Scope scope_of(const CanopyReport& report) {
     Scope scope{report.components.size(),
                 {},
                 report.assimilation.has_value(),
                 report.lines.has_value(),
-                !report.rows.empty()};
+                !report.rows.empty(),
+                !report.objects.empty(),
+                has_panels(report.objects)};
     for (const BandReport& band : report.bands)
         scope.bands.push_back(band.name);
     return scope;
@@ -55,7 +65,9 @@ Scope scope_of(const Scene& scene, const Details& details) {
                 {},
                 scene.assimilates(),
                 details.lines.has_value(),
-                !scene.cell.row_ground.empty()};
+                !scene.cell.row_ground.empty(),
+                !scene.objects.empty(),
+                has_panels(scene.objects)};
     for (const Band& band : scene.bands) scope.bands.push_back(band.name);
     return scope;
 }
@@ -176,6 +188,15 @@ QuantitySet canopy_quantities(const Scene& scene, const Layers& layers,
         set.axes.push_back(
             {"component", "", "kind of plant", std::move(names)});
     }
+    if (scope.has_objects) {
+        Names names;
+        for (const FixedObject& each : scene.objects)
+            names.push_back(each.name);
+        set.axes.push_back({"object", "", "fixed object", std::move(names)});
+        set.axes.push_back({"object_side", "",
+                            "side of panels, or of faces of other objects",
+                            Names{"front", "back"}});
+    }
     if (scope.bands.size() > 1)
         set.axes.push_back({"band", "", "waveband", scope.bands});
     if (scope.has_rows) set.axes.push_back(row_axis(scene));
@@ -233,6 +254,12 @@ bool is_of_nir(const std::string& quantity) {
     Scope par = everything;
     par.bands = {"par"};
     return find(quantity) && !find(quantity, par);
+}
+
+bool is_of_panels(const std::string& quantity) {
+    Scope open = everything;
+    open.has_panels = false;
+    return find(quantity) && !find(quantity, open);
 }
 
 bool is_of_two_components(const std::string& quantity) {

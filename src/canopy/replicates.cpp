@@ -37,6 +37,11 @@ std::vector<double> mean_of(const std::vector<std::vector<double>>& all) {
 Tally mean_of(const std::vector<Tally>& tallies) {
     const auto n = static_cast<double>(tallies.size());
     Tally mean = mean_of_parts(tallies, &Tally::groups, &Tally::layers);
+    for (std::size_t s = 0; s < mean.objects.size(); ++s) {
+        for (std::size_t i = 1; i < tallies.size(); ++i)
+            add(mean.objects[s], tallies[i].objects[s]);
+        scale(mean.objects[s], 1 / n);
+    }
     for (std::size_t i = 1; i < tallies.size(); ++i) {
         const Tally& more = tallies[i];
         for (std::size_t s = 0; s < mean.sources.size(); ++s)

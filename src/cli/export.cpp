@@ -91,6 +91,35 @@ std::vector<Estimate> light_on_faces(CanopyRequest request, std::size_t faces,
     return evaluate(request, Device(isa)).par().faces;
 }
 
+//! Leaves what moves as it stands for the strongest sun.
+//! @param light of each face, or nothing
+void stand_still(Shape& shape, std::vector<Estimate>& light,
+                 const std::vector<Source>& sources) {
+    std::uint32_t pose = 0;
+    double strongest = 0;
+    for (const Source& source : sources)
+        if (source.direction && source.energy > strongest) {
+            strongest = source.energy;
+            pose = source.pose;
+        }
+    Mesh& mesh = shape.mesh;
+    std::size_t kept = 0;
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        const std::uint32_t own = mesh.groups[mesh.face_group[f]].pose;
+        if (own != 0 && own != pose) continue;
+        mesh.faces[kept] = mesh.faces[f];
+        mesh.face_group[kept] = mesh.face_group[f];
+        if (!shape.face_plant.empty())
+            shape.face_plant[kept] = shape.face_plant[f];
+        if (!light.empty()) light[kept] = light[f];
+        ++kept;
+    }
+    mesh.faces.resize(kept);
+    mesh.face_group.resize(kept);
+    if (!shape.face_plant.empty()) shape.face_plant.resize(kept);
+    if (!light.empty()) light.resize(kept);
+}
+
 //! The surfaces of a plant or its field, with the light on them or without.
 void write_shape(const ExportOptions& options, const ChosenRow& row,
                  const std::string& title, bool is_lit, const Plants& grown,
@@ -113,13 +142,20 @@ void write_shape(const ExportOptions& options, const ChosenRow& row,
         request.scene = as_drawn(std::move(request.scene), field);
         first = 0;
     }
-    if (!is_lit) return write_obj(options.to, shape);
-    const std::size_t count = shape.mesh.faces.size();
-    std::vector<Estimate> light =
-        light_on_faces(std::move(request), count, options.paths, row.isa);
-    light.erase(light.begin(), light.begin() + static_cast<long>(first));
-    light.resize(count);
-    write_vtp(options.to, shape, light);
+    const std::vector<Source> sources = request.scene.light().light.sources;
+    std::vector<Estimate> light;
+    if (is_lit) {
+        const std::size_t count = shape.mesh.faces.size();
+        light =
+            light_on_faces(std::move(request), count, options.paths, row.isa);
+        light.erase(light.begin(), light.begin() + static_cast<long>(first));
+        light.resize(count);
+    }
+    stand_still(shape, light, sources);
+    if (is_lit)
+        write_vtp(options.to, shape, light);
+    else
+        write_obj(options.to, shape);
 }
 
 //! The place of a component that an option names.

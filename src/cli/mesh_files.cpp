@@ -111,8 +111,9 @@ void write_obj(const std::string& path, const Shape& shape) {
         out.print("v {:.7f} {:.7f} {:.7f}\n", v.x, v.y, v.z);
     std::string current;
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-        std::string group = mesh.groups[mesh.face_group[f]].name;
-        if (!shape.face_plant.empty())
+        const Group& of = mesh.groups[mesh.face_group[f]];
+        std::string group = of.name;
+        if (!shape.face_plant.empty() && !of.id.is_object())
             group =
                 fmt::format("plant{:03}_{}", shape.face_plant[f] + 1, group);
         if (group != current) out.print("g {}\n", current = group);

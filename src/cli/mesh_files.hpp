@@ -21,7 +21,7 @@ struct Shape {
 };
 
 //! Wavefront OBJ: a group per organ, "leaf01", and in a field per organ of a
-//! plant, "plant001_leaf01".
+//! plant, "plant001_leaf01", and objects by their names.
 void write_obj(const std::string& path, const Shape& shape);
 
 //! VTK XML PolyData with cell data: what each face absorbs for its one-sided

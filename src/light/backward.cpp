@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "directions.hpp"
+#include "ideotype/core/error.hpp"
 #include "travel.hpp"
 
 namespace ideotype {
@@ -14,8 +15,9 @@ namespace {
 
 //! From a surface, on the side of a normal.
 bool sees_sky(const RayScene& scene, const glm::dvec3& position,
-              const glm::dvec3& normal, const glm::dvec3& direction) {
-    return travel(scene, scene.offset_origin(position, normal), direction)
+              const glm::dvec3& normal, const glm::dvec3& direction,
+              std::uint32_t pose) {
+    return travel(scene, scene.offset_origin(position, normal), direction, pose)
                .group == Hit::sky;
 }
 
@@ -26,10 +28,11 @@ glm::dvec3 on_side_of(const glm::dvec3& direction, const glm::dvec3& normal) {
 }  // namespace
 
 bool is_lit(const RayScene& scene, const LeafPoint& point,
-            const glm::dvec3& travel) {
+            const glm::dvec3& travel, std::uint32_t pose) {
     const glm::dvec3 sun = -not_level(travel);
-    return !point.is_hidden && sees_sky(scene, scene.placed(point.position),
-                                        on_side_of(sun, point.normal), sun);
+    return !point.is_hidden &&
+           sees_sky(scene, scene.placed(point.position),
+                    on_side_of(sun, point.normal), sun, pose);
 }
 
 BackwardLight::BackwardLight(const RayScene& scene,
@@ -40,12 +43,18 @@ BackwardLight::BackwardLight(const RayScene& scene,
       groups_(groups),
       sources_(sources),
       optics_(optics),
-      soil_{optics.soil_albedo, 0} {}
+      soil_{optics.soil_albedo, 0} {
+    for (const Source& source : sources)
+        if (source.pose != 0)
+            throw Error(
+                "light is followed back among what stands alone, and panels "
+                "track the sun; let them stand");
+}
 
 double BackwardLight::beam(const LeafPoint& point, std::size_t source) const {
     const glm::dvec3 d = not_level(*sources_[source].direction);
     const double cosine = glm::dot(point.normal, d) / d.z;
-    return is_lit(scene_, point, d)
+    return is_lit(scene_, point, d, sources_[source].pose)
                ? weight(point, cosine > 0) * std::abs(cosine)
                : 0;
 }
@@ -110,8 +119,8 @@ void BackwardLight::add_beams(const glm::dvec3& position,
         const double cosine = glm::dot(normal, sun);
         const double part =
             cosine > 0 ? surface.reflectance : surface.transmittance;
-        if (part > 0 &&
-            sees_sky(scene_, position, on_side_of(sun, normal), sun))
+        if (part > 0 && sees_sky(scene_, position, on_side_of(sun, normal), sun,
+                                 sources_[s].pose))
             light[s] += weight * part * std::abs(cosine) / sun.z;
     }
 }

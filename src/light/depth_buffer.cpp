@@ -204,8 +204,8 @@ IDEOTYPE_FOR_WIDE_VECTORS void draw_batch(const Batch& t, const Target& target,
     }
 }
 
-void draw(const Surfaces& surfaces, const std::vector<Corner>& corners,
-          const Target& target) {
+void draw(const Surfaces& surfaces, std::uint32_t pose,
+          const std::vector<Corner>& corners, const Target& target) {
     std::vector<Lanes> lanes(target.places.size());
     Batch triangles{};
     const auto flush = [&] {
@@ -226,10 +226,11 @@ void draw(const Surfaces& surfaces, const std::vector<Corner>& corners,
         if (triangles.count == batch) flush();
     };
     std::uint32_t code = 0;
-    for (const auto& [a, b, c, d] : surfaces.faces) {
+    for (std::size_t f = 0; f < surfaces.faces.size(); ++f, code += 4) {
+        if (!surfaces.is_there(f, pose)) continue;
+        const auto& [a, b, c, d] = surfaces.faces[f];
         add(code, corners[a], corners[b], corners[d]);
         if (c != d) add(code + 2, corners[c], corners[d], corners[b]);
-        code += 4;
     }
     if (triangles.count > 0) flush();
 }
@@ -238,7 +239,8 @@ void draw(const Surfaces& surfaces, const std::vector<Corner>& corners,
 
 DepthBuffer::DepthBuffer(const RayScene& scene, const glm::dvec3& direction,
                          const BeamLattice& lattice,
-                         const std::vector<glm::dvec2>& shifts)
+                         const std::vector<glm::dvec2>& shifts,
+                         std::uint32_t pose)
     : lattice_(lattice),
       direction_(direction),
       per_pixel_(static_cast<std::size_t>(lattice.fine)),
@@ -269,7 +271,7 @@ DepthBuffer::DepthBuffer(const RayScene& scene, const glm::dvec3& direction,
         corners.push_back({(x * sv.y - y * sv.x) / determinant,
                            (y * su.x - x * su.y) / determinant, p.z});
     }
-    draw(scene.surfaces(), corners, {lattice_, places_, points_});
+    draw(scene.surfaces(), pose, corners, {lattice_, places_, points_});
 }
 
 glm::dvec3 DepthBuffer::position(std::size_t replicate,

@@ -38,9 +38,10 @@ class DepthBuffer {
 
     //! @param direction of the light, downwards
     //! @param shifts of the lattices, in [0, 1) of a pixel
+    //! @param pose of what moves
     DepthBuffer(const RayScene& scene, const glm::dvec3& direction,
                 const BeamLattice& lattice,
-                const std::vector<glm::dvec2>& shifts);
+                const std::vector<glm::dvec2>& shifts, std::uint32_t pose = 0);
 
     std::size_t points() const {
         return static_cast<std::size_t>(lattice_.points());

@@ -34,7 +34,8 @@ FirstHits::FirstHits(const RayScene& scene, const Launcher& launcher,
         Hit hit;
         hit.group = Hit::sky;
         if (packet.energy > 0)
-            hit = travel(scene, packet.position, packet.direction);
+            hit = travel(scene, packet.position, packet.direction,
+                         launcher.pose());
         hits_.push_back({hit.group, hit.triangle,
                          static_cast<float>(hit.position.z),
                          glm::dot(packet.direction, hit.normal) < 0,

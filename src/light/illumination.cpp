@@ -88,6 +88,7 @@ SeriesIllumination illuminate(LightSeries series, SkyModel sky_model,
             source[i] = static_cast<int>(sources.size());
             sources.push_back(source_of(i));
             sources.back().energy = energy[i];
+            result.instant_of.push_back(i);
         }
         std::vector<int> found;
         for (std::size_t i = 0; i < steps.size(); ++i)
@@ -112,6 +113,7 @@ SeriesIllumination illuminate(LightSeries series, SkyModel sky_model,
                                  static_cast<int>(result.light.sources.size()));
             result.light.sources.push_back(
                 {std::nullopt, series.diffuse(), SkySampler({sky_model, {}})});
+            result.instant_of.push_back(0);
         }
     }
     result.series = std::move(series);

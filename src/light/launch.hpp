@@ -28,6 +28,9 @@ class Launcher {
     //! share, as the sky is brighter or darker there than on average.
     double entering() const { return entering_; }
 
+    //! The pose of what moves, for this light.
+    std::uint32_t pose() const { return source_.pose; }
+
     //! A packet that enters; without energy if it comes from soil that the
     //! box may shade.
     PhotonPacket launch(PathSampler& sampler, double energy) const;

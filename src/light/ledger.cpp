@@ -12,9 +12,20 @@ void SparseSums::drain(std::vector<LeafLight::Part>& parts) {
     places_.clear();
 }
 
+ObjectNumbers object_numbers(const std::vector<Group>& groups) {
+    ObjectNumbers found;
+    for (const Group& group : groups) {
+        if (!group.id.is_object()) continue;
+        if (found.count == 0) found.first = group.id.component;
+        found.count = group.id.component - found.first + 1;
+    }
+    return found;
+}
+
 Ledger::Ledger(const Counted& counted, std::uint32_t source, bool is_beam,
                Tally& tally, LeafSums& leaf_sums)
     : counted_(counted), tally_(tally), budget_(tally.sources[source]) {
+    if (counted.objects.count > 0) objects_ = &tally.objects[source];
     if (tally.leaf_light.empty()) return;
     leaf_light_ = &tally.leaf_light[source];
     leaf_sums.diffuse.resize(tally.sources.size());
@@ -59,7 +70,13 @@ void Ledger::keep(std::uint32_t group, double height, bool is_adaxial,
     tally_.groups[group] += energy;
     const SurfaceId& id = counted_.groups[group].id;
     if (!id.is_leaf()) {
-        (id.is_object() ? part_.objects : part_.stalks) += energy;
+        if (!id.is_object()) {
+            part_.stalks += energy;
+            return;
+        }
+        part_.objects += energy;
+        (*objects_)[2 * (id.component - counted_.objects.first) +
+                    (is_adaxial ? 0 : 1)] += energy;
         return;
     }
     part_.leaves += energy;

@@ -35,12 +35,20 @@ struct LeafSums {
     std::vector<SparseSums> diffuse;  //!< by source
 };
 
+//! Numbers of fixed objects, which follow those of components.
+struct ObjectNumbers {
+    std::uint32_t first = 0, count = 0;
+};
+
+ObjectNumbers object_numbers(const std::vector<Group>& groups);
+
 //! What tallies count by, besides sources.
 struct Counted {
     const RayScene& scene;
     const std::vector<Group>& groups;
     const Layers& layers;
     std::size_t pieces = 0;  //!< leading groups whose light is told by place
+    ObjectNumbers objects{};
 };
 
 //! Counts where light of one source goes in one randomisation. Many small parts
@@ -69,7 +77,8 @@ class Ledger {
     const Counted& counted_;
     Tally& tally_;
     Budget& budget_;
-    LeafLight* leaf_light_ = nullptr;  //!< if asked for
+    std::vector<double>* objects_ = nullptr;  //!< if there are any
+    LeafLight* leaf_light_ = nullptr;         //!< if asked for
     SparseSums* beam_ = nullptr;
     SparseSums* diffuse_ = nullptr;
     Budget part_;

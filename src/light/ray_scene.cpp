@@ -80,6 +80,11 @@ bool is_at(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b,
     return s >= 0 && t >= 0 && s + t <= 1;
 }
 
+//! The pose of a group; what no group tells of stands.
+std::uint32_t pose_of(const Mesh& mesh, std::uint32_t group) {
+    return group < mesh.groups.size() ? mesh.groups[group].pose : 0;
+}
+
 }  // namespace
 
 std::optional<Segment> clip(const Box& box, const glm::dvec3& origin,
@@ -116,8 +121,8 @@ RayScene::RayScene(const Device& device, const Mesh& mesh, double period_x,
     constexpr double images = 1.5;
     const auto expected = static_cast<std::size_t>(
         images * static_cast<double>(mesh.faces.size()));
-    corners_.reserve(4 * expected);
-    prim_face_.reserve(expected);
+    standing_.corners.reserve(4 * expected);
+    standing_.face.reserve(expected);
     surface_area_ = std::accumulate(areas.begin(), areas.end(), 0.);
     surfaces_.vertices = mesh.vertices;
     surfaces_.faces.reserve(mesh.faces.size());
@@ -125,7 +130,8 @@ RayScene::RayScene(const Device& device, const Mesh& mesh, double period_x,
     const std::vector<bool> repeated = repeated_faces(mesh);
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
         if (areas[f] > 0 && !repeated[f])
-            add_images(mesh.faces[f], mesh.face_group[f]);
+            add_images(mesh.faces[f], mesh.face_group[f],
+                       pose_of(mesh, mesh.face_group[f]));
     top_ += 1e-3;
     clearance_ = 4 * std::numeric_limits<float>::epsilon() *
                  std::max({period_x, period_y, top_});
@@ -174,7 +180,7 @@ void RayScene::add_plot(const Mesh& mesh, const std::vector<double>& areas) {
     surfaces_.vertices = mesh.vertices;
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
         if (!is_there(f)) continue;
-        surfaces_.add(mesh.faces[f], mesh.face_group[f]);
+        surfaces_.add(mesh.faces[f], mesh.face_group[f], 0);
         add_face(static_cast<std::uint32_t>(surfaces_.faces.size() - 1),
                  {-x.lower, -y.lower, 0});
     }
@@ -197,6 +203,14 @@ glm::dvec3 RayScene::offset_origin(const glm::dvec3& point,
     return wrapped(offset);
 }
 
+RayScene::Part::Part() = default;
+
+RayScene::Part::~Part() = default;
+
+RayScene::Part::Part(Part&&) noexcept = default;
+
+RayScene::Part& RayScene::Part::operator=(Part&&) noexcept = default;
+
 RayScene::~RayScene() = default;
 
 RayScene::RayScene(RayScene&&) noexcept = default;
@@ -204,9 +218,10 @@ RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
 void Surfaces::add(const std::array<std::uint32_t, 4>& face,
-                   std::uint32_t group) {
+                   std::uint32_t group, std::uint32_t pose) {
     faces.push_back(face);
     face_group.push_back(group);
+    face_pose.push_back(pose);
     const auto normal = [&](int i, int j, int k) {
         const glm::dvec3 a = vertices[face[i]];
         const glm::dvec3 n =
@@ -221,7 +236,7 @@ void Surfaces::add(const std::array<std::uint32_t, 4>& face,
 }
 
 void RayScene::add_images(const std::array<std::uint32_t, 4>& face,
-                          std::uint32_t group) {
+                          std::uint32_t group, std::uint32_t pose) {
     Extent x, y, z;
     for (const std::uint32_t v : face) {
         x.include(surfaces_.vertices[v].x);
@@ -230,11 +245,11 @@ void RayScene::add_images(const std::array<std::uint32_t, 4>& face,
     }
     if (z.upper < 0) return;
     const auto number = static_cast<std::uint32_t>(surfaces_.faces.size());
-    surfaces_.add(face, group);
+    surfaces_.add(face, group, pose);
     top_ = std::max(top_, z.upper);
     const Shifts along_x = shifts_into(x, period_x_);
     const Shifts along_y = shifts_into(y, period_y_);
-    if (static_cast<double>(prim_face_.size()) +
+    if (static_cast<double>(standing_.face.size()) +
             along_x.count() * along_y.count() >
         static_cast<double>(most_faces))
         throw Error(fmt::format(
@@ -247,14 +262,23 @@ void RayScene::add_images(const std::array<std::uint32_t, 4>& face,
                               static_cast<double>(j) * period_y_, 0});
 }
 
+RayScene::Part& RayScene::part_of(std::uint32_t face) {
+    const std::uint32_t pose = surfaces_.face_pose[face];
+    if (pose == 0) return standing_;
+    while (moving_.size() < pose) moving_.emplace_back();
+    return moving_[pose - 1];
+}
+
 void RayScene::add_face(std::uint32_t face, const glm::dvec3& shift) {
+    Part& part = part_of(face);
     const auto& corners = surfaces_.faces[face];
     for (const std::uint32_t v : corners) {
         const glm::dvec3 p = surfaces_.vertices[v] + shift;
-        corners_.push_back({static_cast<float>(p.x), static_cast<float>(p.y),
-                            static_cast<float>(p.z), 0});
+        part.corners.push_back({static_cast<float>(p.x),
+                                static_cast<float>(p.y),
+                                static_cast<float>(p.z), 0});
     }
-    prim_face_.push_back(face);
+    part.face.push_back(face);
     const std::uint32_t group = surfaces_.face_group[face];
     if (group >= group_heights_.size()) group_heights_.resize(group + 1);
     std::optional<Heights>& heights = group_heights_[group];
@@ -262,6 +286,10 @@ void RayScene::add_face(std::uint32_t face, const glm::dvec3& shift) {
         const double z = surfaces_.vertices[v].z;
         if (!heights) heights = {z, z};
         heights = {std::min(heights->lower, z), std::max(heights->upper, z)};
+        part.heights = part.face.size() == 1 && v == corners.front()
+                           ? Heights{z, z}
+                           : Heights{std::min(part.heights.lower, z),
+                                     std::max(part.heights.upper, z)};
     }
 }
 
@@ -270,33 +298,53 @@ std::optional<Heights> RayScene::heights(std::size_t group) const {
 }
 
 void RayScene::commit(const Device& device) {
-    RTCDevice embree = device.handle_->device;
-    handle_ = std::make_unique<Handle>(rtcNewScene(embree));
-    // Without this, light slips through the edges that faces share.
-    rtcSetSceneFlags(handle_->scene, RTC_SCENE_FLAG_ROBUST);
-    if (!prim_face_.empty()) attach_faces(embree);
-    rtcCommitScene(handle_->scene);
-    require_no_error(
-        embree, fmt::format("build a scene of {} faces", prim_face_.size()));
+    commit(device, standing_);
+    for (Part& part : moving_) commit(device, part);
 }
 
-void RayScene::attach_faces(RTCDeviceTy* embree) {
+void RayScene::commit(const Device& device, Part& part) {
+    RTCDevice embree = device.handle_->device;
+    part.handle = std::make_unique<Handle>(rtcNewScene(embree));
+    // Without this, light slips through the edges that faces share.
+    rtcSetSceneFlags(part.handle->scene, RTC_SCENE_FLAG_ROBUST);
+    if (!part.face.empty()) attach_faces(embree, part);
+    rtcCommitScene(part.handle->scene);
+    require_no_error(
+        embree, fmt::format("build a scene of {} faces", part.face.size()));
+}
+
+void RayScene::attach_faces(RTCDeviceTy* embree, Part& part) {
+    const auto& corners = part.corners;
     RTCGeometry geometry = rtcNewGeometry(embree, RTC_GEOMETRY_TYPE_QUAD);
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
-                               RTC_FORMAT_FLOAT3, corners_.data(), 0,
-                               sizeof corners_[0], corners_.size());
+                               RTC_FORMAT_FLOAT3, corners.data(), 0,
+                               sizeof corners[0], corners.size());
     auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4,
-        4 * sizeof(std::uint32_t), prim_face_.size()));
+        4 * sizeof(std::uint32_t), part.face.size()));
     if (indices)
-        for (std::uint32_t i = 0; i < corners_.size(); ++i) indices[i] = i;
+        for (std::uint32_t i = 0; i < corners.size(); ++i) indices[i] = i;
     rtcCommitGeometry(geometry);
-    rtcAttachGeometry(handle_->scene, geometry);
+    rtcAttachGeometry(part.handle->scene, geometry);
     rtcReleaseGeometry(geometry);
 }
 
+bool RayScene::meets(const Part& part, RTCRayHit& ray) const {
+    const double from = ray.ray.org_z;
+    const double to = from + double{ray.ray.dir_z} * double{ray.ray.tfar};
+    if (std::max(from, to) < part.heights.lower - clearance_ ||
+        std::min(from, to) > part.heights.upper + clearance_)
+        return false;
+    RTCRayHit nearer = ray;
+    nearer.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    intersect_first(part.handle->scene, nearer);
+    if (nearer.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+    ray = nearer;
+    return true;
+}
+
 bool RayScene::intersect(const glm::dvec3& origin, const glm::dvec3& direction,
-                         double distance, Hit& hit) const {
+                         double distance, Hit& hit, std::uint32_t pose) const {
     RTCRayHit query;
     query.ray.org_x = static_cast<float>(origin.x);
     query.ray.org_y = static_cast<float>(origin.y);
@@ -312,19 +360,22 @@ bool RayScene::intersect(const glm::dvec3& origin, const glm::dvec3& direction,
     query.ray.flags = 0;
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    intersect_first(handle_->scene, query);
+    intersect_first(standing_.handle->scene, query);
+    const Part* part = &standing_;
+    if (pose > 0 && pose <= moving_.size() && meets(moving_[pose - 1], query))
+        part = &moving_[pose - 1];
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
 
     const glm::dvec3 normal(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
     hit.normal = normal / glm::length(normal);
-    const std::uint32_t face = prim_face_[query.hit.primID];
+    const std::uint32_t face = part->face[query.hit.primID];
     hit.group = surfaces_.face_group[face];
     hit.triangle = 2 * face + (query.hit.u + query.hit.v > 1 ? 1 : 0);
 
     // The distance along the ray is good to single precision only. Put the
     // point back on the plane through a corner that both triangles of the
     // face share.
-    const auto& corner = corners_[4 * std::size_t{query.hit.primID} + 1];
+    const auto& corner = part->corners[4 * std::size_t{query.hit.primID} + 1];
     const double t = query.ray.tfar;
     const glm::dvec3 p = origin + t * direction;
     const glm::dvec3 on_plane(corner[0], corner[1], corner[2]);
@@ -350,7 +401,7 @@ int RayScene::faces_at(const glm::dvec3& point) const {
         auto& at = *static_cast<Search*>(arguments->userPtr);
         const RayScene& scene = at.scene;
         const auto corner = [&scene, arguments](std::size_t i) {
-            const auto& c = scene.corners_[4 * arguments->primID + i];
+            const auto& c = scene.standing_.corners[4 * arguments->primID + i];
             return glm::dvec3(c[0], c[1], c[2]);
         };
         const auto lies_on = [&](std::size_t a, std::size_t b, std::size_t c) {
@@ -360,7 +411,7 @@ int RayScene::faces_at(const glm::dvec3& point) const {
         at.found += lies_on(0, 1, 3) || lies_on(2, 3, 1);
         return false;
     };
-    rtcPointQuery(handle_->scene, &query, &context, look_at, &search);
+    rtcPointQuery(standing_.handle->scene, &query, &context, look_at, &search);
     return search.found;
 }
 

@@ -116,6 +116,39 @@ struct Part {
     double incident = 0;
 };
 
+//! Returns what each side of fixed objects absorbs.
+//! @param hours the light of each hour
+std::vector<SideLight> light_of_objects(const std::vector<Tally>& tallies,
+                                        const Resolution& resolution,
+                                        const std::vector<Part>& hours) {
+    std::vector<SideLight> result;
+    if (tallies.front().objects.empty()) return result;
+    const std::size_t sources = tallies.front().objects.size();
+    const auto of_side = [&](std::size_t side,
+                             const std::vector<double>& weights,
+                             std::vector<double>& values) {
+        double step = 0;
+        for (std::size_t s = 0; s < sources; ++s)
+            step = std::max(step, resolution.objects * weights[s] *
+                                      resolution.path_energy[s]);
+        values.assign(tallies.size(), 0);
+        for (std::size_t r = 0; r < tallies.size(); ++r)
+            for (std::size_t s = 0; s < sources; ++s)
+                values[r] += weights[s] * tallies[r].objects[s][side];
+        return at_least(estimate(values), step / count(tallies));
+    };
+    for (std::size_t side = 0; side < tallies.front().objects.front().size();
+         ++side) {
+        SideLight& light = result.emplace_back();
+        light.day =
+            of_side(side, std::vector(sources, 1.0), light.by_randomisation);
+        std::vector<double> values;
+        for (const Part& hour : hours)
+            light.hours.push_back(of_side(side, hour.weights, values));
+    }
+    return result;
+}
+
 double part_of(const std::vector<double>& parts, std::size_t i) {
     return i < parts.size() ? parts[i] : 0;
 }
@@ -153,8 +186,9 @@ DayReport report(const std::vector<Tally>& tallies,
     result.utc_offset = series.utc_offset;
     const std::vector<double> hours = series.hours();
     const auto steps_of_hours = series.steps_of_hours();
+    std::vector<Part> parts;
     for (std::size_t h = 0; h < hours.size(); ++h) {
-        Part part(sources.size());
+        Part& part = parts.emplace_back(sources.size());
         for (const std::size_t i : steps_of_hours[h])
             part.add(illumination, i, 1. / series.days);
         result.steps.push_back({hours[h],
@@ -162,6 +196,7 @@ DayReport report(const std::vector<Tally>& tallies,
                                                 part.weights, part.incident),
                                 std::nullopt});
     }
+    result.objects = light_of_objects(tallies, resolution, parts);
     if (series.days > 1)
         for (const std::vector<std::size_t>& steps : series.steps_of_dates()) {
             Part part(sources.size());

@@ -38,7 +38,8 @@ SunlitFractions sunlit_fractions(const RayScene& scene, const Mesh& mesh,
             const double part = own_part(scene, point);
             for (std::size_t k = 0; k < sources.size(); ++k) {
                 const auto& beam = sources[k].direction;
-                if (beam && part > 0 && is_lit(scene, point, *beam))
+                if (beam && part > 0 &&
+                    is_lit(scene, point, *beam, sources[k].pose))
                     fractions[k] += part * step;
             }
         }

@@ -35,13 +35,15 @@ double absorb_and_continue(ScatteredPath& path, double scattered,
 
 }  // namespace
 
-Tracer::Tracer(const Counted& counted, const Optics& optics)
+Tracer::Tracer(const Counted& counted, const Optics& optics,
+               const std::vector<Source>& sources)
     : counted_(counted), scene_(counted.scene) {
     static_assert(Hit::soil == ~std::uint32_t{0} &&
                   Hit::sky == ~std::uint32_t{1});
     surfaces_ = {{optics.soil_albedo, 0.}, {}};
     for (const Group& group : counted.groups)
         surfaces_.push_back(optics.of(group.material));
+    for (const Source& source : sources) poses_.push_back(source.pose);
 }
 
 void Tracer::arrive(const FirstHits& hits, const Arrival& how, Tally& tally,
@@ -125,8 +127,8 @@ void Tracer::go_on(ScatteredPath& path, PathSampler& numbers,
         path.is_adaxial == is_reflected ? path.hit.normal : -path.hit.normal;
     const double u = numbers.next();
     const glm::dvec3 direction = lambertian(n, u, numbers.next());
-    path.hit =
-        travel(scene_, scene_.offset_origin(path.hit.position, n), direction);
+    path.hit = travel(scene_, scene_.offset_origin(path.hit.position, n),
+                      direction, poses_[path.source]);
     path.is_adaxial = glm::dot(direction, path.hit.normal) < 0;
     const double scattered =
         surface(path.hit.group, path.is_adaxial).scattered();

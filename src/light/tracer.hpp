@@ -6,6 +6,7 @@
 
 #include "first_hits.hpp"
 #include "ideotype/core/random.hpp"
+#include "ideotype/light/illumination.hpp"
 #include "ideotype/light/optics.hpp"
 #include "ledger.hpp"
 
@@ -34,7 +35,8 @@ struct Arrival {
 class Tracer {
   public:
     //! @param counted must outlive it
-    Tracer(const Counted& counted, const Optics& optics);
+    Tracer(const Counted& counted, const Optics& optics,
+           const std::vector<Source>& sources);
 
     //! Surfaces keep exactly their absorptance of what they meet first. What
     //! they send on sets out in as many paths of equal energy as make each at
@@ -69,7 +71,8 @@ class Tracer {
 
     const Counted& counted_;
     const RayScene& scene_;
-    std::vector<Material> surfaces_;  //!< soil, sky and those of groups
+    std::vector<Material> surfaces_;    //!< soil, sky and those of groups
+    std::vector<std::uint32_t> poses_;  //!< of sources
 };
 
 }  // namespace ideotype

@@ -82,7 +82,8 @@ class SourceRun {
                 const double u = numbers.back().next();
                 shifts.push_back({u, numbers.back().next()});
             }
-            const DepthBuffer buffer(scene_, direction, lattice, shifts);
+            const DepthBuffer buffer(scene_, direction, lattice, shifts,
+                                     source_.pose);
             for (std::size_t i = 0; i < numbers.size(); ++i, ++r)
                 use(r, {scene_, buffer, i, energy}, start(numbers[i]));
         }
@@ -105,7 +106,7 @@ struct BandRun {
             double brightest_soil)
         : band(subject.bands[number]),
           first_net(static_cast<std::uint32_t>(number) * nets_of_band),
-          tracer(counted, band.optics),
+          tracer(counted, band.optics, band.light.light.sources),
           has_leaf_light(number == 0 && counted.pieces > 0) {
         const std::vector<Source>& sources = band.light.light.sources;
         for (std::size_t s = 0; s < sources.size(); ++s) {
@@ -141,8 +142,8 @@ BandTallies simulate(const Subject& subject, const Workload& work,
                      int randomisations, const Randomness& randomness) {
     const RayScene& scene = subject.scene;
     const std::vector<Source>& sources = subject.light().sources;
-    const Counted counted{scene, subject.groups, subject.layers,
-                          subject.pieces};
+    const Counted counted{scene, subject.groups, subject.layers, subject.pieces,
+                          object_numbers(subject.groups)};
     double brightest_soil = 0;
     for (const Band& band : subject.bands)
         brightest_soil = std::max(brightest_soil, band.optics.soil_albedo);
@@ -163,9 +164,14 @@ BandTallies simulate(const Subject& subject, const Workload& work,
                             std::vector<double>(subject.groups.size()),
                             std::vector<double>(subject.layers.count)}));
     for (std::size_t b = 0; b < bands.size(); ++b)
-        if (bands[b].has_leaf_light)
-            for (Tally& tally : tallies[b])
+        for (Tally& tally : tallies[b]) {
+            if (bands[b].has_leaf_light)
                 tally.leaf_light.resize(sources.size());
+            if (counted.objects.count > 0)
+                tally.objects.assign(
+                    sources.size(),
+                    std::vector<double>(2 * counted.objects.count));
+        }
     if (sources.empty()) return tallies;
     // So many randomisations at a time as memory is reasonable for.
     constexpr std::size_t room = 1 << 18;

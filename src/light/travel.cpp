@@ -13,7 +13,8 @@ Hit end_at(const glm::dvec3& point, const glm::dvec3& direction) {
     return {point, {0, 0, 1}, direction.z < 0 ? Hit::soil : Hit::sky};
 }
 
-Hit travel_periodic(const RayScene& scene, glm::dvec3 p, const glm::dvec3& d) {
+Hit travel_periodic(const RayScene& scene, glm::dvec3 p, const glm::dvec3& d,
+                    std::uint32_t pose) {
     constexpr double never = std::numeric_limits<double>::infinity();
     // Rounding may hide a face at the very end of a segment or, as its image,
     // at the very start of the next one. Both look a little over the seam.
@@ -29,7 +30,8 @@ Hit travel_periodic(const RayScene& scene, glm::dvec3 p, const glm::dvec3& d) {
         const double end = d.z < 0 ? scene.soil() : scene.top();
         const double to_z = std::max(0.0, (end - p.z) / d.z);
         const double distance = std::max(0.0, std::min({to_x, to_y, to_z}));
-        if (scene.intersect(p - before * d, d, before + distance + seam, hit))
+        if (scene.intersect(p - before * d, d, before + distance + seam, hit,
+                            pose))
             return hit;
         before = seam;
         p += distance * d;
@@ -63,10 +65,10 @@ Hit travel_isolated(const RayScene& scene, const glm::dvec3& p,
 
 }  // namespace
 
-Hit travel(const RayScene& scene, glm::dvec3 from,
-           const glm::dvec3& direction) {
+Hit travel(const RayScene& scene, glm::dvec3 from, const glm::dvec3& direction,
+           std::uint32_t pose) {
     return scene.boundary() == Boundary::periodic
-               ? travel_periodic(scene, from, direction)
+               ? travel_periodic(scene, from, direction, pose)
                : travel_isolated(scene, from, direction);
 }
 

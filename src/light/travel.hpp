@@ -17,6 +17,8 @@ struct PhotonPacket {
 //! soil or the sky. In a periodic stand the way goes on at the other side of
 //! the cell wherever it leaves it; what leaves an isolated plot finds only soil
 //! or sky.
-Hit travel(const RayScene& scene, glm::dvec3 from, const glm::dvec3& direction);
+//! @param pose of what moves
+Hit travel(const RayScene& scene, glm::dvec3 from, const glm::dvec3& direction,
+           std::uint32_t pose = 0);
 
 }  // namespace ideotype

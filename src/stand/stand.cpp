@@ -6,6 +6,7 @@
 
 #include "ideotype/core/hash.hpp"
 #include "ideotype/light/tolerance.hpp"
+#include "placed_objects.hpp"
 
 namespace ideotype {
 
@@ -80,11 +81,13 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
         component_of(campaign.crop.baseline, form, campaign.tessellation)};
     Component& bred = scene.components.front();
     bred.photosynthesis = campaign.photosynthesis;
-    scene.bands = {{"par",
-                    illuminate(light_of(campaign, chosen), campaign.sky_model,
-                               chosen.spacing.row_direction, Skies::shared,
-                               campaign.sun_dates),
-                    {campaign.optics.materials(), campaign.soil_albedo}}};
+    scene.bands = {
+        {"par",
+         illuminate(light_of(campaign, chosen), campaign.sky_model,
+                    chosen.spacing.row_direction,
+                    has_trackers(campaign) ? Skies::each : Skies::shared,
+                    campaign.sun_dates),
+         {campaign.optics.materials(), campaign.soil_albedo}}};
     if (campaign.has_nir) {
         scene.bands.push_back(
             {"nir",
@@ -95,7 +98,10 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
         scene.bands[1].is_bounded = is_nir;
     }
     if (has_rows_apart(campaign)) scene.cell.row_ground = ground_of_rows(form);
-    if (campaign.neighbours.empty()) return scene;
+    if (campaign.neighbours.empty()) {
+        add_objects(scene, campaign, form.spacing);
+        return scene;
+    }
     set_places(bred, form, bred_rows(campaign));
     if (bred_plants(campaign) < bred.places.size())
         mix(bred, bred_plants(campaign));
@@ -113,6 +119,7 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
                      .materials())
                 band.optics.materials.push_back(material);
     }
+    add_objects(scene, campaign, form.spacing);
     return scene;
 }
 

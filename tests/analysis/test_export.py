@@ -4,13 +4,14 @@ of ParaView."""
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from real_program import output_of
+from real_program import output_of, write_campaign
 
 from ideotype.analysis import open_history
 
@@ -142,3 +143,21 @@ def test_a_field_for_other_ray_tracers_has_the_same_surfaces(
     assert "# y points 90 deg clockwise from north\n" in text
     groups = [x for x in text.splitlines() if x.startswith("g ")]
     assert len(groups) == len(set(groups)) == 4 * GROUPS
+
+
+def test_modules_that_track_are_there_once(tmp_path: Path) -> None:
+    campaign = write_campaign(tmp_path, 1)
+    rows = "pitch=1.524, height=4, width=1, azimuth=0, tracks=true"
+    output_of(
+        "run", campaign, "--out", tmp_path, "--set", f"panel=[{{{rows}}}]"
+    )
+    (history,) = (tmp_path / "tiny").glob("*.h5")
+    row = ("--best", "--field")
+    obj = exported(history, tmp_path / "field.obj", *row)
+    vtp = exported(history, tmp_path / "field.vtp", *row, "--paths", 64)
+    for reader, path in ((vtkOBJReader(), obj), (vtkXMLPolyDataReader(), vtp)):
+        assert opened(reader, path).GetNumberOfCells() == 4 * FACES + 1
+    (panel,) = re.findall(r"(?m)^g (panel.*)$", obj.read_text())
+    assert re.fullmatch(r"panel_pose\d\d", panel)
+    light = cells(opened(vtkXMLPolyDataReader(), vtp), ABSORBED)
+    assert light[-1] > 0

@@ -197,7 +197,8 @@ TEST(Campaign, EveryCampaignOfTheProjectIsValidAndItsSize) {
         {"quickstart", 3},     {"row_direction", 12}, {"same_leaf_area", 3},
         {"sorghum", 2},        {"spacings", 18},      {"trait_sets", 12},
         {"soybean", 2},        {"strip", 1},          {"cultivars", 1},
-        {"mixture", 1},        {"invader", 1},        {"intercrop", 1}};
+        {"mixture", 1},        {"invader", 1},        {"intercrop", 1},
+        {"agrivoltaic", 1}};
     std::size_t found = 0;
     for (const auto& file :
          std::filesystem::directory_iterator(IDEOTYPE_CAMPAIGNS)) {

@@ -156,13 +156,18 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
     const std::string mixed =
         "[photosynthesis]\nmodel = \"farquhar\"\nvcmax = 90\njmax = 160\n"
         "tpu = 11\ng1 = 4\n"
+        "[[search.keys]]\nkey = \"panel.height\"\nrange = [3, 5]\n"
         "[field]\nrow_pattern = [1, 3]\n[objective]\nweights = [1, 1, 2]\n"
         "[[component]]\nname = \"weed\"\nrows = [2]\nplants = 3\njitter = 5\n"
         "variation = { length = 0.1 }\n"
         "crop = \"crops/sorghum.toml\"\n"
         "[[component]]\nname = \"other\"\nmixed = 2\nfree = [\"width\"]\n"
         "bounds = \"biological\"\n"
-        "crop = \"crops/sorghum.toml\"\n[[band]]\nname = \"nir\"\n";
+        "crop = \"crops/sorghum.toml\"\n"
+        "[[panel]]\npitch = 3.048\nheight = 4\nwidth = 2\nazimuth = 180\n"
+        "[[object]]\nname = \"post\"\nobj = \"post.obj\"\n"
+        "vertices = [0, 0, 0, 1, 0, 0, 1, 0, 1]\nfaces = [0, 1, 2, 2]\n"
+        "[[band]]\nname = \"nir\"\n";
     for (const std::string& line : lines_of(read_campaign_text(
              sample_text("", mixed), IDEOTYPE_CAMPAIGNS "/mixed.toml")))
         lines.push_back(line);

@@ -39,9 +39,17 @@ struct PartReport {
     Estimate all;  //!< leaves and all else
 };
 
+//! A fixed object in a canopy.
+struct ObjectReport {
+    std::string name;
+    bool is_panel = false;
+    double area_index = 0;  //!< one-sided area per ground area [m2 m-2]
+};
+
 //! The light of one waveband in a canopy.
 struct BandReport {
     std::string name;
+    double soil_albedo = 0;
     DayReport light;
     //! All sources together by independent randomisation [J m-2 of ground]:
     //! light.day has their means.
@@ -50,6 +58,9 @@ struct BandReport {
     //! layer]; none if groups are faces.
     std::vector<std::vector<double>> groups_by_randomisation,
         layers_by_randomisation;
+    //! The light that falls on fixed objects, per area of a side that absorbs
+    //! some: of each object the adaxial side, then the abaxial one.
+    std::vector<SideLight> objects;
     //! Parts for each component, then each fixed object, if there are several.
     std::vector<PartReport> parts;
     //! What leaves of each row absorb, where rows are told apart
@@ -94,8 +105,8 @@ struct RowReport {
 struct CanopyReport {
     std::vector<BandReport> bands;  //!< PAR first
     std::vector<ComponentReport> components;
-    std::vector<RowReport> rows;                     //!< if they are told apart
-    std::vector<std::string> objects;                //!< names of fixed objects
+    std::vector<RowReport> rows;  //!< if they are told apart
+    std::vector<ObjectReport> objects;
     std::optional<AssimilationReport> assimilation;  //!< if leaves assimilate
     //! Sunlit leaf area by the first hits that assimilation is made of, in
     //! pieces of leaves.

@@ -14,7 +14,7 @@ inline constexpr auto extinction = "extinction_coefficient";
 
 //! All that is measured of a scene whose components are plants, along leaf,
 //! organ, layer, hour, light_source, leaf_side, and, where there are several,
-//! day, component, band and field_row.
+//! day, component, band, field_row and object.
 //! @param details that the canopy is evaluated with
 QuantitySet canopy_quantities(const Scene& scene, const Layers& layers,
                               const Details& details);
@@ -43,6 +43,9 @@ bool is_of_lines(const std::string& quantity);
 
 //! Whether only reports with a near infrared band have it.
 bool is_of_nir(const std::string& quantity);
+
+//! Whether only reports with panels have it.
+bool is_of_panels(const std::string& quantity);
 
 //! Whether only reports with two components have it.
 bool is_of_two_components(const std::string& quantity);

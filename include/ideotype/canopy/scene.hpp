@@ -71,6 +71,7 @@ struct Component {
 struct FixedObject {
     std::string name;
     Mesh mesh;
+    bool is_panel = false;  //!< whose adaxial side is the front
 };
 
 //! All that light can meet, the light itself, and what leaves make of it: the

@@ -12,12 +12,14 @@
 namespace ideotype {
 
 //! Whether light that travels in a direction comes straight to a point.
+//! @param pose of what moves
 bool is_lit(const RayScene& scene, const LeafPoint& point,
-            const glm::dvec3& travel);
+            const glm::dvec3& travel, std::uint32_t pose = 0);
 
 //! The light at points of leaves, by paths that are followed from there back
 //! to its sources: what needs no field of light, but a path for every point.
 //! It shares the scene with all that follows light forwards, and nothing else.
+//! A path is of all sources, so that nothing may move between them.
 class BackwardLight {
   public:
     //! @param groups,sources must outlive it, and so must the scene

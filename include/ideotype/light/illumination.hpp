@@ -16,6 +16,8 @@ struct Source {
     double energy = 0;                    //!< on horizontal ground [J m-2]
     SkySampler sky;                       //!< in use if there is no direction
     double effort = 1;  //!< paths for its energy, relative to other sources
+    //! Its light meets groups of this pose, besides all that stands.
+    std::uint32_t pose = 0;
 };
 
 //! All light that falls on a stand, each source traced for itself.
@@ -39,6 +41,8 @@ struct SeriesIllumination {
     Illumination light;
     std::vector<int> beam_of;
     std::vector<int> sky_of;
+    //! Of each source the instant whose sun it has; of a sky without one 0.
+    std::vector<std::size_t> instant_of{};
 };
 
 //! @param row_direction of the field's y axis, clockwise from north [deg]

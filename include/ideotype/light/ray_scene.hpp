@@ -12,6 +12,7 @@
 #include "ideotype/light/device.hpp"
 
 struct RTCDeviceTy;
+struct RTCRayHit;
 
 namespace ideotype {
 
@@ -49,11 +50,18 @@ struct Surfaces {
     std::vector<glm::dvec3> vertices;
     std::vector<std::array<std::uint32_t, 4>> faces;
     std::vector<std::uint32_t> face_group;
+    std::vector<std::uint32_t> face_pose;
     //! Of each triangle, on the adaxial side: unit length, or 0 without area.
     std::vector<glm::dvec3> normals;
 
     //! Adds a face of a mesh with the same vertices.
-    void add(const std::array<std::uint32_t, 4>& face, std::uint32_t group);
+    void add(const std::array<std::uint32_t, 4>& face, std::uint32_t group,
+             std::uint32_t pose);
+
+    //! Whether a face is there for light of sources of a pose.
+    bool is_there(std::size_t face, std::uint32_t pose) const {
+        return face_pose[face] == 0 || face_pose[face] == pose;
+    }
 };
 
 //! Where a ray is inside a box, edges included; nothing if it misses it.
@@ -67,6 +75,9 @@ std::optional<Segment> clip(const Box& box, const glm::dvec3& origin,
 //! of the mesh by whole periods is the same scene. A face that reaches over the
 //! cell's boundary is also there as its images from the neighbouring cells:
 //! nothing is cut off, nothing is doubled, since rays end where the cell does.
+//!
+//! What moves with the sun, such as panels that track it, stands apart: its
+//! faces are there for light of their pose alone.
 //!
 //! An isolated scene holds a plot, moved so that the corner of its bounding
 //! box is above the origin.
@@ -103,7 +114,7 @@ class RayScene {
     //! Height of the soil [m]: below zero by the rounding error, so that light
     //! can pass between it and a face that lies on it.
     double soil() const { return -2 * clearance_; }
-    std::size_t faces() const { return prim_face_.size(); }
+    std::size_t faces() const { return standing_.face.size(); }
 
     //! One-sided area of all faces of the mesh [m2].
     double surface_area() const { return surface_area_; }
@@ -116,8 +127,9 @@ class RayScene {
 
     //! The first face within a distance [m] of a point of the cell, along a
     //! unit direction; false if there is none.
+    //! @param pose of what moves
     bool intersect(const glm::dvec3& origin, const glm::dvec3& direction,
-                   double distance, Hit& hit) const;
+                   double distance, Hit& hit, std::uint32_t pose = 0) const;
 
     //! How many faces and images of faces are at a point of the cell or the
     //! plot: closer than a clearance.
@@ -141,13 +153,31 @@ class RayScene {
   private:
     struct Handle;
 
+    //! Faces with their images, as the ray tracer has them.
+    struct Part {
+        Part();
+        ~Part();
+        Part(Part&&) noexcept;
+        Part& operator=(Part&&) noexcept;
+
+        std::vector<std::array<float, 4>> corners;  //!< four per face, x y z 0
+        std::vector<std::uint32_t> face;            //!< of each image
+        std::unique_ptr<Handle> handle;
+        Heights heights{};  //!< of what moves
+    };
+
     RayScene() = default;
     void add_plot(const Mesh& mesh, const std::vector<double>& areas);
     void add_face(std::uint32_t face, const glm::dvec3& shift);
     void add_images(const std::array<std::uint32_t, 4>& face,
-                    std::uint32_t group);
+                    std::uint32_t group, std::uint32_t pose);
     void commit(const Device& device);
-    void attach_faces(RTCDeviceTy* embree);
+    static void commit(const Device& device, Part& part);
+    static void attach_faces(RTCDeviceTy* embree, Part& part);
+    //! The part of a face.
+    Part& part_of(std::uint32_t face);
+    //! Whether a ray meets a face of what moves before it ends.
+    bool meets(const Part& part, RTCRayHit& ray) const;
 
     Boundary boundary_ = Boundary::periodic;
     Box box_{};
@@ -159,10 +189,9 @@ class RayScene {
     double clearance_ = 0;
     double surface_area_ = 0;
     Surfaces surfaces_;
-    std::vector<std::array<float, 4>> corners_;  //!< four per face, x y z 0
-    std::vector<std::uint32_t> prim_face_;       //!< the face of each image
+    Part standing_;
+    std::vector<Part> moving_;  //!< by pose, from 1
     std::vector<std::optional<Heights>> group_heights_;
-    std::unique_ptr<Handle> handle_;
 };
 
 }  // namespace ideotype

@@ -41,6 +41,13 @@ struct StepReport {
     std::optional<Estimate> sunlit;
 };
 
+//! The light that one side of a fixed object absorbs, or that falls on it.
+struct SideLight {
+    Estimate day;  //!< [J m-2 day-1]
+    std::vector<double> by_randomisation;
+    std::vector<Estimate> hours;  //!< LightSeries::hours() [W m-2]
+};
+
 //! The light of one day, or of the mean of several, in one stand and waveband.
 struct DayReport {
     BudgetEstimate day;             //!< [J m-2 day-1]
@@ -49,6 +56,9 @@ struct DayReport {
     Estimate adaxial, abaxial;      //!< by faces of leaves [J m-2 day-1]
     std::vector<StepReport> steps;  //!< LightSeries::hours()
     double utc_offset = 0;          //!< of their clock [h]
+    //! What fixed objects absorb per area of ground: of each the adaxial side,
+    //! then the abaxial one.
+    std::vector<SideLight> objects;
     //! Of several days what leaves absorb on each [J m-2 day-1].
     std::vector<Estimate> dates;
     //! Largest relative difference between incident light and the sum of its

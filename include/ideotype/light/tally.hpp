@@ -68,6 +68,9 @@ struct Tally {
     //! from which the corners of a face are seen counter-clockwise.
     double adaxial = 0;
     double abaxial = 0;
+    //! Absorbed by fixed objects, by source: of each object the adaxial side,
+    //! then the abaxial one.
+    std::vector<std::vector<double>> objects{};
     std::uint64_t rays = 0;       //!< to first hits
     std::uint64_t next_rays = 0;  //!< of light that was scattered
     //! What its paths can tell; shared by all randomisations of a simulation.

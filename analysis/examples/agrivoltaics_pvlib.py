@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Maize below modules that track the sun: crop, electricity and land by the
+distance between rows of modules. Rows and power are pvlib's."""
+
+from dataclasses import replace
+from typing import Any
+
+import pandas as pd
+from pvlib import pvsystem, temperature
+
+import ideotype
+
+WIDTH, HEIGHT, ROW = 2.4, 4.0, 0.75
+"""Of modules and their middle; distance between rows of plants [m]."""
+EFFICIENCY, BIFACIALITY, LOSS_PER_DEGREE = 0.21, 0.75, -0.0035
+AIR = 25.0  # [deg C]
+MOUNT = pvsystem.SingleAxisTrackerMount(
+    axis_tilt=0, axis_azimuth=0, max_angle=55, gcr=WIDTH / 6
+)
+
+
+def rows_of_modules(mount: pvsystem.SingleAxisTrackerMount) -> dict[str, Any]:
+    """The table [[panel]] of pvlib's mount."""
+    return {
+        "pitch": WIDTH / mount.gcr,
+        "width": WIDTH,
+        "height": HEIGHT,
+        "azimuth": (mount.axis_azimuth + 90) % 360,
+        "tracks": True,
+        "max_angle": mount.max_angle,
+        "backtracks": mount.backtrack,
+    }
+
+
+def stand_of(rows: int, **settings: Any) -> ideotype.Stand:
+    return ideotype.Stand.from_campaign(
+        "campaigns/agrivoltaic.toml", settings={"field.rows": rows, **settings}
+    )
+
+
+def yields_of(stand: ideotype.Stand) -> tuple[float, float]:
+    """Assimilated CO2 [mol] and electricity [kWh] per day and m2 of ground."""
+    found = stand.evaluate(stand.baseline, tolerance=0.005).isel(plant=0)
+    light = found.object_light_by_hour.sel(object="panel").sum("band")
+    front, back = (light.sel(object_side=side) for side in ("front", "back"))
+    used = (front + BIFACIALITY * back).values
+    cells = temperature.faiman(used, AIR)
+    power = pvsystem.pvwatts_dc(used, cells, EFFICIENCY, LOSS_PER_DEGREE)
+    both = float((front + back).sum()) * 3600e-6
+    area = float(found.panel_light) / both  # of modules per ground
+    return float(found.net_assimilation), area * power.sum()
+
+
+alone = stand_of(8, panel=[]).evaluate(stand_of(8).baseline, tolerance=0.005)
+crop_alone = alone.net_assimilation.item()
+table = []
+for rows in (4, 5, 6, 8, 10, 12):
+    panel = [rows_of_modules(replace(MOUNT, gcr=WIDTH / (rows * ROW)))]
+    crop, power = yields_of(stand_of(rows, panel=panel))
+    # So far from plant to plant that the modules stand over soil.
+    sparse = {"spacing.plant": 10, "field.plants": 1}
+    table.append(
+        {
+            "pitch [m]": rows * ROW,
+            "crop [mol m-2]": crop,
+            "electricity [kWh m-2]": power,
+            "over soil": yields_of(stand_of(rows, panel=panel, **sparse))[1],
+        }
+    )
+yields = pd.DataFrame(table).set_index("pitch [m]")
+yields["crop"] = yields["crop [mol m-2]"] / crop_alone
+yields["power"] = yields["electricity [kWh m-2]"] / yields["over soil"].max()
+yields["land equivalent ratio"] = yields["crop"] + yields["power"]
+print(yields.round(3).to_string())
+print(f"land equivalent ratio {yields['land equivalent ratio'].max():.2f}")

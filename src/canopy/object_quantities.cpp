@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "declaration.hpp"
+#include "ideotype/core/units.hpp"
+
+namespace ideotype {
+
+namespace {
+
+using Values = std::vector<Estimate>;
+
+bool has_objects(const Scope& scope) {
+    return scope.has_objects;
+}
+
+//! Sums the light on both sides of panels over all bands, per area of ground.
+Randomised light_on_panels(const CanopyReport& report) {
+    std::vector<double> sums(report.randomisations());
+    for (const BandReport& band : report.bands)
+        for (std::size_t side = 0; side < band.objects.size(); ++side) {
+            const ObjectReport& object = report.objects[side / 2];
+            if (!object.is_panel) continue;
+            for (std::size_t r = 0; r < sums.size(); ++r)
+                sums[r] += object.area_index / joule_per_megajoule *
+                           band.objects[side].by_randomisation[r];
+        }
+    const Estimate mean = estimate(sums);
+    return {mean, std::move(sums)};
+}
+
+//! Returns what falls on the ground of what it absorbs; nothing where it
+//! absorbs none.
+Estimate on_ground(const BandReport& band, const Estimate& absorbed) {
+    const double kept = 1 - band.soil_albedo;
+    return kept > 0 ? scaled(absorbed, 1 / kept) : Estimate{};
+}
+
+Values ground_light(const CanopyReport& report) {
+    Values values;
+    for (const BandReport& band : report.bands)
+        values.push_back(scaled(on_ground(band, band.light.day.soil),
+                                1 / joule_per_megajoule));
+    return values;
+}
+
+Values ground_light_by_hour(const CanopyReport& report) {
+    Values values;
+    for (const BandReport& band : report.bands)
+        for (const StepReport& step : band.light.steps)
+            values.push_back(on_ground(band, step.budget.soil));
+    return values;
+}
+
+Values object_light(const CanopyReport& report) {
+    Values values;
+    for (std::size_t side = 0; side < 2 * report.objects.size(); ++side)
+        for (const BandReport& band : report.bands)
+            values.push_back(
+                scaled(band.objects[side].day, 1 / joule_per_megajoule));
+    return values;
+}
+
+Values object_light_by_hour(const CanopyReport& report) {
+    Values values;
+    for (std::size_t side = 0; side < 2 * report.objects.size(); ++side)
+        for (const BandReport& band : report.bands)
+            for (const Estimate& hour : band.objects[side].hours)
+                values.push_back(hour);
+    return values;
+}
+
+}  // namespace
+
+std::vector<Declaration> object_quantities() {
+    return {
+        {{"panel_light", daily,
+          "light on both sides of panels per ground area, in all wavebands "
+          "together"},
+         TakeNumber(light_on_panels),
+         false,
+         [](const Scope& scope) { return scope.has_panels; }},
+        {{"ground_light", daily, "light that falls on the ground", {"band"}},
+         ground_light,
+         false,
+         has_objects},
+        {{"ground_light_by_hour",
+          "W m-2",
+          "light that falls on the ground at each instant",
+          {"band", "hour"}},
+         ground_light_by_hour,
+         false,
+         has_objects},
+        {{"object_light",
+          daily,
+          "light that falls on a side of an object per area of that side; 0 "
+          "where it absorbs none",
+          {"object", "object_side", "band"}},
+         object_light,
+         false,
+         has_objects},
+        {{"object_light_by_hour",
+          "W m-2",
+          "light that falls on a side of an object at each instant, per area "
+          "of that side",
+          {"object", "object_side", "band", "hour"}},
+         object_light_by_hour,
+         false,
+         has_objects},
+    };
+}
+
+}  // namespace ideotype

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "placed_objects.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "ideotype/core/units.hpp"
+
+namespace ideotype {
+
+namespace {
+
+Mesh mesh_of(const ObjectEntry& object) {
+    const double sine = std::sin(object.turn * degree);
+    const double cosine = std::cos(object.turn * degree);
+    Mesh mesh;
+    mesh.groups = {{object.name, {0, SurfaceId::object}}};
+    const std::vector<double>& v = object.vertices;
+    for (std::size_t i = 0; i + 2 < v.size(); i += 3)
+        mesh.vertices.push_back({object.x + v[i] * cosine + v[i + 1] * sine,
+                                 object.y + v[i + 1] * cosine - v[i] * sine,
+                                 object.z + v[i + 2]});
+    for (std::size_t i = 0; i + 3 < object.faces.size(); i += 4) {
+        auto& face = mesh.faces.emplace_back();
+        for (std::size_t k = 0; k < face.size(); ++k)
+            face[k] = static_cast<std::uint32_t>(object.faces[i + k]);
+    }
+    mesh.face_group.assign(mesh.faces.size(), 0);
+    return mesh;
+}
+
+//! The rows as they stand for each pose, or as they always do.
+//! @param angles of each pose [deg]
+Mesh mesh_of(const PanelRows& rows, const Cell& cell, double row_direction,
+             const std::vector<double>& angles) {
+    if (!rows.tracks) return panel_mesh(rows, cell, row_direction, rows.tilt);
+    Mesh all;
+    for (const double angle : angles) {
+        const Mesh one = panel_mesh(rows, cell, row_direction, angle);
+        const auto first = static_cast<std::uint32_t>(all.vertices.size());
+        const auto pose = static_cast<std::uint32_t>(all.groups.size() + 1);
+        all.groups.push_back(one.groups.front());
+        all.groups.back().pose = pose;
+        all.groups.back().name += fmt::format("_pose{:02}", pose);
+        all.vertices.insert(all.vertices.end(), one.vertices.begin(),
+                            one.vertices.end());
+        for (auto face : one.faces) {
+            for (std::uint32_t& vertex : face) vertex += first;
+            all.faces.push_back(face);
+            all.face_group.push_back(pose - 1);
+        }
+    }
+    return all;
+}
+
+//! Gives each source the pose that all rows which track take after its sun.
+//! @return angles of each of those rows [deg], by pose
+std::vector<std::vector<double>> set_poses(Scene& scene,
+                                           const std::vector<PanelRows>& all) {
+    std::vector<std::vector<double>> poses;
+    std::vector<std::uint32_t> pose_of;
+    for (const std::size_t i : scene.light().instant_of) {
+        std::vector<double> angles;
+        const SunPosition& sun = scene.light().series.steps[i].sun;
+        for (const PanelRows& rows : all)
+            angles.push_back(rows.tracks ? tracker_angle(rows, sun)
+                                         : rows.tilt);
+        const auto found = std::find(poses.begin(), poses.end(), angles);
+        pose_of.push_back(
+            static_cast<std::uint32_t>(found - poses.begin() + 1));
+        if (found == poses.end()) poses.push_back(angles);
+    }
+    for (Band& band : scene.bands)
+        for (std::size_t s = 0; s < pose_of.size(); ++s)
+            band.light.light.sources[s].pose = pose_of[s];
+    return poses;
+}
+
+//! Adds an object with a material of its own.
+void add(Scene& scene, FixedObject object, const Lambertian& par,
+         const Lambertian& nir) {
+    const auto material =
+        static_cast<std::uint32_t>(scene.bands.front().optics.materials.size());
+    for (Group& group : object.mesh.groups) group.material = material;
+    for (Band& band : scene.bands) {
+        const Lambertian& optics = band.name == "nir" ? nir : par;
+        band.optics.materials.emplace_back(optics.reflectance,
+                                           optics.transmittance);
+    }
+    scene.objects.push_back(std::move(object));
+}
+
+}  // namespace
+
+bool has_trackers(const Campaign& campaign) {
+    return std::any_of(campaign.panels.begin(), campaign.panels.end(),
+                       [](const PanelEntry& each) { return each.rows.tracks; });
+}
+
+void add_objects(Scene& scene, const Campaign& campaign,
+                 const Spacing& spacing) {
+    std::vector<PanelRows> all;
+    for (const PanelEntry& each : campaign.panels)
+        all.push_back(in_cell(each.rows, scene.cell, spacing.row_direction));
+    std::vector<std::vector<double>> poses;
+    if (has_trackers(campaign)) poses = set_poses(scene, all);
+    for (std::size_t p = 0; p < all.size(); ++p) {
+        std::vector<double> angles;
+        for (const std::vector<double>& pose : poses) angles.push_back(pose[p]);
+        add(scene,
+            {all[p].name,
+             mesh_of(all[p], scene.cell, spacing.row_direction, angles), true},
+            campaign.panels[p].optics, campaign.panels[p].nir_optics);
+    }
+    for (const ObjectEntry& each : campaign.objects)
+        add(scene, {each.name, mesh_of(each)}, each.optics, each.nir_optics);
+}
+
+}  // namespace ideotype

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "campaign/campaign.hpp"
+#include "ideotype/canopy/scene.hpp"
+
+namespace ideotype {
+
+//! Whether any panels track the sun, so that each instant has a sky of its own.
+bool has_trackers(const Campaign& campaign);
+
+//! Adds the panels and objects of a campaign to a scene whose components, cell
+//! and bands are known.
+void add_objects(Scene& scene, const Campaign& campaign,
+                 const Spacing& spacing);
+
+}  // namespace ideotype

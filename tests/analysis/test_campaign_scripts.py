@@ -102,6 +102,20 @@ def test_searches_are_compared_by_their_gains(tmp_path: Path) -> None:
     assert figure.stat().st_size > 10000
 
 
+def test_the_best_known_is_as_near_as_triples_of_searches_say(
+    tmp_path: Path,
+) -> None:
+    counts = ["--evaluations", 80, "--long-evaluations", 400]
+    told = run("distance.py", tmp_path, "--rough", "--triples", 2, *counts)
+    near = re.search(r"(?m)^(\d) of 2 triples miss .*, (\S+) %, by", told)
+    rows = re.findall(r"(?m)^\| (\S+) \| (\S+) \| (\S+) \|$", told)
+    assert near is not None and len(rows) == 2, told
+    found = np.array(rows, float)
+    assert (found[:, 2] <= found[:, 1]).sum() == int(near[1])
+    assert found[:, 0] + found[:, 2] == pytest.approx(float(near[2]), abs=0.06)
+    assert (found[:, 1] > 0).all() and (found[:, 2] >= 0).all()
+
+
 def test_the_blades_of_the_script_take_the_light_of_the_program(
     tmp_path: Path,
 ) -> None:

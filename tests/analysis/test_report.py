@@ -307,7 +307,7 @@ def test_an_unfinished_run_is_provisional(drained: Path) -> None:
     assert note.endswith(": ames_0807_762x152_all.")
 
 
-def test_three_searches_bound_the_distance_from_the_optimum(
+def test_three_searches_tell_how_far_the_optimum_may_be(
     sweep: Path, tmp_path: Path
 ) -> None:
     shifts = (0.1, 0.4, 0.2)
@@ -326,8 +326,11 @@ def test_three_searches_bound_the_distance_from_the_optimum(
     lowest, *_, highest = sorted(
         100 * ((final_absorbed(2) + shift) / BASELINE - 1) for shift in shifts
     )
-    assert f"less than {highest - lowest:.1f} percentage points" in three
-    assert f"which gained {lowest:.1f} to {highest:.1f} %" in three
+    assert f"a spread of {highest - lowest:.1f} percentage points" in three
+    assert (
+        f"3 independent searches gained {lowest:.1f} to {highest:.1f} %"
+        in three
+    )
 
 
 def test_a_cross_evaluation_is_json_or_csv(

@@ -199,16 +199,17 @@ def _case_remarks(case: Case, cross: Cross | None) -> Iterator[str]:
 
 
 def _spread_of_searches(gains: Sequence[float]) -> str:
-    """A bound of the distance from the optimum: docs/optimisers.md tells how good."""
+    """How far the optimum may be: docs/optimisers.md tells how good a bound this is."""
     if len(gains) < 3:
         return (
             "Three searches (replicates = 3) would tell how far the best "
             "plant may be from the optimum"
         )
     return (
-        f"The best plant is probably less than {max(gains) - min(gains):.1f} "
-        f"percentage points from the optimum, the spread of {len(gains)} "
-        f"independent searches, which gained {min(gains):.1f} to {max(gains):.1f} %"
+        f"{len(gains)} independent searches gained {min(gains):.1f} to "
+        f"{max(gains):.1f} %, a spread of {max(gains) - min(gains):.1f} percentage "
+        "points; the optimum may be further than that from the best plant if "
+        "they were short"
     )
 
 

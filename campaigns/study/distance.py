@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""How often is the optimum as near as the spread of three searches says?
+
+distance.py FOLDER [--triples N] [--evaluations N] [--long-evaluations N]
+            [--objective NAME] [--rough]
+
+`ideotype summary` and reports tell the spread of a case's independent searches, the
+gain of the best less that of the worst, as a bound of the distance from the
+optimum. Breeds maize where plants differ (all traits, 42 deg north, rows of 30 inches,
+plants 6 inches apart) by N triples of searches of so many evaluations each, and by
+three searches of --long-evaluations. Evaluates all best plants again in the same
+fields; the best of them all stands for the optimum. Prints how many triples miss it
+by no more than their spread, and both of each triple in percentage points of gain.
+Searches that are in FOLDER already are not repeated. --rough is for tests.
+IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from paper_table import FIRST, UNITS, campaign
+from shared import (
+    Numbers,
+    best,
+    breed_tables,
+    gain,
+    guard,
+    light,
+    parser_of_searches,
+    print_table,
+)
+
+from ideotype import Stand
+
+
+def main() -> None:
+    parser = parser_of_searches(
+        __doc__, triples=10, evaluations=600, long_evaluations=2500
+    )
+    parser.add_argument("--objective", choices=UNITS, default="absorbed_par")
+    options = parser.parse_args()
+    tables = campaign(FIRST, options.objective, options.folder, options.rough)
+
+    def bred(kind: str, searches: int, evaluations: int) -> list[Numbers]:
+        """The best plant of each search."""
+        run: dict[str, Any] = {
+            **tables,
+            "name": f"{tables['name']}_{kind}",
+            "replicates": searches,
+            "search": {"optimizer": "auto"},
+            "stop": {"generations": evaluations, "evaluations": evaluations},
+        }
+        return [best(path) for path in breed_tables(run, options.folder)]
+
+    plants = bred("short", 3 * options.triples, options.evaluations)
+    plants += bred("long", 3, options.long_evaluations)
+    stand = Stand(tables)
+    baseline, *others = light(
+        stand, np.array([stand.baseline, *plants])
+    ).tolist()
+    gains = [gain(baseline, each)[0] for each in others]
+    triples = np.array(gains[:-3]).reshape(options.triples, 3)
+    missed = max(gains) - triples.max(1)
+    spread = np.ptp(triples, axis=1)
+    print(
+        f"{(missed <= spread).sum()} of {options.triples} triples miss the "
+        f"best gain, {max(gains):.1f} %, by no more than their spread\n"
+    )
+    print_table(
+        ["best of three [%]", "spread [points]", "missed [points]"],
+        [
+            [f"{x:.2f}" for x in row]
+            for row in zip(triples.max(1), spread, missed, strict=True)
+        ],
+    )
+
+
+if __name__ == "__main__":
+    guard(main)

@@ -12,7 +12,7 @@ namespace ideotype {
 
 namespace {
 
-//! Nine digits are more seconds than any job lasts.
+//! The most digits of a number: these are more seconds than any job lasts.
 constexpr std::size_t longest = 9;
 
 std::optional<double> hours_minutes_seconds(Scanner text) {

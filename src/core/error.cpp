@@ -104,7 +104,8 @@ std::string nearest_name(const std::string& word,
     // A suggestion that shares less than half of the letters only confuses.
     std::size_t least = word.size() / 2 + 1;
     for (const std::string& candidate : candidates) {
-        // So many letters are only in the word, which may be megabytes long.
+        // A word that is longer by so much is too far, and it may be megabytes
+        // long.
         if (word.size() >= candidate.size() + least) continue;
         const std::size_t distance = edit_distance(word, candidate);
         if (distance < least) {

@@ -42,7 +42,7 @@ std::array<double, 2> RandomStream::normal() {
 }
 
 std::uint32_t RandomStream::below(std::uint32_t n) {
-    // Reject the last, incomplete run of n values.
+    // The last, incomplete run of n values is rejected.
     const std::uint32_t rejected = (0u - n) % n;
     std::uint32_t x = bits();
     while (x < rejected) x = bits();

@@ -22,7 +22,8 @@ std::vector<double> raw_weights(std::size_t population) {
     return weights;
 }
 
-//! How many equal weights have as much variance as those with this sign.
+//! Returns how many equal weights have as much variance as those with this
+//! sign.
 double effective(const std::vector<double>& weights, double sign) {
     double sum = 0, squares = 0;
     for (const double w : weights)
@@ -99,7 +100,7 @@ VectorXd DdCma::sample(const VectorXd& normal) const {
 
 void DdCma::update(const MatrixXd& ranked) {
     const auto n = static_cast<double>(mean_.size());
-    // Standard normal vectors, were they not selected.
+    // These would be standard normal vectors if they were not selected.
     const MatrixXd white = inverse_root_ *
                            (scales_ * step_size_).cwiseInverse().asDiagonal() *
                            (ranked.colwise() - mean_);
@@ -136,7 +137,7 @@ void DdCma::update(const MatrixXd& ranked) {
     change.diagonal().array() -=
         of_correlation_.rank_mu * of_correlation_.weights.sum() +
         of_correlation_.rank_one * path_of_correlation_.share;
-    // It stays positive definite.
+    // A change that is bounded leaves the correlation positive definite.
     constexpr double most = 0.75;
     const double least =
         Eigen::SelfAdjointEigenSolver<MatrixXd>(change, Eigen::EigenvaluesOnly)
@@ -152,7 +153,7 @@ void DdCma::update(const MatrixXd& ranked) {
             (squares.array() - of_scales_.weights.sum()).matrix() +
         of_scales_.rank_one *
             (squares_of_path.array() - path_of_scales_.share).matrix();
-    // The worse known the directions of C, the slower D changes.
+    // D changes the slower, the worse the directions of C are known.
     const double damping =
         1 + std::max(0.0, std::sqrt(correlation_condition_) - 2);
 
@@ -164,7 +165,8 @@ void DdCma::update(const MatrixXd& ranked) {
     decompose();
 }
 
-//! Leaves the variances to the scales.
+//! Makes a correlation matrix of C again, whose variances the scales take over,
+//! and computes its roots.
 void DdCma::decompose() {
     const VectorXd deviations = correlation_.diagonal().cwiseSqrt();
     scales_.array() *= deviations.array();

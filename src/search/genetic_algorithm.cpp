@@ -13,7 +13,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the best of some contestants that are chosen at random from so many.
+//! Returns the best of some contestants that are chosen at random.
 template <class Beats>
 std::uint32_t tournament(RandomStream& stream, std::size_t size,
                          const GaSettings& settings, Beats beats) {
@@ -99,7 +99,7 @@ class GeneticAlgorithm : public GenerationalOptimizer {
                 static_cast<std::size_t>(settings_.ga.elites), next_size()));
     }
 
-    //! Two children, the first for this slot.
+    //! Two children, the first of them for this slot.
     struct Couple {
         std::uint32_t first = 0;
         std::pair<Candidate, Candidate> children;
@@ -127,11 +127,12 @@ class GeneticAlgorithm : public GenerationalOptimizer {
     SearchSettings settings_;
     SearchSpace space_;
     Breeder breeder_;
-    Population parents_;               //!< of the next generation
-    std::vector<std::int64_t> rows_;   //!< of parents
-    std::vector<std::size_t> places_;  //!< of parents, see places()
-    std::vector<Candidate> elites_;    //!< of parents, the next generation's
-    std::optional<Couple> couple_;     //!< asked for last
+    Population parents_;               //!< individuals that may have children
+    std::vector<std::int64_t> rows_;   //!< rows of the parents
+    std::vector<std::size_t> places_;  //!< places of the parents, see places()
+    //! Parents that the next generation has again.
+    std::vector<Candidate> elites_;
+    std::optional<Couple> couple_;  //!< asked for last
 };
 
 }  // namespace

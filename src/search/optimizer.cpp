@@ -79,8 +79,9 @@ class RandomSearch : public Optimizer {
     std::size_t population_;
     SearchSpace space_;
     std::uint64_t seed_;
-    std::optional<SobolSequence> sequence_;  //!< of free genes
-    Population best_;  //!< of all, as many as may be asked for
+    //! Points in the space of free genes.
+    std::optional<SobolSequence> sequence_;
+    Population best_;  //!< rows, as many as may be asked for
 };
 
 std::unique_ptr<GenerationalOptimizer> make_generational(
@@ -175,7 +176,8 @@ class Streams : public Optimizer {
     struct Stream {
         std::unique_ptr<GenerationalOptimizer> search;
         std::int64_t rows = 0;
-        //! First row of each generation, of the search and of the case.
+        //! The first row of each generation, as the search and as the case
+        //! counts.
         std::vector<std::array<std::int64_t, 2>> first_rows{};
         Population last{};  //!< generation
 
@@ -194,7 +196,7 @@ class Streams : public Optimizer {
         return generation / static_cast<std::uint32_t>(streams_.size());
     }
 
-    //! A candidate whose parents are rows of the case.
+    //! Returns a candidate whose parents are rows of the case.
     static Candidate in_case(const Stream& stream, Candidate candidate) {
         for (std::int64_t& parent : candidate.parents)
             if (parent != no_parent) parent = stream.row_of(parent);
@@ -203,9 +205,10 @@ class Streams : public Optimizer {
 
     std::vector<Sense> senses_;
     std::vector<Stream> streams_;
-    std::vector<std::uint64_t> ends_;  //!< rows up to that of each generation
+    //! Number of rows up to the end of each generation.
+    std::vector<std::uint64_t> ends_;
     std::uint64_t rows_ = 0;
-    Population learnt_;  //!< of the generation that is learnt
+    Population learnt_;  //!< rows of the generation that is learnt
 };
 
 }  // namespace
@@ -226,7 +229,7 @@ int usual_population(OptimizerKind optimizer, std::size_t free_genes) {
         4 + static_cast<int>(
                 3 * std::log(std::max(1., static_cast<double>(free_genes))));
     if (optimizer == OptimizerKind::cma_es) return of_cma_es;
-    // Two searches, which find more with a few more plants each.
+    // There are two searches, which find more with a few more plants each.
     if (optimizer == OptimizerKind::automatic) return 5 * of_cma_es / 2;
     return 100;
 }

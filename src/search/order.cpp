@@ -37,7 +37,7 @@ bool dominates(const Individual& a, const Individual& b,
     return is_better_in_one;
 }
 
-//! Places of keys that can be compared, in their order.
+//! Returns the places of keys in their order; equals share one.
 template <class Less>
 std::vector<std::size_t> placed(std::size_t size, Less less) {
     std::vector<std::size_t> order(size), place(size);

@@ -10,7 +10,7 @@ namespace ideotype {
 
 namespace {
 
-//! What is wrong with one of several estimates, or "".
+//! Returns why one of several estimates cannot be used, or "".
 std::string defect(const std::string& name, std::span<const Estimate> values) {
     for (const auto& [mean, standard_error] : values) {
         if (!std::isfinite(mean))

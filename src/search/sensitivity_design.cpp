@@ -40,7 +40,7 @@ SensitivityDesign::SensitivityDesign(const SensitivitySettings& settings,
         if (space_.genes[i].is_free) free_.push_back(i);
 }
 
-//! Returns a place of a path by Morris, relative to the ranges of genes.
+//! Returns a point of a path by Morris, relative to the ranges of genes.
 std::vector<double> SensitivityDesign::on_path(std::uint32_t sample,
                                                std::size_t place) const {
     std::vector<double> point(space_.genes.size()), steps = point;
@@ -61,13 +61,13 @@ std::vector<double> SensitivityDesign::on_path(std::uint32_t sample,
         for (const std::size_t gene : factors_[order[i]].genes)
             point[gene] += steps[gene];
     for (const std::size_t gene : free_)
-        // Both ends of a circle are one point.
+        // The two ends of a circle are one point.
         point[gene] /=
             settings_.levels - (space_.genes[gene].is_circular ? 0 : 1);
     return point;
 }
 
-//! Returns A, A with one factor from B, or B.
+//! Returns the point A, A with one factor from the point B, or B.
 std::vector<double> SensitivityDesign::in_cube(std::uint32_t sample,
                                                std::size_t place) const {
     std::vector<double> point(space_.genes.size());

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double certain = 2;  //!< standard errors
 
-//! Whether a line through the last means does not rise for certain, or the
-//! hypervolume of several objectives.
+//! Returns whether it is not certain that a line through the last means rises,
+//! or that the hypervolume of several objectives does.
 bool gains_nothing(const std::vector<GenerationSummary>& all, int generations,
                    Sense sense) {
     if (all.size() < static_cast<std::size_t>(generations)) return false;

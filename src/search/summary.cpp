@@ -26,8 +26,8 @@ double mean_of(const std::vector<double>& values) {
            static_cast<double>(values.size());
 }
 
-//! Standard deviation over range. On a circle: of the arcs to the mean
-//! direction.
+//! Returns the standard deviation of a gene over its range. On a circle it is
+//! that of the arcs to the mean direction.
 double relative_spread(const Gene& gene, std::vector<double> values) {
     const double range = gene.upper - gene.lower;
     if (gene.is_circular) {
@@ -46,8 +46,9 @@ double relative_spread(const Gene& gene, std::vector<double> values) {
 
 using Point = std::vector<double>;
 
-//! Of points below a reference in their first coordinates. They are sorted by
-//! the last of these: between two of them the slice has those below it.
+//! Returns the volume between points and a reference that all of them are
+//! below, in their first coordinates. Points are sorted by the last of these:
+//! the slice between two of them belongs to the points below it.
 double volume_below(std::vector<Point> points, const Point& reference,
                     std::size_t coordinates) {
     const std::size_t last = coordinates - 1;
@@ -137,7 +138,7 @@ double hypervolume(std::vector<Point> points, Point reference,
 Estimate hypervolume(const Population& population, const Point& reference,
                      const std::vector<Sense>& senses) {
     const std::size_t objectives = senses.size();
-    // Without one randomisation, or without none.
+    // The volume is that without one randomisation, or without none.
     const auto volume = [&](std::size_t left_out, std::size_t count) {
         std::vector<Point> points;
         for (const Individual& each : population) {

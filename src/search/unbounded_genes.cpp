@@ -10,10 +10,10 @@ namespace {
 
 constexpr double margin = 0.05;  //!< beside a bound, relative to the range
 
-//! The share of the range that a coordinate stands for. Bounds are those of
-//! parabolas that begin with the slope of the line between them.
+//! Returns the share of the range that a coordinate stands for. Beside bounds
+//! it follows parabolas that begin with the slope of the line between them.
 double folded(double coordinate) {
-    // It comes back after a way to and fro.
+    // A coordinate stands for the same share after a way to and fro.
     constexpr double period = 2 * (1 + 2 * margin);
     double x = std::remainder(coordinate + margin, period);
     x = std::abs(x) - margin;  // [-margin, 1 + margin]

@@ -20,7 +20,8 @@ Handle enumeration(
     return type;
 }
 
-// Exceptions must not pass through C; running out of memory is not foreseen.
+// Exceptions must not pass through C; these functions could run out of memory
+// only.
 herr_t keep_dataset(hid_t, const char* name, const H5O_info_t* info,
                     void* target) {
     if (info->type == H5O_TYPE_DATASET)
@@ -37,7 +38,7 @@ herr_t keep_name(hid_t, const char* name, const H5A_info_t*, void* target) {
 
 Handle string_type(std::size_t size) {
     Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "create a string type");
-    // HDF5 has no strings of no bytes.
+    // There are no strings of no bytes in HDF5.
     checked(H5Tset_size(type, size == 0 ? 1 : size), "size a string type");
     checked(H5Tset_cset(type, H5T_CSET_UTF8), "encode a string type");
     checked(H5Tset_strpad(type, H5T_STR_NULLPAD), "pad a string type");

@@ -30,9 +30,10 @@ void add(Sha256& sum, const std::string& name, const std::vector<char>& bytes) {
 
 }  // namespace
 
-//! All datasets of a table but its scales, by name.
+//! The datasets of a table but its scales, by name.
 class HashedTable {
   public:
+    //! Opens the datasets.
     //! @param mapping of the file, if there is one
     HashedTable(hid_t file, const std::string& name,
                 const std::vector<std::string>& left_out,
@@ -48,7 +49,8 @@ class HashedTable {
         }
     }
 
-    //! @param status stands in for that in the file
+    //! Adds rows, dataset by dataset.
+    //! @param status to take in place of that in the file
     void add_rows(Sha256& sum, const Span& rows,
                   std::optional<Status> status = {}) const {
         for (const auto& [name, column] : columns_)

@@ -202,7 +202,7 @@ std::vector<Row> Columns::read(hsize_t first, hsize_t count) const {
 Population Columns::population(hsize_t first, hsize_t count) const {
     const auto status = statuses(first, count);
     auto candidate = candidates(first, count);
-    // The first of number_forms().
+    // These are the first of number_forms().
     const std::size_t width = numbers_[0].width();
     const auto means = numbers_[0].read<double>(first, count);
     const auto errors = numbers_[1].read<double>(first, count);
@@ -276,7 +276,8 @@ void Columns::write_outcomes(hsize_t first, const std::vector<Row>& rows) {
 }
 
 void Columns::set_statuses(hsize_t first, const std::vector<Status>& statuses) {
-    // All that they vouch for is there before, for other processors too.
+    // Everything that statuses vouch for is there before them, for other
+    // processors too.
     std::atomic_thread_fence(std::memory_order_release);
     status_.write(first, statuses);
 }

@@ -36,8 +36,8 @@ std::size_t size_of(int descriptor) {
                : 0;
 }
 
-//! The file was cut short at the very moment of an access, or its disk fails:
-//! says so, and ends the program as where it notices by itself.
+//! Says that the file was cut short at the very moment of an access, or that
+//! its disk fails, and ends the program.
 extern "C" void end_without_file(int) {
     constexpr std::string_view text =
         "ideotype: a history was cut short while it was written, or its disk "

@@ -23,10 +23,10 @@ struct SummaryColumn {
     Value GenerationSummary::*member;
 };
 
-//! Stands for the product of the units of all objectives.
+//! The unit that stands for the product of the units of all objectives.
 constexpr auto product = "product";
 
-//! The last ones only of several objectives.
+//! The number of last columns that only cases with several objectives have.
 constexpr std::size_t front_columns = 2;
 constexpr std::array number_columns{
     SummaryColumn<double>{"best", nullptr, "first objective of the best row",

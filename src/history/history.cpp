@@ -152,7 +152,7 @@ std::uint64_t History::evaluated() const {
 }
 
 std::uint32_t History::next_generation() const {
-    // A writer knows; under a reader the file goes on.
+    // A writer knows the number; under a reader the file grows.
     if (file_->lock) return file_->next_generation;
     std::uint32_t count =
         file_->read([&] { return file_->generations.committed(); });

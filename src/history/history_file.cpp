@@ -14,13 +14,14 @@ namespace ideotype {
 
 namespace {
 
-// Bits, because two zeros compare equal and two NaN do not.
+// Returns whether two numbers have the same bits, since two zeros compare equal
+// and two NaN do not.
 bool is_same(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-//! The first gene, origin or parent in which two candidates differ in any
-//! bit, with both values; empty if they are the same.
+//! Describes the first gene, origin or parent in which two candidates differ in
+//! any bit, with both values; empty if they are the same.
 std::string first_difference(const GeneSpace& genes, const Candidate& was,
                              const Candidate& is) {
     for (std::size_t i = 0; i < genes.size(); ++i)

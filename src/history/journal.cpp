@@ -33,7 +33,7 @@ constexpr std::array session_columns{
     SessionColumn{"libraries", 256, "name and version of each",
                   &SessionRecord::libraries}};
 
-// Rows that are not used yet are empty, which is how their number is found.
+// Returns how many rows are used: the first that is empty is not.
 hsize_t used_rows(const Dataset& texts) {
     const auto all = texts.read_text(0, texts.rows());
     return static_cast<hsize_t>(std::find(all.begin(), all.end(), "") -
@@ -93,7 +93,7 @@ Journal::Journal(hid_t file)
 void Journal::add(const SessionRecord& session) {
     if (sessions_used_ == ranks_.rows()) return;
     ranks_.write_one(sessions_used_, std::int32_t{session.ranks});
-    // The start comes last: it says that the row is used.
+    // The start is written last: it says that the row is used.
     for (std::size_t i = session_columns.size(); i-- > 0;)
         sessions_[i].write_text(sessions_used_,
                                 session.*session_columns[i].member);

@@ -15,8 +15,9 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// "lai absorbed_by_leaf[leaf]": names and axes in the order of a schema. In
-// a file that is cut short this is there when the scales' references are not.
+// Returns names and axes in the order of a schema: "lai
+// absorbed_by_leaf[leaf]". In a file that is cut short this is there when the
+// scales' references are not.
 std::string text_of(const std::vector<Quantity>& quantities) {
     std::string text;
     for (const Quantity& each : quantities)

@@ -15,7 +15,8 @@ namespace ideotype {
 
 namespace {
 
-//! An evaluation is not late before it takes this many times the longest.
+//! The factor by which an evaluation has to take longer than the longest before
+//! it is late.
 constexpr double longest_factor = 20;
 
 std::string name_of(const Task& task) {
@@ -27,11 +28,11 @@ std::string name_of(const Task& task) {
 }  // namespace
 
 struct Dispatcher::Assignment {
-    std::uint64_t batch = 0;  //!< its number; it may be gone since
+    std::uint64_t batch = 0;  //!< number of the batch, which may be gone since
     std::uint64_t item = 0;
     Task task;
-    double began = 0;     //!< as now() tells [s]
-    double deadline = 0;  //!< as now() tells [s]
+    double began = 0;     //!< time of now() [s]
+    double deadline = 0;  //!< time of now() [s]
 };
 
 Dispatcher::Dispatcher(std::unique_ptr<Workers> workers, const StopFlag& stop,
@@ -76,7 +77,8 @@ void Dispatcher::run(Director& director) {
             has_told_of_stop_ = true;
             director.on_stop(busy_in_time());
         }
-        // Before routines go on, since they take their time to breed.
+        // Work is handed out before routines go on, since they take their time
+        // to breed.
         while (hand_out()) continue;
         resume_complete();
         while (!idle_.empty() && !is_ending())
@@ -98,7 +100,7 @@ void Dispatcher::run(Director& director) {
     if (!obstacle_.empty()) throw Error(obstacle_);
 }
 
-//! Whether no more work is to be handed out.
+//! Returns whether no more work is to be handed out.
 bool Dispatcher::is_ending() const {
     return stop_.requested() || !obstacle_.empty();
 }
@@ -114,7 +116,7 @@ void Dispatcher::add(Batch& batch) {
     by_number_.emplace(batch.number_, &batch);
 }
 
-//! Its routine goes on soon.
+//! Notes that the routine of a batch is to go on soon.
 void Dispatcher::close(Batch& batch) {
     open_.erase(batch.precedence_);
     by_number_.erase(batch.number_);
@@ -126,8 +128,8 @@ void Dispatcher::remove(Batch& batch) {
     std::erase(complete_, &batch);
 }
 
-//! Adds what the source of a batch has next to what waits; false if that is
-//! nothing, or if it failed.
+//! Adds what the source of a batch has next to the work that waits; returns
+//! false if that is nothing, or if the source failed.
 bool Dispatcher::fetch(Batch& batch) {
     std::optional<Work> work;
     try {
@@ -148,7 +150,7 @@ bool Dispatcher::fetch(Batch& batch) {
     return true;
 }
 
-//! Workers that may still answer in time.
+//! Returns how many workers may still answer in time.
 int Dispatcher::busy_in_time() const {
     return static_cast<int>(deadlines_.size());
 }
@@ -174,7 +176,7 @@ void Dispatcher::give(int worker, const Assignment& given, const Work& work) {
     workers_->give(worker, work);
 }
 
-//! A worker has answered and is idle again.
+//! Takes the answer of a worker, which is idle again.
 Dispatcher::Assignment Dispatcher::take(int worker, const Outcome& outcome) {
     const Assignment given =
         *std::exchange(given_[static_cast<std::size_t>(worker)], std::nullopt);
@@ -186,7 +188,7 @@ Dispatcher::Assignment Dispatcher::take(int worker, const Outcome& outcome) {
     return given;
 }
 
-//! A worker who is late from now on, if there is one.
+//! Returns a worker that is late from now on, if there is one.
 std::optional<int> Dispatcher::next_late() {
     const auto first = deadlines_.begin();
     if (first == deadlines_.end() || now() <= first->first) return {};
@@ -195,8 +197,8 @@ std::optional<int> Dispatcher::next_late() {
     return worker;
 }
 
-//! Sends the next work to an idle worker; false if there is none of either, or
-//! a stop is requested.
+//! Sends the next work to an idle worker; returns false if there is none of
+//! either, or a stop is requested.
 bool Dispatcher::hand_out() {
     if (is_ending() || idle_.empty()) return false;
     for (const auto& [precedence, open] : open_) {
@@ -231,7 +233,7 @@ void Dispatcher::resume_complete() {
     }
 }
 
-//! Lets all routines go on with what there is.
+//! Lets all routines go on with the outcomes that there are.
 void Dispatcher::release_all() {
     while (!open_.empty()) close(*open_.begin()->second);
 }
@@ -250,7 +252,7 @@ void Dispatcher::receive(Director& director) {
     while (const auto worker = next_late()) give_up(*worker, director);
 }
 
-//! A machine could not evaluate, which says nothing of the plant.
+//! Notes that a machine could not evaluate, which says nothing of the plant.
 void Dispatcher::note_obstacle(int worker, const Task& task,
                                const std::string& reason) {
     if (!obstacle_.empty()) return;
@@ -280,7 +282,7 @@ void Dispatcher::settle(const Assignment& given, const Outcome& outcome) {
     if (!goes_on) close(batch);
 }
 
-//! What happens to the task of a worker that has become late.
+//! Decides what happens to the task of a worker that has become late.
 void Dispatcher::give_up(int worker, Director& director) {
     const Assignment given = *given_[static_cast<std::size_t>(worker)];
     std::string what = fmt::format(
@@ -290,7 +292,7 @@ void Dispatcher::give_up(int worker, Director& director) {
     const auto found = by_number_.find(given.batch);
     const bool is_needed = found != by_number_.end() &&
                            found->second->unanswered_.contains(given.item);
-    // With nobody left, the fault is hardly the candidate's: it stays pending.
+    // If nobody is left, the fault is hardly the candidate's: it stays pending.
     const bool is_alone = idle_.empty() && busy_in_time() == 0;
     const bool is_last =
         given.task.attempt >= static_cast<std::uint32_t>(rules_.attempts);

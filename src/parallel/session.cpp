@@ -21,7 +21,7 @@ namespace ideotype {
 //! The ranks of a session, as MPI knows them.
 struct Session::Ranks {
     MPI_Comm communicator;
-    //! What to do when the session ends.
+    //! Tells what to do when the session ends.
     enum class End { finalize, free } end;
 };
 
@@ -159,7 +159,9 @@ std::string Session::library_version() {
     std::array<char, MPI_MAX_LIBRARY_VERSION_STRING> text{};
     int length = 0;
     MPI_Get_library_version(text.data(), &length);
-    // "Open MPI v4.1.4, package: ..., ident: ..."; "MPICH Version:\t4.0.2\n..."
+    // The library calls itself "Open MPI v4.1.4, package: ..., ident: ..." or
+    // "MPICH Version:\t4.0.2
+    // ...".
     std::string version(text.data());
     version.resize(std::min(version.find_first_of(",\n"), version.size()));
     const std::string label = "Version:";
@@ -174,7 +176,7 @@ struct Mailbox::Posted {
         Bytes bytes;
         MPI_Request request = MPI_REQUEST_NULL;
     };
-    // A list, because MPI keeps the address of the request's bytes.
+    // This is a list, because MPI keeps the address of the request's bytes.
     std::list<Sending> sendings;
 
     void forget_finished() {

@@ -14,7 +14,8 @@ namespace ideotype {
 
 namespace {
 
-//! Leaves the row as it was proposed, for a machine that can.
+//! Returns an outcome that leaves the row as it was proposed, for a machine
+//! that can evaluate it.
 Outcome not_evaluated(const std::string& reason) {
     Outcome outcome;
     outcome.status = Status::proposed;
@@ -36,7 +37,7 @@ Outcome caught_outcome(Evaluator& evaluator, const Work& work,
     }
 }
 
-//! Reads a letter of rank 0: work, or none if there will be no more.
+//! Reads a letter of rank 0: returns work, or none if there will be no more.
 std::optional<Work> work_in(const Envelope& letter, const Session& session) {
     if (letter.tag == Tag::stop) return std::nullopt;
     if (letter.tag != Tag::work)
@@ -58,7 +59,7 @@ void serve_alone(const Session& session, Evaluator& evaluator) {
                                                        session.clock())}));
 }
 
-//! Threads evaluate while this one looks after the messages.
+//! Serves with threads that evaluate while this one looks after the messages.
 void serve_by_threads(const Session& session, const Evaluators& evaluators) {
     Mailbox mailbox(session);
     const auto threads = make_thread_workers(session, evaluators);

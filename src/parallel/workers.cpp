@@ -67,7 +67,7 @@ class ThreadWorkers : public Workers {
     }
 
   private:
-    //! Where a thread waits for work.
+    //! The place at which a thread waits for work.
     struct Seat {
         std::optional<Work> work;
         std::condition_variable called;
@@ -78,7 +78,7 @@ class ThreadWorkers : public Workers {
         for (std::thread& each : threads_) each.join();
     }
 
-    //! The life of a thread.
+    //! Runs a thread: waits for work and evaluates it until there is no more.
     void evaluate(int worker) {
         const auto index = static_cast<std::size_t>(worker);
         Seat& seat = seats_[index];
@@ -99,7 +99,7 @@ class ThreadWorkers : public Workers {
     const Evaluators evaluators_;
     const int first_;  //!< number in the job
     const RankClock& clock_;
-    std::mutex mutex_;  //!< of all that follows but the threads
+    std::mutex mutex_;  //!< mutex of all members below but the threads
     std::deque<Seat> seats_;
     std::deque<Answer> answers_;
     std::condition_variable arrived_;
@@ -107,8 +107,8 @@ class ThreadWorkers : public Workers {
     std::vector<std::thread> threads_;
 };
 
-//! Workers of this rank's own come first, then those of the others. Which of
-//! its threads does what a rank decides by itself.
+//! The workers of all ranks. Those of this rank come first, then those of the
+//! others. A rank decides by itself which of its threads does what.
 class RankWorkers : public Workers {
   public:
     RankWorkers(const Session& session, const Evaluators& evaluators)
@@ -190,7 +190,8 @@ class RankWorkers : public Workers {
     const Evaluators evaluators_;
     std::unique_ptr<Workers> own_;  //!< threads of this rank, if any
     Mailbox mailbox_;
-    std::vector<std::optional<Task>> given_;  //!< to workers of other ranks
+    //! Tasks that workers of other ranks have.
+    std::vector<std::optional<Task>> given_;
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/text.hpp"
 
 namespace ideotype {
@@ -20,6 +21,7 @@ std::string reason_of(const std::exception& error) {
 
 std::string to_string(const Problem& problem) {
     const Location& where = problem.where;
+    IDEOTYPE_EXPECT(where.line >= 0 && where.column >= 0);
     if (where.line == 0) return fmt::format("{}: {}", where.file, problem.what);
     return fmt::format("{}:{}:{}: {}", where.file, where.line, where.column,
                        problem.what);
@@ -96,7 +98,9 @@ std::vector<Problem> shortened(std::vector<Problem> problems) {
 InputError::InputError(std::vector<Problem> problems)
     : Error(joined(problems = shortened(std::move(problems))),
             ExitCode::invalid_campaign),
-      problems_(std::move(problems)) {}
+      problems_(std::move(problems)) {
+    IDEOTYPE_EXPECT(!problems_.empty());
+}
 
 std::string nearest_name(const std::string& word,
                          const std::vector<std::string>& candidates) {

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 namespace {
@@ -16,6 +18,7 @@ bool continues(unsigned char byte) {
 //! Returns the bytes of the character that a text begins with; 0 if it is a
 //! control character or no UTF-8.
 std::size_t size_of_character(std::string_view text) {
+    IDEOTYPE_EXPECT(!text.empty());
     const auto byte = [&](std::size_t i) {
         return static_cast<unsigned char>(text[i]);
     };

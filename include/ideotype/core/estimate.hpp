@@ -4,6 +4,8 @@
 #include <span>
 #include <utility>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 //! A figure and its standard error, in the same unit.
@@ -41,6 +43,7 @@ inline Estimate scaled(Estimate x, double a) {
 //! no light.
 template <class Light>
 Light fraction_of(Light part, double incident) {
+    IDEOTYPE_EXPECT(!(incident < 0));
     return scaled(std::move(part), incident > 0 ? 1 / incident : 0);
 }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 //! The purposes that random numbers are drawn for; no two of them share a draw.
@@ -63,6 +65,7 @@ class RandomStream {
 
     //! Returns a number that is uniform in [lower, upper).
     double uniform(double lower, double upper) {
+        IDEOTYPE_EXPECT(lower <= upper);
         return lower + (upper - lower) * uniform();
     }
 

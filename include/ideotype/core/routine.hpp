@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 //! A coroutine that returns a Result: a function that pauses where it awaits
@@ -30,13 +32,20 @@ class [[nodiscard]] Routine {
     }
 
     //! Runs the routine until it pauses or returns. May be called once.
-    void start() { handle_.resume(); }
+    void start() {
+        IDEOTYPE_EXPECT(handle_ && !handle_.done());
+        handle_.resume();
+    }
 
-    bool has_ended() const { return handle_.done(); }
+    bool has_ended() const {
+        IDEOTYPE_EXPECT(handle_);
+        return handle_.done();
+    }
 
     //! Returns the result of a routine that has ended, or rethrows its
     //! exception. May be called once.
     Result result() {
+        IDEOTYPE_EXPECT(handle_ && handle_.done());
         promise_type& promise = handle_.promise();
         if (promise.failure) std::rethrow_exception(promise.failure);
         return std::move(*promise.value);

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 //! The number of dimensions of the low-discrepancy sequence.
@@ -22,6 +24,7 @@ extern const std::array<SobolDirections, sobol_dimensions> sobol_directions;
 //! Returns a coordinate of the unscrambled Sobol' point of an index, as a
 //! 32-bit fraction.
 inline std::uint32_t sobol(std::uint32_t index, std::size_t dimension) {
+    IDEOTYPE_EXPECT(dimension < sobol_dimensions);
     std::uint32_t x = 0;
     for (; index; index &= index - 1)
         x ^= sobol_directions[dimension]

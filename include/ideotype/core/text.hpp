@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 //! Returns the start of a text that fits into this many bytes, cut between two
@@ -58,6 +60,7 @@ class Scanner {
     //! @returns the digits as they are written
     std::optional<std::string_view> digits(std::size_t least,
                                            std::size_t most) {
+        IDEOTYPE_EXPECT(least <= most);
         std::size_t count = text_.find_first_not_of("0123456789");
         if (count == text_.npos) count = text_.size();
         if (count < least || count > most) return {};
@@ -69,6 +72,7 @@ class Scanner {
     //! Takes a whole number, if the number of its digits is within these
     //! limits.
     std::optional<int> number(std::size_t least, std::size_t most) {
+        IDEOTYPE_EXPECT(most <= 9);
         const auto found = digits(least, most);
         if (!found) return {};
         int value = 0;

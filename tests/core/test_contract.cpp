@@ -26,10 +26,10 @@ TEST(Contract, TellsWhereItDoesNotHold) {
     const int sum = 3;
     const int line = __LINE__ + 1;
     EXPECT_THAT([&] { IDEOTYPE_EXPECT(sum == 4); },
-                ThrowsMessage<ContractError>(
-                    AllOf(HasSubstr("tests/core/test_contract.cpp:" +
-                                    std::to_string(line) + ": a precondition"),
-                          HasSubstr("does not hold: sum == 4"))));
+                ThrowsMessage<ContractError>(AllOf(
+                    HasSubstr("test_contract.cpp:" + std::to_string(line) +
+                              ": a precondition"),
+                    HasSubstr("does not hold: sum == 4"))));
     EXPECT_THAT([&] { IDEOTYPE_ENSURE(sum == 4); },
                 ThrowsMessage<ContractError>(HasSubstr("a promise")));
 }

@@ -26,8 +26,9 @@ class ContractError : public std::logic_error {
 // date, but never evaluated.
 #ifdef IDEOTYPE_CONTRACTS
 #define IDEOTYPE_CONTRACT(kind, condition, text) \
-    ((condition) ? static_cast<void>(0)          \
-                 : ::ideotype::fail_contract(kind, text, __FILE__, __LINE__))
+    ((condition)                                 \
+         ? static_cast<void>(0)                  \
+         : ::ideotype::fail_contract(kind, text, __FILE_NAME__, __LINE__))
 #else
 #define IDEOTYPE_CONTRACT(kind, condition, text) \
     static_cast<void>(false && (condition))

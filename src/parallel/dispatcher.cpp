@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "workers.hpp"
 
@@ -43,6 +44,9 @@ Dispatcher::Dispatcher(std::unique_ptr<Workers> workers, const StopFlag& stop,
       clock_(clock),
       given_(static_cast<std::size_t>(workers_->width())),
       looked_(clock.now()) {
+    IDEOTYPE_EXPECT(workers_->width() > 0);
+    IDEOTYPE_EXPECT(rules.deadline > 0 && rules.attempts > 0);
+    IDEOTYPE_EXPECT(rules.final_effort > 0 && rules.attention > 0);
     for (int worker = 0; worker < workers_->width(); ++worker)
         idle_.insert(idle_.end(), worker);
 }
@@ -71,6 +75,7 @@ Batch Dispatcher::evaluate(std::vector<Work> work, Record record) {
 }
 
 void Dispatcher::run(Director& director) {
+    IDEOTYPE_EXPECT(!is_dismissed_);
     bool has_next = true;
     for (;;) {
         if (stop_.requested() && !open_.empty() && !has_told_of_stop_) {
@@ -114,10 +119,12 @@ bool Dispatcher::dismiss() {
 void Dispatcher::add(Batch& batch) {
     open_.emplace(batch.precedence_, &batch);
     by_number_.emplace(batch.number_, &batch);
+    IDEOTYPE_ENSURE(open_.size() == by_number_.size());
 }
 
 //! Notes that the routine of a batch is to go on soon.
 void Dispatcher::close(Batch& batch) {
+    IDEOTYPE_EXPECT(by_number_.contains(batch.number_));
     open_.erase(batch.precedence_);
     by_number_.erase(batch.number_);
     complete_.push_back(&batch);
@@ -164,12 +171,14 @@ bool Dispatcher::has_late() const {
 double Dispatcher::now() {
     constexpr double longest_step = 0.5;
     const double looked = clock_.now();
+    IDEOTYPE_EXPECT(looked >= looked_);
     running_ += std::min(looked - looked_, longest_step);
     looked_ = looked;
     return running_;
 }
 
 void Dispatcher::give(int worker, const Assignment& given, const Work& work) {
+    IDEOTYPE_EXPECT(idle_.contains(worker));
     idle_.erase(worker);
     deadlines_.emplace(given.deadline, worker);
     given_[static_cast<std::size_t>(worker)] = given;
@@ -178,6 +187,8 @@ void Dispatcher::give(int worker, const Assignment& given, const Work& work) {
 
 //! Takes the answer of a worker, which is idle again.
 Dispatcher::Assignment Dispatcher::take(int worker, const Outcome& outcome) {
+    IDEOTYPE_EXPECT(worker >= 0 && worker < width());
+    IDEOTYPE_EXPECT(given_[static_cast<std::size_t>(worker)].has_value());
     const Assignment given =
         *std::exchange(given_[static_cast<std::size_t>(worker)], std::nullopt);
     const bool was_in_time = deadlines_.erase({given.deadline, worker}) > 0;
@@ -229,6 +240,7 @@ void Dispatcher::resume_complete() {
     while (!complete_.empty()) {
         Batch& batch = *complete_.front();
         complete_.erase(complete_.begin());
+        IDEOTYPE_EXPECT(batch.awaiting_ && !batch.awaiting_.done());
         batch.awaiting_.resume();
     }
 }
@@ -264,6 +276,8 @@ void Dispatcher::note_obstacle(int worker, const Task& task,
 
 //! Records an outcome, unless its batch is gone or another attempt was first.
 void Dispatcher::settle(const Assignment& given, const Outcome& outcome) {
+    IDEOTYPE_EXPECT(outcome.status == Status::done ||
+                    outcome.status == Status::failed);
     const auto open = by_number_.find(given.batch);
     if (open == by_number_.end()) return;
     Batch& batch = *open->second;

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/text.hpp"
 
@@ -95,6 +96,7 @@ Work decode_work(std::span<const std::byte> bytes) {
 }
 
 Bytes encode_reply(const Reply& reply) {
+    IDEOTYPE_EXPECT(reply.outcome.status != Status::empty);
     Outcome outcome = reply.outcome;
     ReplyHeader header{};
     header.mark = Mark::reply;

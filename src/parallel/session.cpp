@@ -9,10 +9,12 @@
 #include <iostream>
 #include <list>
 #include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 #include <mpi.h>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "messages.hpp"
 
@@ -68,6 +70,7 @@ Session::~Session() {
 }
 
 Session Session::split(int part) const {
+    IDEOTYPE_EXPECT(part >= 0);
     if (!ranks_) return alone();
     MPI_Comm communicator = MPI_COMM_NULL;
     MPI_Comm_split(ranks_->communicator, part, rank(), &communicator);
@@ -82,6 +85,7 @@ int Session::rank() const {
 }
 
 int Session::rank_in_job(int rank) const {
+    IDEOTYPE_EXPECT(rank >= 0 && rank < size());
     if (!ranks_) return rank;
     MPI_Group own = MPI_GROUP_NULL;
     MPI_Group all = MPI_GROUP_NULL;
@@ -107,6 +111,7 @@ std::string Session::broadcast(const std::string& text) const {
     MPI_Request request;
     MPI_Ibcast(&length, 1, MPI_UINT64_T, 0, ranks_->communicator, &request);
     wait_for(request, clock_);
+    IDEOTYPE_EXPECT(std::in_range<int>(length));
     std::string copy = text;
     copy.resize(length);
     MPI_Ibcast(copy.data(), static_cast<int>(length), MPI_CHAR, 0,
@@ -117,6 +122,7 @@ std::string Session::broadcast(const std::string& text) const {
 
 std::vector<std::string> Session::gather(const std::string& text) const {
     if (!ranks_) return {text};
+    IDEOTYPE_EXPECT(std::in_range<int>(text.size()));
     const auto ranks = static_cast<std::size_t>(size());
     const auto length = static_cast<int>(text.size());
     std::vector<int> lengths(ranks), starts(ranks);
@@ -189,7 +195,9 @@ struct Mailbox::Posted {
 };
 
 Mailbox::Mailbox(const Session& session)
-    : session_(session), posted_(std::make_unique<Posted>()) {}
+    : session_(session), posted_(std::make_unique<Posted>()) {
+    IDEOTYPE_EXPECT(session.ranks_ != nullptr);
+}
 
 Mailbox::~Mailbox() {
     Backoff backoff;
@@ -199,6 +207,8 @@ Mailbox::~Mailbox() {
 }
 
 void Mailbox::post(int rank, Tag tag, Bytes bytes) {
+    IDEOTYPE_EXPECT(rank >= 0 && rank < session_.size());
+    IDEOTYPE_EXPECT((tag == Tag::stop) == bytes.empty());
     auto& sending = posted_->sendings.emplace_back();
     sending.bytes = std::move(bytes);
     MPI_Isend(sending.bytes.data(), static_cast<int>(sending.bytes.size()),
@@ -213,6 +223,7 @@ Envelope Mailbox::wait() {
 }
 
 std::optional<Envelope> Mailbox::wait(double seconds) {
+    IDEOTYPE_EXPECT(seconds >= 0);
     const double end = session_.clock().now() + seconds;
     Backoff backoff;
     MPI_Status status;

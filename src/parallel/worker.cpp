@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/host.hpp"
 #include "messages.hpp"
@@ -72,7 +73,8 @@ void serve_by_threads(const Session& session, const Evaluators& evaluators) {
         while (const auto letter = mailbox.wait(patience())) {
             const auto work = work_in(*letter, session);
             if (!work) return;
-            given.at(static_cast<std::size_t>(idle.back())) = work->task;
+            IDEOTYPE_EXPECT(!idle.empty());
+            given[static_cast<std::size_t>(idle.back())] = work->task;
             threads->give(idle.back(), *work);
             idle.pop_back();
         }
@@ -99,6 +101,7 @@ Outcome evaluate_guarded(Evaluator& evaluator, const Work& work, int rank,
 }
 
 void serve(const Session& session, const Evaluators& evaluators) {
+    IDEOTYPE_EXPECT(!evaluators.empty());
     if (evaluators.size() > 1)
         serve_by_threads(session, evaluators);
     else

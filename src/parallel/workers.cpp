@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "messages.hpp"
 
@@ -26,6 +27,7 @@ class ThreadWorkers : public Workers {
           first_(session.rank_in_job(session.rank()) * width()),
           clock_(session.clock()),
           seats_(evaluators.size()) {
+        IDEOTYPE_EXPECT(!evaluators.empty());
         try {
             for (int worker = 0; worker < width(); ++worker)
                 threads_.emplace_back([this, worker] { evaluate(worker); });
@@ -43,8 +45,10 @@ class ThreadWorkers : public Workers {
     }
 
     void give(int worker, const Work& work) override {
-        Seat& seat = seats_.at(static_cast<std::size_t>(worker));
+        IDEOTYPE_EXPECT(worker >= 0 && worker < width());
+        Seat& seat = seats_[static_cast<std::size_t>(worker)];
         const std::lock_guard lock(mutex_);
+        IDEOTYPE_EXPECT(!seat.work);
         seat.work = work;
         seat.called.notify_one();
     }
@@ -117,7 +121,9 @@ class RankWorkers : public Workers {
           own_(evaluators.size() > 1 ? make_thread_workers(session, evaluators)
                                      : nullptr),
           mailbox_(session),
-          given_(per_rank() * static_cast<std::size_t>(session.size() - 1)) {}
+          given_(per_rank() * static_cast<std::size_t>(session.size() - 1)) {
+        IDEOTYPE_EXPECT(session.rank() == 0 && session.size() > 1);
+    }
 
     int width() const override {
         return own_width() + static_cast<int>(given_.size());
@@ -133,8 +139,11 @@ class RankWorkers : public Workers {
     }
 
     void give(int worker, const Work& work) override {
+        IDEOTYPE_EXPECT(worker >= 0 && worker < width());
         if (worker < own_width()) return own_->give(worker, work);
-        given_[static_cast<std::size_t>(worker - own_width())] = work.task;
+        auto& given = given_[static_cast<std::size_t>(worker - own_width())];
+        IDEOTYPE_EXPECT(!given);
+        given = work.task;
         mailbox_.post(rank_of(worker), Tag::work, encode_work(work));
     }
 

@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <utility>
 
+#include "ideotype/core/contract.hpp"
 #include "layout.hpp"
 #include "search/population.hpp"
 
@@ -73,6 +74,7 @@ void create_attribute(hid_t object, const std::string& name,
 
 void create_attribute(hid_t object, const std::string& name, hid_t type,
                       const void* value) {
+    IDEOTYPE_EXPECT(!name.empty() && value != nullptr);
     const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "create " + name);
     const Handle attribute(
         H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),

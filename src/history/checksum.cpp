@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "columns.hpp"
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/hash.hpp"
 #include "journal.hpp"
@@ -103,6 +104,7 @@ GenerationChecksums::~GenerationChecksums() = default;
 
 std::string GenerationChecksums::of(std::uint32_t generation,
                                     const Span& rows) {
+    IDEOTYPE_EXPECT(rows.count > 0);
     if (!tables_)
         tables_ = std::make_unique<Tables>(Tables{
             HashedTable(file_, "evaluations", {}, mapping_),
@@ -114,6 +116,7 @@ std::string GenerationChecksums::of(std::uint32_t generation,
 }
 
 std::string finalist_checksum(hid_t file, hsize_t row, Status status) {
+    IDEOTYPE_EXPECT(is_recorded(status));
     Sha256 sum;
     HashedTable(file, "final", {"checksum"}).add_rows(sum, {row, 1}, status);
     return sum.finish();
@@ -142,6 +145,7 @@ void require_intact(hid_t file, const std::string& path) {
         checksum(file, "final/checksum");
     const auto statuses = status.read<Status>(0, status.rows());
     const auto expected = checksum.read_text(0, status.rows());
+    IDEOTYPE_ENSURE(expected.size() == statuses.size());
     const bool is_finished = Journal(file).finished().has_value();
     // A case that is over has no checksum of what is not recorded.
     if (is_finished && committed < generations.most() &&

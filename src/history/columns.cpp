@@ -7,6 +7,7 @@
 #include <span>
 
 #include "checksum.hpp"
+#include "ideotype/core/contract.hpp"
 #include "layout.hpp"
 
 namespace ideotype {
@@ -33,6 +34,8 @@ Axis objective_axis(const std::vector<Objective>& objectives) {
 
 void Columns::create(hid_t file, const GeneSpace& genes,
                      const OutcomeSchema& schema, const TableForm& form) {
+    IDEOTYPE_EXPECT(!genes.empty() && !schema.objectives.empty());
+    IDEOTYPE_EXPECT(schema.randomisations > 0);
     const Handle group = create_group(file, form.group);
     create_axis(group, form.rows);
     create_axis(group, gene_axis(genes));
@@ -124,6 +127,7 @@ void Columns::use(const Mapping& mapping) {
 }
 
 void Columns::cut(haddr_t end) {
+    IDEOTYPE_EXPECT(numbers_.size() >= essential_numbers);
     for (std::size_t i = 0; i < numbers_.size(); ++i)
         intact_[i] = numbers_[i].rows_before(end);
     for (const Dataset* column : {&status_, &genome_, &origin_, &parents_})
@@ -165,6 +169,7 @@ std::vector<Outcome> Columns::outcomes(hsize_t first, hsize_t count) const {
     std::vector<Outcome> outcomes(count, unknown_outcome(schema_));
     for (std::size_t i = 0; i < count; ++i) {
         const auto own = columns_of(schema_, outcomes[i]);
+        IDEOTYPE_ENSURE(own.size() == columns.size());
         for (std::size_t c = 0; c < own.size(); ++c)
             for (std::size_t k = 0; k < own[c].size(); ++k)
                 *own[c][k] = columns[c][i * own[c].size() + k];
@@ -230,6 +235,7 @@ void Columns::write(hsize_t first, const std::vector<Candidate>& candidates) {
     std::vector<Origin> origins;
     std::vector<std::int64_t> parents;
     for (const Candidate& candidate : candidates) {
+        IDEOTYPE_EXPECT(candidate.genome.size() == genome_.width());
         genes.insert(genes.end(), candidate.genome.begin(),
                      candidate.genome.end());
         origins.push_back(candidate.origin);
@@ -258,6 +264,7 @@ void Columns::write_outcomes(hsize_t first, const std::vector<Row>& rows) {
     std::vector<std::int32_t> workers;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Outcome& outcome = rows[i].outcome;
+        IDEOTYPE_EXPECT(is_recorded(outcome.status));
         Outcome known =
             outcome.status == Status::done ? outcome : unknown_outcome(schema_);
         const auto own = columns_of(schema_, known);
@@ -273,6 +280,11 @@ void Columns::write_outcomes(hsize_t first, const std::vector<Row>& rows) {
     attempt_.write(first, attempts);
     seconds_.write(first, seconds);
     worker_.write(first, workers);
+}
+
+void Columns::set_checksum(hsize_t row, const std::string& checksum) {
+    IDEOTYPE_EXPECT(checksum.size() == checksum_size);
+    if (checksum_) checksum_->write_text(row, checksum);
 }
 
 void Columns::set_statuses(hsize_t first, const std::vector<Status>& statuses) {

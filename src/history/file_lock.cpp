@@ -15,6 +15,7 @@
 #include <sys/stat.h>
 
 #include "history.hpp"
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/file.hpp"
 #include "ideotype/core/host.hpp"
@@ -191,10 +192,12 @@ FileLock::FileLock(const std::string& file, std::string path, int flags)
 }
 
 bool FileLock::is_of(const std::string& path) const {
+    IDEOTYPE_EXPECT(descriptor_ >= 0);
     return is_at(path, descriptor_);
 }
 
 std::string FileLock::open_path() const {
+    IDEOTYPE_EXPECT(descriptor_ >= 0);
     return path_of(descriptor_);
 }
 

@@ -47,13 +47,9 @@ class Generations {
     std::string checksum(std::uint32_t generation) const {
         return checksum_.read_text(generation, 1)[0];
     }
-    void set_checksum(std::uint32_t generation, const std::string& checksum) {
-        checksum_.write_text(generation, checksum);
-    }
-
-    void set_committed(std::uint32_t generation) {
-        committed_.write_one(generation, std::int8_t{1});
-    }
+    void set_checksum(std::uint32_t generation, const std::string& checksum);
+    //! Marks a generation complete, as the next one of those that are.
+    void set_committed(std::uint32_t generation);
 
   private:
     Dataset committed_;

@@ -7,6 +7,8 @@
 
 #include <hdf5.h>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 //! A failure of HDF5. History turns it into an Error with the file's name.
@@ -59,6 +61,7 @@ class Handle {
 
     //! Closes now, so that a failure is reported.
     void close(const std::string& action) {
+        IDEOTYPE_EXPECT(id_ >= 0);
         checked(close_(std::exchange(id_, -1)), action);
     }
 

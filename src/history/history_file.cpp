@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "checksum.hpp"
+#include "ideotype/core/contract.hpp"
 #include "open.hpp"
 
 namespace ideotype {
@@ -24,6 +25,8 @@ bool is_same(double a, double b) {
 //! any bit, with both values; empty if they are the same.
 std::string first_difference(const GeneSpace& genes, const Candidate& was,
                              const Candidate& is) {
+    IDEOTYPE_EXPECT(was.genome.size() == genes.size() &&
+                    is.genome.size() == genes.size());
     for (std::size_t i = 0; i < genes.size(); ++i)
         if (!is_same(was.genome[i], is.genome[i]))
             return fmt::format("gene {} was {}, is {} [{}]", genes[i].name,
@@ -60,6 +63,7 @@ History::File::File(std::string name, std::optional<FileLock> held,
         if (next.count == 0) break;
         spans.push_back(next);
     }
+    IDEOTYPE_ENSURE(!lock || next_generation <= spans.size());
 }
 
 Span History::File::span(std::uint32_t generation) const {

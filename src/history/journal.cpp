@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "ideotype/core/contract.hpp"
 #include "layout.hpp"
 
 namespace ideotype {
@@ -88,9 +89,11 @@ Journal::Journal(hid_t file)
         sessions_.emplace_back(file, std::string("sessions/") + each.name);
     sessions_used_ = used_rows(sessions_[0]);
     messages_used_ = used_rows(messages_);
+    IDEOTYPE_ENSURE(sessions_used_ <= ranks_.rows());
 }
 
 void Journal::add(const SessionRecord& session) {
+    IDEOTYPE_EXPECT(!session.started.empty() && session.ranks > 0);
     if (sessions_used_ == ranks_.rows()) return;
     ranks_.write_one(sessions_used_, std::int32_t{session.ranks});
     // The start is written last: it says that the row is used.
@@ -113,6 +116,11 @@ std::optional<SessionRecord> Journal::last_session() const {
             sessions_[i].read_text(sessions_used_ - 1, 1)[0];
     last.ranks = ranks_.read<std::int32_t>(sessions_used_ - 1, 1)[0];
     return last;
+}
+
+void Journal::set_reason(const std::string& reason) {
+    IDEOTYPE_EXPECT(reason.size() <= reason_size);
+    reason_.write_text(0, reason);
 }
 
 std::optional<std::string> Journal::finished() const {

@@ -30,9 +30,7 @@ class Journal {
     void set_wall_time(double seconds) { wall_time_.write_one(0, seconds); }
 
     //! Writes why the case is over. To be called before set_finished().
-    void set_reason(const std::string& reason) {
-        reason_.write_text(0, reason);
-    }
+    void set_reason(const std::string& reason);
     void set_finished() { finished_.write_one(0, std::int8_t{1}); }
     std::optional<std::string> finished() const;
 

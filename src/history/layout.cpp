@@ -8,6 +8,7 @@
 #include <hdf5_hl.h>
 
 #include "dataset.hpp"
+#include "ideotype/core/contract.hpp"
 
 namespace ideotype {
 
@@ -67,6 +68,7 @@ std::size_t longest(const std::vector<std::string>& texts) {
 void fill(hid_t group, const std::string& name,
           const std::vector<std::string>& texts) {
     Dataset dataset(group, name);
+    IDEOTYPE_EXPECT(dataset.rows() == texts.size());
     for (std::size_t i = 0; i < texts.size(); ++i)
         dataset.write_text(i, texts[i]);
 }
@@ -91,6 +93,7 @@ Handle type_of(const std::vector<Number>&) {
 }  // namespace
 
 Handle create_dataset(hid_t group, const DatasetForm& form) {
+    IDEOTYPE_EXPECT(!form.name.empty() && form.type >= 0);
     std::vector<Handle> scales;
     Sizes sizes;
     for (const std::string& axis : form.axes) {

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "columns.hpp"
+#include "ideotype/core/contract.hpp"
 #include "layout.hpp"
 
 namespace ideotype {
@@ -85,6 +86,7 @@ std::vector<DatasetForm> number_forms(const OutcomeSchema& schema,
 
 std::vector<std::vector<double*>> columns_of(const OutcomeSchema& schema,
                                              Outcome& outcome) {
+    IDEOTYPE_EXPECT(has_form(schema, outcome));
     std::vector<std::vector<double*>> columns;
     const auto add = [&](std::span<Estimate> estimates,
                          double Estimate::*member) {
@@ -106,6 +108,7 @@ std::vector<std::vector<double*>> columns_of(const OutcomeSchema& schema,
         else
             for (Estimate& x : own) x.standard_error = 0;
     }
+    IDEOTYPE_ENSURE(left.empty());
     return columns;
 }
 

@@ -7,6 +7,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 namespace {
@@ -72,6 +74,8 @@ void DdCma::Path::add(const VectorXd& step, double rate,
 
 DdCma::DdCma(VectorXd mean, VectorXd deviations, std::size_t population)
     : mean_(std::move(mean)), scales_(std::move(deviations)) {
+    IDEOTYPE_EXPECT(mean_.size() > 0 && mean_.size() == scales_.size());
+    IDEOTYPE_EXPECT((scales_.array() > 0).all());
     set_population(population);
     const auto n = static_cast<double>(mean_.size());
     usual_length_ = std::sqrt(n) * (1 - 1 / (4 * n) + 1 / (21 * n * n));
@@ -82,6 +86,7 @@ DdCma::DdCma(VectorXd mean, VectorXd deviations, std::size_t population)
 }
 
 void DdCma::set_population(std::size_t population) {
+    IDEOTYPE_EXPECT(population >= 4);
     const auto n = static_cast<double>(mean_.size());
     const std::vector<double> weights = raw_weights(population);
     effective_parents_ = effective(weights, 1);
@@ -95,10 +100,14 @@ void DdCma::set_population(std::size_t population) {
 }
 
 VectorXd DdCma::sample(const VectorXd& normal) const {
+    IDEOTYPE_EXPECT(normal.size() == mean_.size());
     return mean_ + step_size_ * scales_.cwiseProduct(root_ * normal);
 }
 
 void DdCma::update(const MatrixXd& ranked) {
+    IDEOTYPE_EXPECT(ranked.rows() == mean_.size());
+    IDEOTYPE_EXPECT(ranked.cols() == of_correlation_.weights.size());
+    IDEOTYPE_EXPECT(ranked.allFinite());
     const auto n = static_cast<double>(mean_.size());
     // These would be standard normal vectors if they were not selected.
     const MatrixXd white = inverse_root_ *
@@ -183,6 +192,8 @@ void DdCma::decompose() {
     root_ = axes * values.cwiseSqrt().asDiagonal() * axes.transpose();
     inverse_root_ = axes * values.cwiseSqrt().cwiseInverse().asDiagonal() *
                     axes.transpose();
+    IDEOTYPE_ENSURE((correlation_.diagonal().array() - 1).abs().maxCoeff() <
+                    1e-9);
     correlation_condition_ = values.maxCoeff() / values.minCoeff();
 }
 

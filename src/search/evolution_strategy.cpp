@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "dd_cma.hpp"
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/random.hpp"
 #include "optimizer.hpp"
 #include "order.hpp"
@@ -38,6 +39,7 @@ VectorXd standard_normal(RandomStream stream, std::size_t size) {
 //! Returns the mean of objective 0 over the better half of some rows; worse
 //! than any other if none of these succeeded and meets all constraints.
 double better_half(const Population& rows, const std::vector<Sense>& senses) {
+    IDEOTYPE_EXPECT(!rows.empty());
     const std::size_t half = (rows.size() + 1) / 2;
     double sum = 0;
     std::size_t count = 0;
@@ -82,6 +84,7 @@ class Arm {
     //! for.
     const VectorXd& point(std::uint64_t seed, std::uint32_t generation,
                           std::uint32_t slot, std::size_t plant) {
+        IDEOTYPE_EXPECT(plant < population_);
         points_.resize(population_);
         VectorXd& x = points_[plant];
         if (x.size() == 0)
@@ -102,6 +105,7 @@ class Arm {
     void learn(const Population& rows, const std::vector<Sense>& senses,
                std::uint64_t seed, std::uint32_t generation,
                std::uint32_t slot) {
+        IDEOTYPE_EXPECT(rows.size() == population_);
         const std::vector<std::uint32_t> order = ranking(rows, senses);
         Eigen::MatrixXd ranked(distribution_.mean().size(), order.size());
         for (std::size_t i = 0; i < order.size(); ++i)
@@ -160,6 +164,7 @@ class CmaEs : public GenerationalOptimizer {
     //! Returns the plant at the mean of the distribution, then the best of the
     //! last generation.
     std::vector<Candidate> best(std::size_t count) const override {
+        IDEOTYPE_EXPECT(count > 0);
         std::vector<Candidate> candidates{sample(arm_.distribution().mean())};
         for (const Candidate& each :
              best_of(last_, count - 1, space_.senses, parents_row()))
@@ -214,6 +219,7 @@ class AutoSearch : public GenerationalOptimizer {
     }
 
     Candidate candidate(std::uint32_t slot) override {
+        IDEOTYPE_EXPECT(slot < next_size());
         if (arms_.empty()) return of_design(slot);
         std::uint32_t first = 0;
         auto arm = arms_.begin();

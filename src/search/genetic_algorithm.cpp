@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "breeder.hpp"
+#include "ideotype/core/contract.hpp"
 #include "optimizer.hpp"
 #include "order.hpp"
 
@@ -17,6 +18,7 @@ namespace {
 template <class Beats>
 std::uint32_t tournament(RandomStream& stream, std::size_t size,
                          const GaSettings& settings, Beats beats) {
+    IDEOTYPE_EXPECT(size > 0);
     const auto below = static_cast<std::uint32_t>(size);
     std::uint32_t winner = stream.below(below);
     for (int i = 1; i < settings.tournament; ++i) {
@@ -44,13 +46,16 @@ class GeneticAlgorithm : public GenerationalOptimizer {
                      std::uint64_t seed)
         : settings_(settings),
           space_(std::move(space)),
-          breeder_(settings.ga, space_, seed) {}
+          breeder_(settings.ga, space_, seed) {
+        IDEOTYPE_EXPECT(settings.population > 0);
+    }
 
     std::size_t next_size() const override {
         return static_cast<std::size_t>(settings_.population);
     }
 
     Candidate candidate(std::uint32_t slot) override {
+        IDEOTYPE_EXPECT(slot < next_size());
         if (generation() == 0) return breeder_.founder(0, slot);
         if (slot < elites_.size()) return elites_[slot];
         const auto first = static_cast<std::uint32_t>(
@@ -91,6 +96,7 @@ class GeneticAlgorithm : public GenerationalOptimizer {
         }
         parents_ = std::move(evaluated);
         rows_ = std::move(rows);
+        IDEOTYPE_ENSURE(parents_.size() == rows_.size());
         places_ = places(parents_, space_.senses);
         couple_.reset();
         elites_.clear();

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/random.hpp"
 #include "order.hpp"
 #include "sensitivity_design.hpp"
@@ -28,6 +29,7 @@ class RandomSearch : public Optimizer {
         : population_(static_cast<std::size_t>(settings.population)),
           space_(std::move(space)),
           seed_(seed) {
+        IDEOTYPE_EXPECT(settings.population > 0);
         if (settings.optimizer == OptimizerKind::sobol)
             sequence_.emplace(seed, count_free(space_.genes));
     }
@@ -185,6 +187,7 @@ class Streams : public Optimizer {
             const auto after = std::upper_bound(
                 first_rows.begin(), first_rows.end(), row,
                 [](std::int64_t r, const auto& first) { return r < first[0]; });
+            IDEOTYPE_EXPECT(after != first_rows.begin());
             return row - (*std::prev(after))[0] + (*std::prev(after))[1];
         }
     };
@@ -215,6 +218,7 @@ class Streams : public Optimizer {
 
 Genome random_genome(const SearchSpace& space, std::uint64_t seed,
                      std::uint32_t generation, std::uint32_t slot) {
+    IDEOTYPE_EXPECT(space.baseline.size() == space.genes.size());
     RandomStream stream(seed, Purpose::initial_population, generation, slot);
     Genome genome = space.baseline;
     for (std::size_t i = 0; i < genome.size(); ++i) {
@@ -235,6 +239,7 @@ int usual_population(OptimizerKind optimizer, std::size_t free_genes) {
 }
 
 void GenerationalOptimizer::tell(Population evaluated) {
+    IDEOTYPE_EXPECT(!evaluated.empty());
     parents_row_ = row_;
     row_ += static_cast<std::int64_t>(evaluated.size());
     learnt_.clear();
@@ -250,7 +255,8 @@ std::vector<Candidate> GenerationalOptimizer::ask() {
     return candidates;
 }
 
-std::size_t GenerationalOptimizer::size(std::uint32_t) const {
+std::size_t GenerationalOptimizer::size(std::uint32_t generation) const {
+    IDEOTYPE_EXPECT(generation == generation_);
     return next_size();
 }
 
@@ -261,7 +267,9 @@ std::uint64_t GenerationalOptimizer::needs(std::uint32_t generation,
                : std::numeric_limits<std::uint64_t>::max();
 }
 
-Candidate GenerationalOptimizer::propose(std::uint32_t, std::uint32_t slot) {
+Candidate GenerationalOptimizer::propose(std::uint32_t generation,
+                                         std::uint32_t slot) {
+    IDEOTYPE_EXPECT(generation == generation_);
     return candidate(slot);
 }
 

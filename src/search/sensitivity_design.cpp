@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/random.hpp"
 
 namespace ideotype {
@@ -36,6 +37,7 @@ SensitivityDesign::SensitivityDesign(const SensitivitySettings& settings,
       seed_(seed),
       factors_(factors_of(space_.genes, settings.groups)),
       sequence_(seed, 2 * space_.genes.size()) {
+    IDEOTYPE_EXPECT(settings.levels >= 2 && settings.levels % 2 == 0);
     for (std::size_t i = 0; i < space_.genes.size(); ++i)
         if (space_.genes[i].is_free) free_.push_back(i);
 }
@@ -84,11 +86,14 @@ std::vector<double> SensitivityDesign::in_cube(std::uint32_t sample,
 }
 
 Genome SensitivityDesign::row(std::uint32_t sample, std::size_t place) const {
+    IDEOTYPE_EXPECT(space_.baseline.size() == space_.genes.size());
+    IDEOTYPE_EXPECT(sample < samples() && place < rows_per_sample());
     const std::vector<double> point =
         settings_.method == SensitivityMethod::morris ? on_path(sample, place)
                                                       : in_cube(sample, place);
     Genome genome = space_.baseline;
     for (const std::size_t i : free_) {
+        IDEOTYPE_ENSURE(point[i] >= 0 && point[i] <= 1);
         const Gene& gene = space_.genes[i];
         genome[i] = gene.lower + point[i] * (gene.upper - gene.lower);
     }
@@ -108,6 +113,7 @@ int generations_of(const SensitivitySettings& settings) {
 
 std::size_t SensitivityDesign::size(std::uint32_t generation) const {
     const std::size_t before = std::size_t{generation} * samples_per_generation;
+    IDEOTYPE_EXPECT(before < samples());
     return rows_per_sample() *
            std::min<std::size_t>(samples_per_generation, samples() - before);
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <span>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 namespace {
@@ -15,6 +17,7 @@ constexpr double certain = 2;  //!< standard errors
 //! or that the hypervolume of several objectives does.
 bool gains_nothing(const std::vector<GenerationSummary>& all, int generations,
                    Sense sense) {
+    IDEOTYPE_EXPECT(generations > 2);
     if (all.size() < static_cast<std::size_t>(generations)) return false;
     const std::span last(all.end() - generations, all.end());
     const auto is_feasible = [](const GenerationSummary& each) {
@@ -46,6 +49,7 @@ bool gains_nothing(const std::vector<GenerationSummary>& all, int generations,
 
 std::optional<std::string> finished(const StopRules& rules,
                                     const Progress& progress, Sense sense) {
+    IDEOTYPE_EXPECT(!(progress.wall_time < 0));
     const std::vector<GenerationSummary>& all = progress.generations;
     if (static_cast<int>(all.size()) >= rules.generations) return "generations";
     long long evaluations = 0;

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "ideotype/core/contract.hpp"
 #include "order.hpp"
 
 namespace ideotype {
@@ -51,6 +52,7 @@ using Point = std::vector<double>;
 //! the slice between two of them belongs to the points below it.
 double volume_below(std::vector<Point> points, const Point& reference,
                     std::size_t coordinates) {
+    IDEOTYPE_EXPECT(!points.empty() && coordinates > 0);
     const std::size_t last = coordinates - 1;
     std::sort(
         points.begin(), points.end(),
@@ -120,12 +122,16 @@ GenerationSummary summarize(const Population& population,
 
 double hypervolume(std::vector<Point> points, Point reference,
                    const std::vector<Sense>& senses) {
+    IDEOTYPE_EXPECT(reference.size() == senses.size());
     const auto minimise = [&](Point& point) {
         for (std::size_t k = 0; k < senses.size(); ++k)
             if (senses[k] == Sense::maximise) point[k] = -point[k];
     };
     minimise(reference);
-    for (Point& point : points) minimise(point);
+    for (Point& point : points) {
+        IDEOTYPE_EXPECT(point.size() == senses.size());
+        minimise(point);
+    }
     std::erase_if(points, [&](const Point& point) {
         for (std::size_t k = 0; k < point.size(); ++k)
             if (!(point[k] < reference[k])) return true;
@@ -187,7 +193,10 @@ Summarizer::Summarizer(GeneSpace genes, std::vector<Sense> senses,
                        std::vector<double> reference)
     : genes_(std::move(genes)),
       senses_(std::move(senses)),
-      reference_(std::move(reference)) {}
+      reference_(std::move(reference)) {
+    IDEOTYPE_EXPECT(!senses_.empty());
+    IDEOTYPE_EXPECT(reference_.empty() || reference_.size() == senses_.size());
+}
 
 GenerationSummary Summarizer::operator()(const Population& generation) {
     GenerationSummary summary = summarize(generation, genes_, senses_.front());

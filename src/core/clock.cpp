@@ -6,13 +6,14 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/text.hpp"
 
 namespace ideotype {
 
 namespace {
 
-//! Nine digits are more seconds than any job lasts.
+//! The most digits of a number: these are more seconds than any job lasts.
 constexpr std::size_t longest = 9;
 
 std::optional<double> hours_minutes_seconds(Scanner text) {
@@ -44,6 +45,7 @@ std::optional<double> parse_duration(const std::string& text) {
 }
 
 std::string clock_name(double utc_offset) {
+    IDEOTYPE_EXPECT(std::isfinite(utc_offset));
     const long minutes = std::lround(std::abs(utc_offset) * 60);
     if (minutes == 0) return "UTC";
     return fmt::format(
@@ -52,6 +54,7 @@ std::string clock_name(double utc_offset) {
 }
 
 std::string clock_time(double hour) {
+    IDEOTYPE_EXPECT(hour >= -24 && hour < 48);
     constexpr long day = 24 * 60;
     const long minutes = (std::lround(hour * 60) + day) % day;
     return fmt::format("{:02}:{:02}", minutes / 60, minutes % 60);

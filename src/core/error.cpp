@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/text.hpp"
 
 namespace ideotype {
@@ -20,6 +21,7 @@ std::string reason_of(const std::exception& error) {
 
 std::string to_string(const Problem& problem) {
     const Location& where = problem.where;
+    IDEOTYPE_EXPECT(where.line >= 0 && where.column >= 0);
     if (where.line == 0) return fmt::format("{}: {}", where.file, problem.what);
     return fmt::format("{}:{}:{}: {}", where.file, where.line, where.column,
                        problem.what);
@@ -96,7 +98,9 @@ std::vector<Problem> shortened(std::vector<Problem> problems) {
 InputError::InputError(std::vector<Problem> problems)
     : Error(joined(problems = shortened(std::move(problems))),
             ExitCode::invalid_campaign),
-      problems_(std::move(problems)) {}
+      problems_(std::move(problems)) {
+    IDEOTYPE_EXPECT(!problems_.empty());
+}
 
 std::string nearest_name(const std::string& word,
                          const std::vector<std::string>& candidates) {
@@ -104,7 +108,8 @@ std::string nearest_name(const std::string& word,
     // A suggestion that shares less than half of the letters only confuses.
     std::size_t least = word.size() / 2 + 1;
     for (const std::string& candidate : candidates) {
-        // So many letters are only in the word, which may be megabytes long.
+        // A word that is longer by so much is too far, and it may be megabytes
+        // long.
         if (word.size() >= candidate.size() + least) continue;
         const std::size_t distance = edit_distance(word, candidate);
         if (distance < least) {

@@ -21,7 +21,7 @@ Estimate estimate(std::span<const double> replicates) {
 
 namespace {
 
-//! The standard error of b - factor * a.
+//! Returns the standard error of b - factor * a.
 double error_of_difference(const Randomisations& a, const Randomisations& b,
                            double factor) {
     const std::size_t count = a.values.size();
@@ -49,7 +49,7 @@ Estimate relative_gain(const Randomisations& a, const Randomisations& b) {
         const double nan = std::numeric_limits<double>::quiet_NaN();
         return {nan, nan};
     }
-    // To first order, b / a - r has the error of (b - r a) / a for r = b / a.
+    // For r = b / a, b / a - r has to first order the error of (b - r a) / a.
     const double ratio = b.figure.mean / reference;
     return {100 * (ratio - 1),
             100 * error_of_difference(a, b, ratio) / std::abs(reference)};

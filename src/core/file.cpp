@@ -57,7 +57,7 @@ std::string FileText::refusal(const std::string& path) const {
 }
 
 FileText read_file(const std::string& path, std::uintmax_t most) {
-    // To open a pipe would wait for its writer.
+    // Without O_NONBLOCK, open() would wait for the writer of a pipe.
     const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (file < 0) {
         FileText missing;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 
 namespace ideotype {
@@ -24,12 +25,15 @@ Sha256::Sha256() : context_(EVP_MD_CTX_new(), EVP_MD_CTX_free) {
 }
 
 void Sha256::add(std::string_view bytes) {
+    IDEOTYPE_EXPECT(context_ != nullptr);
     require(EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()));
 }
 
 std::string Sha256::finish() {
+    IDEOTYPE_EXPECT(context_ != nullptr);
     std::array<unsigned char, 32> bytes{};
     require(EVP_DigestFinal_ex(context_.get(), bytes.data(), nullptr));
+    context_.reset();
     std::string hex;
     for (const unsigned char byte : bytes) hex += fmt::format("{:02x}", byte);
     return hex;

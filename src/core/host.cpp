@@ -15,11 +15,12 @@ namespace ideotype {
 
 namespace {
 
-// Enough that variants which differ in one result of a thousand show.
+// The number of arguments: enough that variants which differ in one result of a
+// thousand show.
 constexpr int samples = 20000;
 
-//! All results at one place of the unit interval, each function over the
-//! arguments that the program gives it.
+//! Adds the results of all functions at one place of the unit interval, each
+//! for an argument as the program gives it.
 void add_results(std::vector<double>& results, double u) {
     const double angle = 20 * u - 10;
     const double unit = 2 * u - 1;
@@ -53,7 +54,7 @@ int available_cores() {
     cpu_set_t set;
     int cores = 1;
     if (sched_getaffinity(0, sizeof set, &set) == 0) cores = CPU_COUNT(&set);
-    // "max 100000" without a quota
+    // Without a quota the file says "max 100000".
     std::ifstream file("/sys/fs/cgroup/cpu.max");
     double quota = 0, period = 0;
     if (file >> quota >> period && quota > 0 && period > 0)

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ideotype/core/mesh.hpp"
 
+#include <algorithm>
+
 #include <glm/geometric.hpp>
+
+#include "ideotype/core/contract.hpp"
 
 namespace ideotype {
 
@@ -18,6 +22,7 @@ std::vector<double> face_areas(const Mesh& mesh) {
     std::vector<double> areas;
     areas.reserve(mesh.faces.size());
     for (const auto& face : mesh.faces) {
+        IDEOTYPE_EXPECT(std::ranges::max(face) < mesh.vertices.size());
         const glm::dvec3& a = mesh.vertices[face[0]];
         const glm::dvec3& b = mesh.vertices[face[1]];
         const glm::dvec3& c = mesh.vertices[face[2]];
@@ -29,9 +34,11 @@ std::vector<double> face_areas(const Mesh& mesh) {
 }
 
 PlantArea plant_area(const Mesh& mesh) {
+    IDEOTYPE_EXPECT(mesh.face_group.size() == mesh.faces.size());
     const std::vector<double> areas = face_areas(mesh);
     PlantArea sum;
     for (std::size_t f = 0; f < areas.size(); ++f) {
+        IDEOTYPE_EXPECT(mesh.face_group[f] < mesh.groups.size());
         const SurfaceId& id = mesh.groups[mesh.face_group[f]].id;
         if (id.is_leaf())
             sum.leaves += areas[f];

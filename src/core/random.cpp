@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
@@ -42,7 +44,8 @@ std::array<double, 2> RandomStream::normal() {
 }
 
 std::uint32_t RandomStream::below(std::uint32_t n) {
-    // Reject the last, incomplete run of n values.
+    IDEOTYPE_EXPECT(n > 0);
+    // The last, incomplete run of n values is rejected.
     const std::uint32_t rejected = (0u - n) % n;
     std::uint32_t x = bits();
     while (x < rejected) x = bits();

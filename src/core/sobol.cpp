@@ -5,9 +5,10 @@ namespace ideotype {
 
 namespace {
 
-//! All dimensions from the second one of the set new-joe-kuo-6 whose primitive
-//! polynomials have a degree s of at most 11: the polynomial as bits, then the
-//! initial direction integers m_2 ... m_s; m_1 is 1.
+//! The direction numbers of all dimensions from the second one on: those of the
+//! set new-joe-kuo-6 whose primitive polynomials have a degree s of at most 11.
+//! Each dimension has its polynomial as bits, then its initial direction
+//! integers m_2 ... m_s; m_1 is 1.
 constexpr std::uint16_t joe_kuo[] = {
     // clang-format off
     3, 7, 3, 11, 3, 1, 13, 1, 1, 19, 1, 3, 3, 25, 3, 5, 13, 37, 1, 5, 5, 17,

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <unistd.h>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 namespace {
@@ -15,6 +17,7 @@ namespace {
 std::atomic<int> first_signal{0};
 std::atomic<bool> interrupted{false};
 std::atomic<bool> stop_requested{false};
+std::atomic<bool> is_owned{false};
 static_assert(std::atomic<int>::is_always_lock_free);
 
 constexpr std::array<int, 3> handled{SIGINT, SIGTERM, SIGUSR1};
@@ -29,6 +32,8 @@ void on_signal(int signal) {
 }  // namespace
 
 StopFlag::StopFlag() {
+    IDEOTYPE_EXPECT(!is_owned);
+    is_owned = true;
     first_signal = 0;
     interrupted = false;
     stop_requested = false;
@@ -43,6 +48,7 @@ StopFlag::StopFlag() {
 StopFlag::~StopFlag() {
     for (std::size_t i = 0; i < handled.size(); ++i)
         sigaction(handled[i], &former_[i], nullptr);
+    is_owned = false;
 }
 
 bool StopFlag::requested() const {
@@ -54,6 +60,7 @@ void StopFlag::request() {
 }
 
 void StopFlag::request_after(double seconds) {
+    IDEOTYPE_EXPECT(seconds >= 0);
     end_ = std::chrono::steady_clock::now() +
            std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                std::chrono::duration<double>(seconds));

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 namespace {
@@ -13,9 +15,10 @@ bool continues(unsigned char byte) {
     return (byte & 0xC0U) == 0x80U;
 }
 
-//! Bytes of the character that a text begins with; 0 of a control character
-//! and of what is no UTF-8.
+//! Returns the bytes of the character that a text begins with; 0 if it is a
+//! control character or no UTF-8.
 std::size_t size_of_character(std::string_view text) {
+    IDEOTYPE_EXPECT(!text.empty());
     const auto byte = [&](std::size_t i) {
         return static_cast<unsigned char>(text[i]);
     };
@@ -25,7 +28,7 @@ std::size_t size_of_character(std::string_view text) {
     if (text.size() < size) return 0;
     for (std::size_t i = 1; i < size; ++i)
         if (!continues(byte(i))) return 0;
-    // U+0080 to U+009F control terminals too.
+    // Terminals obey U+0080 to U+009F too.
     return byte(0) == 0xC2 && byte(1) < 0xA0 ? 0 : size;
 }
 

@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <utility>
 
+#include "ideotype/core/contract.hpp"
 #include "layout.hpp"
 #include "search/population.hpp"
 
@@ -20,7 +21,8 @@ Handle enumeration(
     return type;
 }
 
-// Exceptions must not pass through C; running out of memory is not foreseen.
+// Exceptions must not pass through C; these functions could run out of memory
+// only.
 herr_t keep_dataset(hid_t, const char* name, const H5O_info_t* info,
                     void* target) {
     if (info->type == H5O_TYPE_DATASET)
@@ -37,7 +39,7 @@ herr_t keep_name(hid_t, const char* name, const H5A_info_t*, void* target) {
 
 Handle string_type(std::size_t size) {
     Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "create a string type");
-    // HDF5 has no strings of no bytes.
+    // There are no strings of no bytes in HDF5.
     checked(H5Tset_size(type, size == 0 ? 1 : size), "size a string type");
     checked(H5Tset_cset(type, H5T_CSET_UTF8), "encode a string type");
     checked(H5Tset_strpad(type, H5T_STR_NULLPAD), "pad a string type");
@@ -72,6 +74,7 @@ void create_attribute(hid_t object, const std::string& name,
 
 void create_attribute(hid_t object, const std::string& name, hid_t type,
                       const void* value) {
+    IDEOTYPE_EXPECT(!name.empty() && value != nullptr);
     const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "create " + name);
     const Handle attribute(
         H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "columns.hpp"
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/hash.hpp"
 #include "journal.hpp"
@@ -30,9 +31,10 @@ void add(Sha256& sum, const std::string& name, const std::vector<char>& bytes) {
 
 }  // namespace
 
-//! All datasets of a table but its scales, by name.
+//! The datasets of a table but its scales, by name.
 class HashedTable {
   public:
+    //! Opens the datasets.
     //! @param mapping of the file, if there is one
     HashedTable(hid_t file, const std::string& name,
                 const std::vector<std::string>& left_out,
@@ -48,7 +50,8 @@ class HashedTable {
         }
     }
 
-    //! @param status stands in for that in the file
+    //! Adds rows, dataset by dataset.
+    //! @param status to take in place of that in the file
     void add_rows(Sha256& sum, const Span& rows,
                   std::optional<Status> status = {}) const {
         for (const auto& [name, column] : columns_)
@@ -101,6 +104,7 @@ GenerationChecksums::~GenerationChecksums() = default;
 
 std::string GenerationChecksums::of(std::uint32_t generation,
                                     const Span& rows) {
+    IDEOTYPE_EXPECT(rows.count > 0);
     if (!tables_)
         tables_ = std::make_unique<Tables>(Tables{
             HashedTable(file_, "evaluations", {}, mapping_),
@@ -112,6 +116,7 @@ std::string GenerationChecksums::of(std::uint32_t generation,
 }
 
 std::string finalist_checksum(hid_t file, hsize_t row, Status status) {
+    IDEOTYPE_EXPECT(is_recorded(status));
     Sha256 sum;
     HashedTable(file, "final", {"checksum"}).add_rows(sum, {row, 1}, status);
     return sum.finish();
@@ -142,6 +147,7 @@ void require_intact(hid_t file, const std::string& path) {
         checksum(file, "final/checksum");
     const auto statuses = status.read<Status>(0, status.rows());
     const auto expected = checksum.read_text(0, status.rows());
+    IDEOTYPE_ENSURE(expected.size() == statuses.size());
     // A case that is over has no checksum of what is not recorded.
     if (is_finished && committed < generations.most() &&
         !generations.checksum(committed).empty())

@@ -11,19 +11,19 @@
 
 namespace ideotype {
 
-// What each is made of is written in analysis/FORMAT.md.
+// The parts of each checksum are written in analysis/FORMAT.md.
 
-//! Characters of a checksum.
+//! The number of characters of a checksum.
 inline constexpr std::size_t checksum_size = 64;
 
-//! SHA-256 of all that is known before the first evaluation.
+//! Returns the SHA-256 of all that is known before the first evaluation.
 std::string header_checksum(hid_t file);
 
-//! SHA-256 of the rows and the summary of generations. Opens all their datasets
-//! for the first, which takes longer than reading a generation.
+//! Computes the SHA-256 of the rows and the summary of generations. Opens all
+//! their datasets for the first, which takes longer than reading a generation.
 class GenerationChecksums {
   public:
-    //! Both must outlive it.
+    //! File and mapping must outlive this object.
     //! @param mapping of the file, null: HDF5 reads it
     GenerationChecksums(hid_t file, const Mapping* mapping);
     ~GenerationChecksums();
@@ -37,19 +37,22 @@ class GenerationChecksums {
     std::unique_ptr<Tables> tables_;
 };
 
-//! SHA-256 of a row of /final with this status, which is written later.
+//! Returns the SHA-256 of a row of /final with this status, which is written
+//! later.
 std::string finalist_checksum(hid_t file, hsize_t row, Status status);
 
-//! @throws Error (refused) if the header does not have its checksum.
+//! Compares the header with its checksum.
+//! @throws Error (refused) if they differ.
 void require_header_intact(hid_t file, const std::string& path);
 
-//! @throws Error (refused) if a complete generation does not have its
-//! checksum.
+//! Compares a complete generation with its checksum.
+//! @throws Error (refused) if they differ.
 void require_intact(GenerationChecksums& found, const Generations& generations,
                     std::uint32_t generation, const std::string& path);
 
-//! Looks at the header, all complete generations and all recorded finalists.
-//! @throws Error (refused) at the first that does not have its checksum.
+//! Compares the header, all complete generations and all recorded finalists
+//! with their checksums.
+//! @throws Error (refused) at the first that differs.
 void require_intact(hid_t file, const std::string& path);
 
 }  // namespace ideotype

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "checksum.hpp"
+#include "ideotype/core/contract.hpp"
 #include "layout.hpp"
 
 namespace ideotype {
@@ -33,6 +34,8 @@ Axis objective_axis(const std::vector<Objective>& objectives) {
 
 void Columns::create(hid_t file, const GeneSpace& genes,
                      const OutcomeSchema& schema, const TableForm& form) {
+    IDEOTYPE_EXPECT(!genes.empty() && !schema.objectives.empty());
+    IDEOTYPE_EXPECT(schema.randomisations > 0);
     const Handle group = create_group(file, form.group);
     create_axis(group, form.rows);
     create_axis(group, gene_axis(genes));
@@ -124,6 +127,7 @@ void Columns::use(const Mapping& mapping) {
 }
 
 void Columns::cut(haddr_t end) {
+    IDEOTYPE_EXPECT(numbers_.size() >= essential_numbers);
     for (std::size_t i = 0; i < numbers_.size(); ++i)
         intact_[i] = numbers_[i].rows_before(end);
     for (const Dataset* column : {&status_, &genome_, &origin_, &parents_})
@@ -165,6 +169,7 @@ std::vector<Outcome> Columns::outcomes(hsize_t first, hsize_t count) const {
     std::vector<Outcome> outcomes(count, unknown_outcome(schema_));
     for (std::size_t i = 0; i < count; ++i) {
         const auto own = columns_of(schema_, outcomes[i]);
+        IDEOTYPE_ENSURE(own.size() == columns.size());
         for (std::size_t c = 0; c < own.size(); ++c)
             for (std::size_t k = 0; k < own[c].size(); ++k)
                 *own[c][k] = columns[c][i * own[c].size() + k];
@@ -202,7 +207,7 @@ std::vector<Row> Columns::read(hsize_t first, hsize_t count) const {
 Population Columns::population(hsize_t first, hsize_t count) const {
     const auto status = statuses(first, count);
     auto candidate = candidates(first, count);
-    // The first of number_forms().
+    // These are the first of number_forms().
     const std::size_t width = numbers_[0].width();
     const auto means = numbers_[0].read<double>(first, count);
     const auto errors = numbers_[1].read<double>(first, count);
@@ -230,6 +235,7 @@ void Columns::write(hsize_t first, const std::vector<Candidate>& candidates) {
     std::vector<Origin> origins;
     std::vector<std::int64_t> parents;
     for (const Candidate& candidate : candidates) {
+        IDEOTYPE_EXPECT(candidate.genome.size() == genome_.width());
         genes.insert(genes.end(), candidate.genome.begin(),
                      candidate.genome.end());
         origins.push_back(candidate.origin);
@@ -258,6 +264,7 @@ void Columns::write_outcomes(hsize_t first, const std::vector<Row>& rows) {
     std::vector<std::int32_t> workers;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Outcome& outcome = rows[i].outcome;
+        IDEOTYPE_EXPECT(is_recorded(outcome.status));
         Outcome known =
             outcome.status == Status::done ? outcome : unknown_outcome(schema_);
         const auto own = columns_of(schema_, known);
@@ -275,8 +282,14 @@ void Columns::write_outcomes(hsize_t first, const std::vector<Row>& rows) {
     worker_.write(first, workers);
 }
 
+void Columns::set_checksum(hsize_t row, const std::string& checksum) {
+    IDEOTYPE_EXPECT(checksum.size() == checksum_size);
+    if (checksum_) checksum_->write_text(row, checksum);
+}
+
 void Columns::set_statuses(hsize_t first, const std::vector<Status>& statuses) {
-    // All that they vouch for is there before, for other processors too.
+    // Everything that statuses vouch for is there before them, for other
+    // processors too.
     std::atomic_thread_fence(std::memory_order_release);
     status_.write(first, statuses);
 }

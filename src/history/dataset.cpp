@@ -12,6 +12,7 @@
 #include <sys/mman.h>
 #include <sys/stat.h>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/text.hpp"
 #include "layout.hpp"
@@ -36,8 +37,8 @@ std::size_t size_of(int descriptor) {
                : 0;
 }
 
-//! The file was cut short at the very moment of an access, or its disk fails:
-//! says so, and ends the program as where it notices by itself.
+//! Says that the file was cut short at the very moment of an access, or that
+//! its disk fails, and ends the program.
 extern "C" void end_without_file(int) {
     constexpr std::string_view text =
         "ideotype: a history was cut short while it was written, or its disk "
@@ -120,6 +121,7 @@ void Dataset::use(const Mapping& mapping) {
 }
 
 char* Dataset::at(hsize_t first, std::size_t values) const {
+    IDEOTYPE_EXPECT(mapped_ != nullptr);
     const hsize_t from = first * width_;
     if (from + values > mapped_values_)
         throw Hdf5Error(fmt::format("{} has no row {}", name_,
@@ -135,6 +137,7 @@ void Dataset::write_text(hsize_t row, const std::string& text) {
 
 std::vector<std::string> Dataset::read_text(hsize_t first,
                                             hsize_t count) const {
+    IDEOTYPE_EXPECT(width_ == 1);
     std::vector<char> bytes(count * value_size_);
     get(first, bytes.data(), count, value_size_);
     std::vector<std::string> texts;
@@ -173,6 +176,7 @@ Dataset::Selection Dataset::select(hsize_t first, std::size_t values) const {
 void Dataset::put(hsize_t first, const void* values, std::size_t count,
                   std::size_t value_size) {
     check_value_size(value_size);
+    IDEOTYPE_EXPECT(count % width_ == 0);
     if (count == 0) return;
     if (mapped_) {
         std::memcpy(at(first, count), values, count * value_size);
@@ -200,6 +204,7 @@ std::vector<char> Dataset::bytes(hsize_t first, hsize_t count) const {
 //! Reads values of a type, which is that of the file where this is mapped.
 void Dataset::fetch(hid_t type, hsize_t first, void* values,
                     std::size_t count) const {
+    IDEOTYPE_EXPECT(count % width_ == 0);
     if (count == 0) return;
     if (mapped_) {
         std::memcpy(values, at(first, count), count * value_size_);

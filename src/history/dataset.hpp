@@ -16,27 +16,29 @@ namespace ideotype {
 //! this process, and other processes read it.
 class Mapping {
   public:
-    //! None where the system has not reserved the room for the whole file: a
-    //! full disk would end the process instead of failing a write. From then on
-    //! SIGBUS, which tells of a file cut short, ends it with a message.
+    //! Maps a file, or returns null where the system has not reserved the room
+    //! for the whole file: a full disk would end the process instead of failing
+    //! a write. From then on SIGBUS, which tells of a file cut short, ends the
+    //! process with a message.
     static std::unique_ptr<Mapping> of(hid_t file);
 
     ~Mapping();
     Mapping(const Mapping&) = delete;
     Mapping& operator=(const Mapping&) = delete;
 
-    //! Where the first value of a dataset is, as it is in the file; null unless
-    //! it is one block.
+    //! Returns the place of the first value of a dataset, as it is in the file;
+    //! null unless the dataset is one block.
     char* find(hid_t dataset) const;
 
-    //! False once somebody cut the file short: what is lost may not be touched.
+    //! Returns false once somebody cut the file short: what is lost may not be
+    //! touched.
     bool is_whole() const;
 
   private:
     Mapping(int descriptor, char* begin, std::size_t size)
         : descriptor_(descriptor), begin_(begin), size_(size) {}
 
-    int descriptor_;  //!< of HDF5
+    int descriptor_;  //!< file descriptor that HDF5 has open
     char* begin_;
     std::size_t size_;
 };
@@ -47,31 +49,31 @@ class Dataset {
   public:
     Dataset() = default;
 
-    //! @throws Hdf5Error if there is no such dataset.
+    //! Opens a dataset. @throws Hdf5Error if there is none of this name.
     Dataset(hid_t location, const std::string& name);
 
-    //! Size of the first dimension.
+    //! Returns the size of the first dimension.
     hsize_t rows() const;
 
-    //! An attribute that is a text, "" if there is none.
+    //! Returns an attribute that is a text, "" if there is none.
     std::string text(const std::string& attribute) const;
 
-    //! Whether this is the scale of a dimension.
+    //! Returns whether the dataset is the scale of a dimension.
     bool is_scale() const;
 
-    //! Class of the type.
+    //! Returns the class of the type of values.
     H5T_class_t kind() const { return H5Tget_class(memory_type_); }
 
-    //! Values in one row.
+    //! Returns the number of values in one row.
     std::size_t width() const { return width_; }
 
-    //! Whole rows that lie before this position in the file. None of a
-    //! compressed dataset has a position.
+    //! Returns how many whole rows lie before this position in the file. No row
+    //! of a compressed dataset has a position.
     hsize_t rows_before(haddr_t end) const;
 
-    //! From now on this reads and writes the memory that a file is. Of values
-    //! that are stored otherwise than in memory, or not in one block, nothing
-    //! changes. The mapping must outlive it.
+    //! Reads and writes from now on in the memory that a file is mapped to.
+    //! Nothing changes for values that are stored otherwise than in memory, or
+    //! not in one block. The mapping must outlive this object.
     void use(const Mapping& mapping);
 
     //! Writes as many rows as there are values for, which have the dataset's
@@ -118,7 +120,8 @@ class Dataset {
     void fetch(hid_t type, hsize_t first, void* values,
                std::size_t count) const;
 
-    //! Where a row is in memory. @throws Hdf5Error if it has no such rows.
+    //! Returns the place of a row in memory. @throws Hdf5Error if there are no
+    //! such rows.
     char* at(hsize_t first, std::size_t values) const;
 
     std::string name_;
@@ -126,7 +129,7 @@ class Dataset {
     Handle memory_type_;
     std::size_t value_size_ = 0;
     std::size_t width_ = 1;
-    char* mapped_ = nullptr;  //!< all rows; null: HDF5 moves them
+    char* mapped_ = nullptr;  //!< place of all rows; null: HDF5 moves them
     std::size_t mapped_values_ = 0;
 };
 

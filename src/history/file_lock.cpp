@@ -15,6 +15,7 @@
 #include <sys/stat.h>
 
 #include "history.hpp"
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/file.hpp"
 #include "ideotype/core/host.hpp"
@@ -25,8 +26,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! The whole of a file, for its open file rather than for the process: HDF5,
-//! too, opens and closes the file.
+//! Returns a lock of the whole of a file. Its owner is the open file rather
+//! than the process, since HDF5 opens and closes the file too.
 struct flock whole_file() {
     struct flock lock {};
     lock.l_type = F_WRLCK;
@@ -38,8 +39,8 @@ std::string path_of(int descriptor) {
     return fmt::format("/proc/self/fd/{}", descriptor);
 }
 
-//! The process of this host, but for this one, that has the file open to write;
-//! 0 if none can be seen.
+//! Returns the process of this host, other than this one, that has the file
+//! open to write; 0 if none can be seen.
 long writer_here(int descriptor) {
     constexpr fs::perms write = fs::perms::owner_write;
     std::error_code unknown;
@@ -57,7 +58,7 @@ long writer_here(int descriptor) {
     return 0;
 }
 
-//! Who writes a history, as far as it can be known.
+//! Returns a description of the writer of a history, as far as it can be known.
 std::string holder(const std::string& file, int descriptor) {
     if (const long id = writer_here(descriptor))
         return fmt::format("process {} on {}", id, host_name());
@@ -66,7 +67,7 @@ std::string holder(const std::string& file, int descriptor) {
             return fmt::format("the run that {} began at {}", last->host,
                                last->started);
     } catch (const Error&) {
-        // It is not there yet.
+        // There is no history yet.
     }
     return "another process";
 }
@@ -94,7 +95,8 @@ Attempt try_lock(int descriptor) {
                 is_new ? ExitCode::refused : ExitCode::runtime);
 }
 
-//! Whether nothing else is overwritten with this file.
+//! Returns whether a file is a regular one with no other name, so that nothing
+//! else is overwritten.
 bool is_plain(int descriptor) {
     struct stat status {};
     return fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) &&
@@ -169,7 +171,7 @@ FileLock::FileLock(const std::string& file, std::string path, int flags)
         is_exclusive_ = attempt == Attempt::locked;
         if (attempt == Attempt::taken ||
             (attempt == Attempt::unsupported && writer_here(descriptor_) > 0)) {
-            // One that was killed may need a moment to go.
+            // A process that was killed may need a moment to go.
             if (++failed < tries) {
                 close(descriptor_);
                 std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -182,17 +184,20 @@ FileLock::FileLock(const std::string& file, std::string path, int flags)
                             "history at a time",
                             file, who));
         }
-        // It may have been renamed or replaced between our open and our lock.
+        // The file may have been renamed or replaced between our open and our
+        // lock.
         if (is_of(path_)) break;
         close(descriptor_);
     }
 }
 
 bool FileLock::is_of(const std::string& path) const {
+    IDEOTYPE_EXPECT(descriptor_ >= 0);
     return is_at(path, descriptor_);
 }
 
 std::string FileLock::open_path() const {
+    IDEOTYPE_EXPECT(descriptor_ >= 0);
     return path_of(descriptor_);
 }
 

@@ -5,7 +5,7 @@
 
 namespace ideotype {
 
-//! Is this open file the one at this path?
+//! Returns whether an open file is the one at this path.
 bool is_at(const std::string& path, int descriptor);
 
 //! The right to write a file, held by one process at a time on all hosts that
@@ -26,13 +26,14 @@ class FileLock {
     //! is no plain file or has another name too.
     static FileLock of_new(const std::string& file);
 
-    //! False where the file system has no locks.
+    //! Returns false where the file system has no locks.
     bool is_exclusive() const { return is_exclusive_; }
 
-    //! Whether what is locked is at this path.
+    //! Returns whether the locked file is at this path.
     bool is_of(const std::string& path) const;
 
-    //! A path that leads to what is locked whatever became of its name.
+    //! Returns a path that leads to the locked file whatever became of its
+    //! name.
     std::string open_path() const;
 
     FileLock(FileLock&& other) noexcept;

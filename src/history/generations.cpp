@@ -7,6 +7,7 @@
 #include <span>
 
 #include "checksum.hpp"
+#include "ideotype/core/contract.hpp"
 #include "layout.hpp"
 
 namespace ideotype {
@@ -23,10 +24,10 @@ struct SummaryColumn {
     Value GenerationSummary::*member;
 };
 
-//! Stands for the product of the units of all objectives.
+//! The unit that stands for the product of the units of all objectives.
 constexpr auto product = "product";
 
-//! The last ones only of several objectives.
+//! The number of last columns that only cases with several objectives have.
 constexpr std::size_t front_columns = 2;
 constexpr std::array number_columns{
     SummaryColumn<double>{"best", nullptr, "first objective of the best row",
@@ -77,6 +78,8 @@ std::string unit_of(const SummaryColumn<double>& column,
 }  // namespace
 
 void Generations::create(hid_t file, const HistoryHeader& header) {
+    IDEOTYPE_EXPECT(header.generations > 0);
+    IDEOTYPE_EXPECT(!header.schema.objectives.empty());
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const Handle group = create_group(file, group_name);
     create_axis(group, counted("generation", "counted from 0",
@@ -129,17 +132,22 @@ std::uint32_t Generations::committed() const {
 }
 
 Span Generations::span(std::uint32_t generation) const {
+    IDEOTYPE_EXPECT(generation < most());
     return {
         static_cast<hsize_t>(first_row_.read<std::int64_t>(generation, 1)[0]),
         count_.read<std::uint32_t>(generation, 1)[0]};
 }
 
 void Generations::set_span(std::uint32_t generation, const Span& span) {
+    IDEOTYPE_EXPECT(generation < most() && span.count > 0);
+    IDEOTYPE_EXPECT(span.first ==
+                    (generation == 0 ? 0 : this->span(generation - 1).end()));
     first_row_.write_one(generation, static_cast<std::int64_t>(span.first));
     count_.write_one(generation, static_cast<std::uint32_t>(span.count));
 }
 
 std::vector<GenerationSummary> Generations::read(std::uint32_t count) const {
+    IDEOTYPE_EXPECT(count <= most());
     std::vector<GenerationSummary> summaries(count);
     const auto first = first_row_.read<std::int64_t>(0, count);
     const auto best = best_row_.read<std::int64_t>(0, count);
@@ -158,8 +166,22 @@ std::vector<GenerationSummary> Generations::read(std::uint32_t count) const {
     return summaries;
 }
 
+void Generations::set_checksum(std::uint32_t generation,
+                               const std::string& checksum) {
+    IDEOTYPE_EXPECT(checksum.size() == checksum_size);
+    checksum_.write_text(generation, checksum);
+}
+
+void Generations::set_committed(std::uint32_t generation) {
+    IDEOTYPE_EXPECT(generation == 0 ||
+                    committed_.read<std::int8_t>(generation - 1, 1)[0] != 0);
+    IDEOTYPE_EXPECT(span(generation).count > 0);
+    committed_.write_one(generation, std::int8_t{1});
+}
+
 void Generations::write(std::uint32_t generation,
                         const GenerationSummary& summary) {
+    IDEOTYPE_EXPECT(summary.best_slot < span(generation).count);
     best_row_.write_one(
         generation,
         static_cast<std::int64_t>(span(generation).first) + summary.best_slot);

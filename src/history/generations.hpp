@@ -25,41 +25,40 @@ class Generations {
 
     explicit Generations(hid_t file);
 
-    //! Room for so many.
+    //! Returns the number of generations that there is room for.
     std::uint32_t most() const {
         return static_cast<std::uint32_t>(committed_.rows());
     }
 
-    //! Complete generations; their flags are the leading ones.
+    //! Returns the number of complete generations; their flags are the leading
+    //! ones.
     std::uint32_t committed() const;
 
-    //! No rows of a generation that was never proposed.
+    //! Returns the rows of a generation, of which there are none before it is
+    //! proposed.
     Span span(std::uint32_t generation) const;
     void set_span(std::uint32_t generation, const Span& span);
 
     std::vector<GenerationSummary> read(std::uint32_t count) const;
 
-    //! Best slots become rows.
+    //! Writes the summary of a generation; its best slot becomes a row.
     void write(std::uint32_t generation, const GenerationSummary& summary);
 
     std::string checksum(std::uint32_t generation) const {
         return checksum_.read_text(generation, 1)[0];
     }
-    void set_checksum(std::uint32_t generation, const std::string& checksum) {
-        checksum_.write_text(generation, checksum);
-    }
-
-    void set_committed(std::uint32_t generation) {
-        committed_.write_one(generation, std::int8_t{1});
-    }
+    void set_checksum(std::uint32_t generation, const std::string& checksum);
+    //! Marks a generation complete, as the next one of those that are.
+    void set_committed(std::uint32_t generation);
 
   private:
     Dataset committed_;
     Dataset first_row_;
     Dataset count_;
     Dataset best_row_;
-    std::vector<Dataset> numbers_;  //!< in the order of number_columns
-    std::vector<Dataset> counts_;   //!< in the order of count_columns
+    //! Columns of number_columns, in their order.
+    std::vector<Dataset> numbers_;
+    std::vector<Dataset> counts_;  //!< columns of count_columns, in their order
     Dataset checksum_;
 };
 

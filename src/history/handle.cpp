@@ -13,8 +13,8 @@ herr_t keep_first(unsigned, const H5E_error2_t* entry, void* text) {
     return 0;
 }
 
-// Descriptions of failed system calls carry addresses and offsets; the
-// system's own words are what helps.
+// Returns the system's own words from a description of a failed system call,
+// which also has addresses and offsets.
 std::string system_message(const std::string& description) {
     const std::string opening = "error message = '";
     const std::size_t begin = description.find(opening);

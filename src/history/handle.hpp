@@ -7,22 +7,26 @@
 
 #include <hdf5.h>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
-//! HDF5 failed. History turns it into an Error with the file's name.
+//! A failure of HDF5. History turns it into an Error with the file's name.
 class Hdf5Error : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-//! Silences HDF5's own messages and its clean-up at exit, which crashes after
-//! a full disk. Cheap; to be called before a file is opened or created.
+//! Silences HDF5's own messages and its clean-up at exit, which crashes after a
+//! full disk. It is cheap, and has to be called before a file is opened or
+//! created.
 void initialize_hdf5();
 
+//! Reports the failure of an action.
 //! @throws Hdf5Error "cannot <action>: <HDF5's innermost reason>"
 [[noreturn]] void throw_hdf5_error(const std::string& action);
 
-//! Passes a result of HDF5 on. @throws Hdf5Error if it is negative.
+//! Returns a result of HDF5. @throws Hdf5Error if it is negative.
 template <class Result>
 Result checked(Result result, const std::string& action) {
     if (result < 0) throw_hdf5_error(action);
@@ -36,7 +40,7 @@ class Handle {
 
     Handle() = default;
 
-    //! Takes over id. @throws Hdf5Error if id is negative.
+    //! Takes over an identifier. @throws Hdf5Error if it is negative.
     Handle(hid_t id, Close closer, const std::string& action)
         : id_(checked(id, action)), close_(closer) {}
 
@@ -49,14 +53,15 @@ class Handle {
         return *this;
     }
 
-    // What a close could still fail to write was flushed before, and a
+    // Everything that a close could fail to write was flushed before, and a
     // destructor has nobody to tell.
     ~Handle() {
         if (id_ >= 0) close_(id_);
     }
 
-    //! Closes now, to hear if that fails.
+    //! Closes now, so that a failure is reported.
     void close(const std::string& action) {
+        IDEOTYPE_EXPECT(id_ >= 0);
         checked(close_(std::exchange(id_, -1)), action);
     }
 

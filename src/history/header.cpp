@@ -4,6 +4,7 @@
 
 #include "columns.hpp"
 #include "dataset.hpp"
+#include "ideotype/core/contract.hpp"
 #include "layout.hpp"
 #include "open.hpp"
 
@@ -20,6 +21,7 @@ std::vector<std::string> texts_of(const std::vector<Item>& items,
 }
 
 void write_genes(hid_t file, const GeneSpace& genes) {
+    for (const Gene& gene : genes) IDEOTYPE_EXPECT(gene.lower <= gene.upper);
     const Handle group = create_group(file, "genes");
     create_axis(group, gene_axis(genes));
     create_texts(group,
@@ -29,7 +31,7 @@ void write_genes(hid_t file, const GeneSpace& genes) {
         group,
         {.name = "unit", .axes = {"gene"}, .meaning = "of the gene's values"},
         texts_of(genes, &Gene::unit));
-    // A number of each gene; the last argument has its type in the file.
+    // Adds a number of each gene; the last argument has its type in the file.
     const auto add = [&](const std::string& name, const std::string& meaning,
                          const std::string& unit, hid_t type, auto member,
                          auto stored) {
@@ -140,6 +142,8 @@ void read_attributes(hid_t file, HistoryHeader& header) {
 }  // namespace
 
 void write_header(hid_t file, const HistoryHeader& header) {
+    IDEOTYPE_EXPECT(header.population > 0 && header.generations > 0);
+    IDEOTYPE_EXPECT(header.finalists >= 0 && header.final_randomisations > 0);
     create_attribute(file, "format", format_name);
     create_attribute(file, "format_version", format_version);
     create_attribute(file, "seed", H5T_NATIVE_UINT64, &header.seed);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "history_file.hpp"
+#include "ideotype/core/contract.hpp"
 #include "layout.hpp"
 #include "open.hpp"
 
@@ -152,7 +153,7 @@ std::uint64_t History::evaluated() const {
 }
 
 std::uint32_t History::next_generation() const {
-    // A writer knows; under a reader the file goes on.
+    // A writer knows the number; under a reader the file grows.
     if (file_->lock) return file_->next_generation;
     std::uint32_t count =
         file_->read([&] { return file_->generations.committed(); });
@@ -166,6 +167,8 @@ std::uint32_t History::next_generation() const {
 std::size_t History::propose(std::uint32_t generation, std::size_t size,
                              std::uint32_t slot,
                              const std::vector<Candidate>& candidates) {
+    IDEOTYPE_EXPECT(!candidates.empty());
+    IDEOTYPE_EXPECT(slot + candidates.size() <= size);
     file_->require_genes(candidates);
     const Span before = generation == 0 ? Span{} : file_->span(generation - 1);
     if (generation > 0 && before.count == 0)
@@ -256,6 +259,7 @@ void History::commit(std::uint32_t generation,
         file_->synchronize_each_second();
     });
     ++file_->next_generation;
+    IDEOTYPE_ENSURE(file_->next_generation <= file_->spans.size());
 }
 
 std::vector<GenerationSummary> History::summaries() const {
@@ -310,6 +314,7 @@ double History::wall_time() const {
 }
 
 void History::set_wall_time(double seconds) {
+    IDEOTYPE_EXPECT(seconds >= 0);
     file_->write([&] {
         file_->journal.set_wall_time(seconds);
         flush(file_->id);
@@ -324,6 +329,7 @@ void History::message(const std::string& text) {
 }
 
 void History::finish(const std::string& reason) {
+    IDEOTYPE_EXPECT(!reason.empty());
     file_->write([&] {
         file_->journal.set_reason(reason);
         flush(file_->id);

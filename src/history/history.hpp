@@ -16,68 +16,71 @@
 
 namespace ideotype {
 
-//! All that is known of a history before its first evaluation.
+//! The part of a history that is known before its first evaluation.
 struct HistoryHeader {
-    //! Root attributes by name: program, provenance, case, site...; see
-    //! analysis/FORMAT.md. format, format_version and checksum are added here.
+    //! The root attributes by name: program, provenance, case, site...; see
+    //! analysis/FORMAT.md. The format, its version and the checksum are added
+    //! when they are written.
     std::map<std::string, std::string> text;
     std::map<std::string, double> numbers;
     std::string campaign_source;
     std::string campaign_resolved;
     GeneSpace genes;
-    OutcomeSchema schema;  //!< of /evaluations
-    //! That finalists' objectives are the means of; all else is as in schema.
+    OutcomeSchema schema;  //!< form of the outcomes in /evaluations
+    //! The number of randomisations that finalists' objectives are the means
+    //! of; all else is as in schema.
     std::size_t final_randomisations = 2;
-    std::uint64_t seed = 0;  //!< of the case
+    std::uint64_t seed = 0;  //!< seed of the case
     int population = 0;      //!< rows of a generation, on average at most
     int generations = 0;     //!< at most
     int finalists = 0;       //!< rows of /final
 
-    //! Room of /evaluations.
+    //! Returns the room of /evaluations.
     int rows() const { return population * generations; }
     OutcomeSchema final_schema() const;
 };
 
-//! One evaluation as stored.
+//! An evaluation as it is stored.
 struct Row {
     Candidate candidate;
     Outcome outcome;
     std::uint32_t attempt = 0;
 };
 
-//! Characters of a command that a history keeps.
+//! The most characters of a command that a history keeps.
 inline constexpr std::size_t longest_command = 512;
 
-//! One start of the program on this history.
+//! A start of the program on a history.
 struct SessionRecord {
     std::string started;  //!< UTC, ISO 8601
     std::string host;
     std::string command;
     int ranks = 0;
     std::string program{};    //!< name and version
-    std::string compiler{};   //!< that built it
+    std::string compiler{};   //!< compiler that built the program
     std::string libraries{};  //!< name and version of each
 };
 
-//! What became of the program that writes a history.
+//! Tells what became of the program that writes a history.
 enum class Writer {
-    alive,   //!< it holds the file on this or another host
-    closed,  //!< it ended in order
-    killed,  //!< it was killed, or its machine stopped
+    alive,   //!< holds the file on this or another host
+    closed,  //!< ended in order
+    killed,  //!< was killed, or its machine stopped
 };
 
-//! Looks at the lock of a history; never changes anything. Where the file
-//! system has no locks, a living writer on another host looks killed.
+//! Looks at the lock of a history and tells what became of its writer. Never
+//! changes anything. Where the file system has no locks, a living writer on
+//! another host looks killed.
 Writer writer_of(const std::string& path);
 
-//! Is there a file at this path? Never waits, as opening a pipe would.
-//! @throws Error if there is something else, or if that cannot be known.
+//! Returns whether there is a file at this path. Never waits, as opening a pipe
+//! would. @throws Error if there is something else, or if that cannot be known.
 bool history_exists(const std::string& path);
 
-//! Bytes that the file of such a history reserves on the disk.
+//! Returns the bytes that the file of such a history reserves on the disk.
 std::uint64_t history_bytes(const HistoryHeader& header);
 
-//! Another program writes this history at this moment.
+//! The error that another program writes this history at this moment.
 class InUseError : public Error {
   public:
     explicit InUseError(const std::string& message)
@@ -119,29 +122,29 @@ class History {
     History& operator=(History&&) noexcept;
     ~History();
 
-    //! Name and version of the HDF5 library.
+    //! Returns the name and version of the HDF5 library.
     static std::string library_version();
 
     const HistoryHeader& header() const;
 
-    //! Bytes that the end of the file lacks; 0 unless salvaged.
+    //! Returns how many bytes the end of the file lacks; 0 unless salvaged.
     std::uint64_t missing_bytes() const;
 
-    //! Complete generations of which nothing is lost, and which so could be
-    //! compared with their checksums.
+    //! Returns the number of complete generations of which nothing is lost, and
+    //! which so could be compared with their checksums.
     std::uint32_t whole_generations() const;
 
-    //! Adds an entry to /sessions. Once per start.
+    //! Adds an entry to /sessions. To be called once per start.
     void begin_session(const SessionRecord& session);
 
-    //! The last start of the program; none for a new file.
+    //! Returns the last start of the program; none for a new file.
     std::optional<SessionRecord> last_session() const;
 
-    //! Evaluations that are recorded, finalists and incomplete generations
-    //! included.
+    //! Returns the number of recorded evaluations, finalists and incomplete
+    //! generations included.
     std::uint64_t evaluated() const;
 
-    //! The next generation to breed or complete: 0 for a new file.
+    //! Returns the next generation to breed or complete: 0 for a new file.
     std::uint32_t next_generation() const;
 
     //! Writes candidates from this slot of a generation of `size` rows on
@@ -154,55 +157,57 @@ class History {
                         std::uint32_t slot,
                         const std::vector<Candidate>& candidates);
 
-    //! Whether the rows of one more generation can be written.
+    //! Returns whether the rows of one more generation can be written.
     bool has_room(std::uint32_t generation, std::size_t size) const;
 
     //! Stores an outcome, status last, and makes it durable.
     void record(std::uint32_t generation, std::uint32_t slot,
                 const Outcome& outcome, std::uint32_t attempt);
 
-    //! One row, complete or not.
+    //! Returns one row, complete or not.
     Row row(std::uint32_t generation, std::uint32_t slot) const;
 
-    //! The rows of a complete generation. Of a file that was cut short, NaN in
-    //! what is lost.
+    //! Returns the rows of a complete generation, with NaN in what a file that
+    //! was cut short has lost.
     std::vector<Row> rows(std::uint32_t generation) const;
 
-    //! Slots of a proposed generation; 0 before.
+    //! Returns the number of slots of a proposed generation; 0 before.
     std::uint32_t size(std::uint32_t generation) const;
 
-    //! What selection needs of them.
+    //! Returns what selection needs of the rows of a complete generation.
     Population generation(std::uint32_t generation) const;
 
     //! Marks a generation complete. It is in the file at once, and on the disk
     //! within a second and the next commit.
     void commit(std::uint32_t generation, const GenerationSummary& summary);
 
-    //! Summaries of all committed generations.
+    //! Returns the summaries of all committed generations.
     std::vector<GenerationSummary> summaries() const;
 
-    //! The finalists: as propose, record and row, in /final, and slots that are
-    //! proposed, and not done or failed yet. Slot 0 is the baseline.
+    //! These functions do for finalists, in /final, what propose, record and
+    //! row do for generations. pending_final() returns slots that are proposed,
+    //! and not done or failed yet. Slot 0 is the baseline.
     void propose_final(const std::vector<Candidate>& candidates);
     std::vector<std::uint32_t> pending_final() const;
     void record_final(std::uint32_t slot, const Outcome& outcome);
     std::vector<Row> finalists() const;
 
-    //! What is written to a file that was deleted or replaced nobody can ever
-    //! read; every write looks at this too. @throws Error (refused)
+    //! Refuses a file that was deleted or replaced, since nobody could ever
+    //! read what is written to it. Every write looks at this too. @throws Error
+    //! (refused)
     void require_in_place() const;
 
-    //! Seconds that all sessions together spent.
+    //! Returns the seconds that all sessions together spent.
     double wall_time() const;
     void set_wall_time(double seconds);
 
-    //! Adds a line to /messages (the oldest are kept when it is full).
+    //! Adds a line to /messages, which keeps the oldest when it is full.
     void message(const std::string& text);
 
     //! Marks the case finished with a reason such as "generations".
     void finish(const std::string& reason);
 
-    //! Why the case finished, if it did.
+    //! Returns why the case finished, if it did.
     std::optional<std::string> finished() const;
 
   private:
@@ -211,7 +216,7 @@ class History {
     std::unique_ptr<File> file_;
 };
 
-//! The parts of a history that were compared with their checksums.
+//! The numbers of parts of a history that were compared with their checksums.
 struct Verified {
     std::uint32_t generations = 0;
     std::uint32_t finalists = 0;

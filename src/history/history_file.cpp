@@ -8,21 +8,25 @@
 #include <fmt/format.h>
 
 #include "checksum.hpp"
+#include "ideotype/core/contract.hpp"
 #include "open.hpp"
 
 namespace ideotype {
 
 namespace {
 
-// Bits, because two zeros compare equal and two NaN do not.
+// Returns whether two numbers have the same bits, since two zeros compare equal
+// and two NaN do not.
 bool is_same(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-//! The first gene, origin or parent in which two candidates differ in any
-//! bit, with both values; empty if they are the same.
+//! Describes the first gene, origin or parent in which two candidates differ in
+//! any bit, with both values; empty if they are the same.
 std::string first_difference(const GeneSpace& genes, const Candidate& was,
                              const Candidate& is) {
+    IDEOTYPE_EXPECT(was.genome.size() == genes.size() &&
+                    is.genome.size() == genes.size());
     for (std::size_t i = 0; i < genes.size(); ++i)
         if (!is_same(was.genome[i], is.genome[i]))
             return fmt::format("gene {} was {}, is {} [{}]", genes[i].name,
@@ -59,6 +63,7 @@ History::File::File(std::string name, std::optional<FileLock> held,
         if (next.count == 0) break;
         spans.push_back(next);
     }
+    IDEOTYPE_ENSURE(!lock || next_generation <= spans.size());
 }
 
 Span History::File::span(std::uint32_t generation) const {

@@ -22,7 +22,7 @@
 
 namespace ideotype {
 
-//! Runs what can fail in HDF5, and names the file if it does.
+//! Runs an action that may fail in HDF5, and names the file if it does.
 template <class Action>
 auto with_name_of(const std::string& path, Action action) {
     try {
@@ -32,16 +32,17 @@ auto with_name_of(const std::string& path, Action action) {
     }
 }
 
-//! The open file and what History does alike to generations and finalists.
+//! The open file, and what History does with generations and finalists alike.
 struct History::File {
-    //! Takes over the file; only a writer holds a lock.
+    //! Takes over the file. A reader holds no lock.
     File(std::string name, std::optional<FileLock> held, Handle opened);
 
-    //! Rows of a generation; none before it is proposed. @throws Error if there
-    //! can be no such generation.
+    //! Returns the rows of a generation, of which there are none before it is
+    //! proposed. @throws Error if there can be no such generation.
     Span span(std::uint32_t generation) const;
 
-    //! Row of /evaluations. @throws Error if there is none.
+    //! Returns the row of a slot in /evaluations. @throws Error if there is
+    //! none.
     hsize_t row(std::uint32_t generation, std::uint32_t slot) const;
 
     [[noreturn]] void fail(const std::string& what,
@@ -74,7 +75,8 @@ struct History::File {
         is_broken = false;
     }
 
-    //! @throws Error if a genome is not of this history.
+    //! Requires that genomes have the genes of this history. @throws Error if
+    //! not.
     void require_genes(const std::vector<Candidate>& candidates) const;
 
     //! Stores candidates, or verifies what an interrupted session stored, and
@@ -94,7 +96,7 @@ struct History::File {
     std::string path;
     std::optional<FileLock> lock;
     Handle id;
-    std::unique_ptr<Mapping> mapping;  //!< of a writer
+    std::unique_ptr<Mapping> mapping;  //!< the file as memory, for a writer
     HistoryHeader header;
     Columns evaluations;
     Columns finals;
@@ -102,13 +104,13 @@ struct History::File {
     Journal journal;
     GenerationChecksums checksums;
     std::uint32_t next_generation = 0;
-    std::vector<Span> spans;  //!< of a writer's generations
-    //! When the file was last forced to the disk.
+    std::vector<Span> spans;  //!< generations of a writer
+    //! The time at which the file was last forced to the disk.
     std::chrono::steady_clock::time_point synchronized{};
     bool is_broken = false;
     std::uint64_t missing_bytes = 0;
 
-    //! See History.
+    //! Refuses a file that was deleted or replaced, see History.
     void require_in_place() const;
 
   private:

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "ideotype/core/contract.hpp"
 #include "layout.hpp"
 
 namespace ideotype {
@@ -33,7 +34,7 @@ constexpr std::array session_columns{
     SessionColumn{"libraries", 256, "name and version of each",
                   &SessionRecord::libraries}};
 
-// Rows that are not used yet are empty, which is how their number is found.
+// Returns how many rows are used: the first that is empty is not.
 hsize_t used_rows(const Dataset& texts) {
     const auto all = texts.read_text(0, texts.rows());
     return static_cast<hsize_t>(std::find(all.begin(), all.end(), "") -
@@ -88,12 +89,14 @@ Journal::Journal(hid_t file)
         sessions_.emplace_back(file, std::string("sessions/") + each.name);
     sessions_used_ = used_rows(sessions_[0]);
     messages_used_ = used_rows(messages_);
+    IDEOTYPE_ENSURE(sessions_used_ <= ranks_.rows());
 }
 
 void Journal::add(const SessionRecord& session) {
+    IDEOTYPE_EXPECT(!session.started.empty() && session.ranks > 0);
     if (sessions_used_ == ranks_.rows()) return;
     ranks_.write_one(sessions_used_, std::int32_t{session.ranks});
-    // The start comes last: it says that the row is used.
+    // The start is written last: it says that the row is used.
     for (std::size_t i = session_columns.size(); i-- > 0;)
         sessions_[i].write_text(sessions_used_,
                                 session.*session_columns[i].member);
@@ -113,6 +116,11 @@ std::optional<SessionRecord> Journal::last_session() const {
             sessions_[i].read_text(sessions_used_ - 1, 1)[0];
     last.ranks = ranks_.read<std::int32_t>(sessions_used_ - 1, 1)[0];
     return last;
+}
+
+void Journal::set_reason(const std::string& reason) {
+    IDEOTYPE_EXPECT(reason.size() <= reason_size);
+    reason_.write_text(0, reason);
 }
 
 std::optional<std::string> Journal::finished() const {

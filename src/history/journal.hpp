@@ -11,28 +11,26 @@
 
 namespace ideotype {
 
-//! /state, /sessions and /messages: what happens to the case besides its
-//! evolution.
+//! The tables /state, /sessions and /messages: what happens to the case besides
+//! its evolution.
 class Journal {
   public:
     static void create(hid_t file);
 
     explicit Journal(hid_t file);
 
-    //! These drop what does not fit any more.
+    //! Both functions drop what does not fit any more.
     void add(const SessionRecord& session);
     void add(const std::string& message);
 
-    //! None if there was none yet.
+    //! Returns the last session, or none if there was none yet.
     std::optional<SessionRecord> last_session() const;
 
     double wall_time() const { return wall_time_.read<double>(0, 1)[0]; }
     void set_wall_time(double seconds) { wall_time_.write_one(0, seconds); }
 
-    //! To be written before set_finished().
-    void set_reason(const std::string& reason) {
-        reason_.write_text(0, reason);
-    }
+    //! Writes why the case is over. To be called before set_finished().
+    void set_reason(const std::string& reason);
     void set_finished() { finished_.write_one(0, std::int8_t{1}); }
     std::optional<std::string> finished() const;
 
@@ -40,7 +38,8 @@ class Journal {
     Dataset finished_;
     Dataset reason_;
     Dataset wall_time_;
-    std::vector<Dataset> sessions_;  //!< in the order of session_columns
+    //! Columns of session_columns, in their order.
+    std::vector<Dataset> sessions_;
     Dataset ranks_;
     Dataset messages_;
     hsize_t sessions_used_ = 0;

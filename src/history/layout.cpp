@@ -8,6 +8,7 @@
 #include <hdf5_hl.h>
 
 #include "dataset.hpp"
+#include "ideotype/core/contract.hpp"
 
 namespace ideotype {
 
@@ -26,7 +27,7 @@ Handle create_space(const Sizes& sizes) {
 Handle create_properties(const DatasetForm& form) {
     const std::string action = "create " + form.name;
     Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, action);
-    // Times would make two equal runs give different files.
+    // With times, two equal runs would give different files.
     checked(H5Pset_obj_track_times(properties, false), action);
     checked(H5Pset_layout(properties, H5D_CONTIGUOUS), action);
     checked(H5Pset_alloc_time(properties, H5D_ALLOC_TIME_EARLY), action);
@@ -40,13 +41,14 @@ Handle create_properties(const DatasetForm& form) {
     return properties;
 }
 
-// A dataset with its attributes, without scales.
+// Creates a dataset with its attributes, without scales.
 Handle create_block(hid_t group, const DatasetForm& form, const Sizes& sizes) {
     Handle dataset(
         H5Dcreate2(group, form.name.c_str(), form.type, create_space(sizes),
                    H5P_DEFAULT, create_properties(form), H5P_DEFAULT),
         H5Dclose, "create " + form.name);
-    // The names of the CF conventions, which xarray writes on its axes.
+    // These are the names of the CF conventions, which xarray writes on its
+    // axes.
     create_attribute(dataset, "units", form.unit);
     create_attribute(dataset, "long_name", form.meaning);
     return dataset;
@@ -66,6 +68,7 @@ std::size_t longest(const std::vector<std::string>& texts) {
 void fill(hid_t group, const std::string& name,
           const std::vector<std::string>& texts) {
     Dataset dataset(group, name);
+    IDEOTYPE_EXPECT(dataset.rows() == texts.size());
     for (std::size_t i = 0; i < texts.size(); ++i)
         dataset.write_text(i, texts[i]);
 }
@@ -90,6 +93,7 @@ Handle type_of(const std::vector<Number>&) {
 }  // namespace
 
 Handle create_dataset(hid_t group, const DatasetForm& form) {
+    IDEOTYPE_EXPECT(!form.name.empty() && form.type >= 0);
     std::vector<Handle> scales;
     Sizes sizes;
     for (const std::string& axis : form.axes) {

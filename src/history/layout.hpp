@@ -9,11 +9,12 @@
 
 namespace ideotype {
 
-//! Text of exactly this many bytes, UTF-8, padded with NUL.
+//! Returns the type of texts of exactly this many bytes, UTF-8, padded with
+//! NUL.
 Handle string_type(std::size_t size);
 
-//! Status, Origin and yes/no as enumerations of 8 bits. The latter is the one
-//! that h5py takes for bool.
+//! Returns the types of Status, Origin and yes/no, which are enumerations of 8
+//! bits. The last one is that which h5py takes for bool.
 Handle status_type();
 Handle origin_type();
 Handle bool_type();
@@ -23,8 +24,8 @@ void create_attribute(hid_t object, const std::string& name,
 void create_attribute(hid_t object, const std::string& name, hid_t type,
                       const void* value);
 
-//! Names of the attributes of an object but those that make up HDF5's
-//! dimension scales: these hold addresses in their file.
+//! Returns the names of the attributes of an object but those that make up
+//! HDF5's dimension scales: these hold addresses in their file.
 std::vector<std::string> attributes_of(hid_t object);
 
 //! An attribute: its type in the file and its bytes.
@@ -35,10 +36,10 @@ struct Attribute {
     std::vector<char> bytes;
 };
 
-//! A string attribute of an object, empty if it has none of this name.
+//! Returns a string attribute of an object, empty if it has none of this name.
 std::string text_attribute(hid_t object, const std::string& name);
 
-//! A number, in the native type of this kind.
+//! Returns an attribute that is a number, in the native type of this kind.
 template <class Value>
 Value number_attribute(hid_t object, const std::string& name,
                        hid_t memory_type) {
@@ -49,23 +50,25 @@ Value number_attribute(hid_t object, const std::string& name,
     return value;
 }
 
-//! The paths of all datasets of a file or group, by name.
+//! Returns the paths of all datasets of a file or group, by name.
 std::vector<std::string> datasets_of(hid_t location);
 
-//! When the values of a dataset take room on the disk.
+//! Tells when the values of a dataset take room on the disk.
 enum class Room {
-    at_once,    //!< all are written with the value for empty
+    at_once,    //!< values are written with the one for empty
     as_needed,  //!< rows are holes of the file, zeros, until they are written
 };
 
-//! What a dataset will be, for its whole life.
+//! The form that a dataset has for its whole life.
 struct DatasetForm {
     std::string name;
     hid_t type = -1;
-    std::vector<std::string> axes{};  //!< of its group; none: a scalar
-    std::string unit = "1";           //!< "" of texts
+    //! Names of axes of its group; none: a scalar.
+    std::vector<std::string> axes{};
+    std::string unit = "1";  //!< "" of texts
     std::string meaning{};
-    //! Value of what is not written, in the type's native form; null: zeros.
+    //! The value of numbers that are not written, in the type's native form;
+    //! null: zeros.
     const void* empty = nullptr;
     Room room = Room::at_once;
 };
@@ -87,10 +90,10 @@ void create_texts(hid_t group, DatasetForm form,
 
 Handle create_group(hid_t parent, const std::string& name);
 
-//! Whether a group has an object of this name.
+//! Returns whether a group has an object of this name.
 bool exists(hid_t group, const std::string& name);
 
-//! The axis that a dimension scale describes.
+//! Returns the axis that a dimension scale describes.
 Axis read_axis(hid_t group, const std::string& name);
 
 }  // namespace ideotype

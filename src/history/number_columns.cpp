@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "columns.hpp"
+#include "ideotype/core/contract.hpp"
 #include "layout.hpp"
 
 namespace ideotype {
@@ -15,8 +16,9 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// "lai absorbed_by_leaf[leaf]": names and axes in the order of a schema. In
-// a file that is cut short this is there when the scales' references are not.
+// Returns names and axes in the order of a schema: "lai
+// absorbed_by_leaf[leaf]". In a file that is cut short this is there when the
+// scales' references are not.
 std::string text_of(const std::vector<Quantity>& quantities) {
     std::string text;
     for (const Quantity& each : quantities)
@@ -84,6 +86,7 @@ std::vector<DatasetForm> number_forms(const OutcomeSchema& schema,
 
 std::vector<std::vector<double*>> columns_of(const OutcomeSchema& schema,
                                              Outcome& outcome) {
+    IDEOTYPE_EXPECT(has_form(schema, outcome));
     std::vector<std::vector<double*>> columns;
     const auto add = [&](std::span<Estimate> estimates,
                          double Estimate::*member) {
@@ -105,6 +108,7 @@ std::vector<std::vector<double*>> columns_of(const OutcomeSchema& schema,
         else
             for (Estimate& x : own) x.standard_error = 0;
     }
+    IDEOTYPE_ENSURE(left.empty());
     return columns;
 }
 

@@ -41,7 +41,8 @@ Handle access_properties() {
             action);
     // Writers exclude each other with FileLock and readers need no lock.
     checked(H5Pset_file_locking(access, false, true), action);
-    // No buffer keeps a write from the system or a reader from the file.
+    // Without this buffer every write reaches the system, and every reader the
+    // file.
     checked(H5Pset_sieve_buf_size(access, 0), action);
     // HDF5 reads a block again, each time after twice the wait, until its
     // checksum is right: a second of backoff with a live file. Its default
@@ -53,11 +54,12 @@ Handle access_properties() {
 struct Length {
     std::uint64_t present = 0;
     std::uint64_t expected = 0;
-    unsigned char superblock = 0;  //!< its version
+    unsigned char superblock = 0;  //!< version of the superblock
 };
 
-// A file that was cut short opens, and reads as zeros beyond its end: the
-// length that HDF5 noted in its superblock tells. That of the program has
+// Returns the length of a file and the length that HDF5 noted in its
+// superblock. A file that was cut short opens, and reads as zeros beyond its
+// end, so that only their difference tells. The superblock of the program has
 // version 3, that of h5repack has version 0 unless it is asked for more.
 Length length_of(const std::string& path) {
     constexpr std::array<unsigned char, 8> start{0x89, 'H',  'D',  'F',
@@ -109,7 +111,7 @@ std::string version_of(const std::string& path, hid_t file) {
     return text_attribute(file, "format_version");
 }
 
-//! Tells what h5repack has made of a history.
+//! Returns whether h5repack has rewritten a history in chunks.
 bool is_compressed(hid_t file) {
     const std::string action = "read a layout";
     const Handle genome(H5Dopen2(file, "evaluations/genome", H5P_DEFAULT),
@@ -140,7 +142,8 @@ constexpr auto smaller_history =
 
 void write_everything(hid_t file, const HistoryHeader& header) {
     write_header(file, header);
-    // The large comes last: it is what a file that is cut short loses.
+    // The large tables come last: their end is what a file that is cut short
+    // loses.
     Generations::create(file, header);
     Journal::create(file);
     Columns::create(
@@ -161,7 +164,7 @@ void place_objects(hid_t access) {
     // A kill can cut a write in two where a page ends, but not within a number
     // at a multiple of its size.
     checked(H5Pset_alignment(access, 8, 8), "align the datasets");
-    // All that describes the data stands at the beginning, so that a file of
+    // The descriptions of all data stand at the beginning, so that a file of
     // which the end is lost can be opened.
     checked(H5Pset_meta_block_size(access, 1 << 18), "place the descriptions");
     // References to scales are kept with small data.
@@ -169,7 +172,7 @@ void place_objects(hid_t access) {
             "place the descriptions");
 }
 
-// A history without rows, in memory.
+// Creates a history without rows, in memory.
 Handle create_in_memory(const HistoryHeader& header) {
     initialize_hdf5();
     const std::string action = "create a file in memory";
@@ -184,7 +187,8 @@ Handle create_in_memory(const HistoryHeader& header) {
     return file;
 }
 
-// Makes a file with so many generations in memory only.
+// Returns the size of a file with so many generations, which is made in memory
+// only.
 std::uint64_t bytes_with(HistoryHeader header, int generations) {
     header.generations = generations;
     const std::string action = "measure a file";
@@ -253,7 +257,8 @@ Handle open_to_write(const std::string& path) {
                "h5repack has rewritten it so that it cannot be resumed; "
                "repack it again with the option -L");
     const Handle access = access_properties();
-    // What h5clear does: forget that a killed writer had the file open.
+    // A killed writer left a mark that it has the file open; h5clear forgets it
+    // in the same way.
     const hbool_t yes = true;
     checked(H5Pset(access, "clear_status_flags", &yes), "clear the flags");
     Handle file(

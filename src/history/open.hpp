@@ -16,8 +16,8 @@ inline constexpr const char* format_version = "2.0";
 //! Writes root attributes, /campaign, /genes and /objectives.
 void write_header(hid_t file, const HistoryHeader& header);
 
-//! Reads what write_header() wrote, and from the tables of rows what is
-//! measured.
+//! Reads the header that write_header() wrote, and from the tables of rows the
+//! form of outcomes.
 HistoryHeader read_header(hid_t file);
 
 //! Creates a history with everything that it will ever contain. Under its own
@@ -37,7 +37,7 @@ Handle open_as_it_is(const std::string& path);
 //! A file that may be shorter than it was.
 struct Remains {
     Handle file;
-    std::uint64_t bytes = 0;    //!< that are there
+    std::uint64_t bytes = 0;    //!< bytes that are there
     std::uint64_t missing = 0;  //!< bytes at the end
 };
 
@@ -51,7 +51,7 @@ void flush(hid_t file);
 //! Waits until the disk has all writes: they survive a power failure.
 void synchronize(hid_t file);
 
-//! The system's descriptor of an open file.
+//! Returns the system's descriptor of an open file.
 int descriptor_of(hid_t file);
 
 //! Takes room on the disk for the whole file, so that no later write can meet
@@ -61,15 +61,17 @@ int descriptor_of(hid_t file);
 void reserve_space(hid_t file, const std::string& path,
                    const std::string& advice);
 
-//! @throws Error as above if there is less room than for so many bytes.
+//! Requires room on a disk. @throws Error as reserve_space() does if fewer
+//! bytes are free.
 void require_room(const std::string& path, std::uint64_t bytes,
                   const std::string& advice);
 
-//! Whether the file has all the room that it will ever need, and lacks no byte.
+//! Returns whether the file has all the room that it will ever need, and lacks
+//! no byte.
 bool has_all_room(hid_t file);
 
-//! "12.3 MiB are needed and 0.5 MiB are free", or empty if the file has all
-//! the room that it will ever need.
+//! Returns "12.3 MiB are needed and 0.5 MiB are free", or nothing if the file
+//! has all the room that it will ever need.
 std::string lacking_space(const std::string& path);
 
 }  // namespace ideotype

@@ -7,7 +7,8 @@ namespace ideotype {
 
 namespace {
 
-//! Where one more unit of cost takes this much off the variance.
+//! Returns the amounts at which one more unit of cost takes this much off the
+//! variance.
 Amounts amounts_at(double rate, const ByOrigin<Law>& laws,
                    const ByOrigin<double>& costs) {
     Amounts amounts{};

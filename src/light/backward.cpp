@@ -13,7 +13,7 @@ namespace ideotype {
 
 namespace {
 
-//! From a surface, on the side of a normal.
+//! Returns whether the sky is seen from a surface, on the side of a normal.
 bool sees_sky(const RayScene& scene, const glm::dvec3& position,
               const glm::dvec3& normal, const glm::dvec3& direction,
               std::uint32_t pose) {
@@ -76,7 +76,7 @@ void BackwardLight::add_diffuse(const LeafPoint& point, RandomStream& random,
 void BackwardLight::add_level(const glm::dvec3& place, RandomStream& random,
                               std::vector<double>& light) const {
     static constexpr glm::dvec3 up{0, 0, 1};
-    // It lets through all of a beam.
+    // A place without a surface lets through all of a beam.
     add_beams(scene_.placed(place), up, {1, 0}, 1, light);
     follow(scene_.placed(place), up, 1, random, light);
 }
@@ -84,8 +84,8 @@ void BackwardLight::add_level(const glm::dvec3& place, RandomStream& random,
 void BackwardLight::follow(glm::dvec3 position, glm::dvec3 normal,
                            double weight, RandomStream& random,
                            std::vector<double>& light) const {
-    // Directions by Lambert's law and ends with the right odds: all that a path
-    // finds has the same weight.
+    // Directions follow Lambert's law and paths end with the right odds: all
+    // that a path finds has the same weight.
     for (;;) {
         const double u = random.uniform();
         const glm::dvec3 d = lambertian(normal, u, random.uniform());

@@ -10,11 +10,11 @@ namespace ideotype {
 
 namespace {
 
-//! Points that a depth buffer looks at together, whether they are needed or
+//! The points that a depth buffer looks at together, whether they are needed or
 //! not.
 constexpr int width = 8;
 
-//! Points of a pixel that depth buffers have room for.
+//! The points of a pixel that depth buffers have room for.
 constexpr int room = 2 * width;
 
 }  // namespace
@@ -40,7 +40,8 @@ double cost_of_drawing(const RayScene& scene, const glm::dvec3& direction,
     const double groups = std::ceil(randomisations * fine / width);
     const double triangles =
         2. * static_cast<double>(scene.surfaces().faces.size());
-    // As the light sees them; leaves turn half of their area to it.
+    // These are areas as the light sees them; leaves turn half of their area to
+    // it.
     const double pixel_area =
         scene.ground_area() * std::abs(direction.z) / pixels;
     const double area = scene.surface_area() / 2 / std::max(1., triangles);

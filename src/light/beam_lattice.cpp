@@ -12,7 +12,7 @@ namespace ideotype {
 
 namespace {
 
-//! Lengths on the ground as the light sees them.
+//! The lengths of steps on the ground as the light sees them.
 struct Measure {
     double xx, xy, yy;
 
@@ -22,7 +22,7 @@ struct Measure {
     double squared(const glm::dvec2& step) const { return product(step, step); }
 };
 
-//! Squeezed along the light.
+//! Returns lengths that are squeezed along the light.
 Measure measure(const glm::dvec3& direction) {
     const double level = std::hypot(direction.x, direction.y);
     if (!(level > 0)) return {1, 0, 1};
@@ -31,8 +31,8 @@ Measure measure(const glm::dvec3& direction) {
     return {1 - less * x * x, -less * x * y, 1 - less * y * y};
 }
 
-//! The same points with the two shortest steps between them (Lagrange's
-//! reduction).
+//! Returns the lattice with the two shortest steps between its points
+//! (Lagrange's reduction).
 BeamLattice reduced(BeamLattice lattice, const Measure& measure) {
     for (;;) {
         if (measure.squared(lattice.step_v) < measure.squared(lattice.step_u)) {
@@ -51,7 +51,7 @@ BeamLattice reduced(BeamLattice lattice, const Measure& measure) {
     }
 }
 
-//! Points in a pixel and the generators that spread them well.
+//! The numbers of points in a pixel and the generators that spread them well.
 constexpr std::array<std::pair<int, int>, 5> sublattices{
     {{1, 1}, {5, 2}, {7, 3}, {11, 3}, {13, 5}}};
 
@@ -76,7 +76,7 @@ BeamLattice beam_lattice(double period_x, double period_y, std::int64_t points,
     while (!is_coprime_to_fields(lattice.pixels)) ++lattice.pixels;
     BeamLattice best;
     double longest = -1;
-    // Multiples of the golden ratio spread generators over all there are.
+    // Multiples of the golden ratio spread generators over all that there are.
     constexpr int generators = 24;
     constexpr double golden = 0.6180339887498949;
     for (int i = 1; i <= generators; ++i) {

@@ -21,7 +21,7 @@ namespace ideotype {
 
 namespace {
 
-//! Triangles that are set up together.
+//! The number of triangles that are set up together.
 constexpr std::size_t batch = 64;
 
 //! A vertex on the ground, in pixels, and its height [m].
@@ -29,16 +29,16 @@ struct Corner {
     double u, v, z;
 };
 
-//! Triangles ready to be drawn. A point is inside where
-//! a (u - u0) + b (v - v0) >= 0 for all three edges. Faces with a common edge
-//! get the same numbers for it, but for their sign: no light passes between.
+//! The triangles that are drawn together. A point is inside where a (u - u0) +
+//! b (v - v0) >= 0 for all three edges. Faces with a common edge get the same
+//! numbers for it, but for their sign: no light passes between.
 struct Batch {
     using Numbers = std::array<double, batch>;
 
     std::array<Numbers, 3> u, v, z;                //!< corners
     std::array<Numbers, 3> a, b, u0, v0, inverse;  //!< edges
     Numbers least_u, most_u, least_v, most_v, least_z, most_z;
-    Numbers slope_u, slope_v;  //!< of the height
+    Numbers slope_u, slope_v;  //!< slopes of the height
     Numbers area;              //!< twice, positive if seen from its front
     std::array<std::uint32_t, batch> code;
     std::size_t count = 0;
@@ -52,7 +52,7 @@ double greater(double a, double b) {
     return a > b ? a : b;
 }
 
-//! A point j / n of a pixel, shifted on its torus.
+//! Returns a point j / n of a pixel, shifted on its torus.
 float shifted(double shift, int j, int n) {
     const double at = shift + static_cast<double>(j) / n;
     return static_cast<float>(at - std::floor(at));
@@ -64,7 +64,7 @@ std::int64_t floored(double x) {
     return whole - (static_cast<double>(whole) > x ? 1 : 0);
 }
 
-//! Fills in all that follows from the corners.
+//! Fills in all numbers that follow from the corners.
 IDEOTYPE_FOR_WIDE_VECTORS void set_up(Batch& t) {
     for (std::size_t i = 0; i < batch; ++i) {
         const double bu = t.u[1][i] - t.u[0][i], bv = t.v[1][i] - t.v[0][i];
@@ -88,7 +88,7 @@ IDEOTYPE_FOR_WIDE_VECTORS void set_up(Batch& t) {
         for (std::size_t i = 0; i < batch; ++i) {
             const double pu = t.u[e][i], pv = t.v[e][i];
             const double qu = t.u[f][i], qv = t.v[f][i];
-            // From the same end whichever face it is an edge of.
+            // An edge begins at the same end whichever face it belongs to.
             const bool is_other = (qu < pu) | ((qu == pu) & (qv < pv));
             const double sign =
                 (t.area[i] > 0 ? 1. : -1.) * (is_other ? -1. : 1.);
@@ -103,13 +103,13 @@ IDEOTYPE_FOR_WIDE_VECTORS void set_up(Batch& t) {
     }
 }
 
-//! What a triangle's numbers are at the points of a pixel, less those at its
-//! corner, by lane.
+//! The numbers of a triangle at the points of a pixel, less those at the
+//! pixel's corner, by lane.
 struct alignas(32) Lanes {
     DepthBuffer::Floats edge0, edge1, edge2, height;
 };
 
-//! Where pixels are kept.
+//! The place where pixels are kept.
 struct Target {
     const BeamLattice& lattice;
     const std::vector<DepthBuffer::Places>& places;
@@ -126,7 +126,7 @@ IDEOTYPE_FOR_WIDE_VECTORS void draw_batch(const Batch& t, const Target& target,
     using Floats = DepthBuffer::Floats;
     const std::size_t groups = lanes.size();
     for (std::size_t i = 0; i < t.count; ++i) {
-        // Light only grazes it.
+        // Light only grazes such a triangle.
         if (t.area[i] == 0) continue;
         const double a0 = t.a[0][i], a1 = t.a[1][i], a2 = t.a[2][i];
         const double b0 = t.b[0][i], b1 = t.b[1][i], b2 = t.b[2][i];
@@ -145,11 +145,12 @@ IDEOTYPE_FOR_WIDE_VECTORS void draw_batch(const Batch& t, const Target& target,
         const Floats most_z = static_cast<float>(t.most_z[i]) + Floats{};
         const DepthBuffer::Codes code =
             (t.code[i] + (t.area[i] > 0 ? 1u : 0u)) + DepthBuffer::Codes{};
-        // The most that an edge's number can grow within a pixel.
+        // This is the most that an edge's number can grow within a pixel.
         const double most0 = greater(0, a0) + greater(0, b0);
         const double most1 = greater(0, a1) + greater(0, b1);
         const double most2 = greater(0, a2) + greater(0, b2);
-        // Which pixels may hold a point: rounding may only add some.
+        // A pixel is looked at if it may hold a point: rounding may only add
+        // some.
         constexpr double slack = 1e-6;
         const std::int64_t first_u = floored(t.least_u[i] - slack);
         const std::int64_t last_u = floored(t.most_u[i] + slack);
@@ -245,7 +246,7 @@ DepthBuffer::DepthBuffer(const RayScene& scene, const glm::dvec3& direction,
       direction_(direction),
       per_pixel_(static_cast<std::size_t>(lattice.fine)),
       lanes_((shifts.size() * per_pixel_ + width - 1) / width * width) {
-    // Spare lanes are nowhere.
+    // The places of spare lanes are nowhere.
     const Floats nowhere = std::numeric_limits<float>::quiet_NaN() + Floats{};
     places_.assign(lanes_ / width, {nowhere, nowhere});
     std::size_t lane = 0;

@@ -12,30 +12,31 @@
 
 namespace ideotype {
 
-//! What parallel light that falls on a periodic stand sees first, at the points
-//! of shifted lattices: one lattice for each replicate.
+//! Finds the faces that parallel light which falls on a periodic stand sees
+//! first, at the points of shifted lattices: one lattice for each replicate.
 //!
 //! Faces are projected along the light onto the ground. The projection repeats
 //! with the cell, so each face is drawn once, and each point keeps the face
 //! that is highest there: heights do not change when a face is shifted by
 //! periods. This is exact for any overhang and any number of wraps. Edges
-//! belong to the faces on both of their sides. Of faces at the same height the
-//! first in the mesh is seen; soil is seen where no face is above it.
+//! belong to the faces on both of their sides. If faces are at the same height
+//! the first in the mesh is seen; soil is seen where no face is above it.
 class DepthBuffer {
   public:
-    //! A triangle of the scene's surfaces.
+    //! A triangle of the scene's surfaces, as it is seen.
     struct Triangle {
         std::uint32_t code;
 
         std::uint32_t face() const { return code / 4; }
         std::uint32_t number() const { return code / 2; }
-        //! Whether light falls on its adaxial side.
+        //! Returns whether light falls on the adaxial side.
         bool is_adaxial() const { return code & 1; }
         bool is_soil() const { return code == soil; }
 
         static constexpr std::uint32_t soil = ~std::uint32_t{0};
     };
 
+    //! Draws all surfaces.
     //! @param direction of the light, downwards
     //! @param shifts of the lattices, in [0, 1) of a pixel
     //! @param pose of what moves
@@ -47,35 +48,35 @@ class DepthBuffer {
         return static_cast<std::size_t>(lattice_.points());
     }
 
-    //! What is seen at a point of a replicate.
+    //! Returns the triangle that is seen at a point of a replicate.
     Triangle triangle(std::size_t replicate, std::size_t point) const {
         const std::size_t i = place(replicate, point);
         return {points_[i / width].code[i % width]};
     }
 
-    //! Its height [m].
+    //! Returns the height of the surface that is seen [m].
     float height(std::size_t replicate, std::size_t point) const {
         const std::size_t i = place(replicate, point);
         return points_[i / width].height[i % width];
     }
 
-    //! Where light meets it, in any of the cells; what is on the soil has no
-    //! more than rounding to its height [m].
+    //! Returns the place at which light meets the surface, in any of the cells.
+    //! A place on the soil has no more than rounding to its height [m].
     glm::dvec3 position(std::size_t replicate, std::size_t point) const;
 
-    //! Points that are looked at together, in vectors as wide as the
-    //! processor has them: each number is rounded the same way by all.
+    //! The number of points that are looked at together, in vectors as wide as
+    //! the processor has them: each number is rounded the same way by all.
     static constexpr std::size_t width = 8;
     using Floats = float __attribute__((vector_size(32)));
     using Codes = std::uint32_t __attribute__((vector_size(32)));
 
-    //! What is seen at them.
+    //! The triangles that are seen at these points.
     struct alignas(32) Points {
         Floats height;
         Codes code;
     };
 
-    //! Where they are in a pixel, in [0, 1).
+    //! The positions of these points in a pixel, in [0, 1).
     struct alignas(32) Places {
         Floats u, v;
     };
@@ -91,7 +92,7 @@ class DepthBuffer {
     std::size_t per_pixel_;
     std::size_t
         lanes_;  //!< points of all replicates in a pixel, and spare ones
-    std::vector<Places> places_;  //!< by lane / width
+    std::vector<Places> places_;  //!< positions, by lane / width
     std::vector<Points> points_;  //!< [pixel][lane / width]
 };
 

@@ -56,7 +56,8 @@ std::vector<std::string> Device::supported_isas() {
 }
 
 std::string Device::library_version() {
-    // Of the library that was loaded, whatever the headers were.
+    // The version is that of the library that was loaded, whatever the headers
+    // were.
     RTCDevice device = rtcNewDevice("threads=1");
     const auto number = [&](RTCDeviceProperty property) {
         return rtcGetDeviceProperty(device, property);

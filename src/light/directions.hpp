@@ -5,12 +5,12 @@
 
 namespace ideotype {
 
-//! Keeps a direction from being so level that it would cross the stand
-//! almost for ever; a shift far below any measurable angle.
+//! Returns a direction that is not so level that it would cross the stand
+//! almost for ever; the shift is far below any measurable angle.
 glm::dvec3 not_level(glm::dvec3 d);
 
-//! A direction around a unit normal with density cos / pi: Lambert's law.
-//! u and v are uniform in [0, 1). Frame after Duff et al. 2017
+//! Returns a direction around a unit normal with density cos / pi: Lambert's
+//! law. u and v are uniform in [0, 1). The frame is that of Duff et al. 2017
 //! (jcgt.org/published/0006/01/01).
 glm::dvec3 lambertian(const glm::dvec3& normal, double u, double v);
 

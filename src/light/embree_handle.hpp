@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The only file that says which Embree this is: version 4 has no context of a
+// Only this file knows which Embree this is: version 4 has no context of a
 // query but optional arguments.
 #if IDEOTYPE_EMBREE >= 4
 #include <embree4/rtcore.h>
@@ -18,9 +18,10 @@ struct Device::Handle {
     RTCDevice device;
 };
 
-//! @throws std::runtime_error if Embree could not do what it was told. That is
-//! the machine's fault, and no Error of the plant that is evaluated.
-//! @param device null: what kept one from being created
+//! Requires that Embree could do what it was told.
+//! @throws std::runtime_error if not. That is the machine's fault, and no Error
+//! of the plant that is evaluated.
+//! @param device null: the error is that of creating one
 void require_no_error(RTCDeviceTy* device, const std::string& action);
 
 struct RayScene::Handle {
@@ -38,7 +39,7 @@ inline void intersect_first(RTCScene scene, RTCRayHit& ray) {
     rtcIntersect1(scene, &ray);
 }
 
-//! What is said of rays that are neighbours in space.
+//! Returns hints for rays that are neighbours in space.
 inline RTCIntersectArguments coherent() {
     RTCIntersectArguments arguments;
     rtcInitIntersectArguments(&arguments);
@@ -66,7 +67,7 @@ inline void intersect_first(RTCScene scene, RTCRayHit& ray) {
     rtcIntersect1(scene, &context, &ray);
 }
 
-//! What is said of rays that are neighbours in space.
+//! Returns hints for rays that are neighbours in space.
 inline RTCIntersectContext coherent() {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);

@@ -11,22 +11,23 @@
 
 namespace ideotype {
 
-//! Where light of a source meets something for the first time.
+//! The place at which light of a source meets something for the first time.
 struct FirstHit {
-    std::uint32_t group;     //!< as of a Hit
-    std::uint32_t triangle;  //!< of the scene's surfaces, if it is one
+    std::uint32_t group;     //!< group, soil or sky, as in Hit
+    std::uint32_t triangle;  //!< triangle of the scene's surfaces, if it is one
     float height;            //!< [m]
     bool is_adaxial;         //!< the side of the face that is met
     bool is_direct;          //!< straight from the source
-    double energy;           //!< that arrives [J m-2 of ground]
+    double energy;           //!< energy that arrives [J m-2 of ground]
 };
 
-//! All first hits of one source in one randomisation: seen in a depth buffer or
-//! found by rays. Their energies sum to what enters. Neighbours in their order
-//! are near each other: by x in a depth buffer, and by blocks of the stand.
+//! The first hits of one source in one randomisation, which are seen in a depth
+//! buffer or found by rays. Their energies sum to the energy that enters.
+//! Neighbours in their order are near each other: by x in a depth buffer, and
+//! by blocks of the stand.
 class FirstHits {
   public:
-    //! What a replicate of a beam's depth buffer sees.
+    //! Takes the hits that a replicate of a beam's depth buffer sees.
     //! @param scene,buffer must outlive it
     FirstHits(const RayScene& scene, const DepthBuffer& buffer,
               std::size_t replicate, double energy);
@@ -43,7 +44,7 @@ class FirstHits {
     std::size_t size() const { return hits_.size(); }
     const FirstHit& operator[](std::size_t i) const { return hits_[i]; }
 
-    //! The point of a hit that is not the sky, and the normal there.
+    //! Returns the point of a hit that is not the sky, and the normal there.
     Hit at(std::size_t i) const;
 
   private:

@@ -14,7 +14,8 @@ bool is_up(const TimeStep& step) {
     return step.sun.zenith < 90;
 }
 
-//! From the middles of equal parts of a series; of all, if there are no more.
+//! Returns the dates in the middles of equal parts of a series; all dates, if
+//! there are no more.
 std::vector<Date> dates_of_suns(const LightSeries& series, int count) {
     const std::vector<Date> all = series.dates();
     const auto n = static_cast<std::size_t>(count);
@@ -25,7 +26,7 @@ std::vector<Date> dates_of_suns(const LightSeries& series, int count) {
     return dates;
 }
 
-//! For each instant the one whose sun it has.
+//! Returns for each instant the one whose sun it has.
 std::vector<std::size_t> instants_of_suns(const LightSeries& series,
                                           int count) {
     const std::vector<Date> dates = dates_of_suns(series, count);
@@ -75,7 +76,8 @@ SeriesIllumination illuminate(LightSeries series, SkyModel sky_model,
         const SunPosition& position = steps[i].sun;
         return SunPosition{position.zenith, position.azimuth - row_direction};
     };
-    // One source for each sun that has light; returns that of each instant.
+    // Adds one source for each sun that has light; returns that of each
+    // instant.
     const auto add = [&](double Irradiance::*part, const auto& source_of) {
         std::vector<double> energy(steps.size());
         for (std::size_t i = 0; i < steps.size(); ++i)

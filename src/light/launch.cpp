@@ -84,7 +84,8 @@ PhotonPacket Launcher::enter(const Portal& portal, PathSampler& sampler,
             if (!is_lit({p.x - t * d.x, p.y - t * d.y, 0}, sampler)) return {};
         }
     }
-    // Start outside, where nothing is, so that a leaf in the face is met.
+    // A packet starts outside, where nothing is, so that it meets a leaf in the
+    // face.
     const double back = scene_.clearance() / glm::dot(d, n);
     return {p - back * d, d, energy, portal.from == From::soil};
 }

@@ -10,7 +10,7 @@
 
 namespace ideotype {
 
-//! Sums by place, of which most have none.
+//! Sums by place, most of which are 0.
 class SparseSums {
   public:
     void resize(std::size_t places) { sums_.resize(places); }
@@ -21,18 +21,19 @@ class SparseSums {
         sums_[place] += energy;
     }
 
-    //! Appends them and begins again.
+    //! Appends all sums and begins again.
     void drain(std::vector<LeafLight::Part>& parts);
 
   private:
     std::vector<double> sums_;
-    std::vector<std::uint32_t> places_;  //!< in the order of coming
+    //! Places that have a sum, in the order in which they came.
+    std::vector<std::uint32_t> places_;
 };
 
-//! The light of leaves of one randomisation, place by place.
+//! The sums of the light of leaves in one randomisation, place by place.
 struct LeafSums {
     SparseSums beam;
-    std::vector<SparseSums> diffuse;  //!< by source
+    std::vector<SparseSums> diffuse;  //!< sums by source
 };
 
 //! Numbers of fixed objects, which follow those of components.
@@ -42,7 +43,7 @@ struct ObjectNumbers {
 
 ObjectNumbers object_numbers(const std::vector<Group>& groups);
 
-//! What tallies count by, besides sources.
+//! The scene, groups, layers and pieces that light is counted by.
 struct Counted {
     const RayScene& scene;
     const std::vector<Group>& groups;
@@ -55,18 +56,19 @@ struct Counted {
 //! are added up in two steps, so that their rounding does not add up.
 class Ledger {
   public:
+    //! Counts in a tally.
     //! @param counted,tally,leaf_sums must outlive it
     Ledger(const Counted& counted, std::uint32_t source, bool is_beam,
            Tally& tally, LeafSums& leaf_sums);
 
-    //! Light that arrives for the first time, part of which is sent on.
+    //! Counts light that arrives for the first time, part of which is sent on.
     //! @param energy of the hit in the band that is counted
     void arrive(const FirstHit& hit, double energy, double sent_on);
 
-    //! What something keeps of light that has been scattered.
+    //! Counts the energy that something keeps of light that has been scattered.
     void keep(const Hit& hit, bool is_adaxial, double energy);
 
-    //! The budget so far.
+    //! Adds all that was counted to the tally, and returns the budget.
     const Budget& close();
 
   private:

@@ -8,7 +8,7 @@ namespace ideotype {
 
 namespace {
 
-//! The lowest ten bits of a number, each followed by two zeros.
+//! Returns the lowest ten bits of a number, each followed by two zeros.
 std::uint32_t spread(std::uint32_t x) {
     x = (x | x << 16) & 0x030000FFu;
     x = (x | x << 8) & 0x0300F00Fu;

@@ -8,7 +8,7 @@
 
 namespace ideotype {
 
-//! Of so many points of a scene an order in which neighbours are near each
+//! Returns an order of points of a scene in which neighbours are near each
 //! other: by blocks of the cell or the plot.
 template <class PositionOf>
 std::vector<std::uint32_t> order_by_place(const RayScene& scene,
@@ -18,7 +18,7 @@ std::vector<std::uint32_t> order_by_place(const RayScene& scene,
 //! The blocks of a scene, in Morton's order: near ones have near numbers.
 class Blocks {
   public:
-    //! Some for each of so many points.
+    //! Divides a scene into some blocks for each point.
     Blocks(const RayScene& scene, std::size_t points);
 
     std::uint32_t at(const glm::dvec3& position) const;
@@ -26,7 +26,7 @@ class Blocks {
 
   private:
     const RayScene& scene_;
-    unsigned bits_ = 1;  //!< of each coordinate
+    unsigned bits_ = 1;  //!< bits of each coordinate
     glm::dvec3 per_metre_;
 };
 

@@ -17,8 +17,8 @@ namespace ideotype {
 
 namespace {
 
-//! How far a vertex may be from the origin [m] and how many faces a scene may
-//! have: beyond the Earth and beyond memory the input must be wrong.
+//! The largest distance of a vertex from the origin [m] and the most faces of a
+//! scene: beyond the Earth and beyond memory the input must be wrong.
 constexpr double farthest = 1e7;
 constexpr std::size_t most_faces = 100'000'000;
 
@@ -32,7 +32,7 @@ struct Extent {
     }
 };
 
-//! Whole periods by which an extent must be shifted to touch [0, period].
+//! The whole periods by which an extent must be shifted to touch [0, period].
 struct Shifts {
     long first;
     long last;
@@ -66,7 +66,8 @@ double wrapped_into(double x, double period) {
     return w < period ? w : 0;
 }
 
-//! Whether a point is closer to a triangle than a clearance, edges aside.
+//! Returns whether a point is closer to a triangle than a clearance, edges
+//! aside.
 bool is_at(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b,
            const glm::dvec3& c, double clearance) {
     const glm::dvec3 u = b - a, v = c - a, p = point - a;
@@ -117,7 +118,7 @@ RayScene::RayScene(const Device& device, const Mesh& mesh, double period_x,
                                 period_x, period_y));
     check_vertices(mesh);
     const std::vector<double> areas = face_areas(mesh);
-    // Room for the faces that reach over the edge, as a rule.
+    // There is room for the faces that reach over the edge, as a rule.
     constexpr double images = 1.5;
     const auto expected = static_cast<std::size_t>(
         images * static_cast<double>(mesh.faces.size()));

@@ -12,7 +12,8 @@ namespace ideotype {
 namespace {
 
 std::uint64_t mixed(std::uint64_t x) {
-    // Steele et al. 2014, doi:10.1145/2660193.2660195.
+    // The mixing function is that of Steele et al. 2014,
+    // doi:10.1145/2660193.2660195.
     x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
     x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
     return x ^ (x >> 31);
@@ -45,7 +46,8 @@ std::vector<bool> repeated_faces(const Mesh& mesh) {
     hashes.reserve(mesh.vertices.size());
     for (const glm::dvec3& v : mesh.vertices) hashes.push_back(hash_of(v));
 
-    // The first face of each kind, by the sum of its corners' hashes.
+    // The table has the first face of each kind, by the sum of its corners'
+    // hashes.
     constexpr std::uint32_t none = ~std::uint32_t{0};
     const std::size_t places = std::bit_ceil(2 * mesh.faces.size() + 1);
     std::vector<std::uint32_t> table(places, none);

@@ -7,8 +7,8 @@
 
 namespace ideotype {
 
-//! Which faces have the same corners as an earlier face of the mesh, in any
-//! order. Light meets only the first of such faces.
+//! Returns for each face whether it has the same corners as an earlier face of
+//! the mesh, in any order. Light meets only the first of such faces.
 std::vector<bool> repeated_faces(const Mesh& mesh);
 
 }  // namespace ideotype

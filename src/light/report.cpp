@@ -14,7 +14,8 @@ double count(const std::vector<Tally>& tallies) {
     return static_cast<double>(tallies.size());
 }
 
-//! Of all tallies together; nothing if they were not simulated.
+//! Returns the resolution of all tallies together; an empty one if they were
+//! not simulated.
 Resolution resolution_of(const std::vector<Tally>& tallies) {
     Resolution all;
     const Resolution* last = nullptr;
@@ -26,7 +27,7 @@ Resolution resolution_of(const std::vector<Tally>& tallies) {
     return all;
 }
 
-//! Estimate of a figure that is a function of a tally.
+//! Returns the estimate of a figure that is a function of a tally.
 Estimate over(const std::vector<Tally>& tallies,
               const std::function<double(const Tally&)>& figure) {
     std::vector<double> replicates;
@@ -35,16 +36,16 @@ Estimate over(const std::vector<Tally>& tallies,
     return estimate(replicates);
 }
 
-//! As over(), of a figure to which a path of any source may add a part of its
-//! energy.
+//! Returns the estimate of a figure to which a path of any source may add a
+//! part of its energy.
 Estimate over(const std::vector<Tally>& tallies, const Resolution& resolution,
               double part, const std::function<double(const Tally&)>& figure) {
     return at_least(over(tallies, figure),
                     part * resolution.largest_path() / count(tallies));
 }
 
-//! A figure that is a sum over sources, each with its weight; a path may add a
-//! part of its energy.
+//! Returns a figure that is a sum over sources, each with its weight; a path
+//! may add a part of its energy.
 Estimate weighted(const std::vector<Tally>& tallies,
                   const Resolution& resolution,
                   const std::vector<double>& weights, double part,
@@ -61,7 +62,7 @@ Estimate weighted(const std::vector<Tally>& tallies,
     return at_least(found, step / count(tallies));
 }
 
-//! A budget that is a weighted sum over sources, part by part.
+//! Returns a budget that is a weighted sum over sources, part by part.
 BudgetEstimate weighted_budget(const std::vector<Tally>& tallies,
                                const Resolution& resolution,
                                const std::vector<Source>& sources,
@@ -252,7 +253,8 @@ Estimate absorbed_by_leaves(const std::vector<Tally>& tallies) {
 SunlitReport report(const SunlitFractions& sunlit,
                     const SeriesIllumination& illumination) {
     const LightSeries& series = illumination.series;
-    // A weighted mean over steps by randomisation; certain without any sun.
+    // Returns a weighted mean over steps by randomisation, which is certain
+    // without any sun.
     const auto mean = [&](const std::vector<std::size_t>& steps,
                           const auto& weight, std::vector<double>& replicates) {
         replicates.assign(sunlit.fractions.size(), 0);

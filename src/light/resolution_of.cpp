@@ -20,7 +20,7 @@ Resolution resolution_of(const RayScene& scene,
     const double soil_keeps = 1 - optics.soil_albedo;
     struct Kind {
         std::size_t absorbing = 0;  //!< groups
-        double keeps = 0;           //!< of light at most
+        double keeps = 0;  //!< largest part of light that a group keeps
     } leaves, stalks, objects;
     for (std::size_t g = 0; g < groups.size(); ++g) {
         const std::optional<Heights> heights = scene.heights(g);
@@ -42,7 +42,7 @@ Resolution resolution_of(const RayScene& scene,
     const std::size_t ends = leaves.absorbing + stalks.absorbing +
                              objects.absorbing + (soil_keeps > 0 ? 1 : 0) +
                              (scatters ? 1 : 0);
-    // Where light can end, and could have ended elsewhere.
+    // A part is open if light can end there, and could have ended elsewhere.
     const auto is_open = [ends](std::size_t own) {
         return own > 0 && ends > own;
     };

@@ -10,8 +10,8 @@
 
 namespace ideotype {
 
-//! Which figures of a scene depend on the paths of light, and the energy of a
-//! path of each source.
+//! Returns the resolution of a scene: which figures depend on the paths of
+//! light, and the energy of a path of each source.
 Resolution resolution_of(const RayScene& scene,
                          const std::vector<Group>& groups, const Optics& optics,
                          const Layers& layers, std::vector<double> path_energy);

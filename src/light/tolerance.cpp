@@ -15,40 +15,43 @@ namespace ideotype {
 
 namespace {
 
-//! Of a trial at least: with so many the error is known to a fifth.
+//! The fewest randomisations of a trial: with so many the error is known to a
+//! fifth.
 constexpr int trial_randomisations = 16;
 
-//! Trials have randomisations that no result has.
+//! The randomisations of trials begin here, where no result has any.
 constexpr std::uint32_t first_of_trials = 1u << 16;
 
-//! First hits of leaves without which a trial tells too little of their light
-//! and of its scatter: with so many their sum is known to an eighth.
+//! The first hits of leaves without which a trial tells too little of their
+//! light and of its scatter: with so many their sum is known to an eighth.
 constexpr double fewest_hits = 64;
 
-//! A trial with less than the result by more than this is followed by another.
+//! The factor by which a result may have more work than a trial; if it has
+//! still more, another trial follows.
 constexpr double longest_step = 8;
 
-//! Suns of a trial that draws them. All their randomisations together tell the
-//! variance.
+//! The suns of a trial that draws them. All their randomisations together tell
+//! the variance.
 constexpr std::size_t trial_suns = 4;
 
-//! First hits of a sun from which on a lattice beats independent rays; a guess,
-//! which a trial replaces.
+//! The first hits of a sun from which on a lattice beats independent rays; a
+//! guess, which a trial replaces.
 constexpr double even_for_lattices = 30;
 
-//! How many times as much a variance counts if leaves are to be known piece by
+//! The factors by which variances count more if leaves are to be known piece by
 //! piece, for what they make of their light: that of diffuse light, most of
 //! which falls on shaded leaves, is worth more. See tests/benchmark/README.md.
 constexpr ByOrigin<double> worth_to_leaves{1.2, 2, 2};
 
-//! Hits of diffuse light per piece at least, in all randomisations together:
+//! The fewest hits of diffuse light per piece, in all randomisations together:
 //! with fewer the scatter of products would exceed that of the light itself.
 constexpr double hits_of_piece = 1.5;
 
-//! A trial that underestimates the error leads to too few paths. The expected
-//! error stays within the tolerance if all estimates are multiplied by the
-//! mean of sqrt(v / X), X from a chi-square distribution with v degrees of
-//! freedom: 1 + 3 / (4 v) and a little.
+//! Returns the factor by which errors of trials are multiplied. A trial that
+//! underestimates the error leads to too few paths. The expected error stays
+//! within the tolerance if all estimates are multiplied by the mean of sqrt(v /
+//! X), X from a chi-square distribution with v degrees of freedom: 1 + 3 / (4
+//! v) and a little.
 double caution(int randomisations) {
     return 1 + 0.8 / (randomisations - 1);
 }
@@ -57,9 +60,10 @@ double squared(double x) {
     return x * x;
 }
 
-//! The workload that a tolerance asks for in one band.
+//! Finds the workload that a tolerance asks for in one band.
 class Search {
   public:
+    //! Keeps its arguments.
     //! @param has_pieces whether leaves are to be known piece by piece
     Search(const Subject& subject, bool has_pieces, const Accuracy& accuracy,
            const Randomness& randomness)
@@ -119,25 +123,26 @@ class Search {
         }
     }
 
-    //! Whether more first hits would be needed than there may be.
+    //! Returns whether more first hits would be needed than there may be.
     bool is_capped() const { return is_capped_; }
 
   private:
-    //! From the amounts of a trial, which may have more randomisations than the
-    //! result, to those of the result.
+    //! Returns the factor from the amounts of a trial, which may have more
+    //! randomisations than the result, to those of the result.
     double step() const {
         return longest_step * trials_ / accuracy_.randomisations;
     }
 
-    //! Drawing takes about as long with few points as with many.
+    //! Returns the amounts of a trial that draws beams, which takes about as
+    //! long with few points as with many.
     Amounts drawn_trial(const Amounts& enough) const {
         Amounts amounts = scaled(enough, 1 / step());
         amounts[LightOrigin::beams] = enough[LightOrigin::beams] / 2;
         return amounts;
     }
 
-    //! First hits of the first trial, and of the result: one path for each
-    //! source too.
+    //! Returns the first hits of the first trial, and the fewest of the result:
+    //! at least one path for each source.
     std::uint32_t fewest() const {
         std::uint32_t paths = fewest_paths;
         while (paths < light_.sources.size()) paths *= 2;
@@ -156,8 +161,8 @@ class Search {
         return first_hits(amounts) > most();
     }
 
-    //! The most first hits. Scattered light keeps its paths, which are bounded
-    //! as well: few of them would carry too much each.
+    //! Returns amounts with the most first hits. Scattered light keeps its
+    //! paths, which are bounded as well: few of them would carry too much each.
     Amounts capped(const Amounts& amounts) const {
         Amounts most_amounts = scaled(amounts, most() / first_hits(amounts));
         most_amounts[LightOrigin::scattered] =
@@ -180,7 +185,8 @@ class Search {
         }
     }
 
-    //! Of one more in every randomisation of the result [us].
+    //! Returns the time of one more unit of each amount, in every randomisation
+    //! of the result [us].
     ByOrigin<double> costs(bool is_drawn) const {
         ByOrigin<double> all{Costs::ray, Costs::ray,
                              Costs::ray * found_.rays_per_unit};
@@ -189,7 +195,7 @@ class Search {
         return all;
     }
 
-    //! Of the result [us].
+    //! Returns the time of the result [us].
     double cost(const Amounts& amounts, bool is_drawn) const {
         const ByOrigin<double> each = costs(is_drawn);
         double sum = 0;
@@ -206,7 +212,7 @@ class Search {
         return sum;
     }
 
-    //! What drawing the beams would need.
+    //! Returns the laws that drawing the beams would have.
     ByOrigin<Law> guess() const {
         ByOrigin<Law> laws = found_.laws;
         Law& law = laws[LightOrigin::beams];
@@ -223,20 +229,20 @@ class Search {
         if (subject_.scene.boundary() != Boundary::periodic ||
             found_.laws[LightOrigin::beams].variance == 0)
             return false;
-        // A trial is drawn too.
+        // The trial of drawn beams costs something too.
         constexpr double with_trial = 1.3;
         return cost(cheapest(guess(), true, least), true) * with_trial <
                cost(by_rays, false);
     }
 
-    //! The cheapest amounts that meet the tolerance.
+    //! Returns the cheapest amounts that meet the tolerance.
     Amounts cheapest(const ByOrigin<Law>& laws, bool is_drawn,
                      const Amounts& least) const {
         const double wanted =
             accuracy_.tolerance / caution(trials_) * found_.mean;
         Amounts amounts = allocate(laws, costs(is_drawn),
                                    squared(wanted) * accuracy_.randomisations);
-        // Nothing is known more finely than to one path.
+        // No figure is known more finely than to one path.
         const double coarsest =
             1 / (accuracy_.tolerance * accuracy_.randomisations);
         const double part = coarsest / first_hits(least);
@@ -255,8 +261,9 @@ class Search {
         return amounts;
     }
 
-    //! How many times as much light that is no beam meets enough pieces, within
-    //! reason: there may be next to none, or very many pieces.
+    //! Returns the factor by which light that is no beam has to be increased to
+    //! meet enough pieces, within reason: there may be next to none, or very
+    //! many pieces.
     double for_pieces(const Amounts& amounts) const {
         constexpr double most_times = 16;
         const double skies = amounts[LightOrigin::skies];
@@ -283,10 +290,10 @@ class Search {
     std::uint32_t trial_ = 0;
     bool is_capped_ = false;
 
-    Findings found_;  //!< by the last trial
+    Findings found_;  //!< findings of the last trial
 };
 
-//! Workloads of bands, of which some are bounded, as one.
+//! Combines the workloads of bands, of which some are bounded.
 class Demands {
   public:
     Demands(const Subject& subject, const Accuracy& accuracy,
@@ -308,8 +315,8 @@ class Demands {
 
     Workload work() const { return work_; }
 
-    //! Whether a band has a larger error than the tolerance, because there may
-    //! be no more paths.
+    //! Returns whether a band has a larger error than the tolerance, because
+    //! there may be no more paths.
     bool are_unmet(const BandTallies& tallies) const {
         for (std::size_t b = 0; b < is_capped_.size(); ++b) {
             if (!is_capped_[b]) continue;
@@ -321,7 +328,8 @@ class Demands {
     }
 
   private:
-    //! Where none is bounded, the first one is.
+    //! Returns whether a band is bounded. If none is, the first one counts as
+    //! bounded.
     bool is_bounded(std::size_t b) const {
         const std::span<const Band> bands = subject_.bands;
         return bands[b].is_bounded ||
@@ -359,7 +367,7 @@ class Demands {
     const Accuracy& accuracy_;
     Workload work_;
     std::size_t reference_ = 0;    //!< the first bounded band
-    std::vector<bool> is_capped_;  //!< by band
+    std::vector<bool> is_capped_;  //!< flags by band
 };
 
 }  // namespace

@@ -15,11 +15,11 @@ namespace ideotype {
 
 namespace {
 
-//! What a surface keeps of a path; the path goes on with the rest.
-//! While the scattered part is a large share of what the path started with,
-//! the surface keeps exactly its absorptance. A small scattered part is not
-//! worth following: instead all or nothing is scattered, with the right odds.
-//! Both rules are unbiased and lose no energy.
+//! Returns the energy that a surface keeps of a path, which goes on with the
+//! rest. While the scattered part is a large share of what the path started
+//! with, the surface keeps exactly its absorptance. A small scattered part is
+//! not worth following: instead all or nothing is scattered, with the right
+//! odds. Both rules are unbiased and lose no energy.
 //! @param choice uniform in [0, 1)
 double absorb_and_continue(ScatteredPath& path, double scattered,
                            double choice) {

@@ -21,11 +21,11 @@ namespace ideotype {
 
 namespace {
 
-//! The first hits of one source.
+//! Finds the first hits of one source.
 class SourceRun {
   public:
-    //! What is done with those of a randomisation; with a number that is
-    //! uniform in [0, 1).
+    //! Uses the first hits of a randomisation, with a number that is uniform in
+    //! [0, 1).
     using Use = std::function<void(std::size_t, const FirstHits&, double)>;
 
     SourceRun(const RayScene& scene, const Source& source, std::uint32_t number,
@@ -36,6 +36,7 @@ class SourceRun {
           launcher_(launcher),
           randomness_(randomness) {}
 
+    //! Finds first hits and calls `use` for each randomisation.
     //! @param all randomisations, of which those from `first` up to `last`
     void find(std::uint32_t first_hits, int all, std::size_t first,
               std::size_t last, const Use& use) const {
@@ -58,13 +59,14 @@ class SourceRun {
                 number_};
     }
 
-    //! Beyond the dimensions that first hits use.
+    //! Returns a number beyond the dimensions that first hits use.
     double start(PathSampler& numbers) const {
         numbers.begin(0, scene_.boundary() == Boundary::periodic ? 4 : 8);
         return numbers.next();
     }
 
-    //! So many replicates at a time as memory is reasonable for.
+    //! Draws the beam, for so many replicates at a time as memory is reasonable
+    //! for.
     void draw(std::uint32_t first_hits, int all, std::size_t first,
               std::size_t last, const Use& use) const {
         const glm::dvec3 direction = not_level(*source_.direction);
@@ -96,10 +98,11 @@ class SourceRun {
     const Randomness& randomness_;
 };
 
-//! Nets of paths of scattered light in a band, which no other band has.
+//! The number of nets of paths of scattered light in a band, which no other
+//! band has.
 constexpr std::uint32_t nets_of_band = 1u << 26;
 
-//! Light of one band on its way from surface to surface.
+//! Follows the light of one band on its way from surface to surface.
 struct BandRun {
     BandRun(const Counted& counted, const Subject& subject, std::size_t number,
             const Workload& work, const std::vector<Launcher>& launchers,
@@ -129,10 +132,10 @@ struct BandRun {
     std::uint32_t first_net;
     Tracer tracer;
     bool has_leaf_light;
-    std::vector<double> of_hit, of_path;  //!< of sources [J m-2]
+    std::vector<double> of_hit, of_path;  //!< energies by source [J m-2]
     std::vector<double> scale;            //!< energy over that of first hits
-    double from_soil = 1;   //!< the same of light that soil sends into a plot
-    double most_paths = 0;  //!< of a randomisation
+    double from_soil = 1;   //!< scale for light that soil sends into a plot
+    double most_paths = 0;  //!< most paths of a randomisation
     LeafSums leaf_sums{};
 };
 
@@ -173,14 +176,15 @@ BandTallies simulate(const Subject& subject, const Workload& work,
                     std::vector<double>(2 * counted.objects.count));
         }
     if (sources.empty()) return tallies;
-    // So many randomisations at a time as memory is reasonable for.
+    // Randomisations are simulated so many at a time as memory is reasonable
+    // for.
     constexpr std::size_t room = 1 << 18;
     const auto all = static_cast<std::size_t>(randomisations);
     const auto together = static_cast<std::size_t>(
         std::max(1., static_cast<double>(room) / (1 + most_paths)));
     for (std::size_t first = 0; first < all; first += together) {
         const std::size_t last = std::min(first + together, all);
-        // By band and randomisation.
+        // Paths are kept by band and randomisation.
         std::vector paths(bands.size(), std::vector<std::vector<ScatteredPath>>(
                                             last - first));
         const auto follow = [&](std::size_t b, std::size_t r,

@@ -8,7 +8,7 @@ namespace ideotype {
 
 namespace {
 
-//! What ends a way that meets no face.
+//! Returns the hit that ends a way which meets no face.
 Hit end_at(const glm::dvec3& point, const glm::dvec3& direction) {
     return {point, {0, 0, 1}, direction.z < 0 ? Hit::soil : Hit::sky};
 }
@@ -50,8 +50,8 @@ Hit travel_isolated(const RayScene& scene, const glm::dvec3& p,
     const Box box{lower - margin, upper + margin};
     const double to_soil = d.z < 0 ? std::max(0.0, (scene.soil() - p.z) / d.z)
                                    : std::numeric_limits<double>::infinity();
-    // From the soil far away the way to the box is long: single precision
-    // must begin only there.
+    // The way from far soil to the box is long: single precision must begin
+    // only at the box.
     Hit hit;
     if (const auto inside = clip(box, p, d)) {
         const double first = inside->first;

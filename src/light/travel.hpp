@@ -13,10 +13,10 @@ struct PhotonPacket {
     bool is_scattered = false;  //!< has met a surface
 };
 
-//! The first thing straight on from a point, however far that is: a face, the
-//! soil or the sky. In a periodic stand the way goes on at the other side of
-//! the cell wherever it leaves it; what leaves an isolated plot finds only soil
-//! or sky.
+//! Returns the first thing straight on from a point, however far that is: a
+//! face, the soil or the sky. In a periodic stand the way goes on at the other
+//! side of the cell wherever it leaves it; light that leaves an isolated plot
+//! finds only soil or sky.
 //! @param pose of what moves
 Hit travel(const RayScene& scene, glm::dvec3 from, const glm::dvec3& direction,
            std::uint32_t pose = 0);

@@ -15,9 +15,9 @@ double squared(double x) {
     return x * x;
 }
 
-//! By what the variance of a few suns is multiplied for that of all: it grows
-//! with the energy if first hits in proportion to that are independent, and
-//! with its root if they are a lattice's.
+//! The factors by which the variance of a few suns is multiplied for that of
+//! all: it grows with the energy if first hits in proportion to that are
+//! independent, and with its root if they are a lattice's.
 struct Suns {
     Suns(const Illumination& light, const Workload& work) {
         double energy = 0, kept_energy = 0, roots = 0, kept_roots = 0;
@@ -61,9 +61,9 @@ Findings try_out(const Subject& subject, const Workload& work,
     }
     const double caught =
         all.sent_on > 0 ? (all.leaves - all.unscattered) / all.sent_on : 0;
-    // What is met first: each surface sends the same part of the scattered
-    // light to leaves. And what becomes of scattered light beyond that: paths
-    // of all sources together.
+    // The variance has two parts: the light that is met first, of which each
+    // surface sends the same part to leaves, and the light that is scattered
+    // beyond that, in paths of all sources together.
     const Suns suns(light, work);
     Amounts amounts = amounts_of(work, light);
     amounts[LightOrigin::beams] *= suns.by_energy;
@@ -107,7 +107,7 @@ Findings try_out(const Subject& subject, const Workload& work,
             (all.leaves - all.unscattered) / largest[LightOrigin::scattered];
     for (std::size_t o = 0; o < origins; ++o) {
         found.laws[o] = {std::max(1., amounts[o]), variance[o], 1};
-        // Where each randomisation met leaves about once, they may be alike by
+        // If each randomisation met leaves about once, they may be alike by
         // chance: the variance is at least that of one more hit in one of them.
         if (hits[o] < 1.25 * randomisations)
             found.laws[o].variance =

@@ -55,7 +55,7 @@ Workload work_of(const Amounts& amounts, const Illumination& light) {
         for (const Source& source : sources)
             if (origin_of(source) == origin) part.sources.push_back(source);
         if (part.sources.empty()) continue;
-        // What rounding takes from beams, skies get.
+        // Hits that rounding takes from beams go to skies.
         const double others =
             origin == LightOrigin::beams ? 0 : amounts[LightOrigin::beams];
         const double hits =

@@ -8,14 +8,14 @@ namespace ideotype {
 
 LightOrigin origin_of(const Source& source);
 
-//! The amounts of a workload of one band.
+//! Returns the amounts of a workload of one band.
 Amounts amounts_of(const Workload& work, const Illumination& light);
 
-//! The workload, in one band, of amounts: first hits in proportion to the
+//! Returns the workload of amounts in one band: first hits in proportion to the
 //! energy and effort of sources, and paths of scattered light of equal energy.
 Workload work_of(const Amounts& amounts, const Illumination& light);
 
-//! Keeps so many suns, evenly over the day.
+//! Keeps so many suns, evenly over the day, and leaves the others out.
 void leave_suns_out(Workload& work, const Illumination& light,
                     std::size_t kept);
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "workers.hpp"
 
@@ -15,7 +16,8 @@ namespace ideotype {
 
 namespace {
 
-//! An evaluation is not late before it takes this many times the longest.
+//! The factor by which an evaluation has to take longer than the longest before
+//! it is late.
 constexpr double longest_factor = 20;
 
 std::string name_of(const Task& task) {
@@ -27,11 +29,11 @@ std::string name_of(const Task& task) {
 }  // namespace
 
 struct Dispatcher::Assignment {
-    std::uint64_t batch = 0;  //!< its number; it may be gone since
+    std::uint64_t batch = 0;  //!< number of the batch, which may be gone since
     std::uint64_t item = 0;
     Task task;
-    double began = 0;     //!< as now() tells [s]
-    double deadline = 0;  //!< as now() tells [s]
+    double began = 0;     //!< time of now() [s]
+    double deadline = 0;  //!< time of now() [s]
 };
 
 Dispatcher::Dispatcher(std::unique_ptr<Workers> workers, const StopFlag& stop,
@@ -42,6 +44,9 @@ Dispatcher::Dispatcher(std::unique_ptr<Workers> workers, const StopFlag& stop,
       clock_(clock),
       given_(static_cast<std::size_t>(workers_->width())),
       looked_(clock.now()) {
+    IDEOTYPE_EXPECT(workers_->width() > 0);
+    IDEOTYPE_EXPECT(rules.deadline > 0 && rules.attempts > 0);
+    IDEOTYPE_EXPECT(rules.final_effort > 0 && rules.attention > 0);
     for (int worker = 0; worker < workers_->width(); ++worker)
         idle_.insert(idle_.end(), worker);
 }
@@ -70,13 +75,15 @@ Batch Dispatcher::evaluate(std::vector<Work> work, Record record) {
 }
 
 void Dispatcher::run(Director& director) {
+    IDEOTYPE_EXPECT(!is_dismissed_);
     bool has_next = true;
     for (;;) {
         if (stop_.requested() && !open_.empty() && !has_told_of_stop_) {
             has_told_of_stop_ = true;
             director.on_stop(busy_in_time());
         }
-        // Before routines go on, since they take their time to breed.
+        // Work is handed out before routines go on, since they take their time
+        // to breed.
         while (hand_out()) continue;
         resume_complete();
         while (!idle_.empty() && !is_ending())
@@ -98,7 +105,7 @@ void Dispatcher::run(Director& director) {
     if (!obstacle_.empty()) throw Error(obstacle_);
 }
 
-//! Whether no more work is to be handed out.
+//! Returns whether no more work is to be handed out.
 bool Dispatcher::is_ending() const {
     return stop_.requested() || !obstacle_.empty();
 }
@@ -112,10 +119,12 @@ bool Dispatcher::dismiss() {
 void Dispatcher::add(Batch& batch) {
     open_.emplace(batch.precedence_, &batch);
     by_number_.emplace(batch.number_, &batch);
+    IDEOTYPE_ENSURE(open_.size() == by_number_.size());
 }
 
-//! Its routine goes on soon.
+//! Notes that the routine of a batch is to go on soon.
 void Dispatcher::close(Batch& batch) {
+    IDEOTYPE_EXPECT(by_number_.contains(batch.number_));
     open_.erase(batch.precedence_);
     by_number_.erase(batch.number_);
     complete_.push_back(&batch);
@@ -126,8 +135,8 @@ void Dispatcher::remove(Batch& batch) {
     std::erase(complete_, &batch);
 }
 
-//! Adds what the source of a batch has next to what waits; false if that is
-//! nothing, or if it failed.
+//! Adds what the source of a batch has next to the work that waits; returns
+//! false if that is nothing, or if the source failed.
 bool Dispatcher::fetch(Batch& batch) {
     std::optional<Work> work;
     try {
@@ -148,7 +157,7 @@ bool Dispatcher::fetch(Batch& batch) {
     return true;
 }
 
-//! Workers that may still answer in time.
+//! Returns how many workers may still answer in time.
 int Dispatcher::busy_in_time() const {
     return static_cast<int>(deadlines_.size());
 }
@@ -162,20 +171,24 @@ bool Dispatcher::has_late() const {
 double Dispatcher::now() {
     constexpr double longest_step = 0.5;
     const double looked = clock_.now();
+    IDEOTYPE_EXPECT(looked >= looked_);
     running_ += std::min(looked - looked_, longest_step);
     looked_ = looked;
     return running_;
 }
 
 void Dispatcher::give(int worker, const Assignment& given, const Work& work) {
+    IDEOTYPE_EXPECT(idle_.contains(worker));
     idle_.erase(worker);
     deadlines_.emplace(given.deadline, worker);
     given_[static_cast<std::size_t>(worker)] = given;
     workers_->give(worker, work);
 }
 
-//! A worker has answered and is idle again.
+//! Takes the answer of a worker, which is idle again.
 Dispatcher::Assignment Dispatcher::take(int worker, const Outcome& outcome) {
+    IDEOTYPE_EXPECT(worker >= 0 && worker < width());
+    IDEOTYPE_EXPECT(given_[static_cast<std::size_t>(worker)].has_value());
     const Assignment given =
         *std::exchange(given_[static_cast<std::size_t>(worker)], std::nullopt);
     const bool was_in_time = deadlines_.erase({given.deadline, worker}) > 0;
@@ -186,7 +199,7 @@ Dispatcher::Assignment Dispatcher::take(int worker, const Outcome& outcome) {
     return given;
 }
 
-//! A worker who is late from now on, if there is one.
+//! Returns a worker that is late from now on, if there is one.
 std::optional<int> Dispatcher::next_late() {
     const auto first = deadlines_.begin();
     if (first == deadlines_.end() || now() <= first->first) return {};
@@ -195,8 +208,8 @@ std::optional<int> Dispatcher::next_late() {
     return worker;
 }
 
-//! Sends the next work to an idle worker; false if there is none of either, or
-//! a stop is requested.
+//! Sends the next work to an idle worker; returns false if there is none of
+//! either, or a stop is requested.
 bool Dispatcher::hand_out() {
     if (is_ending() || idle_.empty()) return false;
     for (const auto& [precedence, open] : open_) {
@@ -227,11 +240,12 @@ void Dispatcher::resume_complete() {
     while (!complete_.empty()) {
         Batch& batch = *complete_.front();
         complete_.erase(complete_.begin());
+        IDEOTYPE_EXPECT(batch.awaiting_ && !batch.awaiting_.done());
         batch.awaiting_.resume();
     }
 }
 
-//! Lets all routines go on with what there is.
+//! Lets all routines go on with the outcomes that there are.
 void Dispatcher::release_all() {
     while (!open_.empty()) close(*open_.begin()->second);
 }
@@ -250,7 +264,7 @@ void Dispatcher::receive(Director& director) {
     while (const auto worker = next_late()) give_up(*worker, director);
 }
 
-//! A machine could not evaluate, which says nothing of the plant.
+//! Notes that a machine could not evaluate, which says nothing of the plant.
 void Dispatcher::note_obstacle(int worker, const Task& task,
                                const std::string& reason) {
     if (!obstacle_.empty()) return;
@@ -262,6 +276,8 @@ void Dispatcher::note_obstacle(int worker, const Task& task,
 
 //! Records an outcome, unless its batch is gone or another attempt was first.
 void Dispatcher::settle(const Assignment& given, const Outcome& outcome) {
+    IDEOTYPE_EXPECT(outcome.status == Status::done ||
+                    outcome.status == Status::failed);
     const auto open = by_number_.find(given.batch);
     if (open == by_number_.end()) return;
     Batch& batch = *open->second;
@@ -280,7 +296,7 @@ void Dispatcher::settle(const Assignment& given, const Outcome& outcome) {
     if (!goes_on) close(batch);
 }
 
-//! What happens to the task of a worker that has become late.
+//! Decides what happens to the task of a worker that has become late.
 void Dispatcher::give_up(int worker, Director& director) {
     const Assignment given = *given_[static_cast<std::size_t>(worker)];
     std::string what = fmt::format(
@@ -290,7 +306,7 @@ void Dispatcher::give_up(int worker, Director& director) {
     const auto found = by_number_.find(given.batch);
     const bool is_needed = found != by_number_.end() &&
                            found->second->unanswered_.contains(given.item);
-    // With nobody left, the fault is hardly the candidate's: it stays pending.
+    // If nobody is left, the fault is hardly the candidate's: it stays pending.
     const bool is_alone = idle_.empty() && busy_in_time() == 0;
     const bool is_last =
         given.task.attempt >= static_cast<std::uint32_t>(rules_.attempts);

@@ -29,26 +29,26 @@ struct Work {
     bool operator==(const Work&) const = default;
 };
 
-//! The next work of a batch that can be handed out, if there is any now; called
-//! again after each outcome. Work of later generations comes later.
+//! Returns the next work of a batch that can be handed out, if there is any
+//! now; called again after each outcome. Work of later generations comes later.
 using NextWork = std::function<std::optional<Work>()>;
 
-//! Called on rank 0 for each outcome as it arrives; must make it durable
-//! before it returns. The task says which attempt was answered.
+//! Records an outcome. Called on rank 0 for each as it arrives, and must make
+//! it durable before it returns. The task says which attempt was answered.
 using Record = std::function<void(const Work&, const Outcome&)>;
 
-//! How long to wait for an answer, and how often to try.
+//! The rules that tell how long to wait for an answer, and how often to try.
 struct AnswerRules {
-    //! An evaluation is late after this time [s], or after 20 times what the
-    //! longest took so far, whichever is longer.
+    //! The time after which an evaluation is late [s], unless 20 times what the
+    //! longest took so far is longer.
     double deadline = 60;
-    //! After so many late attempts an evaluation has failed, unless no worker
-    //! is left.
+    //! The number of late attempts after which an evaluation has failed, unless
+    //! no worker is left.
     int attempts = 3;
-    //! How many times longer a final evaluation takes than another.
+    //! The time that a final evaluation takes over that of another.
     double final_effort = 1;
-    //! How soon a stop request, a passed deadline or new work of a source is
-    //! noticed while evaluations are in flight [s].
+    //! The time within which a stop request, a passed deadline or new work of a
+    //! source is noticed while evaluations are in flight [s].
     double attention = 0.25;
 
     double effort(const Task& task) const {
@@ -61,14 +61,16 @@ class Director {
   public:
     virtual ~Director() = default;
 
-    //! Workers have nothing to do: starts another routine that will await
-    //! evaluations, or returns false if there is none.
+    //! Called when workers have nothing to do: starts another routine that will
+    //! await evaluations, or returns false if there is none.
     virtual bool start_next() = 0;
 
-    //! A worker did not answer in time; what says so for the user.
+    //! Called when a worker did not answer in time; `what` says so for the
+    //! user.
     virtual void on_silence(const Task& task, const std::string& what) = 0;
 
-    //! A stop was requested; so many evaluations are in flight. Once.
+    //! Called once when a stop is requested and so many evaluations are in
+    //! flight.
     virtual void on_stop(int in_flight) = 0;
 };
 
@@ -88,14 +90,14 @@ class Dispatcher {
     Dispatcher(const Dispatcher&) = delete;
     Dispatcher& operator=(const Dispatcher&) = delete;
 
-    //! For routines within run(): co_await evaluates work of one case, in any
-    //! order, until nothing is in flight and the source has nothing more. If a
-    //! stop is requested, hands out nothing more and goes on when what is in
-    //! flight has arrived or is late. Rethrows an exception of source or
+    //! Evaluates work of one case in any order, until nothing is in flight and
+    //! the source has nothing more; for routines within run(), which co_await
+    //! it. If a stop is requested, hands out nothing more and goes on when what
+    //! is in flight has arrived or is late. Rethrows an exception of source or
     //! record; what was in flight is then lost.
     Batch evaluate(NextWork source, Record record);
 
-    //! The same of work that is known.
+    //! Evaluates work that is known, as a source would give it piece by piece.
     Batch evaluate(std::vector<Work> work, Record record);
 
     //! Runs routines until all have ended. A late evaluation is given to
@@ -106,7 +108,7 @@ class Dispatcher {
     //! still pause must be destroyed before the dispatcher.
     void run(Director& director);
 
-    //! How many evaluations can run at the same time.
+    //! Returns how many evaluations can run at the same time.
     int width() const;
 
     //! Waits for what is in flight, but not beyond its deadline, drops it and
@@ -116,9 +118,9 @@ class Dispatcher {
 
   private:
     friend Batch;
-    //! What a worker was given.
+    //! The work that a worker was given, and when.
     struct Assignment;
-    //! Lowest generation first, then lowest case, then oldest.
+    //! Orders batches: lowest generation first, then lowest case, then oldest.
     using Precedence = std::tuple<std::uint32_t, std::uint32_t, std::uint64_t>;
 
     void add(Batch& batch);
@@ -146,20 +148,21 @@ class Dispatcher {
     const StopFlag& stop_;
     AnswerRules rules_;
     const RankClock& clock_;
-    std::vector<std::optional<Assignment>> given_;  //!< by worker
-    // Nothing here looks at all workers: there may be thousands.
+    std::vector<std::optional<Assignment>> given_;  //!< assignments by worker
+    // Work is never done for each of all workers, since there may be thousands.
     std::set<int> idle_;
-    //! The times of workers that are not late yet, as now() tells [s].
+    //! The times at which workers that are in time become late, as now() tells
+    //! [s].
     std::set<std::pair<double, int>> deadlines_;
     std::map<Precedence, Batch*> open_;
-    std::map<std::uint64_t, Batch*> by_number_;  //!< the same
-    std::vector<Batch*> complete_;  //!< to be resumed, in this order
-    std::uint64_t batches_ = 0;     //!< so far
-    //! What an evaluation of usual effort took at most [s]; late ones do not
-    //! count.
+    std::map<std::uint64_t, Batch*> by_number_;  //!< open batches by number
+    std::vector<Batch*> complete_;  //!< batches to be resumed, in this order
+    std::uint64_t batches_ = 0;     //!< number of batches so far
+    //! The longest time that an evaluation of usual effort took [s]; late ones
+    //! do not count.
     double longest_ = 0;
     double looked_;         //!< when now() was asked last, on the clock [s]
-    double running_ = 0;    //!< what now() told then [s]
+    double running_ = 0;    //!< result of now() at that time [s]
     std::string obstacle_;  //!< why a machine could not evaluate
     bool has_told_of_stop_ = false;
     bool is_dismissed_ = false;
@@ -177,7 +180,7 @@ class [[nodiscard]] Batch {
     Batch(const Batch&) = delete;
     Batch& operator=(const Batch&) = delete;
 
-    // What co_await asks for.
+    // These functions make a batch something that routines co_await.
     bool await_ready() {
         return dispatcher_.stop_.requested() || !dispatcher_.fetch(*this);
     }
@@ -199,24 +202,25 @@ class [[nodiscard]] Batch {
     std::uint64_t fetched_ = 0;
     std::map<std::uint64_t, Work> unanswered_;  //!< with the latest attempt
     std::vector<std::uint64_t> waiting_;  //!< for a worker; may be answered
-    Dispatcher::Precedence precedence_;   //!< of what it fetched last
+    //! Precedence of the work that was fetched last.
+    Dispatcher::Precedence precedence_;
     std::coroutine_handle<> awaiting_;
     std::exception_ptr failure_;
 };
 
-//! Without other ranks: threads of this process evaluate. With them: rank 0
-//! sends work to idle workers, sleeps in between, and asks its evaluators for
-//! their schema only, unless each rank has several; then its own threads take
-//! part. All references must outlive the dispatcher.
+//! Makes the dispatcher of a job. Without other ranks, threads of this process
+//! evaluate. With them, rank 0 sends work to idle workers, sleeps in between,
+//! and asks its evaluators for their schema only, unless each rank has several;
+//! then its own threads take part. All references must outlive the dispatcher.
 //! @param evaluators one for each thread, as many on all ranks
 std::unique_ptr<Dispatcher> make_dispatcher(const Session& session,
                                             const Evaluators& evaluators,
                                             const StopFlag& stop,
                                             const AnswerRules& rules = {});
 
-//! The life of a worker rank: receives work, evaluates, replies, until rank 0
-//! says that there is no more. An Error in an evaluation becomes a failed
-//! outcome with its message, cut to 160 bytes.
+//! Runs a worker rank: receives work, evaluates, replies, until rank 0 says
+//! that there is no more. An Error in an evaluation becomes a failed outcome
+//! with its message, cut to 160 bytes.
 //! @throws Error if a message arrives that is neither.
 void serve(const Session& session, const Evaluators& evaluators);
 

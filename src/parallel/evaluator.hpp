@@ -8,15 +8,15 @@
 
 namespace ideotype {
 
-//! Computes outcomes; lives on a worker.
+//! Computes outcomes, on a worker.
 class Evaluator {
   public:
     virtual ~Evaluator() = default;
 
-    //! The form of this task's outcome.
+    //! Returns the form of the outcome of a task.
     virtual const OutcomeSchema& schema(const Task& task) const = 0;
 
-    //! A pure function of task and genome, but for seconds.
+    //! Evaluates a genome: a pure function of task and genome, but for seconds.
     //! @throws Error if the plant can't be evaluated, which the worker turns
     //! into a failed outcome. Any other exception is the machine's fault, such
     //! as a lack of memory: nothing is said of the plant and the job ends.

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/text.hpp"
 
@@ -15,7 +16,7 @@ namespace ideotype {
 
 namespace {
 
-//! Bytes that no other kind of message starts with.
+//! The bytes that a kind of message starts with, and no other does.
 enum class Mark : std::uint64_t {
     work = 0x4b524f574f454449,   // "IDEOWORK"
     reply = 0x594c50524f454449,  // "IDEORPLY"
@@ -41,7 +42,7 @@ struct ReplyHeader {
 static_assert(sizeof(ReplyHeader) == 208);
 static_assert(std::is_trivially_copyable_v<ReplyHeader>);
 
-//! The header, followed by room for the doubles.
+//! Returns a header followed by room for doubles.
 template <class Header>
 Bytes with_room(const Header& header, std::size_t doubles) {
     Bytes bytes(sizeof(Header) + doubles * sizeof(double));
@@ -95,6 +96,7 @@ Work decode_work(std::span<const std::byte> bytes) {
 }
 
 Bytes encode_reply(const Reply& reply) {
+    IDEOTYPE_EXPECT(reply.outcome.status != Status::empty);
     Outcome outcome = reply.outcome;
     ReplyHeader header{};
     header.mark = Mark::reply;

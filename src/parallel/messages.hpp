@@ -13,8 +13,9 @@
 
 namespace ideotype {
 
-//! What travels between the ranks of one job. All ranks run the same program
-//! on the same kind of machine, so numbers travel as they are in memory.
+//! The bytes of a message between the ranks of one job. All ranks run the same
+//! program on the same kind of machine, so numbers travel as they are in
+//! memory.
 using Bytes = std::vector<std::byte>;
 
 //! The outcome of a task, on its way back.
@@ -23,26 +24,28 @@ struct Reply {
     Outcome outcome;
 };
 
-//! Longer reasons of failures are cut to this many bytes.
+//! The bytes to which longer reasons of failures are cut.
 inline constexpr std::size_t reply_message_capacity = 160;
 
-//! A header of 32 bytes and the genome.
+//! Encodes work as a header of 32 bytes and the genome.
 Bytes encode_work(const Work& work);
 
-//! @throws Error if this is not the encoding of work.
+//! Decodes work. @throws Error if this is not the encoding of work.
 Work decode_work(std::span<const std::byte> bytes);
 
-//! A header of fixed size, then all numbers of the outcome in their order.
+//! Encodes a reply as a header of fixed size, then all numbers of the outcome
+//! in their order.
 Bytes encode_reply(const Reply& reply);
 
-//! @throws Error if this is not a reply.
+//! Returns the task of a reply. @throws Error if this is not a reply.
 Task task_of_reply(std::span<const std::byte> bytes);
 
-//! @throws Error if this is not a reply with the columns of the schema.
+//! Decodes a reply. @throws Error if this is not a reply with the columns of
+//! the schema.
 Reply decode_reply(std::span<const std::byte> bytes,
                    const OutcomeSchema& schema);
 
-//! What a message is about.
+//! Tells the kind of a message.
 enum class Tag : int { work = 1, reply = 2, stop = 3 };
 
 //! A message that arrived.
@@ -61,15 +64,16 @@ class Mailbox {
 
     void post(int rank, Tag tag, Bytes bytes);
 
-    //! The next message of any rank; sleeps until there is one.
-    //! @throws Error if its tag is unknown.
+    //! Returns the next message of any rank; sleeps until there is one. @throws
+    //! Error if its tag is unknown.
     Envelope wait();
 
-    //! The same, but none if there is none after this time [s].
+    //! Returns the next message of any rank, or none if there is none after
+    //! this time [s].
     std::optional<Envelope> wait(double seconds);
 
   private:
-    //! Messages under way; MPI reads their bytes until they have left.
+    //! The messages under way; MPI reads their bytes until they have left.
     struct Posted;
     const Session& session_;
     std::unique_ptr<Posted> posted_;

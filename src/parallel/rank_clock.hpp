@@ -8,12 +8,13 @@
 
 namespace ideotype {
 
-//! Time as the ranks of a job know it. That of a simulated machine is another.
+//! The time as the ranks of a job know it. A simulated machine has a clock of
+//! its own.
 class RankClock {
   public:
     virtual ~RankClock() = default;
 
-    //! Since some moment; never runs back [s].
+    //! Returns the time since some moment, which never runs back [s].
     virtual double now() const = 0;
 
     //! Does nothing for about this time [s].
@@ -36,12 +37,12 @@ class MachineClock : public RankClock {
 
 inline const MachineClock machine_clock;
 
-//! Rests of who waits for MPI, of which a call that blocks would burn a core.
-//! They grow with the time waited so far, so that what is waited for is noticed
-//! within a few percent of the time that it took.
+//! The rests of somebody who waits for MPI, where a call that blocks would burn
+//! a core. They grow with the time waited so far, so that the end of the wait
+//! is noticed within a few percent of the time that it took.
 class Backoff {
   public:
-    //! Tells the next rest [s].
+    //! Returns the next rest [s].
     double next() {
         return std::exchange(rest_, std::min(rest_ + rest_ / 32, longest));
     }

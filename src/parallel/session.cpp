@@ -9,10 +9,12 @@
 #include <iostream>
 #include <list>
 #include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 #include <mpi.h>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "messages.hpp"
 
@@ -21,7 +23,7 @@ namespace ideotype {
 //! The ranks of a session, as MPI knows them.
 struct Session::Ranks {
     MPI_Comm communicator;
-    //! What to do when the session ends.
+    //! Tells what to do when the session ends.
     enum class End { finalize, free } end;
 };
 
@@ -68,6 +70,7 @@ Session::~Session() {
 }
 
 Session Session::split(int part) const {
+    IDEOTYPE_EXPECT(part >= 0);
     if (!ranks_) return alone();
     MPI_Comm communicator = MPI_COMM_NULL;
     MPI_Comm_split(ranks_->communicator, part, rank(), &communicator);
@@ -82,6 +85,7 @@ int Session::rank() const {
 }
 
 int Session::rank_in_job(int rank) const {
+    IDEOTYPE_EXPECT(rank >= 0 && rank < size());
     if (!ranks_) return rank;
     MPI_Group own = MPI_GROUP_NULL;
     MPI_Group all = MPI_GROUP_NULL;
@@ -107,6 +111,7 @@ std::string Session::broadcast(const std::string& text) const {
     MPI_Request request;
     MPI_Ibcast(&length, 1, MPI_UINT64_T, 0, ranks_->communicator, &request);
     wait_for(request, clock_);
+    IDEOTYPE_EXPECT(std::in_range<int>(length));
     std::string copy = text;
     copy.resize(length);
     MPI_Ibcast(copy.data(), static_cast<int>(length), MPI_CHAR, 0,
@@ -117,6 +122,7 @@ std::string Session::broadcast(const std::string& text) const {
 
 std::vector<std::string> Session::gather(const std::string& text) const {
     if (!ranks_) return {text};
+    IDEOTYPE_EXPECT(std::in_range<int>(text.size()));
     const auto ranks = static_cast<std::size_t>(size());
     const auto length = static_cast<int>(text.size());
     std::vector<int> lengths(ranks), starts(ranks);
@@ -159,7 +165,9 @@ std::string Session::library_version() {
     std::array<char, MPI_MAX_LIBRARY_VERSION_STRING> text{};
     int length = 0;
     MPI_Get_library_version(text.data(), &length);
-    // "Open MPI v4.1.4, package: ..., ident: ..."; "MPICH Version:\t4.0.2\n..."
+    // The library calls itself "Open MPI v4.1.4, package: ..., ident: ..." or
+    // "MPICH Version:\t4.0.2
+    // ...".
     std::string version(text.data());
     version.resize(std::min(version.find_first_of(",\n"), version.size()));
     const std::string label = "Version:";
@@ -174,7 +182,7 @@ struct Mailbox::Posted {
         Bytes bytes;
         MPI_Request request = MPI_REQUEST_NULL;
     };
-    // A list, because MPI keeps the address of the request's bytes.
+    // This is a list, because MPI keeps the address of the request's bytes.
     std::list<Sending> sendings;
 
     void forget_finished() {
@@ -187,7 +195,9 @@ struct Mailbox::Posted {
 };
 
 Mailbox::Mailbox(const Session& session)
-    : session_(session), posted_(std::make_unique<Posted>()) {}
+    : session_(session), posted_(std::make_unique<Posted>()) {
+    IDEOTYPE_EXPECT(session.ranks_ != nullptr);
+}
 
 Mailbox::~Mailbox() {
     Backoff backoff;
@@ -197,6 +207,8 @@ Mailbox::~Mailbox() {
 }
 
 void Mailbox::post(int rank, Tag tag, Bytes bytes) {
+    IDEOTYPE_EXPECT(rank >= 0 && rank < session_.size());
+    IDEOTYPE_EXPECT((tag == Tag::stop) == bytes.empty());
     auto& sending = posted_->sendings.emplace_back();
     sending.bytes = std::move(bytes);
     MPI_Isend(sending.bytes.data(), static_cast<int>(sending.bytes.size()),
@@ -211,6 +223,7 @@ Envelope Mailbox::wait() {
 }
 
 std::optional<Envelope> Mailbox::wait(double seconds) {
+    IDEOTYPE_EXPECT(seconds >= 0);
     const double end = session_.clock().now() + seconds;
     Backoff backoff;
     MPI_Status status;

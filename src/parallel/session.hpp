@@ -12,45 +12,46 @@ namespace ideotype {
 
 class Mailbox;
 
-//! MPI for as long as this lives, with and without mpirun. Create it after the
-//! StopFlag, so that MPI does not replace its handlers.
+//! A use of MPI, with and without mpirun, for as long as this lives. Create it
+//! after the StopFlag, so that MPI does not replace its handlers.
 class Session {
   public:
-    //! One rank without MPI, which nobody has launched.
+    //! Returns a session of one rank without MPI, which nobody has launched.
     static Session alone();
 
-    //! @param clock what ranks wait by
+    //! Starts MPI.
+    //! @param clock by which ranks wait
     explicit Session(const RankClock& clock = machine_clock);
     ~Session();
     Session(Session&& other) noexcept;
     Session& operator=(Session&&) = delete;
 
-    //! The ranks that name the same part, numbered from 0 in their order here.
-    //! Collective. This one must outlive it.
+    //! Returns a session of the ranks that name the same part, numbered from 0
+    //! in their order here. Collective. This session must outlive it.
     Session split(int part) const;
 
     int rank() const;
 
-    //! The number of a rank of this session in the whole job.
+    //! Returns the number of a rank of this session in the whole job.
     int rank_in_job(int rank) const;
 
     int size() const;
     const RankClock& clock() const { return clock_; }
 
-    //! Rank 0's text on all ranks. Collective. Sleeps while it waits.
+    //! Returns rank 0's text on all ranks. Collective. Sleeps while it waits.
     std::string broadcast(const std::string& text) const;
 
-    //! The texts of all ranks, in their order, on rank 0; nothing on the
-    //! others. Collective. Sleeps while it waits.
+    //! Returns the texts of all ranks, in their order, on rank 0, and nothing
+    //! on the others. Collective. Sleeps while it waits.
     std::vector<std::string> gather(const std::string& text) const;
 
-    //! The worst value of all ranks on all ranks. Collective.
+    //! Returns the largest value of all ranks on all ranks. Collective.
     int largest(int value) const;
 
     //! Ends all ranks at once with this exit code.
     [[noreturn]] void abort(int exit_code) const;
 
-    //! Name and version of the MPI library.
+    //! Returns the name and version of the MPI library.
     static std::string library_version();
 
   private:

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/host.hpp"
 #include "messages.hpp"
@@ -14,7 +15,8 @@ namespace ideotype {
 
 namespace {
 
-//! Leaves the row as it was proposed, for a machine that can.
+//! Returns an outcome that leaves the row as it was proposed, for a machine
+//! that can evaluate it.
 Outcome not_evaluated(const std::string& reason) {
     Outcome outcome;
     outcome.status = Status::proposed;
@@ -36,7 +38,7 @@ Outcome caught_outcome(Evaluator& evaluator, const Work& work,
     }
 }
 
-//! Reads a letter of rank 0: work, or none if there will be no more.
+//! Reads a letter of rank 0: returns work, or none if there will be no more.
 std::optional<Work> work_in(const Envelope& letter, const Session& session) {
     if (letter.tag == Tag::stop) return std::nullopt;
     if (letter.tag != Tag::work)
@@ -58,7 +60,7 @@ void serve_alone(const Session& session, Evaluator& evaluator) {
                                                        session.clock())}));
 }
 
-//! Threads evaluate while this one looks after the messages.
+//! Serves with threads that evaluate while this one looks after the messages.
 void serve_by_threads(const Session& session, const Evaluators& evaluators) {
     Mailbox mailbox(session);
     const auto threads = make_thread_workers(session, evaluators);
@@ -71,7 +73,8 @@ void serve_by_threads(const Session& session, const Evaluators& evaluators) {
         while (const auto letter = mailbox.wait(patience())) {
             const auto work = work_in(*letter, session);
             if (!work) return;
-            given.at(static_cast<std::size_t>(idle.back())) = work->task;
+            IDEOTYPE_EXPECT(!idle.empty());
+            given[static_cast<std::size_t>(idle.back())] = work->task;
             threads->give(idle.back(), *work);
             idle.pop_back();
         }
@@ -98,6 +101,7 @@ Outcome evaluate_guarded(Evaluator& evaluator, const Work& work, int rank,
 }
 
 void serve(const Session& session, const Evaluators& evaluators) {
+    IDEOTYPE_EXPECT(!evaluators.empty());
     if (evaluators.size() > 1)
         serve_by_threads(session, evaluators);
     else

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "messages.hpp"
 
@@ -26,6 +27,7 @@ class ThreadWorkers : public Workers {
           first_(session.rank_in_job(session.rank()) * width()),
           clock_(session.clock()),
           seats_(evaluators.size()) {
+        IDEOTYPE_EXPECT(!evaluators.empty());
         try {
             for (int worker = 0; worker < width(); ++worker)
                 threads_.emplace_back([this, worker] { evaluate(worker); });
@@ -43,8 +45,10 @@ class ThreadWorkers : public Workers {
     }
 
     void give(int worker, const Work& work) override {
-        Seat& seat = seats_.at(static_cast<std::size_t>(worker));
+        IDEOTYPE_EXPECT(worker >= 0 && worker < width());
+        Seat& seat = seats_[static_cast<std::size_t>(worker)];
         const std::lock_guard lock(mutex_);
+        IDEOTYPE_EXPECT(!seat.work);
         seat.work = work;
         seat.called.notify_one();
     }
@@ -67,7 +71,7 @@ class ThreadWorkers : public Workers {
     }
 
   private:
-    //! Where a thread waits for work.
+    //! The place at which a thread waits for work.
     struct Seat {
         std::optional<Work> work;
         std::condition_variable called;
@@ -78,7 +82,7 @@ class ThreadWorkers : public Workers {
         for (std::thread& each : threads_) each.join();
     }
 
-    //! The life of a thread.
+    //! Runs a thread: waits for work and evaluates it until there is no more.
     void evaluate(int worker) {
         const auto index = static_cast<std::size_t>(worker);
         Seat& seat = seats_[index];
@@ -99,7 +103,7 @@ class ThreadWorkers : public Workers {
     const Evaluators evaluators_;
     const int first_;  //!< number in the job
     const RankClock& clock_;
-    std::mutex mutex_;  //!< of all that follows but the threads
+    std::mutex mutex_;  //!< mutex of all members below but the threads
     std::deque<Seat> seats_;
     std::deque<Answer> answers_;
     std::condition_variable arrived_;
@@ -107,8 +111,8 @@ class ThreadWorkers : public Workers {
     std::vector<std::thread> threads_;
 };
 
-//! Workers of this rank's own come first, then those of the others. Which of
-//! its threads does what a rank decides by itself.
+//! The workers of all ranks. Those of this rank come first, then those of the
+//! others. A rank decides by itself which of its threads does what.
 class RankWorkers : public Workers {
   public:
     RankWorkers(const Session& session, const Evaluators& evaluators)
@@ -117,7 +121,9 @@ class RankWorkers : public Workers {
           own_(evaluators.size() > 1 ? make_thread_workers(session, evaluators)
                                      : nullptr),
           mailbox_(session),
-          given_(per_rank() * static_cast<std::size_t>(session.size() - 1)) {}
+          given_(per_rank() * static_cast<std::size_t>(session.size() - 1)) {
+        IDEOTYPE_EXPECT(session.rank() == 0 && session.size() > 1);
+    }
 
     int width() const override {
         return own_width() + static_cast<int>(given_.size());
@@ -133,8 +139,11 @@ class RankWorkers : public Workers {
     }
 
     void give(int worker, const Work& work) override {
+        IDEOTYPE_EXPECT(worker >= 0 && worker < width());
         if (worker < own_width()) return own_->give(worker, work);
-        given_[static_cast<std::size_t>(worker - own_width())] = work.task;
+        auto& given = given_[static_cast<std::size_t>(worker - own_width())];
+        IDEOTYPE_EXPECT(!given);
+        given = work.task;
         mailbox_.post(rank_of(worker), Tag::work, encode_work(work));
     }
 
@@ -190,7 +199,8 @@ class RankWorkers : public Workers {
     const Evaluators evaluators_;
     std::unique_ptr<Workers> own_;  //!< threads of this rank, if any
     Mailbox mailbox_;
-    std::vector<std::optional<Task>> given_;  //!< to workers of other ranks
+    //! Tasks that workers of other ranks have.
+    std::vector<std::optional<Task>> given_;
 };
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <limits>
 #include <tuple>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 namespace {
@@ -71,7 +73,11 @@ double mutate(const Gene& gene, double value, double u, double index) {
 
 Breeder::Breeder(const GaSettings& settings, SearchSpace space,
                  std::uint64_t seed)
-    : settings_(settings), space_(std::move(space)), seed_(seed) {}
+    : settings_(settings), space_(std::move(space)), seed_(seed) {
+    IDEOTYPE_EXPECT(space_.baseline.size() == space_.genes.size());
+    IDEOTYPE_EXPECT(settings.crossover_probability >= 0 &&
+                    settings.crossover_probability <= 1);
+}
 
 Candidate Breeder::founder(std::uint32_t generation, std::uint32_t slot) const {
     if (generation == 0 && slot == 0)
@@ -85,6 +91,10 @@ std::pair<Candidate, Candidate> Breeder::children(const Contest& contest,
     RandomStream selection(seed_, Purpose::selection, generation, slot);
     const Parent mother = contest(selection);
     const Parent father = contest(selection);
+    IDEOTYPE_EXPECT(mother.individual.candidate.genome.size() ==
+                    space_.genes.size());
+    IDEOTYPE_EXPECT(father.individual.candidate.genome.size() ==
+                    space_.genes.size());
     Candidate first{mother.individual.candidate.genome,
                     Origin::child,
                     {mother.row, father.row}};
@@ -119,6 +129,8 @@ void Breeder::mutate_genome(Genome& genome, std::uint32_t generation,
         const double u = stream.uniform();
         if (gene.is_free && is_mutated)
             genome[i] = mutate(gene, genome[i], u, settings_.mutation_index);
+        IDEOTYPE_ENSURE(!gene.is_free ||
+                        (genome[i] >= gene.lower && genome[i] <= gene.upper));
     }
 }
 

@@ -10,13 +10,13 @@
 
 namespace ideotype {
 
-//! Who may have children.
+//! An individual that may have children.
 struct Parent {
     const Individual& individual;
     std::int64_t row = no_parent;
 };
 
-//! Chooses a parent by these random numbers.
+//! Chooses a parent by random numbers.
 using Contest = std::function<Parent(RandomStream&)>;
 
 //! Makes plants from plants, by random numbers of a generation and slot:
@@ -28,11 +28,11 @@ class Breeder {
   public:
     Breeder(const GaSettings& settings, SearchSpace space, std::uint64_t seed);
 
-    //! The baseline in generation 0 and slot 0, else a genome uniform within
-    //! the bounds.
+    //! Returns the baseline in generation 0 and slot 0, else a genome uniform
+    //! within the bounds.
     Candidate founder(std::uint32_t generation, std::uint32_t slot) const;
 
-    //! Two children of a couple, for this slot and the next.
+    //! Returns two children of a couple, for this slot and the next.
     std::pair<Candidate, Candidate> children(const Contest& contest,
                                              std::uint32_t generation,
                                              std::uint32_t slot) const;

@@ -7,6 +7,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 namespace {
@@ -22,7 +24,8 @@ std::vector<double> raw_weights(std::size_t population) {
     return weights;
 }
 
-//! How many equal weights have as much variance as those with this sign.
+//! Returns how many equal weights have as much variance as those with this
+//! sign.
 double effective(const std::vector<double>& weights, double sign) {
     double sum = 0, squares = 0;
     for (const double w : weights)
@@ -71,6 +74,8 @@ void DdCma::Path::add(const VectorXd& step, double rate,
 
 DdCma::DdCma(VectorXd mean, VectorXd deviations, std::size_t population)
     : mean_(std::move(mean)), scales_(std::move(deviations)) {
+    IDEOTYPE_EXPECT(mean_.size() > 0 && mean_.size() == scales_.size());
+    IDEOTYPE_EXPECT((scales_.array() > 0).all());
     set_population(population);
     const auto n = static_cast<double>(mean_.size());
     usual_length_ = std::sqrt(n) * (1 - 1 / (4 * n) + 1 / (21 * n * n));
@@ -81,6 +86,7 @@ DdCma::DdCma(VectorXd mean, VectorXd deviations, std::size_t population)
 }
 
 void DdCma::set_population(std::size_t population) {
+    IDEOTYPE_EXPECT(population >= 4);
     const auto n = static_cast<double>(mean_.size());
     const std::vector<double> weights = raw_weights(population);
     effective_parents_ = effective(weights, 1);
@@ -94,12 +100,16 @@ void DdCma::set_population(std::size_t population) {
 }
 
 VectorXd DdCma::sample(const VectorXd& normal) const {
+    IDEOTYPE_EXPECT(normal.size() == mean_.size());
     return mean_ + step_size_ * scales_.cwiseProduct(root_ * normal);
 }
 
 void DdCma::update(const MatrixXd& ranked) {
+    IDEOTYPE_EXPECT(ranked.rows() == mean_.size());
+    IDEOTYPE_EXPECT(ranked.cols() == of_correlation_.weights.size());
+    IDEOTYPE_EXPECT(ranked.allFinite());
     const auto n = static_cast<double>(mean_.size());
-    // Standard normal vectors, were they not selected.
+    // These would be standard normal vectors if they were not selected.
     const MatrixXd white = inverse_root_ *
                            (scales_ * step_size_).cwiseInverse().asDiagonal() *
                            (ranked.colwise() - mean_);
@@ -136,7 +146,7 @@ void DdCma::update(const MatrixXd& ranked) {
     change.diagonal().array() -=
         of_correlation_.rank_mu * of_correlation_.weights.sum() +
         of_correlation_.rank_one * path_of_correlation_.share;
-    // It stays positive definite.
+    // A change that is bounded leaves the correlation positive definite.
     constexpr double most = 0.75;
     const double least =
         Eigen::SelfAdjointEigenSolver<MatrixXd>(change, Eigen::EigenvaluesOnly)
@@ -152,7 +162,7 @@ void DdCma::update(const MatrixXd& ranked) {
             (squares.array() - of_scales_.weights.sum()).matrix() +
         of_scales_.rank_one *
             (squares_of_path.array() - path_of_scales_.share).matrix();
-    // The worse known the directions of C, the slower D changes.
+    // D changes the slower, the worse the directions of C are known.
     const double damping =
         1 + std::max(0.0, std::sqrt(correlation_condition_) - 2);
 
@@ -164,7 +174,8 @@ void DdCma::update(const MatrixXd& ranked) {
     decompose();
 }
 
-//! Leaves the variances to the scales.
+//! Makes a correlation matrix of C again, whose variances the scales take over,
+//! and computes its roots.
 void DdCma::decompose() {
     const VectorXd deviations = correlation_.diagonal().cwiseSqrt();
     scales_.array() *= deviations.array();
@@ -181,6 +192,8 @@ void DdCma::decompose() {
     root_ = axes * values.cwiseSqrt().asDiagonal() * axes.transpose();
     inverse_root_ = axes * values.cwiseSqrt().cwiseInverse().asDiagonal() *
                     axes.transpose();
+    IDEOTYPE_ENSURE((correlation_.diagonal().array() - 1).abs().maxCoeff() <
+                    1e-9);
     correlation_condition_ = values.maxCoeff() / values.minCoeff();
 }
 

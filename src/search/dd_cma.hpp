@@ -22,25 +22,26 @@ class DdCma {
     DdCma(Eigen::VectorXd mean, Eigen::VectorXd deviations,
           std::size_t population);
 
-    //! The point that a standard normal vector is moved to.
+    //! Returns the point that a standard normal vector is moved to.
     Eigen::VectorXd sample(const Eigen::VectorXd& normal) const;
 
-    //! Goes on with another population, >= 4.
+    //! Goes on with another number of points in a generation, >= 4.
     void set_population(std::size_t population);
 
     //! Learns from the points of a generation [n, population], best first.
     void update(const Eigen::MatrixXd& ranked);
 
     const Eigen::VectorXd& mean() const { return mean_; }
-    //! Standard deviation of each coordinate.
+    //! Returns the standard deviation of each coordinate.
     Eigen::VectorXd deviations() const { return step_size_ * scales_; }
-    //! Correlations of the coordinates [n, n].
+    //! Returns the correlations of the coordinates [n, n].
     const Eigen::MatrixXd& correlation() const { return correlation_; }
-    //! Ratio of the largest to the smallest eigenvalue of the covariance.
+    //! Returns the ratio of the largest to the smallest eigenvalue of the
+    //! covariance.
     double condition() const;
 
   private:
-    //! Learning rates and weights of D or of C.
+    //! The learning rates and weights of D or of C.
     struct Rates {
         double rank_one = 0, rank_mu = 0, path = 0;
         Eigen::VectorXd weights{};
@@ -64,7 +65,7 @@ class DdCma {
     std::size_t parents_ = 0;
     Rates of_correlation_, of_scales_;
     double step_rate_ = 0, step_damping_ = 0;
-    double usual_length_;  //!< of a standard normal vector
+    double usual_length_;  //!< usual length of a standard normal vector
 
     Eigen::VectorXd mean_;
     double step_size_ = 1;

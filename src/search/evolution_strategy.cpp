@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "dd_cma.hpp"
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/random.hpp"
 #include "optimizer.hpp"
 #include "order.hpp"
@@ -24,7 +25,7 @@ VectorXd to_vector(const std::vector<double>& x) {
                                       static_cast<Eigen::Index>(x.size()));
 }
 
-//! Independent standard normal numbers.
+//! Returns independent standard normal numbers.
 VectorXd standard_normal(RandomStream stream, std::size_t size) {
     VectorXd x(static_cast<Eigen::Index>(size));
     for (Eigen::Index i = 0; i < x.size(); i += 2) {
@@ -35,9 +36,10 @@ VectorXd standard_normal(RandomStream stream, std::size_t size) {
     return x;
 }
 
-//! The mean of objective 0 over the better half of some rows; worse than any
-//! other if none of these succeeded and meets all constraints.
+//! Returns the mean of objective 0 over the better half of some rows; worse
+//! than any other if none of these succeeded and meets all constraints.
 double better_half(const Population& rows, const std::vector<Sense>& senses) {
+    IDEOTYPE_EXPECT(!rows.empty());
     const std::size_t half = (rows.size() + 1) / 2;
     double sum = 0;
     std::size_t count = 0;
@@ -73,13 +75,16 @@ class Arm {
 
     std::size_t population() const { return population_; }
     const DdCma& distribution() const { return distribution_; }
-    //! The better half of each generation, see better_half().
+    //! Returns the mean over the better half of each generation, see
+    //! better_half().
     const std::vector<double>& course() const { return course_; }
 
-    //! The point of one of its plants in a generation, of which `slot` is that
-    //! of its first plant. It is drawn once, when it is first asked for.
+    //! Returns the point of one of its plants in a generation, where `slot` is
+    //! the slot of its first plant. The point is drawn when it is first asked
+    //! for.
     const VectorXd& point(std::uint64_t seed, std::uint32_t generation,
                           std::uint32_t slot, std::size_t plant) {
+        IDEOTYPE_EXPECT(plant < population_);
         points_.resize(population_);
         VectorXd& x = points_[plant];
         if (x.size() == 0)
@@ -96,10 +101,11 @@ class Arm {
         course_.clear();
     }
 
-    //! Learns from the rows of its plants, as in point().
+    //! Learns from the rows of its plants; the arguments are as in point().
     void learn(const Population& rows, const std::vector<Sense>& senses,
                std::uint64_t seed, std::uint32_t generation,
                std::uint32_t slot) {
+        IDEOTYPE_EXPECT(rows.size() == population_);
         const std::vector<std::uint32_t> order = ranking(rows, senses);
         Eigen::MatrixXd ranked(distribution_.mean().size(), order.size());
         for (std::size_t i = 0; i < order.size(); ++i)
@@ -112,8 +118,8 @@ class Arm {
 
     double extent() const { return distribution_.deviations().maxCoeff(); }
 
-    //! Whether the last generations are not better than as many before them by
-    //! more than the standard error of that difference.
+    //! Returns whether the last generations are not better than as many before
+    //! them by more than the standard error of that difference.
     bool gains_nothing(Sense sense) const {
         constexpr std::size_t window = 20;
         if (course_.size() < 2 * window) return false;
@@ -138,7 +144,7 @@ class Arm {
     std::vector<double> course_;
 };
 
-//! dd-CMA-ES around the start or the baseline.
+//! A search by dd-CMA-ES that begins at the start or the baseline.
 class CmaEs : public GenerationalOptimizer {
   public:
     CmaEs(const SearchSettings& settings, SearchSpace space, std::uint64_t seed)
@@ -158,6 +164,7 @@ class CmaEs : public GenerationalOptimizer {
     //! Returns the plant at the mean of the distribution, then the best of the
     //! last generation.
     std::vector<Candidate> best(std::size_t count) const override {
+        IDEOTYPE_EXPECT(count > 0);
         std::vector<Candidate> candidates{sample(arm_.distribution().mean())};
         for (const Candidate& each :
              best_of(last_, count - 1, space_.senses, parents_row()))
@@ -212,6 +219,7 @@ class AutoSearch : public GenerationalOptimizer {
     }
 
     Candidate candidate(std::uint32_t slot) override {
+        IDEOTYPE_EXPECT(slot < next_size());
         if (arms_.empty()) return of_design(slot);
         std::uint32_t first = 0;
         auto arm = arms_.begin();
@@ -251,12 +259,14 @@ class AutoSearch : public GenerationalOptimizer {
         return {sample(arm.distribution().mean()).genome, arm.course().back()};
     }
 
-    //! Largest standard deviations, relative to the range of a gene, at which
-    //! no number changes any more, and at which no gain means convergence.
+    //! The largest standard deviations, relative to the range of a gene, at
+    //! which no number changes any more, and at which no gain means
+    //! convergence.
     static constexpr double tiny = 1e-11, narrow = 1e-6;
-    static constexpr std::size_t most_growth = 8;  //!< of an arm's population
+    //! The most by which the population of an arm is multiplied.
+    static constexpr std::size_t most_growth = 8;
 
-    //! Rows of the design, and of it those that are mixtures.
+    //! Returns the rows of the design; the first half of them are mixtures.
     std::size_t design_size() const { return 3 * population_; }
     std::size_t last_mixture() const { return design_size() / 2; }
 
@@ -347,10 +357,10 @@ class AutoSearch : public GenerationalOptimizer {
     SearchSpace space_;
     UnboundedGenes coordinates_;
     std::uint64_t seed_;
-    std::size_t population_;  //!< of a generation of two arms
+    std::size_t population_;  //!< plants of a generation of two arms
     Genome champion_;
-    std::vector<Champion> champions_;  //!< of earlier cycles
-    std::vector<Arm> arms_;            //!< none: a design is next
+    std::vector<Champion> champions_;  //!< means of earlier cycles
+    std::vector<Arm> arms_;  //!< searches that go on; none: a design is next
     Population last_;
 };
 

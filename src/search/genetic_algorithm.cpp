@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "breeder.hpp"
+#include "ideotype/core/contract.hpp"
 #include "optimizer.hpp"
 #include "order.hpp"
 
@@ -13,10 +14,11 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the best of some contestants that are chosen at random from so many.
+//! Returns the best of some contestants that are chosen at random.
 template <class Beats>
 std::uint32_t tournament(RandomStream& stream, std::size_t size,
                          const GaSettings& settings, Beats beats) {
+    IDEOTYPE_EXPECT(size > 0);
     const auto below = static_cast<std::uint32_t>(size);
     std::uint32_t winner = stream.below(below);
     for (int i = 1; i < settings.tournament; ++i) {
@@ -44,13 +46,16 @@ class GeneticAlgorithm : public GenerationalOptimizer {
                      std::uint64_t seed)
         : settings_(settings),
           space_(std::move(space)),
-          breeder_(settings.ga, space_, seed) {}
+          breeder_(settings.ga, space_, seed) {
+        IDEOTYPE_EXPECT(settings.population > 0);
+    }
 
     std::size_t next_size() const override {
         return static_cast<std::size_t>(settings_.population);
     }
 
     Candidate candidate(std::uint32_t slot) override {
+        IDEOTYPE_EXPECT(slot < next_size());
         if (generation() == 0) return breeder_.founder(0, slot);
         if (slot < elites_.size()) return elites_[slot];
         const auto first = static_cast<std::uint32_t>(
@@ -91,6 +96,7 @@ class GeneticAlgorithm : public GenerationalOptimizer {
         }
         parents_ = std::move(evaluated);
         rows_ = std::move(rows);
+        IDEOTYPE_ENSURE(parents_.size() == rows_.size());
         places_ = places(parents_, space_.senses);
         couple_.reset();
         elites_.clear();
@@ -99,7 +105,7 @@ class GeneticAlgorithm : public GenerationalOptimizer {
                 static_cast<std::size_t>(settings_.ga.elites), next_size()));
     }
 
-    //! Two children, the first for this slot.
+    //! Two children, the first of them for this slot.
     struct Couple {
         std::uint32_t first = 0;
         std::pair<Candidate, Candidate> children;
@@ -127,11 +133,12 @@ class GeneticAlgorithm : public GenerationalOptimizer {
     SearchSettings settings_;
     SearchSpace space_;
     Breeder breeder_;
-    Population parents_;               //!< of the next generation
-    std::vector<std::int64_t> rows_;   //!< of parents
-    std::vector<std::size_t> places_;  //!< of parents, see places()
-    std::vector<Candidate> elites_;    //!< of parents, the next generation's
-    std::optional<Couple> couple_;     //!< asked for last
+    Population parents_;               //!< individuals that may have children
+    std::vector<std::int64_t> rows_;   //!< rows of the parents
+    std::vector<std::size_t> places_;  //!< places of the parents, see places()
+    //! Parents that the next generation has again.
+    std::vector<Candidate> elites_;
+    std::optional<Couple> couple_;  //!< asked for last
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/random.hpp"
 #include "order.hpp"
 #include "sensitivity_design.hpp"
@@ -28,6 +29,7 @@ class RandomSearch : public Optimizer {
         : population_(static_cast<std::size_t>(settings.population)),
           space_(std::move(space)),
           seed_(seed) {
+        IDEOTYPE_EXPECT(settings.population > 0);
         if (settings.optimizer == OptimizerKind::sobol)
             sequence_.emplace(seed, count_free(space_.genes));
     }
@@ -79,8 +81,9 @@ class RandomSearch : public Optimizer {
     std::size_t population_;
     SearchSpace space_;
     std::uint64_t seed_;
-    std::optional<SobolSequence> sequence_;  //!< of free genes
-    Population best_;  //!< of all, as many as may be asked for
+    //! Points in the space of free genes.
+    std::optional<SobolSequence> sequence_;
+    Population best_;  //!< rows, as many as may be asked for
 };
 
 std::unique_ptr<GenerationalOptimizer> make_generational(
@@ -175,7 +178,8 @@ class Streams : public Optimizer {
     struct Stream {
         std::unique_ptr<GenerationalOptimizer> search;
         std::int64_t rows = 0;
-        //! First row of each generation, of the search and of the case.
+        //! The first row of each generation, as the search and as the case
+        //! counts.
         std::vector<std::array<std::int64_t, 2>> first_rows{};
         Population last{};  //!< generation
 
@@ -183,6 +187,7 @@ class Streams : public Optimizer {
             const auto after = std::upper_bound(
                 first_rows.begin(), first_rows.end(), row,
                 [](std::int64_t r, const auto& first) { return r < first[0]; });
+            IDEOTYPE_EXPECT(after != first_rows.begin());
             return row - (*std::prev(after))[0] + (*std::prev(after))[1];
         }
     };
@@ -194,7 +199,7 @@ class Streams : public Optimizer {
         return generation / static_cast<std::uint32_t>(streams_.size());
     }
 
-    //! A candidate whose parents are rows of the case.
+    //! Returns a candidate whose parents are rows of the case.
     static Candidate in_case(const Stream& stream, Candidate candidate) {
         for (std::int64_t& parent : candidate.parents)
             if (parent != no_parent) parent = stream.row_of(parent);
@@ -203,15 +208,17 @@ class Streams : public Optimizer {
 
     std::vector<Sense> senses_;
     std::vector<Stream> streams_;
-    std::vector<std::uint64_t> ends_;  //!< rows up to that of each generation
+    //! Number of rows up to the end of each generation.
+    std::vector<std::uint64_t> ends_;
     std::uint64_t rows_ = 0;
-    Population learnt_;  //!< of the generation that is learnt
+    Population learnt_;  //!< rows of the generation that is learnt
 };
 
 }  // namespace
 
 Genome random_genome(const SearchSpace& space, std::uint64_t seed,
                      std::uint32_t generation, std::uint32_t slot) {
+    IDEOTYPE_EXPECT(space.baseline.size() == space.genes.size());
     RandomStream stream(seed, Purpose::initial_population, generation, slot);
     Genome genome = space.baseline;
     for (std::size_t i = 0; i < genome.size(); ++i) {
@@ -226,12 +233,13 @@ int usual_population(OptimizerKind optimizer, std::size_t free_genes) {
         4 + static_cast<int>(
                 3 * std::log(std::max(1., static_cast<double>(free_genes))));
     if (optimizer == OptimizerKind::cma_es) return of_cma_es;
-    // Two searches, which find more with a few more plants each.
+    // There are two searches, which find more with a few more plants each.
     if (optimizer == OptimizerKind::automatic) return 5 * of_cma_es / 2;
     return 100;
 }
 
 void GenerationalOptimizer::tell(Population evaluated) {
+    IDEOTYPE_EXPECT(!evaluated.empty());
     parents_row_ = row_;
     row_ += static_cast<std::int64_t>(evaluated.size());
     learnt_.clear();
@@ -247,7 +255,8 @@ std::vector<Candidate> GenerationalOptimizer::ask() {
     return candidates;
 }
 
-std::size_t GenerationalOptimizer::size(std::uint32_t) const {
+std::size_t GenerationalOptimizer::size(std::uint32_t generation) const {
+    IDEOTYPE_EXPECT(generation == generation_);
     return next_size();
 }
 
@@ -258,7 +267,9 @@ std::uint64_t GenerationalOptimizer::needs(std::uint32_t generation,
                : std::numeric_limits<std::uint64_t>::max();
 }
 
-Candidate GenerationalOptimizer::propose(std::uint32_t, std::uint32_t slot) {
+Candidate GenerationalOptimizer::propose(std::uint32_t generation,
+                                         std::uint32_t slot) {
+    IDEOTYPE_EXPECT(generation == generation_);
     return candidate(slot);
 }
 

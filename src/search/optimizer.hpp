@@ -10,7 +10,7 @@
 
 namespace ideotype {
 
-//! What is searched for the best plant.
+//! The space of plants that is searched, and what makes one plant better.
 struct SearchSpace {
     GeneSpace genes;
     Genome baseline;                             //!< where the search begins
@@ -29,38 +29,42 @@ class Optimizer {
   public:
     virtual ~Optimizer() = default;
 
-    //! Rows of a generation, once its first row can be proposed; never 0.
+    //! Returns the rows of a generation, once its first row can be proposed;
+    //! never 0.
     virtual std::size_t size(std::uint32_t generation) const = 0;
 
-    //! How many rows must be known before this slot can be proposed. More than
-    //! there can be as long as that is not known itself.
+    //! Returns how many rows must be known before this slot can be proposed;
+    //! more than there can be as long as that is not known itself.
     virtual std::uint64_t needs(std::uint32_t generation,
                                 std::uint32_t slot) const = 0;
 
-    //! The candidate of this slot, in the order of rows.
+    //! Returns the candidate of this slot. Candidates are proposed in the order
+    //! of rows.
     virtual Candidate propose(std::uint32_t generation, std::uint32_t slot) = 0;
 
     //! Takes the next evaluated row.
     virtual void learn(Individual row) = 0;
 
-    //! What to evaluate again at the end, best first; after a whole generation
-    //! was learnt and nothing beyond it.
+    //! Returns the candidates to evaluate again at the end, best first. May be
+    //! called after a whole generation was learnt and nothing beyond it.
     virtual std::vector<Candidate> best(std::size_t count) const = 0;
 };
 
 //! Proposes a generation at a time, from all before it.
 class GenerationalOptimizer : public Optimizer {
   public:
-    //! How many candidates the next generation has. Generations may differ.
+    //! Returns how many candidates the next generation has. Generations may
+    //! differ.
     virtual std::size_t next_size() const = 0;
 
-    //! A candidate of the next generation; the same for each call until tell().
+    //! Returns a candidate of the next generation, which is the same for each
+    //! call until tell().
     virtual Candidate candidate(std::uint32_t slot) = 0;
 
-    //! All candidates of the next generation, by slot.
+    //! Returns all candidates of the next generation, by slot.
     std::vector<Candidate> ask();
 
-    //! Takes the evaluated candidates of that generation, by slot.
+    //! Takes the evaluated candidates of the next generation, by slot.
     void tell(Population evaluated);
 
     std::size_t size(std::uint32_t generation) const override;
@@ -73,23 +77,24 @@ class GenerationalOptimizer : public Optimizer {
     //! Learns from the next generation.
     virtual void take(Population evaluated) = 0;
 
-    //! The next one.
+    //! Returns the number of the next generation.
     std::uint32_t generation() const { return generation_; }
-    //! First row of the generation before it.
+    //! Returns the first row of the generation before the next one.
     std::int64_t parents_row() const { return parents_row_; }
 
   private:
     std::uint32_t generation_ = 0;
     std::int64_t parents_row_ = 0;
-    std::int64_t row_ = 0;  //!< first one of the next generation
-    Population learnt_;     //!< so far, of the same
+    std::int64_t row_ = 0;  //!< first row of the next generation
+    Population learnt_;     //!< rows of the next generation that are known
 };
 
-//! The baseline with free genes uniform within their bounds.
+//! Returns the baseline with free genes uniform within their bounds.
 Genome random_genome(const SearchSpace& space, std::uint64_t seed,
                      std::uint32_t generation, std::uint32_t slot);
 
-//! Each kind of optimizer, before the first row; see their sources.
+//! These functions make an optimizer of each kind, before the first row; see
+//! their sources.
 std::unique_ptr<GenerationalOptimizer> make_genetic_algorithm(
     const SearchSettings& settings, SearchSpace space, std::uint64_t seed);
 std::unique_ptr<GenerationalOptimizer> make_cma_es(
@@ -97,7 +102,7 @@ std::unique_ptr<GenerationalOptimizer> make_cma_es(
 std::unique_ptr<GenerationalOptimizer> make_auto_search(
     const SearchSettings& settings, SearchSpace space, std::uint64_t seed);
 
-//! The optimizer that the settings name, before the first row.
+//! Returns the optimizer that the settings name, before the first row.
 std::unique_ptr<Optimizer> make_optimizer(const SearchSettings& settings,
                                           const SearchSpace& space,
                                           std::uint64_t seed);

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <set>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 bool is_better(double a, double b, Sense sense) {
@@ -16,6 +18,7 @@ bool is_better(const Individual& a, const Individual& b, Sense sense) {
     if (a.status == Status::failed || b.status == Status::failed)
         return a.status != Status::failed && b.status == Status::failed;
     if (a.violation > 0 || b.violation > 0) return a.violation < b.violation;
+    IDEOTYPE_EXPECT(!a.objectives.empty() && !b.objectives.empty());
     return is_better(a.objectives.front().mean, b.objectives.front().mean,
                      sense);
 }
@@ -28,6 +31,8 @@ bool dominates(const Individual& a, const Individual& b,
                                b.status == Status::failed || a.violation > 0 ||
                                b.violation > 0;
     if (is_told_apart) return is_better(a, b, senses.front());
+    IDEOTYPE_EXPECT(a.objectives.size() == senses.size());
+    IDEOTYPE_EXPECT(b.objectives.size() == senses.size());
     bool is_better_in_one = false;
     for (std::size_t k = 0; k < senses.size(); ++k) {
         const double x = a.objectives[k].mean, y = b.objectives[k].mean;
@@ -37,7 +42,7 @@ bool dominates(const Individual& a, const Individual& b,
     return is_better_in_one;
 }
 
-//! Places of keys that can be compared, in their order.
+//! Returns the places of keys in their order; equals share one.
 template <class Less>
 std::vector<std::size_t> placed(std::size_t size, Less less) {
     std::vector<std::size_t> order(size), place(size);
@@ -80,6 +85,7 @@ std::vector<std::size_t> fronts(const Population& population,
 std::vector<double> crowding(const Population& population,
                              const std::vector<std::size_t>& front,
                              std::size_t objectives) {
+    IDEOTYPE_EXPECT(!front.empty());
     constexpr double endless = std::numeric_limits<double>::infinity();
     std::vector<double> distance(front.size());
     std::vector<std::size_t> order(front.size());
@@ -103,6 +109,7 @@ std::vector<double> crowding(const Population& population,
 
 std::vector<std::size_t> places(const Population& population,
                                 const std::vector<Sense>& senses) {
+    IDEOTYPE_EXPECT(!senses.empty());
     if (senses.size() == 1)
         return placed(population.size(), [&](std::size_t a, std::size_t b) {
             return is_better(population[a], population[b], senses.front());

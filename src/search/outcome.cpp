@@ -6,11 +6,13 @@
 #include <limits>
 #include <span>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 namespace {
 
-//! What is wrong with one of several estimates, or "".
+//! Returns why one of several estimates cannot be used, or "".
 std::string defect(const std::string& name, std::span<const Estimate> values) {
     for (const auto& [mean, standard_error] : values) {
         if (!std::isfinite(mean))
@@ -91,15 +93,19 @@ Outcome checked_outcome(const OutcomeSchema& schema, Outcome outcome) {
 std::optional<Estimate> find(const OutcomeSchema& schema,
                              const Outcome& outcome, const std::string& name) {
     if (!schema.measured.has(name)) return std::nullopt;
-    return outcome.quantities.at(schema.measured.offset(name));
+    IDEOTYPE_EXPECT(outcome.quantities.size() == schema.measured.size());
+    return outcome.quantities[schema.measured.offset(name)];
 }
 
 Randomisations randomisations_of(const Outcome& outcome,
                                  std::size_t objective) {
+    IDEOTYPE_EXPECT(objective < outcome.objectives.size());
+    IDEOTYPE_EXPECT(outcome.randomisations.size() % outcome.objectives.size() ==
+                    0);
     const std::size_t count =
         outcome.randomisations.size() / outcome.objectives.size();
     const std::span<const double> every = outcome.randomisations;
-    return {outcome.objectives.at(objective),
+    return {outcome.objectives[objective],
             every.subspan(objective * count, count)};
 }
 

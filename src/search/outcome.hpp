@@ -11,7 +11,7 @@
 
 namespace ideotype {
 
-//! Which evaluation is meant: slot of a generation of a case. Generation and
+//! Identifies an evaluation: slot of a generation of a case. Generation and
 //! slot also select the random numbers, so that an evaluation is a pure
 //! function of its task and genome.
 struct Task {
@@ -25,7 +25,7 @@ struct Task {
     bool operator==(const Task&) const = default;
 };
 
-//! How far an evaluation has come. The numbers are part of the file format.
+//! The state of an evaluation. The numbers are part of the file format.
 enum class Status : std::uint8_t {
     empty = 0,     //!< no genome yet
     proposed = 1,  //!< genome written, not evaluated
@@ -33,20 +33,21 @@ enum class Status : std::uint8_t {
     failed = 3,
 };
 
-//! Which values of an objective are better.
+//! Tells which values of an objective are better.
 enum class Sense { maximise, minimise };
 
-//! What is searched for, in its natural sign; may be negative.
+//! A quantity that is searched for, in its natural sign; it may be negative.
 struct Objective {
     std::string name;
     std::string unit;
     Sense sense = Sense::maximise;
 };
 
-//! What an evaluation returns; the same for all rows of a table.
+//! The form of the outcomes of all rows of a table.
 struct OutcomeSchema {
     std::vector<Objective> objectives;
-    //! Independent randomisations of which objectives are the means.
+    //! The number of independent randomisations, of which objectives are the
+    //! means.
     std::size_t randomisations = 2;
     QuantitySet measured;
 };
@@ -55,11 +56,12 @@ struct OutcomeSchema {
 struct Outcome {
     Status status = Status::failed;
     std::vector<Estimate> objectives;
-    //! Each objective by randomisation [objective, randomisation]. Those of
-    //! plants that share their random numbers tell the error of a difference.
+    //! Each objective by randomisation [objective, randomisation]. The
+    //! randomisations of plants that share their random numbers tell the error
+    //! of a difference.
     std::vector<double> randomisations;
-    //! How far the constraints are failed, relative to their limits; 0 if all
-    //! are met.
+    //! The amount by which constraints are failed, relative to their limits; 0
+    //! if all are met.
     double violation = 0;
     std::vector<Estimate> quantities;  //!< in the order of the schema
     double seconds = 0;                //!< wall time on the worker
@@ -82,30 +84,32 @@ struct Outcome {
     }
 };
 
-//! Whether an outcome has as many numbers as its schema asks for.
+//! Returns whether an outcome has as many numbers as its schema asks for.
 bool has_form(const OutcomeSchema& schema, const Outcome& outcome);
 
-//! An outcome of this form, with NaN for all numbers.
+//! Returns an outcome of this form, with NaN for all numbers.
 Outcome unknown_outcome(const OutcomeSchema& schema);
 
-//! A failed outcome with NaN for all numbers.
+//! Returns a failed outcome with NaN for all numbers.
 Outcome failed_outcome(const OutcomeSchema& schema, std::string reason);
 
-//! A copy that is failed, with a reason that names the quantity, if any number
-//! in it is not finite or missing.
+//! Returns the outcome or, if any number in it is missing or not finite, a
+//! failed outcome with a reason that names the quantity.
 Outcome checked_outcome(const OutcomeSchema& schema, Outcome outcome);
 
-//! A quantity that is a single number; none if there is no such quantity.
+//! Returns a quantity that is a single number; nothing if there is no such
+//! quantity.
 std::optional<Estimate> find(const OutcomeSchema& schema,
                              const Outcome& outcome, const std::string& name);
 
-//! An objective with its values by randomisation.
+//! Returns an objective with its values by randomisation.
 Randomisations randomisations_of(const Outcome& outcome,
                                  std::size_t objective = 0);
 
-//! By how much an objective of b exceeds that of a: the mean and its standard
-//! error over randomisations that both share. Where they are not known, as if
-//! both were independent, which is if anything too large.
+//! Returns by how much an objective of b exceeds that of a: the mean and its
+//! standard error over randomisations that both share. Where the randomisations
+//! are not known, the error is that of independent outcomes, which is if
+//! anything too large.
 Estimate difference(const Outcome& a, const Outcome& b,
                     std::size_t objective = 0);
 

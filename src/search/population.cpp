@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 std::size_t count_free(const GeneSpace& genes) {
@@ -14,6 +16,8 @@ std::size_t count_free(const GeneSpace& genes) {
 }
 
 double wrapped(const Gene& gene, double value) {
+    IDEOTYPE_EXPECT(gene.is_circular && gene.lower < gene.upper);
+    IDEOTYPE_EXPECT(std::isfinite(value));
     const double range = gene.upper - gene.lower;
     const double turns = std::floor((value - gene.lower) / range);
     const double result = value - turns * range;

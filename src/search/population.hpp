@@ -11,11 +11,11 @@
 
 namespace ideotype {
 
-//! One plant as numbers: for each leaf from the lowest up its length [m],
-//! width [m], insertion angle [deg] and azimuth [deg].
+//! A plant as numbers, one for each gene of a GeneSpace, in the unit of the
+//! gene.
 using Genome = std::vector<double>;
 
-//! What values one gene may take.
+//! A number of a plant that may be bred, and the values that it may have.
 struct Gene {
     std::string name;  //!< for example "leaf03_length"
     std::string unit;  //!< "m" or "deg"
@@ -29,20 +29,22 @@ struct Gene {
 
 using GeneSpace = std::vector<Gene>;
 
-//! How many of them are free.
+//! Returns how many genes are free.
 std::size_t count_free(const GeneSpace& genes);
 
-//! The value on the circle that a circular gene stands for, in
-//! [lower, upper).
+//! Returns the value in [lower, upper) that stands for the same point of the
+//! circle as a value of a circular gene.
 double wrapped(const Gene& gene, double value);
 
-//! The signed way from a to b: along the shorter arc for a circular gene.
+//! Returns the signed way from a to b: along the shorter arc for a circular
+//! gene.
 double difference(const Gene& gene, double a, double b);
 
-//! No parent: the individual is of the first generation.
+//! The number that stands for no parent: the individual is of the first
+//! generation.
 inline constexpr std::int64_t no_parent = -1;
 
-//! Where a genome came from. The numbers are part of the file format.
+//! The way in which a genome was made. The numbers are part of the file format.
 enum class Origin : std::uint8_t {
     none = 0,
     baseline = 1,
@@ -52,14 +54,14 @@ enum class Origin : std::uint8_t {
     sample = 5,  //!< drawn from a distribution that the search adapts
 };
 
-//! For example "baseline".
+//! Returns the name of an origin, for example "baseline".
 const char* name_of(Origin origin);
 
 //! A genome and its descent.
 struct Candidate {
     Genome genome;
     Origin origin = Origin::none;
-    //! Rows of its parents, counted through all generations, or no_parent.
+    //! Rows of the parents, counted through all generations, or no_parent.
     std::array<std::int64_t, 2> parents{no_parent, no_parent};
 
     bool operator==(const Candidate&) const = default;
@@ -70,13 +72,13 @@ struct Individual {
     Candidate candidate;
     Status status = Status::failed;
     std::vector<Estimate> objectives;  //!< may be negative
-    //! How far the constraints are failed; 0 if all are met.
+    //! The amount by which constraints are failed; 0 if all are met.
     double violation = 0;
     //! Each objective by randomisation [objective, randomisation], if known.
     std::vector<double> randomisations{};
 };
 
-//! One generation, by slot.
+//! The individuals of one generation, by slot.
 using Population = std::vector<Individual>;
 
 }  // namespace ideotype

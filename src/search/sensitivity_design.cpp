@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/random.hpp"
 
 namespace ideotype {
@@ -36,11 +37,12 @@ SensitivityDesign::SensitivityDesign(const SensitivitySettings& settings,
       seed_(seed),
       factors_(factors_of(space_.genes, settings.groups)),
       sequence_(seed, 2 * space_.genes.size()) {
+    IDEOTYPE_EXPECT(settings.levels >= 2 && settings.levels % 2 == 0);
     for (std::size_t i = 0; i < space_.genes.size(); ++i)
         if (space_.genes[i].is_free) free_.push_back(i);
 }
 
-//! Returns a place of a path by Morris, relative to the ranges of genes.
+//! Returns a point of a path by Morris, relative to the ranges of genes.
 std::vector<double> SensitivityDesign::on_path(std::uint32_t sample,
                                                std::size_t place) const {
     std::vector<double> point(space_.genes.size()), steps = point;
@@ -61,13 +63,13 @@ std::vector<double> SensitivityDesign::on_path(std::uint32_t sample,
         for (const std::size_t gene : factors_[order[i]].genes)
             point[gene] += steps[gene];
     for (const std::size_t gene : free_)
-        // Both ends of a circle are one point.
+        // The two ends of a circle are one point.
         point[gene] /=
             settings_.levels - (space_.genes[gene].is_circular ? 0 : 1);
     return point;
 }
 
-//! Returns A, A with one factor from B, or B.
+//! Returns the point A, A with one factor from the point B, or B.
 std::vector<double> SensitivityDesign::in_cube(std::uint32_t sample,
                                                std::size_t place) const {
     std::vector<double> point(space_.genes.size());
@@ -84,11 +86,14 @@ std::vector<double> SensitivityDesign::in_cube(std::uint32_t sample,
 }
 
 Genome SensitivityDesign::row(std::uint32_t sample, std::size_t place) const {
+    IDEOTYPE_EXPECT(space_.baseline.size() == space_.genes.size());
+    IDEOTYPE_EXPECT(sample < samples() && place < rows_per_sample());
     const std::vector<double> point =
         settings_.method == SensitivityMethod::morris ? on_path(sample, place)
                                                       : in_cube(sample, place);
     Genome genome = space_.baseline;
     for (const std::size_t i : free_) {
+        IDEOTYPE_ENSURE(point[i] >= 0 && point[i] <= 1);
         const Gene& gene = space_.genes[i];
         genome[i] = gene.lower + point[i] * (gene.upper - gene.lower);
     }
@@ -108,6 +113,7 @@ int generations_of(const SensitivitySettings& settings) {
 
 std::size_t SensitivityDesign::size(std::uint32_t generation) const {
     const std::size_t before = std::size_t{generation} * samples_per_generation;
+    IDEOTYPE_EXPECT(before < samples());
     return rows_per_sample() *
            std::min<std::size_t>(samples_per_generation, samples() - before);
 }

@@ -12,10 +12,10 @@
 
 namespace ideotype {
 
-//! What is varied as one.
+//! Genes that are varied as one.
 struct Factor {
-    std::string name;                //!< of a gene, or what its genes are of
-    std::vector<std::size_t> genes;  //!< that are free
+    std::string name;  //!< name of a gene, or of the trait of its genes
+    std::vector<std::size_t> genes;  //!< places of its free genes
 };
 
 //! The rows of a sensitivity study, which are known before any is evaluated:
@@ -45,16 +45,17 @@ class SensitivityDesign : public Optimizer {
         return factors_.size() + (is_morris ? 1 : 2);
     }
 
-    //! @param place from 0 to rows_per_sample()
+    //! Returns the genome of a row of a sample.
+    //! @param place of the row in the sample, below rows_per_sample()
     Genome row(std::uint32_t sample, std::size_t place) const;
 
     std::size_t size(std::uint32_t generation) const override;
-    //! So few that nobody waits: a thousand rows may be under way.
+    //! Returns so few rows that nobody waits: a thousand may be under way.
     std::uint64_t needs(std::uint32_t generation,
                         std::uint32_t slot) const override;
     Candidate propose(std::uint32_t generation, std::uint32_t slot) override;
     void learn(Individual) override {}
-    //! Nothing: no plant is better than others.
+    //! Returns nothing, since no plant is better than others.
     std::vector<Candidate> best(std::size_t) const override { return {}; }
 
   private:
@@ -69,10 +70,10 @@ class SensitivityDesign : public Optimizer {
     SobolSequence sequence_;
 };
 
-//! Samples that a history keeps as one generation.
+//! The number of samples that a history keeps as one generation.
 inline constexpr int samples_per_generation = 16;
 
-//! Rows of such a generation.
+//! Returns the rows of a generation of a sensitivity study.
 int generation_size(const SensitivitySettings& settings,
                     const GeneSpace& genes);
 int generations_of(const SensitivitySettings& settings);

@@ -7,10 +7,10 @@
 
 namespace ideotype {
 
-//! Which optimizer searches.
+//! The kinds of optimizers.
 enum class OptimizerKind { automatic, ga, cma_es, nsga2, random, sobol };
 
-//! Names of optimizers, in the order of their kinds.
+//! The names of optimizers, in the order of their kinds.
 inline const std::vector<std::string> optimizer_names{
     "auto", "ga", "cma_es", "nsga2", "random", "sobol"};
 
@@ -19,10 +19,11 @@ struct GaSettings {
     int elites = 2;      //!< parents that are carried over and re-evaluated
     int tournament = 2;  //!< contestants per selected parent
     double crossover_probability = 0.9;  //!< per couple
-    double crossover_index = 15;         //!< of simulated binary crossover
-    //! Expected number of mutated genes per child.
+    //! Distribution index of simulated binary crossover.
+    double crossover_index = 15;
+    //! The expected number of mutated genes per child.
     double mutations_per_child = 1;
-    double mutation_index = 20;  //!< of polynomial mutation
+    double mutation_index = 20;  //!< distribution index of polynomial mutation
 };
 
 enum class SensitivityMethod {
@@ -30,42 +31,43 @@ enum class SensitivityMethod {
     morris  //!< elementary effects
 };
 
-//! What is one factor of a sensitivity study.
+//! Tells which genes are one factor of a sensitivity study.
 enum class Grouping {
     trait,  //!< all free genes of a trait together
     gene,
 };
 
-//! How the rows of a sensitivity study are chosen.
+//! The settings of a sensitivity study: how its rows are chosen.
 struct SensitivitySettings {
     SensitivityMethod method = SensitivityMethod::sobol;
     int samples = 1024;  //!< base samples, or trajectories of Morris
-    int levels = 4;      //!< of Morris: values of each factor
+    int levels = 4;      //!< values of each factor by Morris
     Grouping groups = Grouping::trait;
 };
 
-//! How a case is searched.
+//! The settings of the search of a case.
 struct SearchSettings {
     OptimizerKind optimizer = OptimizerKind::ga;
     int population = 100;  //!< candidates that a generation usually has
-    //! Independent searches whose generations take turns.
+    //! The number of independent searches, whose generations take turns.
     int streams = 1;
     GaSettings ga;
-    //! Where CMA-ES begins, as a genome; empty: at the baseline.
+    //! The genome at which CMA-ES begins; empty: the baseline.
     std::vector<double> start;
     //! Standard deviation of CMA-ES at the beginning, relative to the range of
     //! a gene.
     double step = 0.2;
-    //! That proposes the rows in place of an optimizer.
+    //! The sensitivity study that proposes the rows in place of an optimizer.
     std::optional<SensitivitySettings> design{};
-    //! Of the hypervolume, by objective; empty: the worst of the beginning.
+    //! The reference of the hypervolume, by objective; empty: the worst of the
+    //! beginning.
     std::vector<double> reference{};
 };
 
-//! How many plants a generation of this optimizer usually has.
+//! Returns how many plants a generation of this optimizer usually has.
 int usual_population(OptimizerKind optimizer, std::size_t free_genes);
 
-//! Whether a distribution is adapted by CMA-ES.
+//! Returns whether a distribution is adapted by CMA-ES.
 inline bool uses_cma_es(const SearchSettings& settings) {
     return settings.optimizer == OptimizerKind::automatic ||
            settings.optimizer == OptimizerKind::cma_es;

@@ -15,7 +15,7 @@ class SobolSequence {
   public:
     SobolSequence(std::uint64_t seed, std::size_t dimensions);
 
-    //! One coordinate of a point, uniform in [0, 1).
+    //! Returns one coordinate of a point, uniform in [0, 1).
     double at(std::uint32_t point, std::size_t dimension) const;
 
   private:

@@ -5,16 +5,19 @@
 #include <cmath>
 #include <span>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 namespace {
 
 constexpr double certain = 2;  //!< standard errors
 
-//! Whether a line through the last means does not rise for certain, or the
-//! hypervolume of several objectives.
+//! Returns whether it is not certain that a line through the last means rises,
+//! or that the hypervolume of several objectives does.
 bool gains_nothing(const std::vector<GenerationSummary>& all, int generations,
                    Sense sense) {
+    IDEOTYPE_EXPECT(generations > 2);
     if (all.size() < static_cast<std::size_t>(generations)) return false;
     const std::span last(all.end() - generations, all.end());
     const auto is_feasible = [](const GenerationSummary& each) {
@@ -46,6 +49,7 @@ bool gains_nothing(const std::vector<GenerationSummary>& all, int generations,
 
 std::optional<std::string> finished(const StopRules& rules,
                                     const Progress& progress, Sense sense) {
+    IDEOTYPE_EXPECT(!(progress.wall_time < 0));
     const std::vector<GenerationSummary>& all = progress.generations;
     if (static_cast<int>(all.size()) >= rules.generations) return "generations";
     long long evaluations = 0;

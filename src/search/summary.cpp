@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "ideotype/core/contract.hpp"
 #include "order.hpp"
 
 namespace ideotype {
@@ -26,8 +27,8 @@ double mean_of(const std::vector<double>& values) {
            static_cast<double>(values.size());
 }
 
-//! Standard deviation over range. On a circle: of the arcs to the mean
-//! direction.
+//! Returns the standard deviation of a gene over its range. On a circle it is
+//! that of the arcs to the mean direction.
 double relative_spread(const Gene& gene, std::vector<double> values) {
     const double range = gene.upper - gene.lower;
     if (gene.is_circular) {
@@ -46,10 +47,12 @@ double relative_spread(const Gene& gene, std::vector<double> values) {
 
 using Point = std::vector<double>;
 
-//! Of points below a reference in their first coordinates. They are sorted by
-//! the last of these: between two of them the slice has those below it.
+//! Returns the volume between points and a reference that all of them are
+//! below, in their first coordinates. Points are sorted by the last of these:
+//! the slice between two of them belongs to the points below it.
 double volume_below(std::vector<Point> points, const Point& reference,
                     std::size_t coordinates) {
+    IDEOTYPE_EXPECT(!points.empty() && coordinates > 0);
     const std::size_t last = coordinates - 1;
     std::sort(
         points.begin(), points.end(),
@@ -119,12 +122,16 @@ GenerationSummary summarize(const Population& population,
 
 double hypervolume(std::vector<Point> points, Point reference,
                    const std::vector<Sense>& senses) {
+    IDEOTYPE_EXPECT(reference.size() == senses.size());
     const auto minimise = [&](Point& point) {
         for (std::size_t k = 0; k < senses.size(); ++k)
             if (senses[k] == Sense::maximise) point[k] = -point[k];
     };
     minimise(reference);
-    for (Point& point : points) minimise(point);
+    for (Point& point : points) {
+        IDEOTYPE_EXPECT(point.size() == senses.size());
+        minimise(point);
+    }
     std::erase_if(points, [&](const Point& point) {
         for (std::size_t k = 0; k < point.size(); ++k)
             if (!(point[k] < reference[k])) return true;
@@ -137,7 +144,7 @@ double hypervolume(std::vector<Point> points, Point reference,
 Estimate hypervolume(const Population& population, const Point& reference,
                      const std::vector<Sense>& senses) {
     const std::size_t objectives = senses.size();
-    // Without one randomisation, or without none.
+    // The volume is that without one randomisation, or without none.
     const auto volume = [&](std::size_t left_out, std::size_t count) {
         std::vector<Point> points;
         for (const Individual& each : population) {
@@ -186,7 +193,10 @@ Summarizer::Summarizer(GeneSpace genes, std::vector<Sense> senses,
                        std::vector<double> reference)
     : genes_(std::move(genes)),
       senses_(std::move(senses)),
-      reference_(std::move(reference)) {}
+      reference_(std::move(reference)) {
+    IDEOTYPE_EXPECT(!senses_.empty());
+    IDEOTYPE_EXPECT(reference_.empty() || reference_.size() == senses_.size());
+}
 
 GenerationSummary Summarizer::operator()(const Population& generation) {
     GenerationSummary summary = summarize(generation, genes_, senses_.front());

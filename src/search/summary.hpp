@@ -9,49 +9,54 @@
 
 namespace ideotype {
 
-//! What is kept of an evaluated generation.
+//! The figures that are kept of an evaluated generation.
 struct GenerationSummary {
     std::uint32_t best_slot = 0;
-    double best = 0;                 //!< its objective 0
-    double best_standard_error = 0;  //!< of that
-    //! Of objective 0 over those that meet all constraints or, where none does,
-    //! over all that did not fail.
+    double best = 0;                 //!< objective 0 of the best row
+    double best_standard_error = 0;  //!< standard error of `best`
+    //! The mean of objective 0 over individuals that meet all constraints or,
+    //! where none does, over all that did not fail.
     double mean = 0;
-    double spread = 0;     //!< standard deviation of the same
+    //! Standard deviation of objective 0 over the same individuals.
+    double spread = 0;
     double diversity = 0;  //!< mean over free genes of the standard deviation
                            //!< over the range; circular for circular genes,
                            //!< 0.29 for values uniform over the range
     std::uint32_t failures = 0;
     std::uint32_t evaluations = 0;  //!< without copies of duplicates
     double wall_time = 0;           //!< since the case began, all sessions [s]
-    double violation = 0;           //!< of the best; a history has it by row
-    //! Of several objectives, of all rows so far; else NaN.
+    //! Violation of the best row; a history has it by row.
+    double violation = 0;
+    //! The hypervolume of all rows so far; NaN if there is one objective.
     double hypervolume = std::numeric_limits<double>::quiet_NaN();
     double hypervolume_standard_error = hypervolume;
 };
 
-//! All but wall_time and hypervolume; NaN where every individual failed.
+//! Returns the summary of a population without wall_time and hypervolume; its
+//! figures are NaN where every individual failed.
 //! @param sense of objective 0
 GenerationSummary summarize(const Population& population,
                             const GeneSpace& genes, Sense sense);
 
-//! The volume between a reference and the points that are better than it in
-//! every objective (Zitzler and Thiele 1998, doi:10.1007/BFb0056872), exact, in
-//! the product of the objectives' units. By slices: for fronts of some hundred
-//! points.
+//! Returns the volume between a reference and the points that are better than
+//! it in every objective (Zitzler and Thiele 1998, doi:10.1007/BFb0056872), in
+//! the product of the objectives' units. It is exact and summed by slices, for
+//! fronts of some hundred points.
 //! @param points [point, objective]
 double hypervolume(std::vector<std::vector<double>> points,
                    std::vector<double> reference,
                    const std::vector<Sense>& senses);
 
-//! Of those of a population that keep all constraints; 0 without any. The
-//! standard error is that of a jackknife over the randomisations, which rows
-//! share; it knows nothing of the luck that put rows into the front.
+//! Returns the hypervolume of the individuals of a population that meet all
+//! constraints; 0 if none does. The standard error is that of a jackknife over
+//! the randomisations, which rows share; it does not contain the luck that put
+//! rows into the front.
 Estimate hypervolume(const Population& population,
                      const std::vector<double>& reference,
                      const std::vector<Sense>& senses);
 
-//! The worst of each objective among those that did not fail, if any.
+//! Returns the worst value of each objective among the individuals that did not
+//! fail, or nothing if all failed.
 std::vector<double> worst_of(const Population& population,
                              const std::vector<Sense>& senses);
 
@@ -59,6 +64,7 @@ std::vector<double> worst_of(const Population& population,
 //! objectives with the hypervolume of all rows so far.
 class Summarizer {
   public:
+    //! Begins with no rows.
     //! @param reference of the hypervolume; if empty, worst_of() the first
     //! generation in which any did not fail
     Summarizer(GeneSpace genes, std::vector<Sense> senses,
@@ -70,7 +76,7 @@ class Summarizer {
     GeneSpace genes_;
     std::vector<Sense> senses_;
     std::vector<double> reference_;
-    Population front_;  //!< of all rows so far
+    Population front_;  //!< rows that none of all rows so far dominates
 };
 
 }  // namespace ideotype

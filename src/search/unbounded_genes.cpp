@@ -4,16 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 namespace {
 
 constexpr double margin = 0.05;  //!< beside a bound, relative to the range
 
-//! The share of the range that a coordinate stands for. Bounds are those of
-//! parabolas that begin with the slope of the line between them.
+//! Returns the share of the range that a coordinate stands for. Beside bounds
+//! it follows parabolas that begin with the slope of the line between them.
 double folded(double coordinate) {
-    // It comes back after a way to and fro.
+    // A coordinate stands for the same share after a way to and fro.
     constexpr double period = 2 * (1 + 2 * margin);
     double x = std::remainder(coordinate + margin, period);
     x = std::abs(x) - margin;  // [-margin, 1 + margin]
@@ -24,6 +26,7 @@ double folded(double coordinate) {
 }
 
 double unfolded(double share) {
+    IDEOTYPE_EXPECT(share >= 0 && share <= 1);
     if (share < margin) return 2 * std::sqrt(margin * share) - margin;
     if (share > 1 - margin)
         return 1 + margin - 2 * std::sqrt(margin * (1 - share));
@@ -39,6 +42,7 @@ UnboundedGenes::UnboundedGenes(const GeneSpace& genes) : genes_(genes) {
 }
 
 std::vector<double> UnboundedGenes::of(const Genome& genome) const {
+    IDEOTYPE_EXPECT(genome.size() == genes_.size());
     std::vector<double> coordinates;
     for (const std::size_t i : free_) {
         const Gene& gene = genes_[i];
@@ -59,6 +63,8 @@ std::vector<double> UnboundedGenes::first_steps() const {
 
 Genome UnboundedGenes::genome(const std::vector<double>& coordinates,
                               Genome original) const {
+    IDEOTYPE_EXPECT(coordinates.size() == free_.size());
+    IDEOTYPE_EXPECT(original.size() == genes_.size());
     for (std::size_t k = 0; k < free_.size(); ++k) {
         const Gene& gene = genes_[free_[k]];
         const double range = gene.upper - gene.lower;

@@ -18,15 +18,17 @@ class UnboundedGenes {
 
     std::size_t size() const { return free_.size(); }
 
-    //! The coordinates of a genome within its bounds, each that nearest to 0.
+    //! Returns the coordinates of a genome within its bounds, each that nearest
+    //! to 0.
     std::vector<double> of(const Genome& genome) const;
 
-    //! Relative standard deviations that a search begins with: a circular gene
-    //! has half of that of others, since it can go both ways round.
+    //! Returns relative standard deviations that a search begins with: a
+    //! circular gene has half of that of others, since it can go both ways
+    //! round.
     std::vector<double> first_steps() const;
 
-    //! A copy of a genome with its free genes at these coordinates, each within
-    //! [lower, upper], or [lower, upper) if it is circular.
+    //! Returns a copy of a genome with its free genes at these coordinates,
+    //! each within [lower, upper], or [lower, upper) if it is circular.
     Genome genome(const std::vector<double>& coordinates,
                   Genome original) const;
 

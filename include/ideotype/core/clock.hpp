@@ -6,15 +6,16 @@
 
 namespace ideotype {
 
-//! The seconds of "90", "90s", "1m", "2h", "1h30m" or "HH:MM:SS"; nothing if
-//! the text is none of these.
+//! Returns the seconds of "90", "90s", "1m", "2h", "1h30m" or "HH:MM:SS";
+//! nothing if the text is none of these.
 std::optional<double> parse_duration(const std::string& text);
 
-//! "UTC-5", "UTC+5:30" or "UTC": what a clock is called that is so many hours
-//! ahead of UTC.
+//! Returns what a clock is called that is so many hours ahead of UTC: "UTC-5",
+//! "UTC+5:30" or "UTC".
 std::string clock_name(double utc_offset);
 
-//! A local clock time [h] as "HH:MM"; it may be of the day before or after.
+//! Returns a local clock time [h], which may be of the day before or after, as
+//! "HH:MM".
 std::string clock_time(double hour);
 
 }  // namespace ideotype

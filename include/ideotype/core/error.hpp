@@ -7,7 +7,7 @@
 
 namespace ideotype {
 
-//! What the program returns to the shell.
+//! The numbers that the program returns to the shell.
 enum class ExitCode {
     ok = 0,
     runtime = 1,           //!< something failed while running
@@ -46,14 +46,15 @@ struct Problem {
     std::string what;  //!< "problem (why); remedy"
 };
 
-//! `file:line:column: what`
+//! Returns `file:line:column: what`.
 std::string to_string(const Problem& problem);
 
-//! A message in which texts between double quotes, and words that are no paths,
-//! have some 80 characters at most: what a user wrote may be megabytes.
+//! Returns a message in which texts between double quotes, and words that are
+//! no paths, have some 80 characters at most, since a text of a user may be
+//! megabytes long.
 std::string with_short_quotes(const std::string& message);
 
-//! Every problem of an input, found in one pass, in the order of the text.
+//! All problems of an input, found in one pass, in the order of the text.
 class InputError : public Error {
   public:
     explicit InputError(std::vector<Problem> problems);
@@ -64,11 +65,12 @@ class InputError : public Error {
     std::vector<Problem> problems_;
 };
 
-//! The candidate nearest to a misspelt word, or "" if none is near.
+//! Returns the candidate nearest to a misspelt word, or "" if none is near.
 std::string nearest_name(const std::string& word,
                          const std::vector<std::string>& candidates);
 
-//! "did you mean 'x'?", or "use one of x, y, z" if no candidate is near.
+//! Returns "did you mean 'x'?", or "use one of x, y, z" if no candidate is
+//! near.
 std::string did_you_mean(const std::string& word,
                          const std::vector<std::string>& candidates);
 

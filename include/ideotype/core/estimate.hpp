@@ -4,6 +4,8 @@
 #include <span>
 #include <utility>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 //! A figure and its standard error, in the same unit.
@@ -12,35 +14,36 @@ struct Estimate {
     double standard_error = 0;
 };
 
-//! Mean of independent replicates and the standard error of that mean,
-//! sqrt(sum (x - mean)^2 / (n (n - 1))). A single replicate tells nothing of
-//! its error: the standard error is then NaN.
+//! Returns the mean of independent replicates and the standard error of that
+//! mean, sqrt(sum (x - mean)^2 / (n (n - 1))). A single replicate tells nothing
+//! of its error: the standard error is then NaN.
 Estimate estimate(std::span<const double> replicates);
 
-//! A figure, and its values in independent randomisations if they are known.
+//! A figure, and its values in each randomisation if they are known.
 struct Randomisations {
     Estimate figure;
     std::span<const double> values;
 };
 
-//! b - a. The standard error is that of the differences in each randomisation
-//! where both share them; else that of independent figures, which is if
-//! anything too large.
+//! Returns b - a. If both share their randomisations, the standard error is
+//! that of the differences in each of them, else that of independent figures,
+//! which is if anything too large.
 Estimate difference(const Randomisations& a, const Randomisations& b);
 
-//! 100 (b / a - 1) [%], with the standard error of the ratio to first order,
-//! paired as in difference(). Both are NaN if a is zero.
+//! Returns 100 (b / a - 1) [%], with the standard error of the ratio to first
+//! order, paired as in difference(). Both are NaN if a is zero.
 Estimate relative_gain(const Randomisations& a, const Randomisations& b);
 
-//! a * x for an exact factor a.
+//! Returns a * x for an exact factor a.
 inline Estimate scaled(Estimate x, double a) {
     return {a * x.mean, (a < 0 ? -a : a) * x.standard_error};
 }
 
-//! Returns a part of the incident light as a fraction of it; nothing where
-//! there is no light.
+//! Returns a part of the incident light as a fraction of it; 0 where there is
+//! no light.
 template <class Light>
 Light fraction_of(Light part, double incident) {
+    IDEOTYPE_EXPECT(!(incident < 0));
     return scaled(std::move(part), incident > 0 ? 1 / incident : 0);
 }
 

@@ -10,7 +10,7 @@
 
 namespace ideotype {
 
-//! Tells what a surface is a part of.
+//! Identifies the part of a plant or object that a surface belongs to.
 struct SurfaceId {
     //! Number of the component of the scene; fixed objects follow components.
     std::uint32_t component = 0;
@@ -43,12 +43,12 @@ struct Mesh {
     std::vector<Group> groups;
 };
 
-//! One-sided area of each face [m2].
+//! Returns the one-sided area of each face [m2].
 std::vector<double> face_areas(const Mesh& mesh);
 
-//! Half of the surface of plants [m2].
+//! The area of plants, half of their surface [m2].
 struct PlantArea {
-    double leaves = 0;        //!< which is their one-sided area
+    double leaves = 0;        //!< the one-sided area of leaves
     double other_organs = 0;  //!< half of what is outside, since they are solid
 
     PlantArea& operator+=(const PlantArea& more) {
@@ -58,7 +58,7 @@ struct PlantArea {
     }
 };
 
-//! The area of all faces of a mesh but those of fixed objects.
+//! Returns the area of all faces of a mesh but those of fixed objects.
 PlantArea plant_area(const Mesh& mesh);
 
 }  // namespace ideotype

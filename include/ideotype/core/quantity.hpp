@@ -8,12 +8,12 @@
 
 namespace ideotype {
 
-//! What a dimension counts: numbers in the axis' unit, whole numbers or names.
+//! The entries of an axis: numbers in its unit, whole numbers or names.
 using Coordinates = std::variant<std::vector<double>, std::vector<std::int64_t>,
                                  std::vector<std::string>>;
 
-//! A dimension of quantities, such as leaf or hour, with the place of each of
-//! its entries.
+//! A dimension of quantities, such as leaf or hour, with the coordinate of each
+//! of its entries.
 struct Axis {
     std::string name;
     std::string unit;  //!< "1" of whole numbers, "" of names
@@ -26,20 +26,21 @@ struct Axis {
     }
 };
 
-//! An axis that counts from a first number.
+//! Returns an axis that counts from a first number.
 Axis counted(const std::string& name, const std::string& meaning,
              std::size_t size, std::int64_t first = 0);
 
-//! Whether a quantity follows from the scene or is estimated.
+//! Tells a quantity that is estimated from one that follows from the scene.
 enum class Certainty { estimated, exact };
 
-//! Something that is measured: numbers along axes, in row-major order.
+//! A measured quantity: numbers along axes, in row-major order.
 struct Quantity {
     std::string name;
     std::string unit;
     std::string meaning;
-    std::vector<std::string> axes{};  //!< by name; none: a single number
-    //! Of an exact quantity no standard error is kept.
+    //! Names of the axes; none for a single number.
+    std::vector<std::string> axes{};
+    //! An exact quantity has no standard error, and none is kept of it.
     Certainty certainty = Certainty::estimated;
 };
 
@@ -48,19 +49,19 @@ struct QuantitySet {
     std::vector<Axis> axes;
     std::vector<Quantity> quantities;
 
-    //! @throws std::out_of_range if there is none of this name.
+    //! Returns the axis of a name. @throws std::out_of_range if there is none.
     const Axis& axis(const std::string& name) const;
 
     bool has(const std::string& quantity) const;
 
-    //! Numbers of a quantity.
+    //! Returns how many numbers a quantity has.
     std::size_t size(const Quantity& quantity) const;
 
-    //! Numbers of all quantities.
+    //! Returns how many numbers all quantities have together.
     std::size_t size() const;
 
-    //! Where the numbers of a quantity begin among those of all.
-    //! @throws std::out_of_range if there is none of this name.
+    //! Returns the place at which the numbers of a quantity begin among those
+    //! of all. @throws std::out_of_range if there is no quantity of this name.
     std::size_t offset(const std::string& name) const;
 };
 

@@ -3,7 +3,7 @@
 
 namespace ideotype {
 
-//! Smallest and largest value.
+//! The smallest and the largest value of a number.
 struct Range {
     double lower = 0;
     double upper = 0;

@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 //! A coroutine that returns a Result: a function that pauses where it awaits
@@ -24,24 +26,32 @@ class [[nodiscard]] Routine {
         std::swap(handle_, other.handle_);
         return *this;
     }
-    //! A routine that pauses is ended there, as by an exception.
+    //! Ends the routine; one that pauses is ended there, as by an exception.
     ~Routine() {
         if (handle_) handle_.destroy();
     }
 
-    //! Runs until it pauses or returns. Once.
-    void start() { handle_.resume(); }
+    //! Runs the routine until it pauses or returns. May be called once.
+    void start() {
+        IDEOTYPE_EXPECT(handle_ && !handle_.done());
+        handle_.resume();
+    }
 
-    bool has_ended() const { return handle_.done(); }
+    bool has_ended() const {
+        IDEOTYPE_EXPECT(handle_);
+        return handle_.done();
+    }
 
-    //! What it returned; rethrows what it threw. Once, after it has ended.
+    //! Returns the result of a routine that has ended, or rethrows its
+    //! exception. May be called once.
     Result result() {
+        IDEOTYPE_EXPECT(handle_ && handle_.done());
         promise_type& promise = handle_.promise();
         if (promise.failure) std::rethrow_exception(promise.failure);
         return std::move(*promise.value);
     }
 
-    // What co_await asks for.
+    // These functions make a routine one that others can co_await.
     bool await_ready() const noexcept { return false; }
     Handle await_suspend(std::coroutine_handle<> awaiting) noexcept {
         handle_.promise().awaiting = awaiting;
@@ -55,10 +65,10 @@ class [[nodiscard]] Routine {
     Handle handle_;
 };
 
-//! What the compiler asks a coroutine's type for.
+//! The functions by which the compiler makes a coroutine a Routine.
 template <class Result>
 struct Routine<Result>::promise_type {
-    //! At the end: go on with whoever awaits this routine.
+    //! Goes on with the routine that awaits this one, when it ends.
     struct Return {
         bool await_ready() const noexcept { return false; }
         std::coroutine_handle<> await_suspend(Handle handle) const noexcept {

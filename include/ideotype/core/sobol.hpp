@@ -6,20 +6,25 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
-//! Dimensions of the low-discrepancy sequence.
+//! The number of dimensions of the low-discrepancy sequence.
 inline constexpr std::size_t sobol_dimensions = 337;
 
-//! What the bits of an index are worth, the lowest first.
+//! The fractions by which each bit of an index moves a coordinate of its point,
+//! the lowest bit first.
 using SobolDirections = std::array<std::uint32_t, 32>;
 
-//! By dimension, with the direction numbers of Joe and Kuo (2008,
-//! doi:10.1137/070709359).
+//! The directions of each dimension, from the direction numbers of Joe and Kuo
+//! (2008, doi:10.1137/070709359).
 extern const std::array<SobolDirections, sobol_dimensions> sobol_directions;
 
-//! The unscrambled Sobol' point of an index as 32-bit fractions.
+//! Returns a coordinate of the unscrambled Sobol' point of an index, as a
+//! 32-bit fraction.
 inline std::uint32_t sobol(std::uint32_t index, std::size_t dimension) {
+    IDEOTYPE_EXPECT(dimension < sobol_dimensions);
     std::uint32_t x = 0;
     for (; index; index &= index - 1)
         x ^= sobol_directions[dimension]
@@ -27,7 +32,7 @@ inline std::uint32_t sobol(std::uint32_t index, std::size_t dimension) {
     return x;
 }
 
-//! The bits of x from the last to the first.
+//! Returns the bits of x from the last to the first.
 constexpr std::uint32_t reversed(std::uint32_t x) {
     x = (x & 0x55555555u) << 1 | (x >> 1 & 0x55555555u);
     x = (x & 0x33333333u) << 2 | (x >> 2 & 0x33333333u);
@@ -35,8 +40,8 @@ constexpr std::uint32_t reversed(std::uint32_t x) {
     return __builtin_bswap32(x);
 }
 
-//! A random permutation of [0, 2^32) that keeps every dyadic interval whole:
-//! nested uniform scrambling by hashing (Owen 1995,
+//! Returns x after a random permutation of [0, 2^32) that keeps every dyadic
+//! interval whole: nested uniform scrambling by hashing (Owen 1995,
 //! doi:10.1007/978-1-4612-2552-2_19; Laine and Karras 2011,
 //! doi:10.1111/j.1467-8659.2011.02000.x; constants of Vegdahl 2021).
 constexpr std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {

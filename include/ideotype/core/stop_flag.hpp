@@ -17,17 +17,17 @@ class StopFlag {
     StopFlag(const StopFlag&) = delete;
     StopFlag& operator=(const StopFlag&) = delete;
 
-    //! True once a signal arrived, request() was called or the time of
+    //! Returns whether a signal arrived, request() was called or the time of
     //! request_after() is over.
     bool requested() const;
 
-    //! Ask to stop, as a signal would.
+    //! Asks to stop, as a signal would.
     void request();
 
-    //! Ask to stop after this time [s], which a set clock does not change.
+    //! Asks to stop after this time [s], which a set clock does not change.
     void request_after(double seconds);
 
-    //! The signal that asked first, 0 if none did.
+    //! Returns the signal that asked first, or 0 if none did.
     int signal() const;
 
   private:

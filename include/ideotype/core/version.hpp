@@ -5,10 +5,11 @@
 
 namespace ideotype {
 
-//! Which program this is, recorded in every history.
+//! Identifies the program that was built; every history records it.
 struct BuildInfo {
-    //! "0.1.1" of a release; between releases the last one and the commit,
-    //! "0.1.1+0123456789ab", and "-dirty" if sources have changed since.
+    //! The version: "0.1.1" of a release; between releases the last one and the
+    //! commit, "0.1.1+0123456789ab", and "-dirty" if sources have changed
+    //! since.
     std::string version;
     std::string git_sha;    //!< commit, or "unknown" outside git
     std::string git_dirty;  //!< "yes", "no" or "unknown"

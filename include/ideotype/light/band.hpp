@@ -16,8 +16,8 @@ struct Band {
     std::string name;  //!< such as "par"
     SeriesIllumination light;
     Optics optics;
-    //! Whether a tolerance bounds the error of the light that leaves absorb in
-    //! this band.
+    //! Tells whether a tolerance bounds the error of the light that leaves
+    //! absorb in this band.
     bool is_bounded = true;
 };
 

@@ -3,8 +3,8 @@
 
 namespace ideotype {
 
-//! How a canopy goes on beyond its mesh: in copies without end, or not at all,
-//! on an infinite plane of soil.
+//! Tells how a canopy goes on beyond its mesh: in copies without end, or not at
+//! all, on an infinite plane of soil.
 enum class Boundary { periodic, isolated };
 
 }  // namespace ideotype

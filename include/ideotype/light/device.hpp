@@ -11,7 +11,8 @@ namespace ideotype {
 //! graze which edge depends on the instruction set; histories record it.
 class Device {
   public:
-    //! @throws Error if the processor lacks the instruction set.
+    //! Starts the ray tracer. @throws Error if the processor lacks the
+    //! instruction set.
     explicit Device(const std::string& isa);
     ~Device();
     Device(const Device&) = delete;
@@ -19,11 +20,11 @@ class Device {
 
     const std::string& isa() const { return isa_; }
 
-    //! Instruction sets that this processor has, narrowest first:
+    //! Returns the instruction sets that this processor has, narrowest first:
     //! some of sse2, sse4.2, avx, avx2, avx512.
     static std::vector<std::string> supported_isas();
 
-    //! Name and version of the ray tracing library.
+    //! Returns the name and version of the ray tracing library.
     static std::string library_version();
 
   private:

@@ -12,23 +12,25 @@ namespace ideotype {
 
 //! Light that comes from one direction, or, without one, from a sky.
 struct Source {
-    std::optional<glm::dvec3> direction;  //!< of travel, unit length, downwards
-    double energy = 0;                    //!< on horizontal ground [J m-2]
-    SkySampler sky;                       //!< in use if there is no direction
+    //! Direction of travel, unit length, downwards.
+    std::optional<glm::dvec3> direction;
+    double energy = 0;  //!< on horizontal ground [J m-2]
+    SkySampler sky;     //!< used if there is no direction
     double effort = 1;  //!< paths for its energy, relative to other sources
     //! Its light meets groups of this pose, besides all that stands.
     std::uint32_t pose = 0;
 };
 
-//! All light that falls on a stand, each source traced for itself.
+//! The light that falls on a stand, from sources that are each traced for
+//! themselves.
 struct Illumination {
     std::vector<Source> sources;
 
     double energy() const;  //!< [J m-2]
 };
 
-//! Whether a sky whose shape does not change is one source for all instants,
-//! or one for each sun, as a clear one always is.
+//! Tells whether a sky whose shape does not change is one source for all
+//! instants, or one for each sun, as a clear one always is.
 enum class Skies { shared, each };
 
 //! The light of a series in the axes of a field: beams from the suns and their
@@ -45,17 +47,18 @@ struct SeriesIllumination {
     std::vector<std::size_t> instant_of{};
 };
 
+//! Returns the light of a series.
 //! @param row_direction of the field's y axis, clockwise from north [deg]
 //! @param dates the suns of so many dates of a season, each from the middle of
-//! an equal part, stand for all: the nearest in direction for each instant;
-//! 0: each instant has its own
+//! an equal part, stand for all: the nearest in direction for each instant; 0:
+//! each instant has its own
 SeriesIllumination illuminate(LightSeries series, SkyModel sky_model,
                               double row_direction, Skies skies = Skies::shared,
                               int dates = 0);
 
-//! The light of the same sources in another waveband, in which each instant has
-//! its own light from sun and sky. Where there is light in that band alone, it
-//! is left out.
+//! Returns the light of the same sources in another waveband, in which each
+//! instant has its own light from sun and sky. Light of instants that have none
+//! in the first band is left out.
 SeriesIllumination in_band(SeriesIllumination light,
                            Irradiance TimeStep::*band);
 

@@ -11,7 +11,7 @@ struct Layers {
     double thickness = 1;  //!< [m]
     std::size_t count = 1;
 
-    //! The layer of a height [m].
+    //! Returns the layer of a height [m].
     std::size_t at(double height) const {
         const double last = static_cast<double>(count - 1);
         return static_cast<std::size_t>(

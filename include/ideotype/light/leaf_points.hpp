@@ -12,17 +12,18 @@ namespace ideotype {
 //! A point of a leaf.
 struct LeafPoint {
     glm::dvec3 position;  //!< where the mesh has it [m]
-    glm::dvec3 normal;    //!< of the adaxial side, unit length
-    std::uint32_t group;  //!< of the mesh
-    //! Light does not come here: the point is below the soil, or of a face
-    //! with the same corners as an earlier one.
+    glm::dvec3 normal;    //!< normal of the adaxial side, unit length
+    std::uint32_t group;  //!< group of the mesh
+    //! Tells whether light cannot come here: the point is below the soil, or of
+    //! a face with the same corners as an earlier one.
     bool is_hidden;
 };
 
-//! The part of a point's leaf area that is not on another's.
+//! Returns the part of a point's leaf area that is not on another's.
 double own_part(const RayScene& scene, const LeafPoint& point);
 
-//! Leaf surface, as the triangles that light meets, and points on it.
+//! The surface of leaves, as the triangles that light meets, from which points
+//! can be drawn.
 class LeafPoints {
   public:
     //! Tells whether a group of the mesh counts.
@@ -32,10 +33,11 @@ class LeafPoints {
     explicit LeafPoints(const Mesh& mesh);
     LeafPoints(const Mesh& mesh, const Wanted& is_wanted);
 
-    //! One-sided, of all leaves [m2].
+    //! Returns the one-sided area of all leaves [m2].
     double area() const { return ends_.empty() ? 0 : ends_.back(); }
 
-    //! Evenly spread over all leaves, of which there are some.
+    //! Returns a point of leaves, of which there must be some. Points are
+    //! spread evenly over their area.
     //! @param share,s,t uniform in [0, 1)
     LeafPoint at(double share, double s, double t) const;
 

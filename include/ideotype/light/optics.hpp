@@ -35,20 +35,21 @@ struct Material {
         return is_adaxial ? adaxial : abaxial;
     }
 
-    //! The largest part of light that either face absorbs.
+    //! Returns the largest part of light that either face absorbs.
     double most_absorbed() const {
         return 1 - std::min(adaxial.scattered(), abaxial.scattered());
     }
-    //! The largest part of light that either face scatters.
+    //! Returns the largest part of light that either face scatters.
     double most_scattered() const {
         return std::max(adaxial.scattered(), abaxial.scattered());
     }
 };
 
-//! Optical properties, in one waveband, of all that light can meet.
+//! The optical properties, in one waveband, of all that light can meet.
 struct Optics {
-    std::vector<Material> materials;  //!< by Group::material
-    double soil_albedo = 0;           //!< Lambertian
+    //! Materials, to which Group::material points.
+    std::vector<Material> materials;
+    double soil_albedo = 0;  //!< Lambertian
 
     //! Returns a material; one that is not listed absorbs all light.
     const Material& of(std::uint32_t material) const {
@@ -56,7 +57,7 @@ struct Optics {
         return material < materials.size() ? materials[material] : black;
     }
 
-    //! The largest part of light that anything scatters.
+    //! Returns the largest part of light that anything scatters.
     double most_scattered() const {
         double most = soil_albedo;
         for (const Material& each : materials)

@@ -16,16 +16,17 @@ struct RTCRayHit;
 
 namespace ideotype {
 
-//! Where light meets something.
+//! The place at which light meets something.
 struct Hit {
-    //! In place of a group.
+    //! The numbers of soil and sky in place of a group.
     static constexpr std::uint32_t soil = ~std::uint32_t{0};
     static constexpr std::uint32_t sky = soil - 1;
 
     glm::dvec3 position{0};      //!< on the plane of the face [m]
     glm::dvec3 normal{0, 0, 1};  //!< unit length; of faces the adaxial side
-    std::uint32_t group = 0;     //!< of the mesh, or the soil, or the sky
-    std::uint32_t triangle = 0;  //!< of the scene's surfaces
+    std::uint32_t group = 0;     //!< group of the mesh, or the soil, or the sky
+    //! Number among the triangles of the scene's surfaces.
+    std::uint32_t triangle = 0;
 };
 
 //! A box along the axes [m].
@@ -38,7 +39,7 @@ struct Segment {
     double first, last;
 };
 
-//! From the lowest to the highest point of surfaces [m].
+//! The lowest and the highest point of surfaces [m].
 struct Heights {
     double lower, upper;
 };
@@ -50,8 +51,10 @@ struct Surfaces {
     std::vector<glm::dvec3> vertices;
     std::vector<std::array<std::uint32_t, 4>> faces;
     std::vector<std::uint32_t> face_group;
+    //! The pose in which each face is there; 0: in all.
     std::vector<std::uint32_t> face_pose;
-    //! Of each triangle, on the adaxial side: unit length, or 0 without area.
+    //! The normal of each triangle on the adaxial side: unit length, or 0
+    //! without area.
     std::vector<glm::dvec3> normals;
 
     //! Adds a face of a mesh with the same vertices.
@@ -64,11 +67,12 @@ struct Surfaces {
     }
 };
 
-//! Where a ray is inside a box, edges included; nothing if it misses it.
+//! Returns the part of a ray that is inside a box, edges included; nothing if
+//! it misses the box.
 std::optional<Segment> clip(const Box& box, const glm::dvec3& origin,
                             const glm::dvec3& direction);
 
-//! All surfaces of a canopy, ready to be traced.
+//! The surfaces of a canopy, ready to be traced.
 //!
 //! A periodic scene holds one cell of an infinite stand. The cell spans [0,
 //! period_x] x [0, period_y]; its lattice is where the mesh says, so any shift
@@ -76,14 +80,15 @@ std::optional<Segment> clip(const Box& box, const glm::dvec3& origin,
 //! cell's boundary is also there as its images from the neighbouring cells:
 //! nothing is cut off, nothing is doubled, since rays end where the cell does.
 //!
-//! What moves with the sun, such as panels that track it, stands apart: its
-//! faces are there for light of their pose alone.
+//! Objects that move with the sun, such as panels that track it, stand apart:
+//! their faces are there for light of their pose alone.
 //!
-//! An isolated scene holds a plot, moved so that the corner of its bounding
-//! box is above the origin.
+//! An isolated scene holds a plot, moved so that the corner of its bounding box
+//! is above the origin.
 class RayScene {
   public:
-    //! Faces without area and faces below the soil are left out.
+    //! Builds a periodic scene. Faces without area and faces below the soil are
+    //! left out.
     //!
     //! Faces that lie on each other, closer than clearance(), are one surface:
     //! light meets one of them, and what that sends on restarts beyond all. Of
@@ -94,9 +99,10 @@ class RayScene {
     RayScene(const Device& device, const Mesh& mesh, double period_x,
              double period_y);
 
-    //! A plot that stands alone.
+    //! Builds the scene of a plot that stands alone.
     //! @param ground_area that all figures refer to [m2]
-    //! @throws Error as above, with the ground area in place of the period.
+    //! @throws Error as for a periodic scene, with the ground area in place of
+    //! the period.
     static RayScene isolated(const Device& device, const Mesh& mesh,
                              double ground_area);
 
@@ -111,43 +117,47 @@ class RayScene {
     const Box& box() const { return box_; }  //!< around the plot, if isolated
     double top() const { return top_; }      //!< above all surfaces [m]
 
-    //! Height of the soil [m]: below zero by the rounding error, so that light
-    //! can pass between it and a face that lies on it.
+    //! Returns the height of the soil [m]. It is below zero by the rounding
+    //! error, so that light can pass between it and a face that lies on it.
     double soil() const { return -2 * clearance_; }
     std::size_t faces() const { return standing_.face.size(); }
 
-    //! One-sided area of all faces of the mesh [m2].
+    //! Returns the one-sided area of all faces of the mesh [m2].
     double surface_area() const { return surface_area_; }
 
-    //! Of the plot, or what repeats: wherever in the stand the mesh has it.
+    //! Returns the surfaces of the plot, or of what repeats: wherever in the
+    //! stand the mesh has it.
     const Surfaces& surfaces() const { return surfaces_; }
 
-    //! Where the faces of a group of the mesh are; nothing if it has none.
+    //! Returns the heights between which the faces of a group of the mesh are;
+    //! nothing if it has none.
     std::optional<Heights> heights(std::size_t group) const;
 
-    //! The first face within a distance [m] of a point of the cell, along a
-    //! unit direction; false if there is none.
+    //! Finds the first face within a distance [m] of a point of the cell, along
+    //! a unit direction; returns false if there is none.
     //! @param pose of what moves
     bool intersect(const glm::dvec3& origin, const glm::dvec3& direction,
                    double distance, Hit& hit, std::uint32_t pose = 0) const;
 
-    //! How many faces and images of faces are at a point of the cell or the
-    //! plot: closer than a clearance.
+    //! Returns how many faces and images of faces are at a point of the cell or
+    //! the plot: closer than a clearance.
     int faces_at(const glm::dvec3& point) const;
 
-    //! Where a point of the mesh is in this scene.
+    //! Returns the position in this scene of a point of the mesh.
     glm::dvec3 placed(const glm::dvec3& point) const;
 
-    //! The same point of the stand inside the cell; a plot has only itself.
+    //! Returns the position inside the cell that is the same point of the
+    //! stand. In a plot every position is itself.
     glm::dvec3 wrapped(const glm::dvec3& point) const;
 
-    //! Where light restarts from a point of a face, on the side of the normal:
-    //! a clearance away, but not below the soil.
+    //! Returns the position from which light restarts from a point of a face,
+    //! on the side of the normal: a clearance away, but not below the soil.
     glm::dvec3 offset_origin(const glm::dvec3& point,
                              const glm::dvec3& normal) const;
 
-    //! How far from a face light must restart so as not to meet it again: a
-    //! few times the rounding error of single precision in this cell [m].
+    //! Returns how far from a face light must restart so as not to meet it
+    //! again: a few times the rounding error of single precision in this cell
+    //! [m].
     double clearance() const { return clearance_; }
 
   private:
@@ -181,7 +191,8 @@ class RayScene {
 
     Boundary boundary_ = Boundary::periodic;
     Box box_{};
-    glm::dvec3 plot_corner_{0};  //!< in the axes of the mesh, if isolated
+    //! Corner in the axes of the mesh, if isolated.
+    glm::dvec3 plot_corner_{0};
     double ground_area_ = 0;
     double period_x_ = 0;
     double period_y_ = 0;

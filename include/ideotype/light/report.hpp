@@ -11,33 +11,35 @@
 
 namespace ideotype {
 
-//! Where light went, with standard errors, in the unit of `incident`.
+//! The parts of the light of a source or of all, with standard errors, in the
+//! unit of `incident`.
 struct BudgetEstimate {
     double incident = 0;  //!< on the ground area
-    //! The sum of all parts: of a periodic stand what is incident, of an
-    //! isolated plot what comes in through its bounding box from all sides.
+    //! The sum of all parts: of a periodic stand the light that is incident, of
+    //! an isolated plot the light that comes in through its bounding box from
+    //! all sides.
     Estimate entered;
     Estimate leaves;
     Estimate stalks;   //!< and sheaths and all other organs
-    Estimate plants;   //!< both
+    Estimate plants;   //!< leaves and stalks
     Estimate objects;  //!< fixed objects
     Estimate soil;
     Estimate reflected;
 
-    //! What leaves absorb, by where it came from at last: from the sun, from
-    //! the sky, or from another surface.
+    //! The light that leaves absorb, by where it came from at last: from the
+    //! sun, from the sky, or from another surface.
     Estimate leaves_beam;
     Estimate leaves_sky;
     Estimate leaves_scattered;
 };
 
-//! One instant of the day; of several days the mean, in which a day without
-//! light at that hour counts too.
+//! The light of one instant of the day; of several days the mean, in which a
+//! day without light at that hour counts too.
 struct StepReport {
     double hour = 0;        //!< site's clock [h]
     BudgetEstimate budget;  //!< [W m-2]
-    //! Part of the one-sided leaf area that the sun shines on, if it was asked
-    //! for.
+    //! The part of the one-sided leaf area that the sun shines on, if it was
+    //! asked for.
     std::optional<Estimate> sunlit;
 };
 
@@ -50,46 +52,47 @@ struct SideLight {
 
 //! The light of one day, or of the mean of several, in one stand and waveband.
 struct DayReport {
-    BudgetEstimate day;             //!< [J m-2 day-1]
-    std::vector<Estimate> groups;   //!< absorbed per group [J m-2 day-1]
-    std::vector<Estimate> layers;   //!< by leaves, lowest first [J m-2 day-1]
-    Estimate adaxial, abaxial;      //!< by faces of leaves [J m-2 day-1]
+    BudgetEstimate day;            //!< [J m-2 day-1]
+    std::vector<Estimate> groups;  //!< absorbed per group [J m-2 day-1]
+    //! Light of leaves, lowest layer first [J m-2 day-1].
+    std::vector<Estimate> layers;
+    Estimate adaxial, abaxial;  //!< light of the faces of leaves [J m-2 day-1]
     std::vector<StepReport> steps;  //!< LightSeries::hours()
-    double utc_offset = 0;          //!< of their clock [h]
-    //! What fixed objects absorb per area of ground: of each the adaxial side,
-    //! then the abaxial one.
+    double utc_offset = 0;          //!< offset of the clock of the hours [h]
+    //! The light that fixed objects absorb per area of ground: of each the
+    //! adaxial side, then the abaxial one.
     std::vector<SideLight> objects;
-    //! Of several days what leaves absorb on each [J m-2 day-1].
+    //! The light that leaves absorb on each of several days [J m-2 day-1].
     std::vector<Estimate> dates;
-    //! Largest relative difference between incident light and the sum of its
-    //! parts in any randomisation.
+    //! The largest relative difference between incident light and the sum of
+    //! its parts in any randomisation.
     double balance_error = 0;
 };
 
-//! Sums up independent tallies of a series; where instants share a source, each
-//! has a part of that in proportion to its light. The standard errors
-//! are those of the mean of the tallies, and at least what their paths can
-//! tell, see Resolution.
+//! Sums up independent tallies of a series. If instants share a source, each
+//! has a part of it in proportion to its light. The standard errors are those
+//! of the mean of the tallies, and at least as large as their paths can tell,
+//! see Resolution.
 DayReport report(const std::vector<Tally>& tallies,
                  const SeriesIllumination& illumination);
 
-//! The light that each group of the mesh absorbs, from all sources
-//! [J m-2 of ground]; standard errors as above.
+//! Returns the light that each group of the mesh absorbs, from all sources [J
+//! m-2 of ground], with standard errors as in report().
 std::vector<Estimate> absorbed_by_group(const std::vector<Tally>& tallies);
 
-//! The light that some groups absorb together, from all sources
-//! [J m-2 of ground]; standard error as above.
+//! Returns the light that some groups absorb together, from all sources [J m-2
+//! of ground], with a standard error as in report().
 Estimate absorbed_by_groups(const std::vector<Tally>& tallies,
                             const std::vector<std::size_t>& groups);
 
-//! The light that some leaves absorb together, from all sources
-//! [J m-2 of ground]; standard error as above.
+//! Returns the light that some leaves absorb together, from all sources
+//! [J m-2 of ground], with a standard error as in report().
 //! @param of_some that light by tally
 Estimate absorbed_by_some_leaves(const std::vector<Tally>& tallies,
                                  const std::vector<double>& of_some);
 
-//! The light that all leaves absorb, from all sources [J m-2 of ground];
-//! standard error as above.
+//! Returns the light that all leaves absorb, from all sources [J m-2 of
+//! ground], with a standard error as in report().
 Estimate absorbed_by_leaves(const std::vector<Tally>& tallies);
 
 //! The part of the one-sided leaf area that the sun shines on.

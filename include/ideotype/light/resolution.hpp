@@ -7,35 +7,40 @@
 
 namespace ideotype {
 
-//! What the paths of one randomisation can tell. A figure that no path
-//! contradicts, such as a small leaf that none has met, is still only known to
-//! what a surface would have kept of one path. A figure that follows from the
-//! scene, such as the light that black surfaces scatter, is certain.
+//! The least error of figures: the amount that the paths of one randomisation
+//! can tell. A figure that no path contradicts, such as a small leaf that none
+//! has met, is still only known to the energy that a surface would have kept of
+//! one path. A figure that follows from the scene, such as the light that black
+//! surfaces scatter, is certain.
 struct Resolution {
-    //! Energy of one path of each source [J m-2 of ground].
+    //! The energy of one path of each source [J m-2 of ground].
     std::vector<double> path_energy;
 
-    // The part of a path that a figure gains where the path is met once: the
-    // largest absorptance of its surfaces. It is 0 if the figure does not
-    // depend on paths, because light can end nowhere else or cannot end there.
+    // The following are parts of a path that a figure gains where the path is
+    // met once: the largest absorptance of its surfaces. They are 0 if the
+    // figure does not depend on paths, because light can end nowhere else or
+    // cannot end there.
     double leaves = 0;
     double stalks = 0;
     double objects = 0;
     double soil = 0;
     double reflected = 0;
-    double unscattered = 0;        //!< of leaves
-    double scattered = 0;          //!< of leaves
-    std::vector<double> groups{};  //!< of the mesh
-    std::vector<double> layers{};  //!< of leaves
+    //! Part of light that leaves get straight from a source.
+    double unscattered = 0;
+    double scattered = 0;          //!< part of scattered light that leaves get
+    std::vector<double> groups{};  //!< parts of groups of the mesh
+    std::vector<double> layers{};  //!< parts of layers of leaves
 
-    //! The energy of the largest path of any source [J m-2 of ground].
+    //! Returns the energy of the largest path of any source [J m-2 of ground].
     double largest_path() const;
 };
 
-//! Both: the larger energies, and the larger parts of a path.
+//! Returns the larger energies, and the larger parts of a path, of two
+//! resolutions.
 Resolution combined(const Resolution& a, const Resolution& b);
 
-//! An estimate whose standard error is at least what its paths can tell.
+//! Returns an estimate whose standard error is at least that which its paths
+//! can tell.
 Estimate at_least(Estimate x, double standard_error);
 
 }  // namespace ideotype

@@ -9,13 +9,13 @@
 
 namespace ideotype {
 
-//! Numbers of a path that are of a low-discrepancy sequence; beyond them they
-//! are independent.
+//! The leading numbers of a path, which are of a low-discrepancy sequence;
+//! further ones are independent.
 inline constexpr std::size_t path_dimensions = 16;
 
-//! Uniform numbers for the paths of one source in one randomisation: a
-//! scrambled Sobol' sequence, as long as is asked for. Those of other sources
-//! and randomisations are independent.
+//! The uniform numbers for the paths of one source in one randomisation: a
+//! scrambled Sobol' sequence, as long as is asked for. The numbers of other
+//! sources and randomisations are independent.
 class PathSampler {
   public:
     PathSampler(std::uint64_t seed, std::uint32_t generation,
@@ -24,7 +24,7 @@ class PathSampler {
     //! Goes to a number of a path, its first one unless said otherwise.
     void begin(std::uint32_t path, std::size_t dimension = 0);
 
-    //! The next number of this path, uniform in [0, 1).
+    //! Returns the next number of this path, uniform in [0, 1).
     double next();
 
   private:

@@ -13,20 +13,20 @@
 
 namespace ideotype {
 
-//! Replicates of the sunlit part of the leaf area.
+//! The sunlit part of the leaf area, by randomisation.
 struct SunlitFractions {
-    //! [randomisation][source]; 0 for skies.
+    //! The parts [randomisation][source]; 0 for skies.
     std::vector<std::vector<double>> fractions;
-    //! Of one point or path of each source in one randomisation: what they can
-    //! tell; 0 where there are no leaves.
+    //! The part that one point or path of each source tells in one
+    //! randomisation; 0 where there are no leaves.
     std::vector<double> steps;
 };
 
-//! The part of the leaf area from which the sun can be seen, one-sided; for
-//! each source. Points are spread evenly over all leaves, the same for every
-//! sun, and sent towards it. What is below the soil is shaded. Faces that lie
-//! on each other are one surface, see RayScene: of faces with the same corners
-//! only the first can be sunlit, others share equally what is.
+//! Returns the part of the leaf area from which the sun can be seen, one-sided;
+//! for each source. Points are spread evenly over all leaves, the same for
+//! every sun, and sent towards it. What is below the soil is shaded. Faces that
+//! lie on each other are one surface, see RayScene: of faces with the same
+//! corners only the first can be sunlit, others share equally what is.
 //! @param mesh that the scene was built from
 //! @param accuracy as many points as paths, for each randomisation
 SunlitFractions sunlit_fractions(const RayScene& scene, const Mesh& mesh,
@@ -34,9 +34,9 @@ SunlitFractions sunlit_fractions(const RayScene& scene, const Mesh& mesh,
                                  const Accuracy& accuracy,
                                  const Randomness& randomness);
 
-//! The sunlit part of the area of pieces of leaves, from first hits that are
-//! known anyway, by what they absorb. Of leaves that absorb nothing, nothing is
-//! known, and told.
+//! Returns the sunlit part of the area of pieces of leaves, from first hits
+//! that are known anyway, by the light that they absorb. Nothing is known, and
+//! told, of leaves that absorb nothing.
 //! @param tallies with the light of pieces
 //! @param groups of the scene's mesh
 //! @param leaf_area of all pieces [m2]
@@ -47,13 +47,14 @@ SunlitFractions sunlit_fractions(const std::vector<Tally>& tallies,
                                  const Illumination& illumination,
                                  double leaf_area);
 
-//! The part of a beam that a triangle of the scene's surfaces absorbs.
+//! Returns the part of a beam that a triangle of the scene's surfaces absorbs.
 //! @param groups of the scene's mesh
 double beam_absorptance(const RayScene& scene, const std::vector<Group>& groups,
                         const Optics& optics, std::uint32_t triangle,
                         const glm::dvec3& direction);
 
-//! Beam on a triangle of the scene's surfaces over that on level ground.
+//! Returns the irradiance of a beam on a triangle of the scene's surfaces over
+//! that on level ground.
 double beam_cosine(const RayScene& scene, std::uint32_t triangle,
                    const glm::dvec3& direction);
 

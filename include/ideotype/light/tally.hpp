@@ -11,15 +11,16 @@
 
 namespace ideotype {
 
-//! Where the light of one source went [J m-2 of ground].
+//! The parts of the light of one source, by where it went [J m-2 of ground].
 struct Budget {
     double leaves = 0;
     double stalks = 0;   //!< and sheaths and all other organs
     double objects = 0;  //!< fixed objects
     double soil = 0;
     double reflected = 0;
-    double incident = 0;  //!< that entered: into a plot also from soil around
-    double unscattered = 0;  //!< of leaves: before it met anything else
+    //! Light that entered: into a plot also from soil around.
+    double incident = 0;
+    double unscattered = 0;  //!< light of leaves before it met anything else
     double sent_on = 0;      //!< scattered by what was met first
 
     Budget& operator+=(const Budget& more) {
@@ -52,9 +53,9 @@ struct LeafLight {
         double energy;
     };
 
-    //! Straight from a sun, by triangle of the scene's surfaces.
+    //! The light straight from a sun, by triangle of the scene's surfaces.
     std::vector<Part> beam;
-    //! All other light, by piece; a piece may have several parts.
+    //! The light that is no beam, by piece; a piece may have several parts.
     std::vector<Part> diffuse;
 };
 
@@ -63,27 +64,30 @@ struct Tally {
     std::vector<Budget> sources;
     std::vector<double> groups;    //!< absorbed, per group of the mesh
     std::vector<double> layers{};  //!< absorbed by leaves, lowest layer first
-    std::vector<LeafLight> leaf_light{};  //!< by source, if there are pieces
-    //! Absorbed through the faces of leaves: the adaxial (upper) one is that
-    //! from which the corners of a face are seen counter-clockwise.
+    //! Light of pieces by source, if there are pieces.
+    std::vector<LeafLight> leaf_light{};
+    //! The light absorbed through the faces of leaves: the adaxial (upper) one
+    //! is that from which the corners of a face are seen counter-clockwise.
     double adaxial = 0;
     double abaxial = 0;
-    //! Absorbed by fixed objects, by source: of each object the adaxial side,
-    //! then the abaxial one.
+    //! Light that fixed objects absorb, by source: of each object the adaxial
+    //! side, then the abaxial one.
     std::vector<std::vector<double>> objects{};
-    std::uint64_t rays = 0;       //!< to first hits
-    std::uint64_t next_rays = 0;  //!< of light that was scattered
-    //! What its paths can tell; shared by all randomisations of a simulation.
+    std::uint64_t rays = 0;  //!< number of rays to first hits
+    //! Number of rays of light that was scattered.
+    std::uint64_t next_rays = 0;
+    //! The amounts that the paths can tell; shared by all randomisations of a
+    //! simulation.
     std::shared_ptr<const Resolution> resolution{};
 
-    //! Of all sources together.
+    //! Returns the budget of all sources together.
     Budget budget() const {
         Budget sum;
         for (const Budget& budget : sources) sum += budget;
         return sum;
     }
 
-    //! Absorbed by leaves, from all sources.
+    //! Returns the light that leaves absorb, from all sources.
     double leaves() const { return budget().leaves; }
 };
 

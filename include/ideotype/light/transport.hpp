@@ -17,26 +17,29 @@ namespace ideotype {
 //! The surfaces and bands that light is followed in, and its counters.
 struct Subject {
     const RayScene& scene;
-    const std::vector<Group>& groups;  //!< of the scene's mesh
+    const std::vector<Group>& groups;  //!< groups of the scene's mesh
     std::span<const Band> bands;       //!< at least one
-    const Layers& layers;  //!< in which the light that leaves absorb is counted
-    //! Leading groups, all of them leaves, whose light is told place by place
-    //! in the first band.
+    const Layers& layers;  //!< layers in which the light of leaves is counted
+    //! The number of leading groups, all of them leaves, whose light is told
+    //! place by place in the first band.
     std::size_t pieces = 0;
 
-    //! The light of the first band, whose sources all bands have.
+    //! Returns the light of the first band, whose sources all bands have.
     const Illumination& light() const { return bands.front().light.light; }
 };
 
-//! How finely each source is looked at in one randomisation.
+//! The work of a simulation: how finely each source is looked at in one
+//! randomisation.
 struct Workload {
-    std::vector<std::uint32_t> first_hits;  //!< of each source; 0: left out
-    //! The most that a path of scattered light carries, by band and source
-    //! [J m-2 of ground]; of a band that is not told as much as a first hit.
+    //! First hits of each source; 0: left out.
+    std::vector<std::uint32_t> first_hits;
+    //! The most that a path of scattered light carries, by band and source [J
+    //! m-2 of ground]; in a band that is not listed it is as much as a first
+    //! hit.
     std::vector<std::vector<double>> path_energy{};
 };
 
-//! Tallies by band and randomisation.
+//! The tallies of a simulation, by band and randomisation.
 using BandTallies = std::vector<std::vector<Tally>>;
 
 //! Splits first hits among sources in proportion to energy and effort, at least
@@ -87,7 +90,7 @@ std::vector<Tally> simulate(const RayScene& scene,
                             const Randomness& randomness,
                             const Layers& layers = {}, std::size_t pieces = 0);
 
-//! A band with this light alone, for one that follows no series.
+//! Returns a band with this light alone, for light that follows no series.
 Band band_of(const Optics& optics, const Illumination& illumination);
 
 }  // namespace ideotype

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <stdexcept>
+
+namespace ideotype {
+
+//! A mistake in the program: a caller or a function has not kept its contract.
+//! It is no Error, so that nobody takes it for a mistake in the input. In a
+//! function that is `noexcept` it ends the program with its message.
+class ContractError : public std::logic_error {
+  public:
+    using std::logic_error::logic_error;
+};
+
+//! Throws a ContractError that tells the file, the line and the text of a
+//! condition.
+//! @param kind "precondition" or "promise"
+[[noreturn]] void fail_contract(const char* kind, const char* condition,
+                                const char* file, int line);
+
+}  // namespace ideotype
+
+// The option IDEOTYPE_CONTRACTS of the build decides whether contracts are
+// looked at. If not, conditions are still compiled, so that they stay up to
+// date, but never evaluated.
+#ifdef IDEOTYPE_CONTRACTS
+#define IDEOTYPE_CONTRACT(kind, condition, text) \
+    ((condition)                                 \
+         ? static_cast<void>(0)                  \
+         : ::ideotype::fail_contract(kind, text, __FILE_NAME__, __LINE__))
+#else
+#define IDEOTYPE_CONTRACT(kind, condition, text) \
+    static_cast<void>(false && (condition))
+#endif
+
+//! Expects of the caller that a condition holds.
+#define IDEOTYPE_EXPECT(...) \
+    IDEOTYPE_CONTRACT("precondition", (__VA_ARGS__), #__VA_ARGS__)
+
+//! Ensures that a result, or what an object always keeps, is as promised.
+#define IDEOTYPE_ENSURE(...) \
+    IDEOTYPE_CONTRACT("promise", (__VA_ARGS__), #__VA_ARGS__)

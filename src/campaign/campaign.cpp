@@ -72,8 +72,7 @@ Neighbour to_neighbour(const Draft& draft, bool assimilates) {
     neighbour.crop = own.crop;
     for (const double row : draft.rows)
         neighbour.standing.rows.push_back(static_cast<int>(row) - 1);
-    if (draft.has_variation)
-        neighbour.standing.variation = own.field.variation;
+    if (draft.has_variation) neighbour.standing.variation = own.field.variation;
     neighbour.bounds = complete(draft, neighbour.crop);
     neighbour.free = own.trait_sets.front().value;
     neighbour.optics = own.optics;

@@ -211,7 +211,7 @@ struct Campaign {
     double nir_soil_albedo = usual_nir_soil_albedo;  //!< the same of the soil
     //! The waveband in which the tolerance bounds the light of leaves.
     BoundedBand bounded_band = BoundedBand::par;
-    std::vector<Neighbour> neighbours;       //!< components beside the crop
+    std::vector<Neighbour> neighbours;  //!< components beside the crop
     std::vector<PanelEntry> panels;
     std::vector<ObjectEntry> objects;
     SkyModel sky_model = SkyModel::uniform;  //!< of diffuse light

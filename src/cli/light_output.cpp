@@ -30,10 +30,10 @@ bool has_stalks(const CanopyReport& report) {
 
 //! The name of a group, with that of its component where there are several.
 std::string group_name(const CanopyReport& report, std::size_t group) {
-    const auto& [name, id, material] = report.groups[group];
-    return report.components.size() > 1 && !id.is_object()
-               ? report.components[id.component].name + '_' + name
-               : name;
+    const Group& own = report.groups[group];
+    return report.components.size() > 1 && !own.id.is_object()
+               ? report.components[own.id.component].name + '_' + own.name
+               : own.name;
 }
 
 //! The sunlit leaf area of an instant is known only with a sun.

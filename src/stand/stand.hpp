@@ -44,13 +44,13 @@ OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
 Randomised measure_number(const Campaign& campaign, const std::string& name,
                           const CanopyReport& report);
 
-//! Returns the land equivalent ratio that is a campaign's objective, with a standard
-//! error that contains those of crops alone.
+//! Returns the land equivalent ratio that is a campaign's objective, with a
+//! standard error that contains those of crops alone.
 Estimate land_equivalent_ratio(const Campaign& campaign,
                                const CanopyReport& report);
 
-//! Returns the leaf area index of plants that do not deviate from their line, so that one
-//! is within constraints or not whatever the random numbers.
+//! Returns the leaf area index of plants that do not deviate from their line,
+//! so that one is within constraints or not whatever the random numbers.
 //! @param plant the mesh of one
 //! @param ground_per_plant of all ground [m2]
 double lai_of_line(const Mesh& plant, double ground_per_plant);

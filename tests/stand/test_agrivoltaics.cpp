@@ -36,7 +36,7 @@ CanopyReport light_of_field(const Settings& settings) {
     const Case chosen = cases(campaign).front();
     return evaluate(
         request_of(sampling_of(Task{}, campaign, chosen), campaign,
-                   scene_of(campaign, chosen), campaign.crop.baseline),
+                   scene_of(campaign, chosen), {campaign.crop.baseline}),
         Device(Device::supported_isas().back()));
 }
 

@@ -67,7 +67,7 @@ struct Component {
 };
 
 //! Something that does not grow and stands where its mesh has it, such as a
-//! panel or a post.
+//! panel or a post. What moves with the sun has a group for each of its poses.
 struct FixedObject {
     std::string name;
     Mesh mesh;

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 namespace {
@@ -38,11 +40,13 @@ Amounts scaled(Amounts amounts, double factor) {
 }
 
 double Law::at(double other) const {
+    IDEOTYPE_EXPECT(amount > 0 && other > 0);
     return variance * std::pow(amount / other, power);
 }
 
 Amounts allocate(const ByOrigin<Law>& laws, const ByOrigin<double>& costs,
                  double variance) {
+    IDEOTYPE_EXPECT(variance > 0);
     // The variance grows with the rate.
     double lower = 1e-60, upper = 1e60;
     for (int i = 0; i < 60; ++i) {

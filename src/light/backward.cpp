@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "directions.hpp"
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "travel.hpp"
 
@@ -52,6 +53,7 @@ BackwardLight::BackwardLight(const RayScene& scene,
 }
 
 double BackwardLight::beam(const LeafPoint& point, std::size_t source) const {
+    IDEOTYPE_EXPECT(source < sources_.size() && sources_[source].direction);
     const glm::dvec3 d = not_level(*sources_[source].direction);
     const double cosine = glm::dot(point.normal, d) / d.z;
     return is_lit(scene_, point, d, sources_[source].pose)
@@ -60,6 +62,7 @@ double BackwardLight::beam(const LeafPoint& point, std::size_t source) const {
 }
 
 double BackwardLight::weight(const LeafPoint& point, bool is_adaxial) const {
+    IDEOTYPE_EXPECT(point.group < groups_.size());
     const Material& leaf = optics_.of(groups_[point.group].material);
     const double most = leaf.most_absorbed();
     return most > 0 ? (1 - leaf.face(is_adaxial).scattered()) / most : 1;
@@ -67,6 +70,7 @@ double BackwardLight::weight(const LeafPoint& point, bool is_adaxial) const {
 
 void BackwardLight::add_diffuse(const LeafPoint& point, RandomStream& random,
                                 std::vector<double>& light) const {
+    IDEOTYPE_EXPECT(light.size() == sources_.size());
     if (point.is_hidden) return;
     for (const double side : {1., -1.})
         follow(scene_.placed(point.position), side * point.normal,
@@ -75,6 +79,7 @@ void BackwardLight::add_diffuse(const LeafPoint& point, RandomStream& random,
 
 void BackwardLight::add_level(const glm::dvec3& place, RandomStream& random,
                               std::vector<double>& light) const {
+    IDEOTYPE_EXPECT(light.size() == sources_.size());
     static constexpr glm::dvec3 up{0, 0, 1};
     // A place without a surface lets through all of a beam.
     add_beams(scene_.placed(place), up, {1, 0}, 1, light);

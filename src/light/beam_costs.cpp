@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "directions.hpp"
+#include "ideotype/core/contract.hpp"
 
 namespace ideotype {
 
@@ -21,6 +22,7 @@ constexpr int room = 2 * width;
 
 BeamLattice lattice_of(const RayScene& scene, const glm::dvec3& direction,
                        std::uint32_t first_hits, int randomisations) {
+    IDEOTYPE_EXPECT(first_hits > 0 && randomisations > 0);
     return beam_lattice(scene.period_x(), scene.period_y(), first_hits,
                         std::max(1, room / randomisations), direction);
 }

@@ -8,6 +8,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 namespace {
@@ -64,6 +66,9 @@ bool is_coprime_to_fields(std::int64_t pixels) {
 
 BeamLattice beam_lattice(double period_x, double period_y, std::int64_t points,
                          int lanes, const glm::dvec3& direction) {
+    IDEOTYPE_EXPECT(period_x > 0 && period_y > 0);
+    IDEOTYPE_EXPECT(points > 0 && lanes > 0);
+    IDEOTYPE_EXPECT(direction.z < 0);
     const Measure measure = ideotype::measure(direction);
 
     BeamLattice lattice;
@@ -101,6 +106,9 @@ BeamLattice beam_lattice(double period_x, double period_y, std::int64_t points,
         best.step_v = -v;
         best.number_v = -best.number_v;
     }
+    IDEOTYPE_ENSURE(best.points() >= points);
+    IDEOTYPE_ENSURE(best.step_u.x * best.step_v.y >
+                    best.step_u.y * best.step_v.x);
     best.number_u %= best.pixels;
     best.number_v %= best.pixels;
     return best;

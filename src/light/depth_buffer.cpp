@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "ideotype/core/contract.hpp"
+
 // The loops below are compiled for several instruction sets; which one runs is
 // chosen when the program starts. Each number is rounded the same way by all.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
@@ -246,12 +248,16 @@ DepthBuffer::DepthBuffer(const RayScene& scene, const glm::dvec3& direction,
       direction_(direction),
       per_pixel_(static_cast<std::size_t>(lattice.fine)),
       lanes_((shifts.size() * per_pixel_ + width - 1) / width * width) {
+    IDEOTYPE_EXPECT(scene.boundary() == Boundary::periodic);
+    IDEOTYPE_EXPECT(direction.z < 0 && !shifts.empty());
     // The places of spare lanes are nowhere.
     const Floats nowhere = std::numeric_limits<float>::quiet_NaN() + Floats{};
     places_.assign(lanes_ / width, {nowhere, nowhere});
     std::size_t lane = 0;
     for (const glm::dvec2& shift : shifts)
         for (int j = 0; j < lattice.fine; ++j, ++lane) {
+            IDEOTYPE_EXPECT(shift.x >= 0 && shift.x < 1 && shift.y >= 0 &&
+                            shift.y < 1);
             Places& places = places_[lane / width];
             const int v = lattice.generator * j % lattice.fine;
             places.u[lane % width] = shifted(shift.x, j, lattice.fine);
@@ -277,6 +283,7 @@ DepthBuffer::DepthBuffer(const RayScene& scene, const glm::dvec3& direction,
 
 glm::dvec3 DepthBuffer::position(std::size_t replicate,
                                  std::size_t point) const {
+    IDEOTYPE_EXPECT(point < points() && (replicate + 1) * per_pixel_ <= lanes_);
     const std::size_t lane = replicate * per_pixel_ + point % per_pixel_;
     const std::size_t pixel = point / per_pixel_;
     const glm::dvec2 ground =

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 glm::dvec3 not_level(glm::dvec3 d) {
@@ -13,6 +15,8 @@ glm::dvec3 not_level(glm::dvec3 d) {
 }
 
 glm::dvec3 lambertian(const glm::dvec3& n, double u, double v) {
+    IDEOTYPE_EXPECT(u >= 0 && u < 1 && v >= 0 && v < 1);
+    IDEOTYPE_EXPECT(std::abs(glm::dot(n, n) - 1) < 1e-6);
     const double sign = std::copysign(1.0, n.z);
     const double a = -1 / (sign + n.z);
     const double b = n.x * n.y * a;

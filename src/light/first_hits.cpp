@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "ideotype/core/contract.hpp"
 #include "order_by_place.hpp"
 #include "travel.hpp"
 
@@ -13,6 +14,7 @@ namespace ideotype {
 FirstHits::FirstHits(const RayScene& scene, const DepthBuffer& buffer,
                      std::size_t replicate, double energy)
     : scene_(scene), buffer_(&buffer), replicate_(replicate) {
+    IDEOTYPE_EXPECT(energy >= 0);
     const std::vector<std::uint32_t>& groups = scene.surfaces().face_group;
     hits_.reserve(buffer.points());
     for (std::size_t i = 0; i < buffer.points(); ++i) {
@@ -26,6 +28,7 @@ FirstHits::FirstHits(const RayScene& scene, const DepthBuffer& buffer,
 FirstHits::FirstHits(const RayScene& scene, const Launcher& launcher,
                      PathSampler& sampler, std::uint32_t rays, double energy)
     : scene_(scene) {
+    IDEOTYPE_EXPECT(energy >= 0);
     hits_.reserve(rays);
     points_.reserve(rays);
     for (std::uint32_t i = 0; i < rays; ++i) {
@@ -61,6 +64,7 @@ void FirstHits::order() {
 }
 
 Hit FirstHits::at(std::size_t i) const {
+    IDEOTYPE_EXPECT(i < hits_.size() && hits_[i].group != Hit::sky);
     if (!buffer_) return points_[i];
     Hit hit{buffer_->position(replicate_, i), {0, 0, 1}, hits_[i].group};
     const DepthBuffer::Triangle seen = buffer_->triangle(replicate_, i);

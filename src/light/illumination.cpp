@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 namespace {
@@ -69,6 +71,8 @@ double Illumination::energy() const {
 
 SeriesIllumination illuminate(LightSeries series, SkyModel sky_model,
                               double row_direction, Skies skies, int dates) {
+    IDEOTYPE_EXPECT(series.days > 0 && dates >= 0);
+    IDEOTYPE_EXPECT(std::isfinite(row_direction));
     SeriesIllumination result;
     const std::vector<TimeStep>& steps = series.steps;
     const std::vector<std::size_t> sun_of = instants_of_suns(series, dates);
@@ -118,12 +122,18 @@ SeriesIllumination illuminate(LightSeries series, SkyModel sky_model,
             result.instant_of.push_back(0);
         }
     }
+    IDEOTYPE_ENSURE(result.beam_of.size() == steps.size());
+    IDEOTYPE_ENSURE(result.sky_of.size() == steps.size());
+    for (const Source& source : result.light.sources)
+        IDEOTYPE_ENSURE(source.energy > 0);
     result.series = std::move(series);
     return result;
 }
 
 SeriesIllumination in_band(SeriesIllumination light,
                            Irradiance TimeStep::*band) {
+    IDEOTYPE_EXPECT(light.beam_of.size() == light.series.steps.size());
+    IDEOTYPE_EXPECT(light.sky_of.size() == light.series.steps.size());
     for (Source& source : light.light.sources) source.energy = 0;
     for (std::size_t i = 0; i < light.series.steps.size(); ++i) {
         TimeStep& step = light.series.steps[i];

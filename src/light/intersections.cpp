@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "embree_handle.hpp"
+#include "ideotype/core/contract.hpp"
 #include "ideotype/light/ray_scene.hpp"
 
 namespace ideotype {
@@ -77,6 +78,8 @@ bool RayScene::meets(const Part& part, RTCRayHit& ray) const {
 
 bool RayScene::intersect(const glm::dvec3& origin, const glm::dvec3& direction,
                          double distance, Hit& hit, std::uint32_t pose) const {
+    IDEOTYPE_EXPECT(distance >= 0);
+    IDEOTYPE_EXPECT(std::abs(glm::dot(direction, direction) - 1) < 1e-3);
     RTCRayHit query;
     query.ray.org_x = static_cast<float>(origin.x);
     query.ray.org_y = static_cast<float>(origin.y);

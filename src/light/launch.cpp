@@ -7,12 +7,14 @@
 #include <glm/geometric.hpp>
 
 #include "directions.hpp"
+#include "ideotype/core/contract.hpp"
 
 namespace ideotype {
 
 Launcher::Launcher(const RayScene& scene, const Source& source,
                    double soil_albedo)
     : scene_(scene), source_(source) {
+    IDEOTYPE_EXPECT(soil_albedo >= 0 && soil_albedo <= 1);
     if (scene.boundary() == Boundary::isolated) add_portals(soil_albedo);
 }
 
@@ -43,6 +45,7 @@ void Launcher::add_portals(double soil_albedo) {
     double sum = 0;
     for (const Portal& portal : portals_) sum += portal.area;
     entering_ = sum / scene_.ground_area();
+    IDEOTYPE_ENSURE(entering_ >= 0);
 }
 
 PhotonPacket Launcher::launch(PathSampler& sampler, double energy) const {

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "ideotype/core/contract.hpp"
 #include "repeated_faces.hpp"
 
 namespace ideotype {
@@ -15,6 +16,7 @@ double own_part(const RayScene& scene, const LeafPoint& point) {
 }
 
 LeafPoints::LeafPoints(const Mesh& mesh, const Wanted& is_wanted) {
+    IDEOTYPE_EXPECT(mesh.face_group.size() == mesh.faces.size());
     const std::vector<bool> repeated = repeated_faces(mesh);
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
         const std::uint32_t group = mesh.face_group[f];
@@ -32,6 +34,7 @@ LeafPoints::LeafPoints(const Mesh& mesh)
       }) {}
 
 LeafPoint LeafPoints::at(double share, double s, double t) const {
+    IDEOTYPE_EXPECT(!ends_.empty() && share >= 0 && share < 1);
     const auto found =
         std::upper_bound(ends_.begin(), ends_.end() - 1, share * area());
     const Triangle& triangle =

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 void SparseSums::drain(std::vector<LeafLight::Part>& parts) {
@@ -25,6 +27,8 @@ ObjectNumbers object_numbers(const std::vector<Group>& groups) {
 Ledger::Ledger(const Counted& counted, std::uint32_t source, bool is_beam,
                Tally& tally, LeafSums& leaf_sums)
     : counted_(counted), tally_(tally), budget_(tally.sources[source]) {
+    IDEOTYPE_EXPECT(tally.groups.size() == counted.groups.size());
+    IDEOTYPE_EXPECT(counted.pieces <= counted.groups.size());
     if (counted.objects.count > 0) objects_ = &tally.objects[source];
     if (tally.leaf_light.empty()) return;
     leaf_light_ = &tally.leaf_light[source];
@@ -37,6 +41,7 @@ Ledger::Ledger(const Counted& counted, std::uint32_t source, bool is_beam,
 }
 
 void Ledger::arrive(const FirstHit& hit, double energy, double sent_on) {
+    IDEOTYPE_EXPECT(sent_on >= 0 && sent_on <= energy * (1 + 1e-12));
     Budget& part = next();
     part.incident += energy;
     part.sent_on += sent_on;
@@ -67,6 +72,7 @@ void Ledger::keep(std::uint32_t group, double height, bool is_adaxial,
         part_.soil += energy;
         return;
     }
+    IDEOTYPE_EXPECT(group < counted_.groups.size());
     tally_.groups[group] += energy;
     const SurfaceId& id = counted_.groups[group].id;
     if (!id.is_leaf()) {

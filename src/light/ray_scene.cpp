@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "embree_handle.hpp"
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "repeated_faces.hpp"
 
@@ -101,6 +102,7 @@ RayScene::RayScene(const Device& device, const Mesh& mesh, double period_x,
         !std::isfinite(period_y))
         throw Error(fmt::format("the period {} x {} m is not positive",
                                 period_x, period_y));
+    IDEOTYPE_EXPECT(mesh.face_group.size() == mesh.faces.size());
     check_vertices(mesh);
     const std::vector<double> areas = face_areas(mesh);
     // There is room for the faces that reach over the edge, as a rule.
@@ -129,6 +131,7 @@ RayScene RayScene::isolated(const Device& device, const Mesh& mesh,
     if (!(ground_area > 0) || !std::isfinite(ground_area))
         throw Error(
             fmt::format("the ground area {} m2 is not positive", ground_area));
+    IDEOTYPE_EXPECT(mesh.face_group.size() == mesh.faces.size());
     check_vertices(mesh);
     RayScene scene;
     scene.boundary_ = Boundary::isolated;
@@ -184,6 +187,7 @@ glm::dvec3 RayScene::wrapped(const glm::dvec3& point) const {
 
 glm::dvec3 RayScene::offset_origin(const glm::dvec3& point,
                                    const glm::dvec3& normal) const {
+    IDEOTYPE_EXPECT(std::abs(glm::dot(normal, normal) - 1) < 1e-6);
     glm::dvec3 offset = point + clearance_ * normal;
     offset.z = std::clamp(offset.z, soil(), top_);
     return wrapped(offset);
@@ -205,6 +209,7 @@ RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
 void Surfaces::add(const std::array<std::uint32_t, 4>& face,
                    std::uint32_t group, std::uint32_t pose) {
+    IDEOTYPE_EXPECT(std::ranges::max(face) < vertices.size());
     faces.push_back(face);
     face_group.push_back(group);
     face_pose.push_back(pose);

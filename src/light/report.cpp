@@ -6,6 +6,8 @@
 #include <functional>
 #include <numeric>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 namespace {
@@ -50,6 +52,7 @@ Estimate weighted(const std::vector<Tally>& tallies,
                   const Resolution& resolution,
                   const std::vector<double>& weights, double part,
                   const std::function<double(const Budget&)>& figure) {
+    IDEOTYPE_EXPECT(resolution.path_energy.size() <= weights.size());
     double step = 0;
     for (std::size_t s = 0; s < resolution.path_energy.size(); ++s)
         step = std::max(step, part * weights[s] * resolution.path_energy[s]);
@@ -104,6 +107,7 @@ struct Part {
         const auto add_source = [&](int source, double irradiance) {
             if (source < 0) return;
             const auto s = static_cast<std::size_t>(source);
+            IDEOTYPE_EXPECT(illumination.light.sources[s].energy > 0);
             weights[s] +=
                 factor * irradiance / illumination.light.sources[s].energy;
         };
@@ -169,6 +173,8 @@ DayReport report(const std::vector<Tally>& tallies,
                  const SeriesIllumination& illumination) {
     const LightSeries& series = illumination.series;
     const std::vector<Source>& sources = illumination.light.sources;
+    IDEOTYPE_EXPECT(!tallies.empty());
+    IDEOTYPE_EXPECT(tallies.front().sources.size() == sources.size());
     const Resolution resolution = resolution_of(tallies);
     DayReport result;
     result.day = weighted_budget(tallies, resolution, sources,
@@ -214,6 +220,7 @@ DayReport report(const std::vector<Tally>& tallies,
 }
 
 std::vector<Estimate> absorbed_by_group(const std::vector<Tally>& tallies) {
+    IDEOTYPE_EXPECT(!tallies.empty());
     const Resolution resolution = resolution_of(tallies);
     std::vector<Estimate> result;
     for (std::size_t g = 0; g < tallies.front().groups.size(); ++g)
@@ -227,6 +234,8 @@ Estimate absorbed_by_groups(const std::vector<Tally>& tallies,
                             const std::vector<std::size_t>& groups) {
     const Resolution resolution = resolution_of(tallies);
     double part = 0;
+    for (const std::size_t g : groups)
+        IDEOTYPE_EXPECT(g < tallies.front().groups.size());
     for (const std::size_t g : groups)
         part = std::max(part, part_of(resolution.groups, g));
     return over(tallies, resolution, part, [&](const Tally& t) {
@@ -253,6 +262,7 @@ Estimate absorbed_by_leaves(const std::vector<Tally>& tallies) {
 SunlitReport report(const SunlitFractions& sunlit,
                     const SeriesIllumination& illumination) {
     const LightSeries& series = illumination.series;
+    IDEOTYPE_EXPECT(sunlit.steps.size() == illumination.light.sources.size());
     // Returns a weighted mean over steps by randomisation, which is certain
     // without any sun.
     const auto mean = [&](const std::vector<std::size_t>& steps,

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 double Resolution::largest_path() const {
@@ -12,6 +14,9 @@ double Resolution::largest_path() const {
 }
 
 Resolution combined(const Resolution& a, const Resolution& b) {
+    IDEOTYPE_EXPECT(a.path_energy.size() == b.path_energy.size());
+    IDEOTYPE_EXPECT(a.groups.size() == b.groups.size());
+    IDEOTYPE_EXPECT(a.layers.size() == b.layers.size());
     Resolution both = a;
     for (std::size_t i = 0; i < b.path_energy.size(); ++i)
         both.path_energy[i] = std::max(a.path_energy[i], b.path_energy[i]);

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 Resolution resolution_of(const RayScene& scene,
                          const std::vector<Group>& groups, const Optics& optics,
                          const Layers& layers,
                          std::vector<double> path_energy) {
+    IDEOTYPE_EXPECT(optics.soil_albedo >= 0 && optics.soil_albedo <= 1);
     Resolution result;
     result.path_energy = std::move(path_energy);
     result.groups.resize(groups.size());

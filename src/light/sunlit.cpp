@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/light/backward.hpp"
 #include "ideotype/light/leaf_points.hpp"
 #include "ideotype/light/sampler.hpp"
@@ -16,6 +17,7 @@ SunlitFractions sunlit_fractions(const RayScene& scene, const Mesh& mesh,
                                  const Illumination& illumination,
                                  const Accuracy& accuracy,
                                  const Randomness& randomness) {
+    IDEOTYPE_EXPECT(accuracy.paths > 0 && accuracy.randomisations > 0);
     const std::vector<Source>& sources = illumination.sources;
     const LeafPoints leaves(mesh);
     const auto points = static_cast<std::uint32_t>(accuracy.paths);
@@ -80,6 +82,7 @@ SunlitFractions sunlit_fractions(const std::vector<Tally>& tallies,
                     (beam_absorptance(scene, groups, optics, triangle, *sun) *
                      std::max(beam_cosine(scene, triangle, *sun),
                               least_cosine));
+        IDEOTYPE_EXPECT(tallies.front().resolution != nullptr);
         result.steps[s] = share * tallies.front().resolution->path_energy[s];
     }
     return result;
@@ -89,6 +92,7 @@ double beam_absorptance(const RayScene& scene, const std::vector<Group>& groups,
                         const Optics& optics, std::uint32_t triangle,
                         const glm::dvec3& direction) {
     const Surfaces& all = scene.surfaces();
+    IDEOTYPE_EXPECT(triangle < all.normals.size());
     const bool is_adaxial = glm::dot(all.normals[triangle], direction) < 0;
     const Group& group = groups[all.face_group[triangle / 2]];
     return 1 - optics.of(group.material).face(is_adaxial).scattered();
@@ -96,6 +100,7 @@ double beam_absorptance(const RayScene& scene, const std::vector<Group>& groups,
 
 double beam_cosine(const RayScene& scene, std::uint32_t triangle,
                    const glm::dvec3& direction) {
+    IDEOTYPE_EXPECT(triangle < scene.surfaces().normals.size());
     return std::abs(glm::dot(scene.surfaces().normals[triangle], direction) /
                     direction.z);
 }

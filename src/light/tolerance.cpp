@@ -7,6 +7,7 @@
 
 #include "allocation.hpp"
 #include "beam_costs.hpp"
+#include "ideotype/core/contract.hpp"
 #include "ideotype/light/report.hpp"
 #include "trial.hpp"
 #include "workload.hpp"
@@ -53,6 +54,7 @@ constexpr double hits_of_piece = 1.5;
 //! X), X from a chi-square distribution with v degrees of freedom: 1 + 3 / (4
 //! v) and a little.
 double caution(int randomisations) {
+    IDEOTYPE_EXPECT(randomisations > 1);
     return 1 + 0.8 / (randomisations - 1);
 }
 
@@ -378,6 +380,7 @@ Simulation simulate_to_tolerance(const Subject& subject,
     if (!(accuracy.tolerance > 0) || subject.light().sources.empty())
         return {
             simulate(subject, accuracy, randomness), accuracy.paths, false, {}};
+    IDEOTYPE_EXPECT(accuracy.paths > 0 && accuracy.randomisations > 0);
     const Demands demands(subject, accuracy, randomness);
     Simulation found;
     found.work = demands.work();

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "directions.hpp"
+#include "ideotype/core/contract.hpp"
 #include "order_by_place.hpp"
 #include "travel.hpp"
 
@@ -23,6 +24,7 @@ namespace {
 //! @param choice uniform in [0, 1)
 double absorb_and_continue(ScatteredPath& path, double scattered,
                            double choice) {
+    IDEOTYPE_EXPECT(scattered >= 0 && scattered <= 1 + 1e-12);
     constexpr double worth_following = 0.25;
     if (path.energy * scattered > worth_following * path.started) {
         const double kept = path.energy * (1 - scattered);
@@ -49,6 +51,8 @@ Tracer::Tracer(const Counted& counted, const Optics& optics,
 void Tracer::arrive(const FirstHits& hits, const Arrival& how, Tally& tally,
                     std::vector<ScatteredPath>& paths,
                     LeafSums& leaf_sums) const {
+    IDEOTYPE_EXPECT(how.start >= 0 && how.start < 1);
+    IDEOTYPE_EXPECT(how.source < tally.sources.size());
     const double start = how.start;
     std::vector<double> sent_on;
     sent_on.reserve(hits.size());
@@ -75,6 +79,7 @@ void Tracer::arrive(const FirstHits& hits, const Arrival& how, Tally& tally,
     }
     const double all = ledger.close().sent_on;
     if (!(all > 0)) return;
+    IDEOTYPE_EXPECT(how.path_energy > 0);
     const double count = std::max(1., std::ceil(all / how.path_energy - 1e-9));
     const double energy = all / count;
     // Rounding must not lose the last one.
@@ -114,6 +119,7 @@ void Tracer::follow(std::vector<ScatteredPath>& paths,
         tally.next_rays += paths.size();
         paths.swap(next);
     }
+    IDEOTYPE_ENSURE(paths.empty());
     for (Ledger& ledger : ledgers) ledger.close();
 }
 

@@ -11,6 +11,7 @@
 #include "beam_costs.hpp"
 #include "directions.hpp"
 #include "first_hits.hpp"
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/light/sampler.hpp"
 #include "launch.hpp"
@@ -139,6 +140,16 @@ struct BandRun {
     LeafSums leaf_sums{};
 };
 
+//! Returns whether the light of each source is the sum of its parts, to
+//! rounding.
+bool is_balanced(const Tally& tally) {
+    return std::all_of(tally.sources.begin(), tally.sources.end(),
+                       [](const Budget& budget) {
+                           return std::abs(budget.total() - budget.incident) <=
+                                  1e-9 * budget.incident;
+                       });
+}
+
 }  // namespace
 
 BandTallies simulate(const Subject& subject, const Workload& work,
@@ -147,6 +158,10 @@ BandTallies simulate(const Subject& subject, const Workload& work,
     const std::vector<Source>& sources = subject.light().sources;
     const Counted counted{scene, subject.groups, subject.layers, subject.pieces,
                           object_numbers(subject.groups)};
+    IDEOTYPE_EXPECT(randomisations > 0 && subject.layers.count > 0);
+    IDEOTYPE_EXPECT(work.first_hits.size() == sources.size());
+    for (const Band& band : subject.bands)
+        IDEOTYPE_EXPECT(band.light.light.sources.size() == sources.size());
     double brightest_soil = 0;
     for (const Band& band : subject.bands)
         brightest_soil = std::max(brightest_soil, band.optics.soil_albedo);
@@ -233,7 +248,10 @@ BandTallies simulate(const Subject& subject, const Workload& work,
         const auto resolution = std::make_shared<const Resolution>(
             resolution_of(scene, subject.groups, bands[b].band.optics,
                           subject.layers, std::move(largest)));
-        for (Tally& tally : tallies[b]) tally.resolution = resolution;
+        for (Tally& tally : tallies[b]) {
+            tally.resolution = resolution;
+            IDEOTYPE_ENSURE(is_balanced(tally));
+        }
     }
     return tallies;
 }

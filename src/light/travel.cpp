@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 namespace {
@@ -67,6 +69,7 @@ Hit travel_isolated(const RayScene& scene, const glm::dvec3& p,
 
 Hit travel(const RayScene& scene, glm::dvec3 from, const glm::dvec3& direction,
            std::uint32_t pose) {
+    IDEOTYPE_EXPECT(direction.z != 0);
     return scene.boundary() == Boundary::periodic
                ? travel_periodic(scene, from, direction, pose)
                : travel_isolated(scene, from, direction);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ideotype/core/contract.hpp"
 #include "workload.hpp"
 
 namespace ideotype {
@@ -50,6 +51,7 @@ double variance_of(const std::vector<double>& replicates) {
 Findings try_out(const Subject& subject, const Workload& work,
                  int randomisations, const Randomness& randomness,
                  bool is_drawn) {
+    IDEOTYPE_EXPECT(randomisations > 1 && !work.path_energy.empty());
     const Illumination& light = subject.light();
     const std::vector<Tally> tallies =
         std::move(simulate(subject, work, randomisations, randomness).front());

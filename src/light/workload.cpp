@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 LightOrigin origin_of(const Source& source) {
@@ -14,6 +16,7 @@ LightOrigin origin_of(const Source& source) {
 std::vector<std::uint32_t> share_paths(const Illumination& illumination,
                                        std::uint32_t paths) {
     const std::vector<Source>& sources = illumination.sources;
+    IDEOTYPE_EXPECT(!sources.empty() && paths >= sources.size());
     double total = 0;
     for (const Source& source : sources) total += source.energy * source.effort;
     std::vector<std::uint32_t> counts;
@@ -34,10 +37,14 @@ std::vector<std::uint32_t> share_paths(const Illumination& illumination,
                      });
     for (std::size_t i = 0; given < paths; ++i, ++given)
         ++counts[order[i % order.size()]];
+    IDEOTYPE_ENSURE(given == paths);
     return counts;
 }
 
 Amounts amounts_of(const Workload& work, const Illumination& light) {
+    IDEOTYPE_EXPECT(work.first_hits.size() == light.sources.size());
+    IDEOTYPE_EXPECT(!work.path_energy.empty() &&
+                    !work.path_energy.front().empty());
     Amounts amounts{};
     for (std::size_t s = 0; s < work.first_hits.size(); ++s)
         amounts[origin_of(light.sources[s])] += work.first_hits[s];
@@ -47,6 +54,7 @@ Amounts amounts_of(const Workload& work, const Illumination& light) {
 }
 
 Workload work_of(const Amounts& amounts, const Illumination& light) {
+    IDEOTYPE_EXPECT(amounts[LightOrigin::scattered] > 0);
     const std::vector<Source>& sources = light.sources;
     Workload work;
     work.first_hits.resize(sources.size());
@@ -74,6 +82,7 @@ Workload work_of(const Amounts& amounts, const Illumination& light) {
 
 void leave_suns_out(Workload& work, const Illumination& light,
                     std::size_t kept) {
+    IDEOTYPE_EXPECT(kept > 0 && work.first_hits.size() == light.sources.size());
     std::vector<std::size_t> suns;
     for (std::size_t s = 0; s < light.sources.size(); ++s)
         if (light.sources[s].direction) suns.push_back(s);

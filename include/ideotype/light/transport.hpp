@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/random.hpp"
 #include "ideotype/light/accuracy.hpp"
 #include "ideotype/light/band.hpp"
@@ -25,7 +26,10 @@ struct Subject {
     std::size_t pieces = 0;
 
     //! Returns the light of the first band, whose sources all bands have.
-    const Illumination& light() const { return bands.front().light.light; }
+    const Illumination& light() const {
+        IDEOTYPE_EXPECT(!bands.empty());
+        return bands.front().light.light;
+    }
 };
 
 //! The work of a simulation: how finely each source is looked at in one

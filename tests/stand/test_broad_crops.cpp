@@ -13,9 +13,9 @@ namespace {
 class Soybean : public ::testing::Test {
   protected:
     Soybean()
-        : campaign(
-              read_campaign(IDEOTYPE_CAMPAIGNS "/soybean.toml",
-                            {"light.tolerance=0.001", "light.paths=1048576"})) {
+        : campaign(read_campaign(IDEOTYPE_CAMPAIGNS "/soybean.toml",
+                                 {"light.tolerance=0.001",
+                                  "light.paths=1048576", "light.fields=1"})) {
         const Case chosen = cases(campaign).back();
         request =
             request_of(sampling_of(Task{}, campaign, chosen), campaign,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "ideotype/canopy/quantities.hpp"
 #include "schema.hpp"
 
@@ -86,7 +88,7 @@ std::vector<std::string> objectives_of(const Draft& draft) {
         components.push_back(each->campaign.name);
     for (const std::string& component : components)
         for (const std::string& quantity : additive_objectives())
-            names.push_back(component + '.' + quantity);
+            names.push_back(fmt::format("{}.{}", component, quantity));
     return names;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <glm/geometric.hpp>
+
 #include "ideotype/core/contract.hpp"
 
 namespace ideotype {

@@ -50,11 +50,8 @@ int usual_population_of(const Campaign& campaign) {
                             most + campaign.varied.keys.size());
 }
 
-//! Completes a crop with its traits, and returns the bounds of their numbers.
-std::vector<Range> complete(const Draft& draft, Crop& crop) {
-    if (draft.has_growth) crop.growth = draft.growth;
-    for (const TraitEntry& entry : draft.traits)
-        crop.traits.push_back(complete(entry));
+//! Returns the bounds of the numbers of a crop's traits.
+std::vector<Range> all_bounds(const Draft& draft, const Crop& crop) {
     const std::vector<double> baseline = baseline_numbers(crop);
     const std::vector<TraitNumber> numbers = trait_numbers(crop);
     std::vector<Range> bounds;
@@ -69,11 +66,11 @@ Neighbour to_neighbour(const Draft& draft, bool assimilates) {
     Neighbour neighbour;
     neighbour.name = own.name;
     neighbour.standing = draft.standing;
-    neighbour.crop = own.crop;
+    neighbour.crop = crop_of(draft);
     for (const double row : draft.rows)
         neighbour.standing.rows.push_back(static_cast<int>(row) - 1);
     if (draft.has_variation) neighbour.standing.variation = own.field.variation;
-    neighbour.bounds = complete(draft, neighbour.crop);
+    neighbour.bounds = all_bounds(draft, neighbour.crop);
     neighbour.free = own.trait_sets.front().value;
     neighbour.optics = own.optics;
     neighbour.nir_optics = own.nir_optics;
@@ -105,7 +102,8 @@ Campaign complete(Draft& draft, const std::string& source,
                   const Report& report) {
     Campaign campaign = draft.campaign;
     const PlantVariation& variation = campaign.field.variation;
-    campaign.bounds = complete(draft, campaign.crop);
+    campaign.crop = crop_of(draft);
+    campaign.bounds = all_bounds(draft, campaign.crop);
     campaign.reach = reach_of(campaign.crop, campaign.bounds, variation);
     for (const std::shared_ptr<Draft>& each : draft.neighbours) {
         const Neighbour& added = campaign.neighbours.emplace_back(
@@ -226,11 +224,8 @@ Crop read_crop(const std::string& path, const Plant* other) {
     }
     check_plant(draft, report);
     report.throw_if_any();
-    Crop crop = draft.campaign.crop;
-    for (const TraitEntry& entry : draft.traits)
-        crop.traits.push_back(complete(entry));
+    Crop crop = crop_of(draft);
     crop.rules = rule_names(draft);
-    if (draft.has_growth) crop.growth = draft.growth;
     return crop;
 }
 

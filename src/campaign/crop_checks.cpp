@@ -128,9 +128,7 @@ class BaselineCheck {
         : draft_(draft),
           table_(parent + ".bounds"),
           report_(report),
-          crop_(draft.campaign.crop) {
-        for (const TraitEntry& entry : draft.traits)
-            crop_.traits.push_back(complete(entry));
+          crop_(crop_of(draft)) {
         wider_.resize(crop_.traits.size());
     }
 
@@ -256,9 +254,7 @@ std::vector<Draft*> bred_drafts(Draft& draft) {
 //! @returns how many numbers the crop has
 std::size_t check_start_of(const Draft& draft, std::span<const double> start,
                            const void* place, Report& report) {
-    Crop crop = draft.campaign.crop;
-    for (const TraitEntry& entry : draft.traits)
-        crop.traits.push_back(complete(entry));
+    const Crop crop = crop_of(draft);
     const std::vector<TraitNumber> numbers = trait_numbers(crop);
     const std::vector<double> baseline = baseline_numbers(crop);
     for (std::size_t i = 0; i < std::min(numbers.size(), start.size()); ++i) {

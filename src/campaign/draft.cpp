@@ -76,6 +76,14 @@ Trait complete(const TraitEntry& entry) {
     return trait;
 }
 
+Crop crop_of(const Draft& draft) {
+    Crop crop = draft.campaign.crop;
+    for (const TraitEntry& entry : draft.traits)
+        crop.traits.push_back(complete(entry));
+    if (draft.has_growth) crop.growth = draft.growth;
+    return crop;
+}
+
 Range bounds_of(const Draft& draft, std::size_t trait, double baseline) {
     if (draft.rule.empty()) return draft.own_bounds.at(trait);
     const Trait& bred = draft.traits.at(trait).trait;

@@ -80,6 +80,9 @@ const std::vector<std::string>& measures_of(const TraitEntry& entry);
 //! What the trait acts on, and how, from the list that has any measure.
 Trait complete(const TraitEntry& entry);
 
+//! Returns the crop of a draft with its traits and its growth.
+Crop crop_of(const Draft& draft);
+
 //! The bounds of one number of a trait.
 //! @param baseline its value in the baseline
 Range bounds_of(const Draft& draft, std::size_t trait, double baseline);

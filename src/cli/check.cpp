@@ -117,10 +117,9 @@ std::string objective_text(const Campaign& campaign) {
     const std::vector<double>& factors =
         campaign.sole.empty() ? campaign.weights : campaign.sole;
     for (const Aim& aim : aims(campaign)) {
-        text +=
-            fmt::format("{}{} {}", text.empty() ? "objective " : ", ",
-                        aim.sense == Sense::maximise ? "maximise" : "minimise",
-                        aim.quantity);
+        text += fmt::format(
+            "{}{} {}", text.empty() ? "objective " : ", ",
+            aim.sense == Sense::maximise ? "maximise" : "minimise", aim.name);
         for (std::size_t c = 0; c < factors.size(); ++c)
             text += fmt::format("{}{} {} {:g}", c == 0 ? " of " : " + ",
                                 c == 0 ? campaign.crop.baseline.name

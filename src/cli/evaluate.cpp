@@ -24,11 +24,10 @@ std::vector<Measured> objectives_of(const CanopyReport& report,
     for (const Aim& aim : aims(campaign))
         all.push_back(
             {{(campaign.sole.empty() ? "" : "land equivalent ratio of ") +
-                  ((campaign.weights.empty() ? "" : "weighted ") +
-                   aim.quantity),
+                  ((campaign.weights.empty() ? "" : "weighted ") + aim.name),
               unit_of(campaign, aim.quantity), ""},
              campaign.sole.empty()
-                 ? measure_number(campaign, aim.quantity, report).estimate
+                 ? measure_number(campaign, aim.name, report).estimate
                  : land_equivalent_ratio(campaign, report)});
     return all;
 }

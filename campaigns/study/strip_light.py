@@ -237,7 +237,7 @@ def southernmost(strips: Strips) -> list[str]:
         )
         alone = strips.by_row(bare)
     shaded = strips.by_row(between)[2:]
-    # Which end of the pattern is south is seen by which row has less.
+    # The row that has less shows which end of the pattern is south.
     worst = int(np.argmin([shaded[0][0], shaded[2][0]])) * 2
     return [
         "southernmost row of soybean at R1, rows east to west, to maize "

@@ -146,7 +146,7 @@ struct Standing {
     int mixed = 0;
     int plants = 0;                  //!< in each of its rows; 0: as the field's
     std::optional<double> jitter{};  //!< in the place of the field's [deg]
-    //! How plants differ, in the place of how those of the field do.
+    //! Variation of its plants, in the place of that of the field.
     std::optional<PlantVariation> variation{};
 };
 
@@ -223,7 +223,7 @@ struct Campaign {
     //! Weight of each component in the objectives, the one that is bred
     //! first. Empty: objectives are those of all plants together.
     std::vector<double> weights;
-    //! What each component has when it stands alone, in the unit of the
+    //! Yield of each component when it stands alone, in the unit of the
     //! objective, which is then the land equivalent ratio, and standard errors
     //! of that. Empty: the objective is no such ratio.
     std::vector<double> sole, sole_errors;
@@ -262,7 +262,7 @@ std::vector<std::string> component_names(const Campaign& campaign);
 //! What a campaign searches for, at least one.
 std::vector<Aim> aims(const Campaign& campaign);
 
-//! What each component counts in objectives; empty: they are those of all
+//! Returns the weight of each component in objectives; empty: they are of all
 //! plants together.
 std::vector<double> component_weights(const Campaign& campaign);
 

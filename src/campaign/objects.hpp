@@ -21,7 +21,7 @@ struct ObjectEntry {
     std::string file;  //!< OBJ file as written
     double x = 0, y = 0, z = 0, turn = 0;
     Lambertian optics{.4, 0}, nir_optics{.4, 0};
-    //! What the file has: three coordinates of each vertex [m], and four
+    //! Content of the file: three coordinates of each vertex [m], and four
     //! numbers of vertices of each face, from 0.
     std::vector<double> vertices, faces;
 };

@@ -165,7 +165,7 @@ Table list_of_tables(const std::string& name,
             [&records](std::size_t n) { records.assign(n, Record{}); }};
 }
 
-//! How plants of a field differ, or those of a component.
+//! The keys of how plants of a field, or of a component, differ.
 Section variation_section(PlantVariation& variation, const std::string& name);
 
 //! The keys before the first table.
@@ -193,7 +193,7 @@ Table plant_optics_table(Campaign& campaign);
 //! The tables of a crop file that campaigns have too, which go before it.
 std::vector<Table> crop_defaults(Draft& draft);
 
-// Those of run_schema.cpp, plant_schema.cpp and object_schema.cpp.
+// Tables of run_schema.cpp, plant_schema.cpp and object_schema.cpp.
 Table plant_table(Draft& draft);
 Section light_section(Campaign& campaign);
 Table panel_table(Campaign& campaign);

@@ -110,7 +110,7 @@ class Reporter {
         for (const FixedObject& each : scene_.objects) {
             const std::vector<double> faces = face_areas(each.mesh);
             double area = 0;
-            // What moves has the same area in each pose.
+            // A face that moves has the same area in each pose.
             for (std::size_t f = 0; f < faces.size(); ++f)
                 if (each.mesh.groups[each.mesh.face_group[f]].pose <= 1)
                     area += faces[f];

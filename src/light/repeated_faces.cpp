@@ -55,7 +55,7 @@ std::vector<bool> repeated_faces(const Mesh& mesh) {
     std::vector<bool> repeated(mesh.faces.size());
     for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
         for (const std::uint32_t v : mesh.faces[f]) sums[f] += hashes[v];
-        // What is there at different times does not repeat.
+        // Faces that are there at different times do not repeat.
         const std::uint32_t group = mesh.face_group[f];
         if (group < mesh.groups.size())
             sums[f] += mixed(mesh.groups[group].pose);

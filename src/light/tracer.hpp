@@ -41,11 +41,12 @@ class Tracer {
 
     //! Counts the light of first hits and adds paths of the light that is sent
     //! on. Surfaces keep exactly their absorptance of what they meet first.
-    //! What they send on sets out in as many paths of equal energy as make each
-    //! at most `path_energy`, at least one. They start at hits that are evenly
-    //! spread over all the energy that is sent on, in the order of the hits.
-    //! Where all hits together send on less than one brings, that is not worth
-    //! a path: instead all or nothing of a hit is sent on, with the right odds.
+    //! The light that they send on sets out in as many paths of equal energy as
+    //! make each at most `path_energy`, at least one. They start at hits that
+    //! are evenly spread over all the energy that is sent on, in the order of
+    //! the hits. Where all hits together send on less than one brings, that is
+    //! not worth a path: instead all or nothing of a hit is sent on, with the
+    //! right odds.
     void arrive(const FirstHits& hits, const Arrival& how, Tally& tally,
                 std::vector<ScatteredPath>& paths, LeafSums& leaf_sums) const;
 

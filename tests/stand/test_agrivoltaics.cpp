@@ -68,7 +68,8 @@ TEST(Agrivoltaics, PanelsTakeLightAndAreNoLeaves) {
     EXPECT_NEAR(shaded.plants.mean + shaded.objects.mean + shaded.soil.mean +
                     shaded.reflected.mean,
                 shaded.incident, 1e-9 * shaded.incident);
-    // What falls on modules is what they absorb, with a reflectance of 5 %.
+    // The light that falls on modules is what they absorb, with a reflectance
+    // of 5 %.
     const ObjectReport& object = below.objects.front();
     EXPECT_NEAR(object.area_index, 1.5 / 3.048, 1e-12);
     const std::vector<SideLight>& sides = below.par().objects;

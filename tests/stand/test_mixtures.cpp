@@ -171,7 +171,7 @@ TEST_F(Mixtures, OfPlantsThatAreAllBredTellEachByItself) {
     EXPECT_THROW(grow(campaign, genome), Error);
 }
 
-//! What crops have alone is uncertain too, but of all rows alike.
+//! The yields of crops alone are uncertain too, but all rows share them.
 TEST_F(Mixtures, HaveALandEquivalentRatio) {
     std::vector<std::string> settings = alike;
     settings.push_back(weed);

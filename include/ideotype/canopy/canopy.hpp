@@ -63,7 +63,7 @@ struct BandReport {
     std::vector<SideLight> objects;
     //! Parts for each component, then each fixed object, if there are several.
     std::vector<PartReport> parts;
-    //! What leaves of each row absorb, where rows are told apart
+    //! Light that leaves of each row absorb, where rows are told apart
     //! [J m-2 of all ground], and the same by randomisation.
     std::vector<Estimate> rows;
     std::vector<std::vector<double>> rows_by_randomisation;

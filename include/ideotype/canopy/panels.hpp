@@ -27,12 +27,12 @@ struct PanelRows {
     bool backtracks = true;  //!< so that no row shades another
 };
 
-//! How far modules that track are turned from level towards the azimuth of
-//! their rows [deg], as pvlib's tracking.singleaxis() computes it about a level
-//! axis; they lie level when the sun is down.
+//! Returns how far modules that track are turned from level towards the azimuth
+//! of their rows [deg], as pvlib's tracking.singleaxis() computes it about a
+//! level axis; they lie level when the sun is down.
 double tracker_angle(const PanelRows& panels, const SunPosition& sun);
 
-//! How rows of panels lie in a cell, whose edges they are parallel to.
+//! The layout of rows of panels in a cell, whose edges they are parallel to.
 struct PanelLayout {
     bool is_along = true;  //!< whether they are parallel to the rows of plants
     double across = 0;     //!< period of the cell across panel rows [m]

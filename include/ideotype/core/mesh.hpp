@@ -30,8 +30,8 @@ struct Group {
     std::string name;  //!< for people; nothing is read from it
     SurfaceId id{};
     std::uint32_t material = 0;  //!< place in Optics::materials
-    //! What moves with the sun is there for light of sources of this pose
-    //! alone; 0: it stands.
+    //! Surfaces that move with the sun are there for light of sources of this
+    //! pose alone; 0: it stands.
     std::uint32_t pose = 0;
 };
 

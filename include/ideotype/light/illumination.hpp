@@ -43,7 +43,7 @@ struct SeriesIllumination {
     Illumination light;
     std::vector<int> beam_of;
     std::vector<int> sky_of;
-    //! Of each source the instant whose sun it has; of a sky without one 0.
+    //! The instant whose sun each source has; 0 for a sky without one.
     std::vector<std::size_t> instant_of{};
 };
 

@@ -8,7 +8,7 @@ namespace ideotype {
 
 namespace {
 
-//! Where the groups of a component are in the field of pieces.
+//! The places of the groups of a component in the pieces of the field.
 struct Share {
     std::uint32_t groups;    //!< the first of the field before
     std::uint32_t cut_from;  //!< the first of the meshes that were cut
@@ -41,6 +41,12 @@ class FieldGroups {
         result.rows = field.cell.row_ground.size();
         const std::vector<std::uint32_t> plants =
             plants_of(field, lines.size());
+        std::size_t all = groups.size();
+        for (std::size_t c = 0; c < lines.size(); ++c)
+            all += plants[c] * lines[c].count;
+        result.mesh.groups.reserve(all);
+        result.group.reserve(all);
+        result.like.reserve(all);
         for (std::size_t c = 0; c < lines.size(); ++c) add_pieces(c, plants[c]);
         result.count = result.mesh.groups.size();
         for (std::size_t c = 0; c < lines.size(); ++c) add_others(c);

@@ -11,20 +11,6 @@
 
 namespace ideotype {
 
-void Moments::add(const Moments& more, double times) {
-    one += times * more.one;
-    sun += times * more.sun;
-    sky += times * more.sky;
-    sun2 += times * more.sun2;
-    sun_sky += times * more.sun_sky;
-    sky2 += times * more.sky2;
-}
-
-double Moments::dot(const Moments& other) const {
-    return one * other.one + sun * other.sun + sky * other.sky +
-           sun2 * other.sun2 + sun_sky * other.sun_sky + sky2 * other.sky2;
-}
-
 SkyLight::SkyLight(const std::vector<Tally>& tallies, int number,
                    const LeafPlaces& places, const ExpectedLight& expectation)
     : source(number),
@@ -61,8 +47,8 @@ PairLight::PairLight(const std::vector<Tally>& tallies, const LitLeaves& lit,
     sort_hits();
 }
 
-//! Of the mean of x and that of y, from their sums and that of their products.
-//! A single randomisation is taken as it is.
+//! Returns the product of the mean of x and that of y, without bias, from their
+//! sums and that of their products. A single randomisation is taken as it is.
 double PairLight::product(double x, double y, double sum) const {
     return n_ > 1 ? (x * y - sum) / (n_ * (n_ - 1)) : x * y;
 }
@@ -186,9 +172,9 @@ void PairLight::add(const Hit& hit, Bin& bin) const {
 //! (Efron and Stein 1981, doi:10.1214/aos/1176345462).
 constexpr double of_products = std::numbers::sqrt2 / 2;
 
-//! Of light itself in a randomisation, and of squares and products, where
-//! moments have weights of what differs in the mean. Without what is of a hit
-//! alone.
+//! Returns the weights of light itself in a randomisation, and of squares and
+//! products, where moments have weights of the differences in the mean. Light
+//! of a hit alone is left out.
 std::vector<Moments> PairLight::weights_of_pieces(
     const std::vector<Moments>& weights) {
     std::vector<Moments> of_pieces(places_.pieces());

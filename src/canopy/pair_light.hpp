@@ -13,8 +13,19 @@ namespace ideotype {
 struct Moments {
     double one = 0, sun = 0, sky = 0, sun2 = 0, sun_sky = 0, sky2 = 0;
 
-    void add(const Moments& more, double times);
-    double dot(const Moments& other) const;
+    void add(const Moments& more, double times) {
+        one += times * more.one;
+        sun += times * more.sun;
+        sky += times * more.sky;
+        sun2 += times * more.sun2;
+        sun_sky += times * more.sun_sky;
+        sky2 += times * more.sky2;
+    }
+
+    double dot(const Moments& other) const {
+        return one * other.one + sun * other.sun + sky * other.sky +
+               sun2 * other.sun2 + sun_sky * other.sun_sky + sky2 * other.sky2;
+    }
 };
 
 //! Diffuse light of a sky, and what it counts for.
@@ -59,15 +70,16 @@ class PairLight {
     const std::vector<double>& expected() const { return expected_; }
     const std::vector<Moments>& moments() const { return moments_; }
 
-    //! In the order of places; weights are for the caller to set.
+    //! Returns the bins in the order of places; weights are for the caller to
+    //! set.
     std::vector<Bin>& bins() { return bins_; }
 
-    //! How the sum of all moments by their weights differs in the pseudo-values
-    //! of a jackknife (Quenouille 1956, doi:10.1093/biomet/43.3-4.353; Tukey
-    //! 1958, doi:10.1214/aoms/1177706647), products by as much as makes their
-    //! scatter right, but for what all share: adds to
-    //! [randomisation][place], without the light of the sky, whose weights it
-    //! raises.
+    //! Adds the differences of the sum of all moments, by their weights, in the
+    //! pseudo-values of a jackknife (Quenouille 1956,
+    //! doi:10.1093/biomet/43.3-4.353; Tukey 1958, doi:10.1214/aoms/1177706647)
+    //! to [randomisation][place]. Products differ by as much as makes their
+    //! scatter right. Differences that all randomisations share and the light
+    //! of the sky, whose weights it raises, are left out.
     //! @param weights of moments()
     //! @return sums, by randomisation, with the sky to first order
     std::vector<double> scatter(const std::vector<Moments>& weights,

@@ -23,15 +23,12 @@ namespace {
 constexpr double farthest = 1e7;
 constexpr std::size_t most_faces = 100'000'000;
 
-struct Extent {
-    double lower = std::numeric_limits<double>::infinity();
-    double upper = -std::numeric_limits<double>::infinity();
-
-    void include(double x) {
-        lower = std::min(lower, x);
-        upper = std::max(upper, x);
-    }
-};
+Interval interval(const std::vector<glm::dvec3>& vertices,
+                  const std::array<std::uint32_t, 4>& face, int axis) {
+    Interval all;
+    for (const std::uint32_t v : face) all.include(vertices[v][axis]);
+    return all;
+}
 
 //! The whole periods by which an extent must be shifted to touch [0, period].
 struct Shifts {
@@ -41,7 +38,7 @@ struct Shifts {
     double count() const { return static_cast<double>(last - first + 1); }
 };
 
-Shifts shifts_into(const Extent& extent, double period) {
+Shifts shifts_into(const Interval& extent, double period) {
     // A face that only touches the boundary is kept on both sides, so that no
     // rounding can open a slit there.
     const double margin = 1e-6 * period;
@@ -115,6 +112,8 @@ RayScene::RayScene(const Device& device, const Mesh& mesh, double period_x,
     surfaces_.vertices = mesh.vertices;
     surfaces_.faces.reserve(mesh.faces.size());
     surfaces_.face_group.reserve(mesh.faces.size());
+    surfaces_.face_pose.reserve(mesh.faces.size());
+    surfaces_.normals.reserve(2 * mesh.faces.size());
     const std::vector<bool> repeated = repeated_faces(mesh);
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
         if (areas[f] > 0 && !repeated[f])
@@ -154,7 +153,7 @@ void RayScene::add_plot(const Mesh& mesh, const std::vector<double>& areas) {
                    return mesh.vertices[v].z >= 0;
                });
     };
-    Extent x, y, z;
+    Interval x, y, z;
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
         if (!is_there(f)) continue;
         for (const std::uint32_t v : mesh.faces[f]) {
@@ -169,9 +168,9 @@ void RayScene::add_plot(const Mesh& mesh, const std::vector<double>& areas) {
     surfaces_.vertices = mesh.vertices;
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
         if (!is_there(f)) continue;
-        surfaces_.add(mesh.faces[f], mesh.face_group[f], 0);
-        add_face(static_cast<std::uint32_t>(surfaces_.faces.size() - 1),
-                 {-x.lower, -y.lower, 0});
+        add_image(add_face(mesh.faces[f], mesh.face_group[f], 0,
+                           interval(mesh.vertices, mesh.faces[f], 2)),
+                  {-x.lower, -y.lower, 0});
     }
 }
 
@@ -228,16 +227,12 @@ void Surfaces::add(const std::array<std::uint32_t, 4>& face,
 
 void RayScene::add_images(const std::array<std::uint32_t, 4>& face,
                           std::uint32_t group, std::uint32_t pose) {
-    Extent x, y, z;
-    for (const std::uint32_t v : face) {
-        x.include(surfaces_.vertices[v].x);
-        y.include(surfaces_.vertices[v].y);
-        z.include(surfaces_.vertices[v].z);
-    }
+    const Interval z = interval(surfaces_.vertices, face, 2);
     if (z.upper < 0) return;
-    const auto number = static_cast<std::uint32_t>(surfaces_.faces.size());
-    surfaces_.add(face, group, pose);
+    Part& part = add_face(face, group, pose, z);
     top_ = std::max(top_, z.upper);
+    const Interval x = interval(surfaces_.vertices, face, 0);
+    const Interval y = interval(surfaces_.vertices, face, 1);
     const Shifts along_x = shifts_into(x, period_x_);
     const Shifts along_y = shifts_into(y, period_y_);
     if (static_cast<double>(standing_.face.size()) +
@@ -249,43 +244,36 @@ void RayScene::add_images(const std::array<std::uint32_t, 4>& face,
             most_faces, period_x_, period_y_));
     for (long i = along_x.first; i <= along_x.last; ++i)
         for (long j = along_y.first; j <= along_y.last; ++j)
-            add_face(number, {static_cast<double>(i) * period_x_,
-                              static_cast<double>(j) * period_y_, 0});
+            add_image(part, {static_cast<double>(i) * period_x_,
+                             static_cast<double>(j) * period_y_, 0});
 }
 
-RayScene::Part& RayScene::part_of(std::uint32_t face) {
-    const std::uint32_t pose = surfaces_.face_pose[face];
-    if (pose == 0) return standing_;
+RayScene::Part& RayScene::add_face(const std::array<std::uint32_t, 4>& face,
+                                   std::uint32_t group, std::uint32_t pose,
+                                   const Interval& heights) {
+    surfaces_.add(face, group, pose);
     while (moving_.size() < pose) moving_.emplace_back();
-    return moving_[pose - 1];
+    Part& part = pose == 0 ? standing_ : moving_[pose - 1];
+    if (group >= group_heights_.size()) group_heights_.resize(group + 1);
+    for (Interval* each : {&group_heights_[group], &part.heights}) {
+        each->include(heights.lower);
+        each->include(heights.upper);
+    }
+    return part;
 }
 
-void RayScene::add_face(std::uint32_t face, const glm::dvec3& shift) {
-    Part& part = part_of(face);
-    const auto& corners = surfaces_.faces[face];
-    for (const std::uint32_t v : corners) {
+void RayScene::add_image(Part& part, const glm::dvec3& shift) const {
+    for (const std::uint32_t v : surfaces_.faces.back()) {
         const glm::dvec3 p = surfaces_.vertices[v] + shift;
         part.corners.push_back({static_cast<float>(p.x),
                                 static_cast<float>(p.y),
                                 static_cast<float>(p.z), 0});
     }
-    part.face.push_back(face);
-    const std::uint32_t group = surfaces_.face_group[face];
-    if (group >= group_heights_.size()) group_heights_.resize(group + 1);
-    std::optional<Heights>& heights = group_heights_[group];
-    for (const std::uint32_t v : corners) {
-        const double z = surfaces_.vertices[v].z;
-        if (!heights) heights = {z, z};
-        heights = {std::min(heights->lower, z), std::max(heights->upper, z)};
-        part.heights = part.face.size() == 1 && v == corners.front()
-                           ? Heights{z, z}
-                           : Heights{std::min(part.heights.lower, z),
-                                     std::max(part.heights.upper, z)};
-    }
+    part.face.push_back(static_cast<std::uint32_t>(surfaces_.faces.size() - 1));
 }
 
-std::optional<Heights> RayScene::heights(std::size_t group) const {
-    return group < group_heights_.size() ? group_heights_[group] : std::nullopt;
+Interval RayScene::heights(std::size_t group) const {
+    return group < group_heights_.size() ? group_heights_[group] : Interval{};
 }
 
 }  // namespace ideotype

@@ -51,14 +51,14 @@ std::vector<bool> repeated_faces(const Mesh& mesh) {
     constexpr std::uint32_t none = ~std::uint32_t{0};
     const std::size_t places = std::bit_ceil(2 * mesh.faces.size() + 1);
     std::vector<std::uint32_t> table(places, none);
+    const bool moves = std::ranges::any_of(
+        mesh.groups, [](const auto& group) { return group.pose > 0; });
     std::vector<std::uint64_t> sums(mesh.faces.size());
     std::vector<bool> repeated(mesh.faces.size());
     for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
         for (const std::uint32_t v : mesh.faces[f]) sums[f] += hashes[v];
         // Faces that are there at different times do not repeat.
-        const std::uint32_t group = mesh.face_group[f];
-        if (group < mesh.groups.size())
-            sums[f] += mixed(mesh.groups[group].pose);
+        if (moves) sums[f] += mixed(mesh.groups.at(mesh.face_group[f]).pose);
         std::size_t place = sums[f] & (places - 1);
         for (; table[place] != none; place = (place + 1) & (places - 1))
             if (sums[table[place]] == sums[f] &&

@@ -51,7 +51,7 @@ Estimate over(const std::vector<Tally>& tallies, const Resolution& resolution,
 Estimate weighted(const std::vector<Tally>& tallies,
                   const Resolution& resolution,
                   const std::vector<double>& weights, double part,
-                  const std::function<double(const Budget&)>& figure) {
+                  const auto& figure) {
     IDEOTYPE_EXPECT(resolution.path_energy.size() <= weights.size());
     double step = 0;
     for (std::size_t s = 0; s < resolution.path_energy.size(); ++s)

@@ -26,8 +26,8 @@ Resolution resolution_of(const RayScene& scene,
         double keeps = 0;  //!< largest part of light that a group keeps
     } leaves, stalks, objects;
     for (std::size_t g = 0; g < groups.size(); ++g) {
-        const std::optional<Heights> heights = scene.heights(g);
-        if (!heights) continue;
+        const Interval heights = scene.heights(g);
+        if (heights.lower > heights.upper) continue;
         const SurfaceId& id = groups[g].id;
         const Material& material = optics.of(groups[g].material);
         scatters |= material.most_scattered() > 0;
@@ -38,8 +38,8 @@ Resolution resolution_of(const RayScene& scene,
         ++kind.absorbing;
         kind.keeps = std::max(kind.keeps, kept);
         if (!id.is_leaf()) continue;
-        for (std::size_t l = layers.at(heights->lower);
-             l <= layers.at(heights->upper); ++l)
+        for (std::size_t l = layers.at(heights.lower);
+             l <= layers.at(heights.upper); ++l)
             result.layers[l] = std::max(result.layers[l], kept);
     }
     const std::size_t ends = leaves.absorbing + stalks.absorbing +

@@ -175,21 +175,17 @@ BandTallies simulate(const Subject& subject, const Workload& work,
                            brightest_soil);
         most_paths += bands.back().most_paths;
     }
-    BandTallies tallies(
-        bands.size(),
-        std::vector<Tally>(static_cast<std::size_t>(randomisations),
-                           {std::vector<Budget>(sources.size()),
-                            std::vector<double>(subject.groups.size()),
-                            std::vector<double>(subject.layers.count)}));
-    for (std::size_t b = 0; b < bands.size(); ++b)
-        for (Tally& tally : tallies[b]) {
-            if (bands[b].has_leaf_light)
-                tally.leaf_light.resize(sources.size());
-            if (counted.objects.count > 0)
-                tally.objects.assign(
-                    sources.size(),
-                    std::vector<double>(2 * counted.objects.count));
-        }
+    BandTallies tallies;
+    for (const BandRun& band : bands) {
+        Tally empty{std::vector<Budget>(sources.size()),
+                    std::vector<double>(subject.groups.size()),
+                    std::vector<double>(subject.layers.count)};
+        if (band.has_leaf_light) empty.leaf_light.resize(sources.size());
+        if (counted.objects.count > 0)
+            empty.objects.assign(
+                sources.size(), std::vector<double>(2 * counted.objects.count));
+        tallies.emplace_back(static_cast<std::size_t>(randomisations), empty);
+    }
     if (sources.empty()) return tallies;
     // Randomisations are simulated so many at a time as memory is reasonable
     // for.

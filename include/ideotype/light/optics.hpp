@@ -22,12 +22,12 @@ struct Material {
     Lambertian adaxial;
     Lambertian abaxial;
 
-    Material() = default;
+    constexpr Material() = default;
     //! Makes a sheet whose faces are alike.
-    Material(double reflectance, double transmittance)
+    constexpr Material(double reflectance, double transmittance)
         : Material(reflectance, reflectance, transmittance) {}
-    Material(double reflectance_of_adaxial, double reflectance_of_abaxial,
-             double transmittance)
+    constexpr Material(double reflectance_of_adaxial,
+                       double reflectance_of_abaxial, double transmittance)
         : adaxial{reflectance_of_adaxial, transmittance},
           abaxial{reflectance_of_abaxial, transmittance} {}
 
@@ -53,7 +53,7 @@ struct Optics {
 
     //! Returns a material; one that is not listed absorbs all light.
     const Material& of(std::uint32_t material) const {
-        static const Material black;
+        static constexpr Material black;
         return material < materials.size() ? materials[material] : black;
     }
 

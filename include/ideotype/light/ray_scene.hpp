@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -39,9 +41,16 @@ struct Segment {
     double first, last;
 };
 
-//! The lowest and the highest point of surfaces [m].
-struct Heights {
-    double lower, upper;
+//! The lowest and the highest of some coordinates [m]; of none, lower is above
+//! upper.
+struct Interval {
+    double lower = std::numeric_limits<double>::infinity();
+    double upper = -std::numeric_limits<double>::infinity();
+
+    void include(double x) {
+        lower = std::min(lower, x);
+        upper = std::max(upper, x);
+    }
 };
 
 //! The faces of a stand, each once, as the mesh has them. Face f is two
@@ -129,9 +138,8 @@ class RayScene {
     //! stand the mesh has it.
     const Surfaces& surfaces() const { return surfaces_; }
 
-    //! Returns the heights between which the faces of a group of the mesh are;
-    //! nothing if it has none.
-    std::optional<Heights> heights(std::size_t group) const;
+    //! Returns the heights of the faces of a group of the mesh.
+    Interval heights(std::size_t group) const;
 
     //! Finds the first face within a distance [m] of a point of the cell, along
     //! a unit direction; returns false if there is none.
@@ -173,21 +181,24 @@ class RayScene {
         std::vector<std::array<float, 4>> corners;  //!< four per face, x y z 0
         std::vector<std::uint32_t> face;            //!< of each image
         std::unique_ptr<Handle> handle;
-        Heights heights{};  //!< of what moves
+        Interval heights;
     };
 
     RayScene() = default;
     void add_plot(const Mesh& mesh, const std::vector<double>& areas);
-    void add_face(std::uint32_t face, const glm::dvec3& shift);
+    //! Adds a face of the mesh, as yet without images, and returns its part.
+    Part& add_face(const std::array<std::uint32_t, 4>& face,
+                   std::uint32_t group, std::uint32_t pose,
+                   const Interval& heights);
+    //! Adds an image of the last face.
+    void add_image(Part& part, const glm::dvec3& shift) const;
     void add_images(const std::array<std::uint32_t, 4>& face,
                     std::uint32_t group, std::uint32_t pose);
     void commit(const Device& device);
     static void commit(const Device& device, Part& part);
     static void attach_faces(RTCDeviceTy* embree, Part& part);
-    //! The part of a face.
-    Part& part_of(std::uint32_t face);
-    //! Whether a ray meets a face of what moves before it ends.
-    bool meets(const Part& part, RTCRayHit& ray) const;
+    //! Returns whether a ray meets a face of a moving part before it ends.
+    [[gnu::cold]] bool meets(const Part& part, RTCRayHit& ray) const;
 
     Boundary boundary_ = Boundary::periodic;
     Box box_{};
@@ -202,7 +213,7 @@ class RayScene {
     Surfaces surfaces_;
     Part standing_;
     std::vector<Part> moving_;  //!< by pose, from 1
-    std::vector<std::optional<Heights>> group_heights_;
+    std::vector<Interval> group_heights_;
 };
 
 }  // namespace ideotype

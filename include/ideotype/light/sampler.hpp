@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "ideotype/core/random.hpp"
+#include "ideotype/core/sobol.hpp"
 
 namespace ideotype {
 
@@ -22,12 +23,24 @@ class PathSampler {
                 std::uint32_t randomisation, std::uint32_t source);
 
     //! Goes to a number of a path, its first one unless said otherwise.
-    void begin(std::uint32_t path, std::size_t dimension = 0);
+    void begin(std::uint32_t path, std::size_t dimension = 0) {
+        path_ = path;
+        dimension_ = dimension;
+        tail_.reset();
+    }
 
     //! Returns the next number of this path, uniform in [0, 1).
-    double next();
+    double next() {
+        if (dimension_ == path_dimensions) return next_of_tail();
+        const std::uint32_t x =
+            scrambled(sobol(path_, dimension_), scramble_seeds_[dimension_]);
+        ++dimension_;
+        return x * 0x1p-32;
+    }
 
   private:
+    double next_of_tail();
+
     std::uint32_t generation_;
     std::array<std::uint32_t, path_dimensions> scramble_seeds_;
     std::uint64_t tail_seed_;

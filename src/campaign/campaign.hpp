@@ -62,8 +62,8 @@ struct Draft;
 //! The traits that may be bred; the others keep the baseline's values.
 using TraitSet = std::vector<std::string>;
 
-//! What a plant must keep to in the first measure that a trait acts on, in the
-//! unit of that measure, however it is bred.
+//! A limit of the first measure that a trait acts on, in the unit of that
+//! measure. A plant must keep to it however it is bred.
 struct TraitConstraint {
     std::string trait;
     double step = 0;          //!< largest between neighbouring leaves; 0: any
@@ -79,22 +79,22 @@ struct TraitConstraint {
 //! Whether it asks for anything.
 bool constrains(const TraitConstraint& limit);
 
-//! What a plant must keep to. A plant that does not is worse than any that
-//! does, and the worse the more it fails: see violation().
+//! All limits that a plant must keep to. A plant that does not is worse than
+//! any that does, and the worse the more it fails: see violation().
 struct Constraints {
     Range lai{0, 1000};  //!< one-sided [m2 m-2]
     std::vector<TraitConstraint> traits;
 };
 
-//! How far a plant fails its constraints: the sum of what each is exceeded by,
-//! relative to its limit; 0 if all are met.
+//! Returns how far a plant fails its constraints: the sum of the excesses over
+//! all limits, each relative to its limit; 0 if all are met.
 //! @param traits of the plant's crop
 //! @param lai of the plant in its stand
 double violation(const Constraints& constraints,
                  const std::vector<Trait>& traits, const Plant& plant,
                  double lai);
 
-//! What plants of the crop can be.
+//! The measured lines near which plants of the crop must stay.
 struct Feasibility {
     std::optional<MeasuredLines> lines;
     //! Largest distance from the mean of the lines, see LineDistance; what is
@@ -107,7 +107,7 @@ struct KeyFactor {
     std::string key;  //!< such as "optics.soil_albedo"
     Range range;
     std::string unit{};  //!< "1" if it has none
-    //! Of the campaign; the middle of the range where it does not say.
+    //! The value in the campaign; the middle of the range if it has none.
     double value = 0;
 };
 
@@ -117,14 +117,15 @@ struct Variation {
     std::vector<KeyFactor> keys;
 };
 
-//! How the best candidates are evaluated again at the end.
+//! The number of the best candidates that are evaluated again at the end, and
+//! how exactly.
 struct FinalRule {
     int candidates = 5;
     Accuracy sampling{16384, 16};
 };
 
-//! How long workers may take. No part of what is studied: may differ when a
-//! case is resumed.
+//! The time and the attempts that workers may take. It is no part of the study
+//! and may differ when a case is resumed.
 struct AnswerLimits {
     double deadline = 60;  //!< of an evaluation, at least [s]
     int attempts = 3;
@@ -138,7 +139,7 @@ struct BandEntry {
 //! The band whose error a tolerance bounds.
 enum class BoundedBand { par, nir };
 
-//! Where the plants of a component stand in the field.
+//! The places of the plants of a component in the field.
 struct Standing {
     std::vector<int> rows{};  //!< of the field, from 0
     //! Instead of rows: so many of the places of plants that are bred, drawn
@@ -161,7 +162,7 @@ struct Neighbour {
     std::optional<Photosynthesis> photosynthesis{};  //!< if leaves assimilate
 };
 
-//! What an objective is over several scenarios.
+//! The way in which the values of several scenarios become one objective.
 enum class Across { mean, worst };
 
 //! A key that trades speed for accuracy, such as "light.paths".
@@ -215,7 +216,8 @@ struct Campaign {
     std::vector<PanelEntry> panels;
     std::vector<ObjectEntry> objects;
     SkyModel sky_model = SkyModel::uniform;  //!< of diffuse light
-    //! Of a climate: the suns of so many dates stand for all. 0: without one.
+    //! The number of dates of a climate whose suns stand for all. 0: without a
+    //! climate.
     int sun_dates = 3;
     Accuracy sampling;  //!< of an evaluation during evolution
     //! Quantities that are searched for, in this order.
@@ -259,7 +261,7 @@ std::string doubt_of_lai(double lai);
 //! The names of all components, that of the crop's plant first.
 std::vector<std::string> component_names(const Campaign& campaign);
 
-//! What a campaign searches for, at least one.
+//! Returns the objectives of a campaign, at least one.
 std::vector<Aim> aims(const Campaign& campaign);
 
 //! Returns the weight of each component in objectives; empty: they are of all
@@ -285,9 +287,9 @@ struct Case {
     std::string trait_set_name;
     TraitSet traits;
     int replicate = 1;
-    //! That each plant is evaluated in, with the random numbers of the case;
-    //! its own site, day and spacing are those of the first. Empty: it is the
-    //! only one.
+    //! The scenarios that each plant is evaluated in, with the random numbers
+    //! of the case; its own site, day and spacing are those of the first.
+    //! Empty: it is the only one.
     std::vector<Case> scenarios{};
 };
 
@@ -310,8 +312,8 @@ std::vector<Case> scenarios(const Case& chosen);
 Campaign read_campaign(const std::string& path,
                        const std::vector<std::string>& settings = {});
 
-//! The same of the text of a campaign file that would be at this path: files
-//! that it names are looked for from there.
+//! Reads and checks the text of a campaign file that would be at this path:
+//! files that it names are looked for from there.
 Campaign read_campaign_text(const std::string& text, const std::string& path,
                             const std::vector<std::string>& settings = {});
 
@@ -397,8 +399,8 @@ Plants grow(const Campaign& campaign, const Genome& genome);
 //! trait set are not free.
 GeneSpace gene_space(const Campaign& campaign, const Case& chosen);
 
-//! The same with the keys that a sensitivity study varies behind them. Where
-//! it does not vary traits, no gene of them is free.
+//! Returns the genes of a case and, behind them, the keys that a study or a
+//! search varies. Where traits are not varied, no gene of them is free.
 GeneSpace search_genes(const Campaign& campaign, const Case& chosen);
 
 //! The campaign with those keys set to the last numbers of a genome of these

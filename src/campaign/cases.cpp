@@ -13,8 +13,8 @@ namespace ideotype {
 
 namespace {
 
-//! The same for a case however many others there are: all axes are named,
-//! also those with one entry.
+//! Returns a name that does not depend on how many other cases there are: all
+//! axes are named, also those with one entry.
 std::string case_name(const std::string& site, const std::string& day,
                       const std::string& spacing, const std::string& traits,
                       int replicate) {

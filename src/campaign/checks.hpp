@@ -10,7 +10,7 @@ namespace ideotype {
 //! baseline outside its bounds.
 void check_draft(Draft& draft, Report& report);
 
-//! That part of it which concerns a crop file alone.
+//! Checks the values of a crop file against each other.
 void check_plant(Draft& draft, Report& report);
 
 //! The traits of a crop file, and the bounds of its rules.
@@ -19,10 +19,10 @@ void check_traits(Draft& draft, Report& report);
 //! Whether nothing is wrong with a trait by itself.
 bool is_sound(const TraitEntry& entry, const Report& report);
 
-//! What is bred of the crop, and within which limits.
+//! Checks which traits are bred, and within which limits.
 void check_breeding(Draft& draft, Report& report);
 
-//! That part of it which concerns sites, days and the light of their cases.
+//! Checks sites, days and the light of their cases.
 void check_sky(const Campaign& campaign, Report& report);
 
 //! Checks where components stand, and what is asked of them together.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double circle = 360;
 
-//! By what part of the limit a value exceeds it.
+//! Returns the excess of a value over its limit, relative to the limit.
 double excess(double value, double limit) {
     return std::max(0.0, value - limit) / limit;
 }
@@ -23,7 +23,7 @@ double excess(double value, const Range& allowed) {
     return sum;
 }
 
-//! How far apart two directions, or other values, are.
+//! Returns the distance of two values, which may be directions [deg].
 double distance(double a, double b, bool is_direction) {
     const double apart = std::abs(a - b);
     if (!is_direction) return apart;
@@ -39,7 +39,8 @@ double step_excess(const std::vector<double>& leaves, double limit,
     return sum;
 }
 
-//! What values rise from leaf to leaf upwards, relative to all they could.
+//! Returns the sum of all rises from leaf to leaf upwards, over the largest
+//! that there could be.
 double rise(const std::vector<double>& leaves, const Range& limits) {
     double sum = 0;
     for (std::size_t i = 1; i < leaves.size(); ++i)

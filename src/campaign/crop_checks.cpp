@@ -194,7 +194,8 @@ class BaselineCheck {
                                    : "trait set \"" + set->name + '"')});
     }
 
-    //! Where the value of a number in the baseline was written.
+    //! Returns the address of the value that a number of the baseline was
+    //! written in.
     const void* place(const TraitNumber& number) {
         const Trait& trait = crop_.traits[number.trait];
         if (trait.effect != TraitEffect::sets)

@@ -25,7 +25,8 @@ TraitEntry leaf_trait(const std::string& name, const std::string& unit,
 }  // namespace
 
 Draft::Draft() {
-    // What `fidelity` recommends; the field and the time step are so anyway.
+    // `fidelity` recommends this accuracy; the field and the time step are so
+    // anyway.
     campaign.sampling = {16384, 16, 0.008};
     campaign.trait_sets = {{"all", {}}};
     // A least-squares fit of a width profile with a maximum of 1 and an area

@@ -36,8 +36,8 @@ struct Draft {
     Campaign campaign;
     std::vector<TraitEntry> traits;
     std::vector<BoundsEntry> bounds;  //!< of all rules
-    //! Which bounds are chosen: a rule, "traits" for their own ranges, or, if
-    //! it is empty, own_bounds.
+    //! The choice of bounds: a rule, "traits" for their own ranges, or, if it
+    //! is empty, own_bounds.
     std::string rule = "traits";
     std::vector<Range> own_bounds;    //!< of each trait
     std::vector<std::string> organs;  //!< that plants have besides leaves
@@ -74,10 +74,11 @@ std::vector<std::string> rule_names(const Draft& draft);
 //! Whether campaigns without trait sets breed the trait.
 bool is_bred(const Draft& draft, const Trait& trait, const std::string& rule);
 
-//! What the trait acts on: the list that has any measure.
+//! Returns the measures that the trait acts on: the list that has any.
 const std::vector<std::string>& measures_of(const TraitEntry& entry);
 
-//! What the trait acts on, and how, from the list that has any measure.
+//! Returns the trait with the measures that it acts on, from the list that has
+//! any, and the way in which it does.
 Trait complete(const TraitEntry& entry);
 
 //! Returns the crop of a draft with its traits and its growth.

@@ -69,7 +69,7 @@ std::string advice(const std::string& name, const std::vector<NamedKey>& keys) {
                            : "did you mean \"" + nearest + "\"?";
 }
 
-//! What is wrong with varying this key, or "".
+//! Returns why this key cannot be varied, or "".
 std::string fault(const NamedKey& found) {
     if (!found.is_there)
         return fmt::format("(this campaign has no [{}])", found.section);

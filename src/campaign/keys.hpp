@@ -6,7 +6,8 @@
 
 namespace ideotype {
 
-//! What may be written for one key of a campaign or crop file, in words.
+//! The values that may be written for one key of a campaign or crop file, in
+//! words.
 struct KeyInfo {
     std::string section;  //!< "top", "site", ..., "crop file", ..., "leaf"
     std::string name;

@@ -8,7 +8,7 @@
 
 namespace ideotype {
 
-//! How a column is read: the measure is (zero + sign x) / per_unit.
+//! A column of a table of leaves; the measure is (zero + sign x) / per_unit.
 struct LeafColumn {
     const char* name;
     double Leaf::*value;

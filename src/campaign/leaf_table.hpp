@@ -15,12 +15,12 @@ namespace ideotype {
 //! its highest point.
 enum class LeafHeight { none, tip, top };
 
-//! Of one line.
+//! The leaf of one line.
 struct LeafRow {
     Location where;
     int rank = 0;
     Leaf leaf;
-    //! Of the measures in their order; line 0: not told.
+    //! The places of the measures in their order; line 0: not told.
     std::array<Location, leaf_measures.size()> places;
     LeafHeight of_height = LeafHeight::none;
     double height = 0;  //!< that is told in the place of the curvature [m]
@@ -44,7 +44,7 @@ struct Written {
     Location where;
 };
 
-//! What a line "# NAME: VALUE" of a table says, if there is one.
+//! Returns the value of a line "# NAME: VALUE" of a table, if there is one.
 std::optional<Written> note_of(const std::string& text, const std::string& file,
                                const std::string& name);
 

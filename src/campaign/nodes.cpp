@@ -30,7 +30,7 @@ Location location(const toml::source_region& source, const std::string& file) {
 }
 
 std::string kind(const toml::node& node) {
-    // In the order of toml::node_type.
+    // Names of the kinds of nodes, in the order of toml::node_type.
     constexpr const char* kinds[] = {
         "nothing",    "a table",           "a list",        "a text",
         "an integer", "a decimal number",  "true or false", "a date",

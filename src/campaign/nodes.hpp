@@ -10,10 +10,11 @@
 
 namespace ideotype {
 
-//! What the name of a source begins with that is no file.
+//! The beginning of the name of a source that is no file.
 inline constexpr std::string_view command_line_mark = "--set ";
 
-//! Where a node or key begins: in a file, or on the command line.
+//! Returns the place where a node or key begins: in a file, or on the command
+//! line.
 Location location(const toml::source_region& source, const std::string& file);
 
 //! The kind of a node in words: "an integer", "a table", ...

@@ -43,7 +43,7 @@ Section sheath_section(Sheath& sheath) {
     return section;
 }
 
-//! Not written of plants that have none.
+//! The table is not written of plants that have no petiole.
 Table petiole_table(Plant& plant) {
     Section section{"petiole", measure_keys(petiole_measures, plant.petiole)};
     section.keys.insert(section.keys.begin(),

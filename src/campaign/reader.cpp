@@ -144,7 +144,8 @@ class DraftReader {
     }
 
   private:
-    //! What follows from the crop, before the rest of a campaign is read.
+    //! Derives from the crop what the rest of a campaign needs before it is
+    //! read.
     //! @param rule that bounds are chosen by
     void prepare(const std::string& rule) {
         Campaign& campaign = draft_.campaign;
@@ -167,7 +168,8 @@ class DraftReader {
         draft_.organs = organ_names(plant);
     }
 
-    //! In the order of the crop file: that of a set is of no account.
+    //! Sorts the traits of a set as the crop file does: their order in a
+    //! campaign is of no account.
     void sort_traits(TraitSet& free) const {
         const auto place = [this](const std::string& name) {
             return std::find_if(draft_.traits.begin(), draft_.traits.end(),

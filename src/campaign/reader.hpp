@@ -12,7 +12,7 @@
 
 namespace ideotype {
 
-//! Where a plant may come from.
+//! The kinds of text that may give the plant.
 enum class PlantSource {
     file_or_table,  //!< as users write it
     table,          //!< as in resolved campaigns, which stand alone

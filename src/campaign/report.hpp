@@ -54,7 +54,7 @@ class Report {
     //! in which they were read, by position in each.
     void throw_if_any() const;
 
-    //! In the same order.
+    //! Returns the warnings in the order of files and lines.
     std::vector<Problem> warnings() const { return sorted(warnings_); }
     std::vector<Problem> sorted(std::vector<Problem> problems) const;
 

@@ -44,7 +44,7 @@ using Target =
 //! The address behind a target, which identifies the value in a Report.
 const void* address(const Target& target);
 
-//! How a number is written, where that is not as a plain number.
+//! The form in which a number is written.
 enum class Notation {
     plain,
     clock,     //!< TOML local time, kept as hours
@@ -57,7 +57,7 @@ struct MistakenUnit {
     double value;
 };
 
-//! Of a list: one number or text, or a list of any length.
+//! Stands for one number or text, or a list of any length.
 inline constexpr std::size_t any_count = ~std::size_t{0};
 
 //! One key, bound to the place of its value. This is the only declaration of
@@ -78,7 +78,7 @@ struct Key {
             .set(&Key::upper, most)
             .set(&Key::unit, in);
     }
-    //! The same [m]; numbers above may have been given in other units.
+    //! Bounds of lengths [m]; numbers above may have been given in other units.
     Key& metres(double least, double most,
                 const std::vector<MistakenUnit>& others = {
                     {"centimetres", 0.01}}) {
@@ -111,7 +111,7 @@ struct Key {
     std::size_t count = 0;     //!< of the numbers of a list; 0: any
     bool is_any_text = false;  //!< not only a name
     bool is_written = true;    //!< in resolved campaigns
-    //! Of texts, none: any name.
+    //! The texts that are allowed; none: any name.
     std::vector<std::string> choices;
     //! Values that `fidelity` tries, the most accurate last; none: the key is
     //! no matter of accuracy.
@@ -202,10 +202,12 @@ Section objective_section(Draft& draft);
 //! The bounds of each trait of the crop, as a table of [plant] or [component].
 Table own_bounds_table(Draft& draft, const std::string& parent);
 Section photosynthesis_section(PhotosynthesisTable& table);
-//! Which campaigns without assimilation do not have.
+//! Returns the table of photosynthesis, which campaigns without assimilation do
+//! not have.
 Table photosynthesis_table(Draft& draft);
 
-//! With a table for each trait that there are constraints of.
+//! Returns the table of constraints, with a table in it for each trait that has
+//! any.
 Table constraints_table(Constraints& constraints);
 
 //! The keys of a file of measured lines, before its first table.
@@ -213,9 +215,11 @@ Section lines_section(MeasuredLines& known);
 //! All tables of such a file.
 std::vector<Table> lines_tables(MeasuredLines& known);
 Table feasibility_table(Draft& draft);
-//! With a table for each key that is varied.
+//! Returns the table of the search, with a table in it for each key that is
+//! bred.
 Table search_table(Draft& draft);
-//! With a table for each key that is varied.
+//! Returns the table of a sensitivity study, with a table in it for each key
+//! that is varied.
 Table sensitivity_table(Draft& draft);
 Section stop_section(StopRules& stop);
 Section final_section(FinalRule& rule);
@@ -238,7 +242,8 @@ std::string clock_text(double hours);
 //! `-90 .. 90 deg`
 std::string range_text(const Key& key);
 
-//! What a user has to write for this key, such as "integer".
+//! Returns the kind of value that a user has to write for this key, such as
+//! "integer".
 std::string type_text(const Key& key);
 
 }  // namespace ideotype

@@ -6,9 +6,8 @@
 
 namespace ideotype {
 
-//! What a value that TOML does not know was meant to be, as TOML: "5:00" is
-//! 05:00:00, "15.07.2025" is 2025-07-15, ".8" is 0.8. Nothing if it can't be
-//! told.
+//! Returns the TOML that a value was meant to be: "5:00" is 05:00:00,
+//! "15.07.2025" is 2025-07-15, ".8" is 0.8. Nothing if it can't be told.
 std::optional<std::string> meant_time(const std::string& text);
 std::optional<std::string> meant_date(const std::string& text);
 std::optional<std::string> meant_number(const std::string& text);
@@ -16,7 +15,7 @@ std::optional<std::string> meant_number(const std::string& text);
 //! Whether a text is the time at which a day ends: "24:00".
 bool is_midnight(const std::string& text);
 
-//! How to correct a line that is not valid TOML.
+//! Returns advice how to correct a line that is not valid TOML.
 std::string line_advice(const std::string& line);
 
 }  // namespace ideotype

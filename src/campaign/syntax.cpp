@@ -36,7 +36,7 @@ std::size_t end_of_opaque(std::string_view text, std::size_t begin) {
     return text.size();
 }
 
-//! Where a key has more parts than any campaign needs.
+//! Returns the position of a key that has more parts than any campaign needs.
 std::optional<std::size_t> find_deep_key(std::string_view text) {
     int parts = 1;
     for (std::size_t at = 0; at < text.size();) {
@@ -69,7 +69,7 @@ std::string line_of(const std::string& text, std::uint32_t number) {
     return text.substr(begin, text.find_first_of("\r\n", begin) - begin);
 }
 
-//! What the parser says, in the style of the other messages.
+//! Returns the parser's message in the style of the other messages.
 std::string reason(const toml::parse_error& error) {
     std::string text(error.description());
     if (!text.empty()) text[0] = static_cast<char>(std::tolower(text[0]));
@@ -80,7 +80,7 @@ std::string reason(const toml::parse_error& error) {
     return text;
 }
 
-//! What is wrong, why, and what to do about it.
+//! Returns the problem of a line, its reason and its remedy.
 std::string problem(const toml::parse_error& error, const std::string& line) {
     const std::string why = reason(error);
     const bool is_twice = why.find("cannot redefine") != std::string::npos;

@@ -38,7 +38,7 @@ std::vector<std::string> owners(const std::string& name,
     return places;
 }
 
-//! What an unknown key may have been meant to be.
+//! Returns advice on the key that an unknown one may have been meant to be.
 std::string advice(const std::string& name, const std::string& nearest,
                    const std::string& section,
                    const std::vector<std::string>& known) {

@@ -31,7 +31,8 @@ struct Reader {
         report.add(address(key.value), name() + ' ' + what);
     }
 
-    //! What a text would be without its quotes, if that is of the right type.
+    //! Returns the text without its quotes as TOML, if that is of the right
+    //! type.
     std::optional<std::string> without_quotes(const toml::node& found) const {
         const auto text = found.value<std::string>();
         if (!text) return std::nullopt;
@@ -55,7 +56,7 @@ struct Reader {
                          kind(found), type_text(key), key.name, example));
     }
 
-    //! What is wrong with a number, or "".
+    //! Returns the fault of a number, or "".
     std::string fault(double value) const {
         const std::string unit = key.unit.empty() ? "" : ' ' + key.unit;
         if (!std::isfinite(value))

@@ -9,7 +9,8 @@ namespace {
 using Values = std::vector<Estimate>;
 
 constexpr double grams_of_carbon = 12.011, grams_of_co2 = 44.0095;
-//! Of carbohydrate for each mol of carbon, on a hectare.
+//! Tonnes of carbohydrate on a hectare for each mol of carbon on a square
+//! metre.
 constexpr double tonnes = 30e-6 * 1e4;
 
 //! Gross assimilation, by how much lower the figure is, and its scale.
@@ -30,7 +31,7 @@ Randomised balance(const CanopyReport& report, double scale = 1) {
     return carbon(report, report.assimilation->carbon_loss(), scale);
 }
 
-//! Of groups or layers.
+//! Returns the gross assimilation of groups or of layers.
 std::vector<Randomised> gross(const AssimilationReport& report,
                               const Values& estimates,
                               std::vector<double> AssimilationTally::*part) {
@@ -56,7 +57,7 @@ std::vector<Randomised> net_by_leaf(const CanopyReport& report) {
     return of_leaves(report, groups);
 }
 
-//! Of gross assimilation over absorbed light, to first order.
+//! Returns gross assimilation over absorbed light, with errors to first order.
 Randomised light_use(const CanopyReport& report) {
     const AssimilationReport& all = *report.assimilation;
     const double light =

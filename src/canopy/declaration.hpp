@@ -20,7 +20,7 @@ using TakeNumber =
 //! Takes the numbers of a quantity that has axes.
 using TakeNumbers = std::function<std::vector<Estimate>(const CanopyReport&)>;
 
-//! The same with each number by randomisation too.
+//! Takes a profile from a report, each number by randomisation too.
 using TakeProfile = std::function<std::vector<Randomised>(const CanopyReport&)>;
 
 // Units of light and of CO2 on a mean day, per ground area.
@@ -41,7 +41,7 @@ struct Scope {
     }
 };
 
-//! What is measured, and how it is taken from a report.
+//! A quantity: its name and unit, and how it is taken from a report.
 struct Declaration {
     Quantity quantity;
     std::variant<TakeNumber, TakeNumbers, TakeProfile> take;
@@ -105,7 +105,7 @@ inline double loss_of_carbon(const ComponentAssimilation& part) {
            part.building;
 }
 
-//! What is the same in all randomisations.
+//! Returns a value that is the same in all randomisations.
 inline Randomised certain(const CanopyReport& report, double value) {
     return {{value, 0}, std::vector(report.randomisations(), value)};
 }

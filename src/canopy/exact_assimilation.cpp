@@ -187,7 +187,7 @@ class Referee {
     std::vector<double> amount_;          //!< of each step [mol s umol-1]
     std::vector<LeafResponse> response_;  //!< [group][step]
 
-    // Of one point.
+    // Sums over the beams at one point.
     Sums beam_;
     Sums rate_;  //!< of each step [umol m-2 s-1]
 };

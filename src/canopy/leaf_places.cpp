@@ -65,7 +65,7 @@ std::vector<std::uint32_t> joined(const LeafPlaces& places,
     return first;
 }
 
-//! Of all light that is not beams, [place][randomisation].
+//! Returns all light that is not of beams, [place][randomisation].
 std::vector<double> all_diffuse(const LeafPlaces& places,
                                 const std::vector<Tally>& tallies) {
     const std::size_t n = tallies.size();
@@ -77,7 +77,8 @@ std::vector<double> all_diffuse(const LeafPlaces& places,
     return light;
 }
 
-//! Of its mean where places are joined, over leaf area.
+//! Returns the relative variance of the mean of diffuse light where places are
+//! joined, over leaf area.
 double relative_variance(const LeafPlaces& places,
                          const std::vector<std::uint32_t>& first,
                          const std::vector<double>& light, std::size_t n) {

@@ -40,14 +40,15 @@ struct DiffuseLight {
     std::vector<double> sum;  //!< over randomisations, of pieces
 };
 
-//! What diffuse light is compared with.
+//! The diffuse light that is expected at each place, with which the simulated
+//! one is compared.
 class ExpectedLight {
   public:
     //! The mean of each place, joined to so many of its neighbours that this
     //! is well known.
     ExpectedLight(const LeafPlaces& places, const std::vector<Tally>& tallies);
 
-    //! By place, per area of leaf [J m-2].
+    //! Returns the expected light by place, per area of leaf [J m-2].
     std::vector<double> of(const DiffuseLight& light) const;
 
   private:

@@ -69,7 +69,8 @@ class Classification {
     }
 
   private:
-    //! Of all and without each, by place, per area of leaf [J m-2].
+    //! Returns the diffuse light of all randomisations and without each, by
+    //! place, per area of leaf [J m-2].
     std::vector<std::vector<double>> diffuse_of(int source) const {
         DiffuseLight all(tallies_, source, places_.pieces());
         std::vector<std::vector<double>> result{expectation_.of(all)};

@@ -206,7 +206,7 @@ class Cutter {
         cut(mesh, middle, last, pieces - left);
     }
 
-    //! With the groups that are no leaves.
+    //! Returns the pieces together with the groups that are no leaves.
     Pieces result(const Mesh& mesh) {
         result_.count = result_.group.size();
         result_.like.resize(result_.count);

@@ -29,7 +29,8 @@ class PiecewiseDensity {
     //! Integral over [0, 1].
     double total() const { return integrals_.back(); }
 
-    //! Where the integral from 0 reaches a share of the total.
+    //! Returns the place where the integral from 0 reaches a share of the
+    //! total.
     double quantile(double share) const {
         const double target = share * total();
         const auto found =

@@ -125,7 +125,7 @@ class SkySampler::ClearSky {
         }
 
       private:
-        //! Where cos z = a + b cos x becomes zero.
+        //! Returns the angle at which cos z = a + b cos x becomes zero.
         static double end(double a, double b) {
             return a >= b ? pi : a <= -b ? 0 : std::acos(-a / b);
         }

@@ -34,7 +34,7 @@ Sampling sampling_of(const Task& task, const Campaign& campaign,
 struct SamplingRequest {
     std::uint32_t generation = 0;  //!< of the search whose fields it has
     bool is_final = false;         //!< as finalists are evaluated
-    //! In the place of the campaign's.
+    //! A seed in the place of the campaign's.
     std::optional<std::uint64_t> seed{};
     //! Relative standard error of the leaves' light, with as few paths as that
     //! takes; not above 0.05.

@@ -35,7 +35,7 @@ struct Respiration {
 //! Assimilation of the leaves of a canopy on a mean day [mol m-2 of ground
 //! day-1], or in a second, as the light is.
 struct AssimilationReport {
-    //! By randomisation: independent, see assimilate().
+    //! Tallies by randomisation, which are independent, see assimilate().
     std::vector<AssimilationTally> tallies;
     Estimate gross;
     std::vector<Estimate> groups;  //!< gross, of each group of the mesh
@@ -51,11 +51,12 @@ struct AssimilationReport {
     //! Respiration of all leaves.
     Respiration all_respiration() const;
 
-    //! What gross assimilation has to be lowered by for that of the lit hours.
+    //! Returns the respiration in lit hours, by which net assimilation is less
+    //! than gross assimilation.
     double net_loss() const { return all_respiration().in_light; }
 
-    //! The same for the carbon balance: of day and night, and of building
-    //! leaves.
+    //! Returns the respiration of day and night and the cost of building
+    //! leaves, by which the carbon balance is less than gross assimilation.
     double carbon_loss() const;
 };
 

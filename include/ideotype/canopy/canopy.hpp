@@ -17,7 +17,7 @@ namespace ideotype {
 
 class Device;
 
-//! What an evaluation took [s].
+//! The time that an evaluation took [s].
 struct Timing {
     double geometry = 0;  //!< plant and fields
     double scene = 0;     //!< what the ray tracer builds of them

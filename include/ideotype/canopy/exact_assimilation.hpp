@@ -7,7 +7,7 @@
 
 namespace ideotype {
 
-//! What random points of leaves tell.
+//! Assimilation as random points of leaves tell it.
 struct ExactAssimilation {
     std::vector<AssimilationTally> tallies;  //!< by randomisation
     int points = 0;                          //!< in each randomisation

@@ -10,7 +10,7 @@
 
 namespace ideotype {
 
-//! How a lattice of plants lies on the ground.
+//! The distances and the direction of a lattice of plants on the ground.
 struct Spacing {
     double row = 0;    //!< between rows [m]
     double plant = 0;  //!< between plants of a row [m]

@@ -16,7 +16,7 @@ namespace ideotype {
 //! 2000, and all that is more [umol m-2 s-1].
 inline constexpr std::size_t ppfd_classes = 22;
 
-//! Where a class begins; the last one has no end.
+//! Returns the light at which a class begins; the last one has no end.
 inline double class_begin(std::size_t number) {
     return number < 2 ? 50. * static_cast<double>(number)
                       : 100. * static_cast<double>(number - 1);

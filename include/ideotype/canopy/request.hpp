@@ -13,7 +13,7 @@
 
 namespace ideotype {
 
-//! What is to be found out about a canopy besides where light goes. None
+//! The results that are wanted of a canopy besides the absorbed light. None
 //! changes any fitness: histories go without.
 struct Details {
     //! The sunlit leaf area, which costs more rays, and, where leaves
@@ -33,8 +33,8 @@ struct Details {
 //! One evaluation of a canopy: all that its result is a function of.
 struct CanopyRequest {
     Scene scene;
-    //! In which the light that leaves absorb is counted. With no thickness they
-    //! are equal parts of the height of the scene.
+    //! Layers of height in which the light that leaves absorb is counted. With
+    //! no thickness they are equal parts of the height of the scene.
     Layers layers;
     Accuracy accuracy;
     Randomness randomness;

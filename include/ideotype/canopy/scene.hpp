@@ -36,7 +36,7 @@ struct Cell {
     std::vector<double> row_ground{};
 };
 
-//! Where a plant stands [m].
+//! The point of the ground where a plant stands [m].
 struct Place {
     double x = 0, y = 0;
     std::uint32_t row = 0;  //!< of the cell, from 0

@@ -38,7 +38,7 @@ inline std::chrono::sys_days day_of(const Date& date) {
 
 std::string to_string(const Date& date);  //!< such as 2025-08-07
 
-//! Where the centre of the sun is seen, without refraction.
+//! The direction of the sun's centre, without refraction.
 struct SunPosition {
     double zenith = 0;   //!< [deg], 0 overhead, 90 at the horizon
     double azimuth = 0;  //!< [deg], clockwise from north

@@ -54,7 +54,8 @@ class LeafSurface {
     std::vector<BladeRow> tessellate(int cells) const;
 
   private:
-    //! From the vertical, at relative arc length s [rad].
+    //! Returns the midrib's angle from the vertical at relative arc length s
+    //! [rad].
     double angle(double s) const;
     //! Adds the way of the midrib, out and up, from one relative arc length to
     //! another: the integral of its direction by Simpson's rule [m].

@@ -67,7 +67,7 @@ struct Petiole {
     double diameter = 0.003;  //!< [m]
 };
 
-//! Where the midribs of leaves begin.
+//! The place where the midribs of leaves begin.
 enum class LeafBase { surface, axis };
 
 //! A cone without its tip that stands on the soil.

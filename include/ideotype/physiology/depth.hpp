@@ -18,8 +18,8 @@ std::vector<double> exponential_profile(
 
 //! A canopy that has so much nitrogen, whatever its leaf area.
 struct CanopyNitrogen {
-    //! In leaves [g m-2 of ground]; an estimate: 1.3 g m-2 of leaf (DCaPST)
-    //! at a leaf area index of 3.4.
+    //! Nitrogen of all leaves [g m-2 of ground]; an estimate: 1.3 g m-2 of leaf
+    //! (DCaPST) at a leaf area index of 3.4.
     double total = 4.5;
     double kn = 0.25;  //!< as of exponential_profile()
 };

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Files of digitised plants: midribs, NURBS surfaces, meshes and point clouds."""
+"""Reads files of digitised plants: midribs, NURBS surfaces, meshes and point
+clouds."""
 
 from __future__ import annotations
 
@@ -17,7 +18,7 @@ from ._errors import Error
 
 _UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001}
 _POINTS = 6000
-"""Points that are drawn on the mesh of a leaf."""
+"""The number of points that are drawn on the mesh of a leaf."""
 
 
 def read_plant(
@@ -27,12 +28,12 @@ def read_plant(
     unit: str = "auto",
     ground: float = np.nan,
 ) -> list[Blade]:
-    """The blades of a digitised plant, lowest first.
+    """Returns the blades of a digitised plant, lowest first.
 
     path: CSV of midribs, DAT of NURBS surfaces, or OBJ or PLY with a group,
         object or colour for each leaf.
-    plant: in the column `plant` of a CSV file.
-    leaves: CSV of what else was measured of each leaf of a CSV file.
+    plant: name in the column `plant` of a CSV file.
+    leaves: CSV of further measures of each leaf of a CSV file.
     unit: "m", "cm", "mm" or "auto".
     ground: z of the soil in this unit; NaN: that of the lowest point.
 
@@ -59,8 +60,8 @@ def read_plant(
 
 
 def _factor(unit: str, lengths: list[float]) -> float:
-    """What a unit is in metres; auto takes the one in which the median leaf
-    has 0.05 to 3 m, the longest such unit."""
+    """Returns a unit in metres; auto takes the longest unit in which the
+    median leaf has 0.05 to 3 m."""
     if unit != "auto":
         return _UNITS[unit]
     median = float(np.median(lengths))
@@ -73,13 +74,14 @@ def _factor(unit: str, lengths: list[float]) -> float:
     )
 
 
-# Midribs
+# Midribs.
 
 
 def _column(
     table: pd.DataFrame, names: str
 ) -> tuple[pd.Series, str | None] | None:
-    """The column with one of these names, and its unit if it has one."""
+    """Returns the column with one of these names, and its unit if it has
+    one."""
     for column in table:
         if match := re.fullmatch(rf"(?:{names})(?:_(m|cm|mm))?", str(column)):
             return table[column], match[1]
@@ -169,8 +171,8 @@ def _midribs(
 def _flat_blade(
     rank: int, lines: list[Floats], more: dict[str, float]
 ) -> Blade:
-    """The mean of the digitisations of a leaf, at equal parts of their
-    lengths, of the length and width and at the height that were measured."""
+    """Returns the mean of the digitisations of a leaf, at equal parts of their
+    lengths, with the length, width and height that were measured."""
     at = np.linspace(0, 1, 41)
     mean = np.mean(
         [
@@ -200,8 +202,9 @@ def _flat_blade(
 
 
 def _measures(path: Path, plant: str | None) -> dict[int, dict[str, float]]:
-    """Lengths, widths and heights [m] and azimuths [deg] by rank of a table
-    as docs/plant.md describes it, which may have a column of plants."""
+    """Returns lengths, widths and heights [m] and azimuths [deg] by rank, from
+    a table as docs/plant.md describes it, which may have a column of
+    plants."""
     table = _table(path)
     if "plant" in table:
         table = table[table["plant"].astype(str) == plant]
@@ -225,11 +228,11 @@ def _measures(path: Path, plant: str | None) -> dict[int, dict[str, float]]:
     return found
 
 
-# NURBS
+# NURBS surfaces.
 
 
 def _numbers(path: Path) -> Iterator[tuple[int, list[float]]]:
-    """The lines of a file that are numbers, with where they are."""
+    """Yields the lines of a file that are numbers, with where they are."""
     for at, line in enumerate(
         path.read_text(errors="replace").splitlines(), 1
     ):
@@ -243,8 +246,9 @@ def _numbers(path: Path) -> Iterator[tuple[int, list[float]]]:
 
 
 def _nurbs(path: Path) -> list[Blade]:
-    """Surfaces that follow each other: dimension 3, degrees, sizes, knots of
-    both directions, and the control points x y z w, in either order."""
+    """Reads surfaces that follow each other: dimension 3, degrees, sizes,
+    knots of both directions, and the control points x y z w, in either
+    order."""
     lines = list(_numbers(path))
     starts = [
         i
@@ -288,8 +292,8 @@ def _of_net(
     sizes: list[int],
     knots: list[Floats],
 ) -> Blade:
-    """The blade of a net of control points, whichever runs fastest: in the
-    order that is meant neighbours are near."""
+    """Returns the blade of a net of control points, whichever index runs
+    fastest: in the order that is meant, neighbours are near each other."""
     orders = [
         net.reshape(sizes[1], sizes[0], 4).transpose(1, 0, 2),
         net.reshape(sizes[0], sizes[1], 4),
@@ -313,7 +317,7 @@ def _of_net(
         spline = BSpline(knots[axis], np.moveaxis(homogeneous, axis, 0), k)
         homogeneous = np.moveaxis(spline(at), 0, axis)
     surface = homogeneous[..., :3] / homogeneous[..., 3:]
-    # the blade is longer than wide
+    # The blade is longer than wide.
     along = [
         np.linalg.norm(np.diff(surface, axis=axis), axis=2)
         .sum(axis=axis)
@@ -337,8 +341,9 @@ def _of_net(
 
 
 def _on_stalk(blades: list[Blade], unit: str, ground: float) -> list[Blade]:
-    """The blades in metres about their stalk, which is where most of them have
-    an end. ground: z of the soil, NaN for the lowest point of all."""
+    """Returns the blades in metres about their stalk, which is where most of
+    them have an end. ground: z of the soil, NaN for the lowest point of
+    all."""
     if not blades:
         return []
     factor = _factor(unit, [blade.length for blade in blades])
@@ -352,12 +357,12 @@ def _on_stalk(blades: list[Blade], unit: str, ground: float) -> list[Blade]:
     return [blade.on_stalk(origin, factor) for blade in blades]
 
 
-# Meshes and clouds
+# Meshes and clouds of points.
 
 
 def _parts_of(path: Path) -> dict[str, tuple[Floats, float]]:
-    """Points that lie evenly on each part of a file, and its area: groups or
-    objects of an OBJ file, colours of a PLY file."""
+    """Returns points that lie evenly on each part of a file, and its area.
+    Parts are groups or objects of an OBJ file, and colours of a PLY file."""
     try:
         import trimesh
     except ImportError:
@@ -402,14 +407,14 @@ def _parts_of(path: Path) -> dict[str, tuple[Floats, float]]:
 
 
 def _evenly(mesh: Any) -> tuple[Floats, float]:
-    """Points that lie evenly on a mesh, and its area."""
+    """Returns points that lie evenly on a mesh, and its area."""
     points, _ = mesh.sample(_POINTS, return_index=True, seed=1)
     return np.asarray(points, float), float(mesh.area)
 
 
 def _clouds(path: Path, unit: str, ground: float) -> list[Blade]:
-    """Blades of the parts that are no stalk; without a stalk it is where most
-    of them have an end."""
+    """Returns blades of the parts that are no stalk; without a stalk it is
+    where most of them have an end."""
     found = _parts_of(path)
     stalk = [
         points
@@ -444,7 +449,7 @@ def _clouds(path: Path, unit: str, ground: float) -> list[Blade]:
 
 
 def _ends(points: Floats) -> Floats:
-    """The two points of a cloud that are far apart."""
+    """Returns two points of a cloud that are far apart."""
     first = points[
         np.linalg.norm(points - points.mean(axis=0), axis=1).argmax()
     ]

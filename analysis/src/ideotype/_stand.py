@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The plants of a campaign, evaluated here."""
+"""Evaluates the plants of a campaign in this process."""
 
 from __future__ import annotations
 
@@ -35,17 +35,17 @@ _GENES = (
 )
 
 Settings = Mapping[str, Any] | Iterable[str]
-"""Keys of a campaign in the place of what its file says:
-{"light.paths": 1024} or ["light.paths=1024"]. Tables are dictionaries."""
+"""Keys of a campaign that replace what its file says: {"light.paths": 1024} or
+["light.paths=1024"]. Tables are dictionaries."""
 
 
 class Stand:
-    """How plants stand and what lights them: one case of a campaign.
+    """The plants of one case of a campaign and the light on them.
 
     `Stand(tables)` takes the tables of a campaign file as dictionaries, with
     every key that a file may have; files that it names are looked for in
-    `folder`. `Stand.from_campaign` reads such a file. What keys mean:
-    docs/campaign_files.md.
+    `folder`. `Stand.from_campaign` reads such a file. docs/campaign_files.md
+    tells the meaning of keys.
 
     Threads may share a stand: evaluations run without the interpreter's lock.
     """
@@ -78,7 +78,8 @@ class Stand:
         settings: Settings = (),
         isa: str | None = None,
     ) -> Self:
-        """A case of a campaign file, or of another with `settings`.
+        """Returns the stand of a case of a campaign file, with `settings` in
+        the place of its keys.
 
         `isa` is the instruction set of the ray tracer, else the widest that
         this processor has. Raises InputError with all problems of the file,
@@ -97,9 +98,9 @@ class Stand:
         *,
         same_isa: bool = True,
     ) -> Self:
-        """What the plants of a history were evaluated in. A sensitivity study
-        also varies keys of its campaign: then it is that of the row with this
-        genome.
+        """Returns the stand that the plants of a history were evaluated in. A
+        sensitivity study also varies keys of its campaign: the stand is then
+        that of the row with this genome.
 
         `same_isa`: with the instruction set of the history, without which
         light differs in its last digits; else the widest that this processor
@@ -127,17 +128,17 @@ class Stand:
         return stand
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Copies, also in other processes, give the same bits."""
+        """Makes copies, also in other processes, give the same bits."""
         return _restored, (self.campaign, self.name, self.isa)
 
     @property
     def name(self) -> str:
-        """Of the case."""
+        """The name of the case."""
         return self._case.name
 
     @property
     def isa(self) -> str:
-        """Instruction set of the ray tracer."""
+        """The instruction set of the ray tracer."""
         return self._case.isa
 
     @property
@@ -147,15 +148,15 @@ class Stand:
 
     @property
     def warnings(self) -> list[str]:
-        """What may be wrong with the campaign."""
+        """Messages about what may be wrong with the campaign."""
         return self._case.warnings
 
     @property
     def genes(self) -> pd.DataFrame:
         """A row for each number of a genome, in their order: name, trait, leaf
         (rank from the lowest, 1; 0: not of one leaf), unit, lower, upper,
-        baseline, is_free (bred in this case), is_circular (lower and upper
-        are the same)."""
+        baseline, is_free (bred in this case), is_circular (lower and upper are
+        the same point)."""
         return pd.DataFrame(self._case.genes, columns=list(_GENES))
 
     @property
@@ -183,8 +184,8 @@ class Stand:
 
     @property
     def objectives(self) -> dict[str, str]:
-        """What the campaign searches for: "maximise" or "minimise" by the
-        name of the quantity."""
+        """The objectives of the campaign: "maximise" or "minimise" by the name
+        of the quantity."""
         return {
             name: "maximise" if is_maximised else "minimise"
             for name, _, is_maximised in self._case.objectives
@@ -192,8 +193,8 @@ class Stand:
 
     @property
     def quantities(self) -> pd.DataFrame:
-        """What evaluations measure: name, unit, meaning, axes, is_exact (it
-        has no standard error)."""
+        """The quantities that evaluations measure: name, unit, meaning, axes,
+        is_exact (it has no standard error)."""
         columns = ["name", "unit", "meaning", "axes", "is_exact"]
         return pd.DataFrame(self._case.quantities, columns=columns)
 
@@ -208,22 +209,24 @@ class Stand:
         final: bool = False,
         threads: int | None = None,
     ) -> xarray.Dataset:
-        """What light does in a stand of each of these plants.
+        """Evaluates the light in a stand of each of these plants.
 
         genomes: [plants, genes], or [plants, free genes] if the others are
-            those of the baseline; one plant may be [genes]. In the units of
-            `genes`. Numbers beyond their bounds are evaluated as they are; a
-            measure that a plant cannot have is moved to its limit.
+            those of the baseline; one plant may be [genes]. Numbers have the
+            units of `genes`. Numbers beyond their bounds are evaluated as they
+            are; a measure that a plant cannot have is moved to its limit.
         quantities: names of `quantities`; all if not given.
         tolerance: relative standard error of the leaves' light, at most 0.05,
             with as few paths as that takes; else that of the campaign.
-        seed: of the random numbers, in the place of the campaign's.
-        generation: whose fields and random numbers they are; plants of one
-            generation share them. A row of a history has the same bits.
-        final: as finalists are evaluated again, and as `ideotype compare`
-            does: with the accuracy of [final] and many fields.
-        threads: that share the plants, else as many as there are processors.
-            The result does not depend on it.
+        seed: seed of the random numbers, in the place of the campaign's.
+        generation: number of the generation whose fields and random numbers
+            are taken; plants of one generation share them. A row of a history
+            has the same bits.
+        final: whether plants are evaluated as finalists are at the end, and as
+            `ideotype compare` does: with the accuracy of [final] and many
+            fields.
+        threads: number of threads that share the plants, else as many as there
+            are processors. The result does not depend on it.
 
         Returns a Dataset over `plant` and the axes of the quantities: each
         quantity and, unless it is exact, NAME_standard_error; `violation` of
@@ -244,15 +247,15 @@ class Stand:
 
     @property
     def components(self) -> list[str]:
-        """The names of the kinds of plants in the field, that of the
-        campaign's crop first."""
+        """The names of the components of the field, that of the campaign's
+        crop first."""
         return list(self._case.components)
 
     def mesh(self, genome: ArrayLike, component: int = 0) -> Mesh:
-        """The surfaces of one plant: its foot at the origin, y along the row,
-        z up [m].
+        """Returns the surfaces of one plant: its foot at the origin, y along
+        the row, z up [m].
 
-        component: place of its kind in `components`."""
+        component: place of the plant's component in `components`."""
         return Mesh.of(*self._case.mesh(self._plants(genome)[0], component))
 
     def light_at(
@@ -264,19 +267,20 @@ class Stand:
         fields: int = 16,
         points: int = 256,
     ) -> xarray.Dataset:
-        """The light that level sensors among the plants receive from above, as
-        a ceptometer that is held along the rows.
+        """Evaluates the light that level sensors among the plants receive from
+        above, as a ceptometer that is held along the rows.
 
-        height: of each sensor above the soil [m].
-        position: of each sensor across the rows, from a row [m]; NaN: the mean
-            over all positions.
-        fields: that are drawn; the light is their mean (2 or more).
-        points: on each sensor in each field.
+        height: height of each sensor above the soil [m].
+        position: position of each sensor across the rows, from a row [m]; NaN:
+            the mean over all positions.
+        fields: number of fields that are drawn (2 or more); the light is their
+            mean.
+        points: number of points on each sensor in each field.
 
-        Returns a Dataset over `sensor` and `instant`: `fraction` of the light
-        on level ground above the canopy, `fraction_standard_error`, that
-        light, `incident` [W m-2 of PAR], and `hour` on the clock of the site
-        [h]."""
+        Returns a Dataset over `sensor` and `instant`: `incident` is the light
+        on level ground above the canopy [W m-2 of PAR], `fraction` is the part
+        of it on the sensor, with `fraction_standard_error`, and `hour` is on
+        the clock of the site [h]."""
         heights, positions = np.broadcast_arrays(
             np.atleast_1d(real(height, "height")),
             np.atleast_1d(real(position, "position")),
@@ -303,13 +307,13 @@ class Stand:
         )
 
     def crop_file(self, genome: ArrayLike, component: int = 0) -> str:
-        """The text of a crop file with this plant as its baseline.
+        """Returns the text of a crop file with this plant as its baseline.
 
-        component: place of its kind in `components`."""
+        component: place of the plant's component in `components`."""
         return self._case.crop_text(self._plants(genome)[0], component)
 
     def _plants(self, genomes: ArrayLike) -> NDArray[np.float64]:
-        """[plants, genes]"""
+        """Returns the genomes as [plants, genes]."""
         given = np.atleast_2d(real(genomes, "genomes"))
         free = self.free
         if given.ndim != 2 or given.shape[1] not in (free.size, free.sum()):
@@ -407,7 +411,7 @@ def _settings(settings: Settings) -> list[str]:
 
 
 def _toml(value: Any) -> str:
-    """On one line."""
+    """Returns a value as TOML on one line."""
     if isinstance(value, Mapping):
         pairs = (f"{key} = {_toml(each)}" for key, each in value.items())
         return f"{{{', '.join(pairs)}}}"
@@ -420,7 +424,8 @@ def _toml(value: Any) -> str:
 def _processors() -> int:
     try:
         return len(os.sched_getaffinity(0))
-    except AttributeError:  # not on every system
+    # Not every system tells this.
+    except AttributeError:
         return os.cpu_count() or 1
 
 

@@ -26,7 +26,8 @@ from .shape import draw_plant_traits, draw_profiles, draw_traits
 
 
 class CaseFigure(NamedTuple):
-    """What draws it, the question that it answers, and its caption."""
+    """A function that draws a figure, the question that the figure answers,
+    and its caption."""
 
     draw: Callable[[Case], Figure]
     question: str
@@ -115,7 +116,7 @@ CASE_FIGURES: dict[str, CaseFigure] = {
         "cosine and sine; what evolution fixes together correlates too.",
     ),
 }
-"""By name, in the order of the page."""
+"""The figures by name, in the order of the page."""
 
 _FRONT_FIGURES: dict[str, CaseFigure] = {
     "front": CaseFigure(
@@ -135,7 +136,8 @@ _FRONT_FIGURES: dict[str, CaseFigure] = {
 
 
 def figures_of(case: Case) -> dict[str, CaseFigure]:
-    """Those of a case, and of several objectives first those of its front."""
+    """Returns the figures of a case, which begin with those of its front where
+    there are several objectives."""
     first = case.histories[0]
     fronts = dict(_FRONT_FIGURES)
     if first.generations().hypervolume is None:

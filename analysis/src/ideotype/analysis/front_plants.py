@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The plants along a front, side by side."""
+"""Draws the plants along a front, side by side."""
 
 from __future__ import annotations
 
@@ -23,16 +23,17 @@ from .rows import Evaluation
 _MOST = 5
 _TURN = np.deg2rad(30)
 _LIGHT = np.array([-0.3, 0.6, 0.74])
-"""Right, up and towards the viewer; of length 1."""
+"""The direction of the light, of length 1: right, up and towards the
+viewer."""
 
 
 def draw_front_plants(
     case: Case, baseline: Mesh, members: Sequence[Mesh]
 ) -> Figure:
-    """The baseline and up to five plants of the front, at equal steps in the
-    order of the first objective, from the side at one scale, with all
-    objectives and their standard errors. Plants have the numbers that they have
-    everywhere.
+    """Draws the baseline and up to five plants of the front, at equal steps in
+    the order of the first objective, from the side at one scale, with all
+    objectives and their standard errors. Plants have the numbers that they
+    have everywhere.
 
     Raises HistoryError if there is no front."""
     plants = [
@@ -87,8 +88,8 @@ def _text(of: Estimate) -> str:
 
 
 def _side(points: NDArray) -> NDArray[np.float64]:
-    """Points [..., 3] as right, up and towards the viewer, who looks 30 deg
-    past the row."""
+    """Returns points [..., 3] as right, up and towards the viewer, who looks
+    30 deg past the row."""
     x, y, z = np.moveaxis(points, -1, 0)
     c, s = np.cos(_TURN), np.sin(_TURN)
     return np.stack([c * x + s * y, z, s * x - c * y], axis=-1)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a sensitivity study found: Sobol' indices, or elementary effects by
-Morris, by SALib from its rows, of which the noise is taken off."""
+"""The results of a sensitivity study: Sobol' indices, or elementary effects by
+Morris, which SALib computes from its rows and from which the noise of rows is
+taken off."""
 
 from __future__ import annotations
 
@@ -41,22 +42,25 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Indices:
-    """How a quantity depends on the factors of a study; NaN is not known."""
+    """The dependence of a quantity on the factors of a study; NaN is not
+    known."""
 
     quantity: str
     unit: str
     factors: tuple[str, ...]
     mean: float
     standard_deviation: float
-    """Without that of noise."""
+    """The standard deviation without that of noise."""
     noise: float
-    """Standard deviation of noise."""
+    """The standard deviation of noise."""
     samples: int
-    """Of which no row failed."""
+    """The number of samples in which no row failed."""
     index: dict[str, Floats]
-    """first and total by factor; or mu, mu_star, sigma, mu_star_of_noise."""
+    """The indices by name and factor: first and total; or mu, mu_star, sigma
+    and mu_star_of_noise."""
     standard_error: dict[str, Floats]
-    """By bootstrap over samples: of first and total, or of mu_star."""
+    """The standard errors by bootstrap over samples: of first and total, or of
+    mu_star."""
 
     @property
     def main(self) -> Floats:
@@ -71,14 +75,17 @@ class _Design(NamedTuple):
     levels: int
     factors: tuple[str, ...]
     problem: dict[str, Any]
-    """As SALib has it: a variable for each free gene, a group for each factor."""
+    """The problem as SALib has it: a variable for each free gene, a group for
+    each factor."""
     points: Floats
-    """[samples, rows of a sample, free genes], 0 to 1 in their ranges."""
+    """The points [samples, rows of a sample, free genes], 0 to 1 in their
+    ranges."""
 
 
 def indices_of(history: History) -> dict[str, Indices]:
     """Computes the indices of all quantities that are single numbers, by name;
-    none if the history is of no sensitivity study, or that is not finished yet.
+    none if the history is not that of a sensitivity study, or the study is not
+    finished yet.
 
     Raises HistoryError if SALib is not installed."""
     if not history.is_sensitivity or not history.state().finished:
@@ -168,11 +175,12 @@ def _analyse(
 def _sobol(
     design: _Design, y: Floats, noise: Floats
 ) -> tuple[dict[str, Floats], dict[str, Floats]]:
-    """First order by Saltelli et al. 2010 (doi:10.1016/j.cpc.2009.09.018) and
-    total by Jansen 1999 (doi:10.1016/S0010-4655(98)00154-4), and their standard
-    errors. Rows have independent noise, whose variance is in the variance of
-    the rows and in the squared differences of a total index, but not in the
-    products of a first."""
+    """Computes indices of first order by Saltelli et al. 2010
+    (doi:10.1016/j.cpc.2009.09.018) and total ones by Jansen 1999
+    (doi:10.1016/S0010-4655(98)00154-4), and their standard errors. Rows have
+    independent noise, whose variance is in the variance of the rows and in the
+    squared differences of a total index, but not in the products of a
+    first."""
     from SALib.analyze import sobol
 
     found = sobol.analyze(
@@ -193,8 +201,8 @@ def _sobol(
 def _morris(
     design: _Design, points: Floats, y: Floats, noise: Floats
 ) -> tuple[dict[str, Floats], dict[str, Floats]]:
-    """Elementary effects over the whole range of a factor (Morris 1991,
-    doi:10.1080/00401706.1991.10484804, Campolongo et al. 2007,
+    """Computes elementary effects over the whole range of a factor (Morris
+    1991, doi:10.1080/00401706.1991.10484804, Campolongo et al. 2007,
     doi:10.1016/j.envsoft.2006.10.004), and the standard error of mu_star; the
     variance of noise is taken off that of effects."""
     from SALib.analyze import morris
@@ -232,8 +240,8 @@ def _morris(
 
 
 def draw_indices(case: Case) -> Figure:
-    """Bars of the factors that matter most to the first objective, with
-    95 % intervals, of the first seed.
+    """Draws bars of the factors that matter most to the first objective, with
+    95 % intervals, for the first seed.
 
     Raises HistoryError if the study is not finished, or tells nothing."""
     history = case.histories[0]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The report: one page that needs nothing else, and figures as files."""
+"""Writes the report: one page that needs nothing else, and figures as
+files."""
 
 from __future__ import annotations
 
@@ -72,7 +73,7 @@ _READING = (
 
 @dataclass(frozen=True)
 class Written:
-    """What a report left on the disk."""
+    """The files that a report left on the disk."""
 
     page: Path
     figures: list[Path] = field(default_factory=list)
@@ -243,7 +244,7 @@ def _view(shapes: list[tuple[Case, Plants | None]]) -> Section:
 
 
 def _plants(case: Case) -> Plants | Note:
-    """The shapes of baseline and best, or why they are not known."""
+    """Returns the shapes of baseline and best, or why they are not known."""
     try:
         return build_plants(case)
     except Error as reason:

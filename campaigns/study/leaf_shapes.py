@@ -1,16 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Do twist, waves and drooping tips of leaves matter for the light and for breeding?
+"""Measures whether twist, waves and drooping tips of leaves matter.
 
 leaf_shapes.py FOLDER [--seeds N] [--fields N] [--paths N] [--only WORD...]
 
-Breeds ames_quick.toml in FOLDER, draws the blades of its baseline and of its best
-plants with finer meshes, gives them other shapes, and evaluates each in the same
-fields with the same random numbers. Prints what each shape does to the light that
-leaves absorb, and to the gain of the bred plants over the baseline. Shapes keep the
-length and area of each blade; what varies from leaf to leaf is drawn at random for
-each plant of a field. Histories that are complete are not run again.
-IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+Breeds ames_quick.toml in FOLDER, draws the blades of its baseline and of its
+best plants with finer meshes, gives them other shapes, and evaluates each in
+the same fields with the same random numbers. Prints what each shape does to
+the light that leaves absorb, and to the gain of the bred plants over the
+baseline. Shapes keep the length and area of each blade; parts that vary from
+leaf to leaf are drawn at random for each plant of a field. Histories that are
+complete are not run again. IDEOTYPE_EXECUTABLE names the program, else it is
+that on PATH.
 """
 
 from __future__ import annotations
@@ -36,24 +37,27 @@ from shared import CAMPAIGNS, Numbers, best, breed, guard
 import ideotype
 
 ROWS, PLANTS, ROW, PLANT, TURN = 4, 4, 0.762, 0.1524, 10
-ALONG, HALF = 40, 2  # cells from base to tip, and from midrib to margin
-FINE = 8  # steps of the midrib's integral per cell
-KNOTS = [0, 0, 0, 0, 1 / 3, 2 / 3, 1, 1, 1, 1]  # of the program's blades
-#: Points and faces that use them, of each group in one or two variants.
+ALONG, HALF = 40, 2  # Cells from base to tip, and from midrib to margin.
+FINE = 8  # Steps of the midrib's integral per cell.
+#: The knots of the program's blades.
+KNOTS = [0, 0, 0, 0, 1 / 3, 2 / 3, 1, 1, 1, 1]
+#: The points of each group, in one or two variants, and the faces that use
+#: them.
 Mesh = dict[str, list[tuple[Numbers, list[list[int]]]]]
 
 
 def power(exponent: float, s: float) -> float:
-    """The part of the bend that is reached at relative length s, in crop files."""
+    """Returns the part of the bend that is reached at relative length s, in
+    crop files."""
     return float(s**exponent)
 
 
 def perez(half: float, s: float) -> float:
-    """Two segments; the first, up to `half`, has two thirds of the bend.
+    """Returns the part of a bend in two segments; the first, up to `half`, has
+    two thirds of it.
 
-    ADEL and ArchiCrop, leaf_shape_perez; CORNIBU (doi:10.1016/j.compag.2024.109694)
-    has half = 0.5.
-    """
+    ADEL and ArchiCrop call this leaf_shape_perez; CORNIBU
+    (doi:10.1016/j.compag.2024.109694) has half = 0.5."""
     first = s <= half
     c, t = (-0.2, s / half) if first else (5, (s - half) / (1 - half))
     part = (1 + c) * t * t / (1 + c * t * t)
@@ -61,11 +65,12 @@ def perez(half: float, s: float) -> float:
 
 
 def prevot(s: float) -> float:
-    """A parabola up to the highest point of the midrib, then an arc of a circle.
+    """Returns the part of the bend of a parabola up to the highest point of
+    the midrib, then of an arc of a circle.
 
-    Prevot and others 1991, Agronomie 11, 491, with medians of leaf 6 of the inbred
-    F2 (ADEL, adelMons/data/05_geomF2_S1B1.h): 56 deg up to 0.53, then 63 deg.
-    """
+    Prevot and others 1991, Agronomie 11, 491, have it, with medians of leaf 6
+    of the inbred F2 (ADEL, adelMons/data/05_geomF2_S1B1.h): 56 deg up to 0.53,
+    then 63 deg."""
     rise, top, fall = 56.0, 0.53, 63.0
     if s > top:
         return (rise + fall * (s - top) / (1 - top)) / (rise + fall)
@@ -84,35 +89,40 @@ def prevot(s: float) -> float:
 
 @dataclass(frozen=True)
 class Shape:
-    """What is changed in each blade."""
+    """The changes of each blade."""
 
     source: str
     bend: Callable[[float], float] = partial(power, 1.5)  # noqa: RUF009
-    total_bend: float | None = None  #: of all leaves [deg], else that of each
-    twist: float = 0  #: of the tip about the midrib [deg]
-    one_sense: bool = False  #: of the twist, else at random for each leaf
-    roll: float = (
-        0  #: largest roll of the cross-section [deg], in turn to both sides
-    )
-    half_waves: int = (
-        8  #: of the roll, base to tip, as long as the blade is wide
-    )
-    amplitude: float = 0  #: of the margins, normal to the blade [m]
-    wavelength: float = 0.15  #: of the margins [m]
+    total_bend: float | None = None
+    """The bend of all leaves [deg]; if it is not given, each has its own."""
+    twist: float = 0
+    """The twist of the tip about the midrib [deg]."""
+    one_sense: bool = False
+    """Whether all leaves twist one way, else each at random."""
+    roll: float = 0
+    """The largest roll of the cross-section [deg], in turn to both sides."""
+    half_waves: int = 8
+    """The half waves of the roll, base to tip, as long as the blade is
+    wide."""
+    amplitude: float = 0
+    """The amplitude of the margins, normal to the blade [m]."""
+    wavelength: float = 0.15
+    """The wavelength of the margins [m]."""
 
     @property
     def varies(self) -> bool:
-        """From leaf to leaf, at random."""
+        """Whether leaves differ at random."""
         return bool(
             self.roll or self.amplitude or (self.twist and not self.one_sense)
         )
 
 
 ADEL = "ADEL, ArchiCrop, CORNIBU"
-#: github.com/UniCornXZC/parametric_maize_leaf, of "Modeling Maize Leaf Geometry and
-#: Surface Area by Triangle Mesh": 7 or 10 angles, at random up to 45 deg.
+#: The model of github.com/UniCornXZC/parametric_maize_leaf, "Modeling Maize
+#: Leaf Geometry and Surface Area by Triangle Mesh": 7 or 10 angles, at random
+#: up to 45 deg.
 ROLL = "parametric_maize_leaf"
-#: E marks our estimates.
+#: The shapes, in which E marks our estimates.
 SHAPES = {
     "as in crop files": Shape(""),
     "twist of 10 deg": Shape("E", twist=10),
@@ -137,19 +147,21 @@ SHAPES = {
 
 
 def half_widths(controls: list[float], width: float) -> Numbers:
-    """Of a blade at the rows of its mesh [m]."""
+    """Returns half widths of a blade at the rows of its mesh [m]."""
     profile = BSpline(KNOTS, controls, 3)(np.linspace(0, 1, ALONG + 1))
     return np.asarray(width / 2 * profile / profile.max())
 
 
 def rolls(shape: Shape, halves: Numbers, draw: random.Random) -> Numbers:
-    """Of the cross-sections at the rows of a mesh [rad]: random extremes to one side
-    and the other in turn, half waves as long as the blade is wide there."""
+    """Returns turns of the cross-sections at the rows of a mesh [rad]: random
+    extremes to one side and the other in turn, half waves as long as the blade
+    is wide there."""
     count, first = shape.half_waves, draw.choice([0, 1])
     ends = np.zeros(count + 1)
     for k in range(1, count):
         ends[k] = (-1) ** (k + first) * shape.roll * draw.random()
-    # Phase grows by the inverse of the width, which never counts as less than 40 %.
+    # The phase grows by the inverse of the width, which never counts as less
+    # than 40 % of the largest.
     steps = np.append(0, 1 / np.maximum(halves[1:], 0.4 * halves.max()))
     phase = count * np.cumsum(steps) / steps.sum()
     k = np.minimum(phase.astype(int), count - 1)
@@ -165,7 +177,7 @@ def blade(
     base: Numbers,
     seed: int,
 ) -> Numbers:
-    """Vertices, row by row from the base and from margin to margin."""
+    """Returns vertices, row by row from the base and from margin to margin."""
     azimuth = math.radians(leaf["azimuth"])
     out = np.array([math.sin(azimuth), math.cos(azimuth), 0])
     across = np.array([math.cos(azimuth), -math.sin(azimuth), 0])
@@ -178,7 +190,8 @@ def blade(
     phases = [2 * math.pi * draw.random() for _ in range(2)]
 
     def along(s: Numbers, ahead: float = 0) -> Numbers:
-        """The midrib's direction, or one that is ahead of it by an angle [rad]."""
+        """Returns the midrib's direction, or one that is ahead of it by an
+        angle [rad]."""
         bent = leaf["insertion_angle"] + bend * np.vectorize(shape.bend)(s)
         angle = (np.radians(bent) + ahead)[:, None]
         return np.asarray(np.sin(angle) * out + np.cos(angle) * up)
@@ -244,7 +257,8 @@ class Plant:
             self.mesh[name] = [(own.vertices[used], renumbered)]
 
     def drawn(self, shape: Shape) -> Mesh:
-        """With finer blades of another shape, which have the areas of before."""
+        """Returns the plant with finer blades of another shape, which keep
+        their areas."""
         folding = math.radians(self.traits["blade"]["folding_angle"])
         controls = self.traits["blade"]["width_controls"]
         mesh = {k: v for k, v in self.mesh.items() if not k.startswith("leaf")}
@@ -266,10 +280,11 @@ class Plant:
 
 
 def field_of(mesh: Mesh, seed: int) -> ideotype.Canopy:
-    """The field of ames.toml, rows from east to west: x is east, y north.
+    """Returns the field of ames.toml, rows from east to west: x is east, y
+    north.
 
-    A plant's y is along the row and its x to the south; each is turned at random.
-    """
+    The y of a plant is along the row and its x to the south; each plant is
+    turned at random."""
     draw, choose = random.Random(seed), random.Random(seed)
     vertices: list[Numbers] = []
     faces: list[list[int]] = []
@@ -284,7 +299,8 @@ def field_of(mesh: Mesh, seed: int) -> ideotype.Canopy:
                 x, y, z = points.T
                 x, y = c * x - s * y, s * x + c * y
                 placed = y + place * PLANT, -x + row * ROW, z
-                # to the micrometre, as in the meshes of RESULTS.md
+                # Points are rounded to the micrometre, as in the meshes of
+                # RESULTS.md.
                 vertices.append(np.round(np.column_stack(placed), 6))
                 faces += [[count + i for i in face] for face in own]
                 groups += [re.split("[0-9_]", name)[0]] * len(own)
@@ -293,7 +309,8 @@ def field_of(mesh: Mesh, seed: int) -> ideotype.Canopy:
 
 
 def leaf_light(mesh: Mesh, options: argparse.Namespace) -> list[float]:
-    """What leaves absorb of a clear day's light, field by field [%]."""
+    """Returns what leaves absorb of a clear day's light, field by field
+    [%]."""
 
     def share(seed: int) -> float:
         found = field_of(mesh, seed).evaluate(
@@ -323,7 +340,8 @@ def changes(after: list[float], before: list[float]) -> list[float]:
 
 
 def gains(lights: list[list[float]]) -> list[list[float]]:
-    """Of each bred plant over the first, field by field [%]."""
+    """Returns the gain of each bred plant over the first, field by field
+    [%]."""
     return [changes(own, lights[0]) for own in lights[1:]]
 
 

@@ -1,20 +1,21 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What is a plant worth beside others, in strips with soybean and as an invader?
+"""Measures what a plant is worth in strips with soybean, and as an invader.
 
 neighbours.py FOLDER [--generations N] [--seeds N] [--figure FILE] [--rough]
 
-Breeds crops/maize.toml in the strips of strip.toml for the net assimilation of both crops
-by land (the land equivalent ratio: of each crop what it has over what it has alone, maize
-in rows .60 m apart with .15 m between plants, soybean .30 by .10 m), and for that of maize
-alone. Then breeds it in a stand of its own at 30 x 6 inches, and as one plant of 25 among
-plants of the baseline (invader.toml) and among plants that are best for the stand. Prints
-land equivalent ratios with their parts (crops of a strip share its light, so that the
-error of the sum is not that of both), what invaders gain over their neighbours, and what
-a stand of invaders has. ± is the standard error of randomisations, or over seeds where that
-is larger. --figure draws what the rows of the strip of baselines absorb and
-assimilate. What is in FOLDER already is not bred again. --rough is for tests.
-IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+Breeds crops/maize.toml in the strips of strip.toml for the land equivalent
+ratio, which is the sum over both crops of the net assimilation that a crop has
+in the strip over that which it has alone (maize in rows .60 m apart with .15 m
+between plants, soybean .30 by .10 m), and for the net assimilation of maize
+alone. Then breeds it in a stand of its own at 30 x 6 inches, and as one plant
+of 25 among plants of the baseline (invader.toml) and among plants that are
+best for the stand. Prints land equivalent ratios with their parts (crops of a
+strip share its light, so that the error of the sum does not follow from the
+errors of the parts), what invaders gain over their neighbours, and what a
+stand of invaders has. ± is the standard error of randomisations, or over seeds
+where that is larger. --figure draws what the rows of the strip of baselines
+absorb and assimilate.
 """
 
 from __future__ import annotations
@@ -52,18 +53,19 @@ from ideotype.analysis.style import (
 )
 
 Tables = Mapping[str, Any]
-#: Of single crops, between rows and plants [m].
+#: The distances of single crops, between rows and plants [m].
 ALONE = {"maize": (0.6, 0.15), "soybean": (0.3, 0.1)}
 
 
 def campaign(file: str, common: Tables, **tables: Any) -> dict[str, Any]:
-    """A campaign of this project with other tables."""
+    """Returns a campaign of this project with other tables."""
     found = read_campaign(CAMPAIGNS / f"{file}.toml")
     return {**found, **common, **tables}
 
 
 def values(stand: Stand, genome: Numbers, name: str) -> list[Estimate]:
-    """A quantity of the plant, one for each component if it has several."""
+    """Returns a quantity of the plant, one for each component if it has
+    several."""
     found = stand.evaluate(genome, [name], final=True)
     if found.message.values[0]:
         raise SystemExit(f"{stand.name}: {found.message.values[0]}")
@@ -73,13 +75,14 @@ def values(stand: Stand, genome: Numbers, name: str) -> list[Estimate]:
 
 
 def over(a: Estimate, b: Estimate) -> Estimate:
-    """a / b of evaluations that share nothing."""
+    """Returns a / b of evaluations that share nothing."""
     mean = a[0] / b[0]
     return mean, abs(mean) * math.hypot(a[1] / a[0], b[1] / b[0])
 
 
 def net_alone(crop: str, common: Tables) -> Estimate:
-    """The net assimilation of a crop that stands alone [mol m-2 day-1]."""
+    """Returns the net assimilation of a crop that stands alone [mol m-2
+    day-1]."""
     row, plant = ALONE[crop]
     tables = campaign("cultivars", common, name=crop)
     del tables["component"]
@@ -93,7 +96,7 @@ def net_alone(crop: str, common: Tables) -> Estimate:
 
 
 def bred(tables: Tables, folder: Path) -> list[Numbers]:
-    """The best plant of each seed."""
+    """Returns the best plant of each seed."""
     return [best(each) for each in breed_tables(tables, folder)]
 
 

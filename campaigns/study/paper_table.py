@@ -1,27 +1,29 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The table of arXiv:2512.06064 under three objectives: how much can breeding gain, and
-which search finds it?
+"""Makes the table of arXiv:2512.06064: what breeding gains, and by which search.
 
-paper_table.py FOLDER [--figure FILE.png] [--objective NAME...] [--condition NAME...]
-               [--search NAME...] [--evaluations N] [--seeds N] [--other-seeds N]
-               [--plant FILE.toml] [--alike] [--rough]
+paper_table.py FOLDER [--figure FILE.png] [--objective NAME...]
+               [--condition NAME...] [--search NAME...] [--evaluations N]
+               [--seeds N] [--other-seeds N] [--plant FILE.toml] [--alike]
+               [--rough]
 
-Breeds crops/maize.toml with four sets of traits, at five latitudes and at six spacings
-(bounds "paper", the others as in the first condition: all traits, 42 deg north, rows of
-30 inches, plants 6 inches apart) for absorbed PAR and net assimilation of a clear day,
-and for the carbon balance of a season, where plants differ as those of fields do, by
-several searches with as many evaluations each. BIPOP-CMA-ES is that of the package cma,
-differential evolution that of pymoo; both ask for plants through the Python module, and are not run
-unless --search names them. Evaluates the best plants again, all with the same random
-numbers, and prints gains over the baseline [%] with standard errors, leaf area, and the
-gain per leaf area. With --alike all plants of a field are the same while they are bred;
-a second table tells what those champions gain where plants differ. Tells also after how many
-core-seconds (by the clock of the wall: leave other work aside) the first seed had a plant with 90 % of the largest gain under the
-first condition, which has more seeds than the others. The season is that of Bondville, Illinois, 40 deg north in the place of 42, and moved to the other latitudes
-(climates.moved_season). Searches that are
-in FOLDER already are not repeated; interrupted ones go on. --rough is for tests.
-IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+Breeds crops/maize.toml with four sets of traits, at five latitudes and at six
+spacings (bounds "paper"; all else as in the first condition: all traits,
+42 deg north, rows of 30 inches, plants 6 inches apart) for absorbed PAR and
+net assimilation of a clear day, and for the carbon balance of a season, where
+plants differ as those of fields do, by several searches with as many
+evaluations each. BIPOP-CMA-ES comes from the package cma and differential
+evolution from pymoo; both ask for plants through the Python module, and run
+only if --search names them. Evaluates the best plants again, all with the same
+random numbers, and prints gains over the baseline [%] with standard errors,
+leaf area, and the gain per leaf area. With --alike all plants of a field are
+the same while they are bred; a second table tells what those champions gain
+where plants differ. Also tells after how many core-seconds (by the clock of
+the wall: leave other work aside) the first seed had a plant with 90 % of the
+largest gain under the first condition, which has more seeds than the others.
+
+The season is that of Bondville, Illinois, 40 deg north in the place of 42, and
+moved to the other latitudes (climates.moved_season).
 """
 
 from __future__ import annotations
@@ -72,7 +74,7 @@ class Condition:
     latitude: float = AMES
     row: float = 30
     plant: float = 6
-    """[inches]"""
+    """The distance between plants [inches]."""
     free: tuple[str, ...] = ("insertion_angle", "azimuth", "width", "length")
 
 
@@ -115,19 +117,21 @@ USUAL = ("ga", "auto")
 
 @dataclass(frozen=True)
 class Found:
-    """Under one condition and objective."""
+    """The results under one condition and objective."""
 
     baseline: Estimate
     gains: dict[str, list[Estimate]]
-    """Of each search and seed [%]."""
+    """The gains of each search and seed [%]."""
     lai: float
-    """Of the best plant of all."""
+    """The leaf area index of the best plant of all."""
     gain_per_leaf_area: Estimate
-    """Of the same plant [%]."""
+    """The gain per leaf area of the same plant [%]."""
     varied_gains: dict[str, list[Estimate]]
-    """Where plants differ, if they do not where they are bred [%]."""
+    """The gains where plants differ, if they do not where they are bred
+    [%]."""
     seconds: dict[str, float]
-    """Of each search until a plant with 90 % of the largest gain was known."""
+    """The core-seconds of each search until a plant with 90 % of the largest
+    gain was known."""
 
 
 def campaign(
@@ -138,7 +142,7 @@ def campaign(
     plant: Path = MAIZE,
     is_alike: bool = False,
 ) -> dict[str, Any]:
-    """Without a search."""
+    """Returns the tables of a condition, without a search."""
     tables: dict[str, Any] = {
         "name": f"{objective}_{where.name}",
         "spacing": [
@@ -178,7 +182,7 @@ def name_of(tables: dict[str, Any], search: str, seed: int) -> str:
 def bred(
     tables: dict[str, Any], search: str, seed: int, count: int, folder: Path
 ) -> Numbers:
-    """The genome of the best plant that this search finds."""
+    """Returns the genome of the best plant that this search finds."""
     if search in LIBRARIES:
         name = name_of(tables, search, seed)
         kept = folder / f"{name}.json"
@@ -193,7 +197,7 @@ def bred(
 def searched(
     tables: dict[str, Any], search: str, seed: int, count: int, folder: Path
 ) -> Path:
-    """The history of a search by the program."""
+    """Returns the history of a search by the program."""
     limits = {"generations": count // 10 + 1, "evaluations": count}
     settings: dict[str, Any] = {"optimizer": search}
     if search in ("random", "ga"):
@@ -209,8 +213,9 @@ def searched(
 
 
 class Function:
-    """What a library looks for the smallest value of: free genes from 0 to 1.
-    Each generation has fields and random numbers of its own."""
+    """A function that a library looks for the smallest value of, from free
+    genes that run from 0 to 1. Each generation has fields and random numbers
+    of its own."""
 
     def __init__(self, stand: Stand) -> None:
         genes = stand.genes
@@ -236,7 +241,8 @@ class Function:
 
 
 def by_bipop(stand: Stand, seed: int, count: int) -> Numbers:
-    """BIPOP-CMA-ES of the package cma (Hansen 2009, doi:10.1145/1570256.1570333)."""
+    """Searches by BIPOP-CMA-ES of the package cma (Hansen 2009,
+    doi:10.1145/1570256.1570333)."""
     import cma
 
     function = Function(stand)
@@ -260,7 +266,7 @@ def by_bipop(stand: Stand, seed: int, count: int) -> Numbers:
 
 
 def by_pymoo(stand: Stand, seed: int, count: int) -> Numbers:
-    """Differential evolution of pymoo."""
+    """Searches by differential evolution of pymoo."""
     from pymoo.algorithms.soo.nonconvex.de import DE
     from pymoo.core.problem import Problem
     from pymoo.problems.static import StaticProblem
@@ -282,8 +288,8 @@ LIBRARIES = {"bipop": by_bipop, "pymoo": by_pymoo}
 
 
 def seconds_until(history: Path, stand: Stand, least: float) -> float:
-    """Core-seconds of all evaluations until a search had a plant that gains so much
-    [%] when it is evaluated again; NaN if it has none."""
+    """Returns the core-seconds of all evaluations until a search had a plant
+    that gains so much [%] when it is evaluated again; NaN if it has none."""
     points = best_until(history, list(range(50, 10**6, 50)))
     genomes = np.array([stand.baseline, *(plant for plant, _ in points)])
     baseline, *others = light(stand, genomes).tolist()
@@ -300,7 +306,7 @@ def find(
     seeds: int,
     searches: Sequence[str],
 ) -> Found:
-    """The best plants of a campaign by each search and seed."""
+    """Finds the best plants of a campaign by each search and seed."""
     keys = list(product(searches, range(1, seeds + 1)))
     plants = [bred(tables, *key, count, folder) for key in keys]
     stand = Stand(tables)

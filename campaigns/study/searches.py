@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How fast each search gains, by evaluations and by time.
+"""Measures how fast each search gains, by evaluations and by time.
 
 searches.py FOLDER [--figure FILE.png] [--evaluations N] [--seeds N]
             [--only SEARCH...] [--campaign FILE]
 
-Runs a campaign (ames.toml, unless another is given) with each search, takes the
-best plant of the generation in which each number of evaluations is reached (of
-all until then, where nothing is learnt), and evaluates all of these again with
-many paths, beside the baseline. Prints the
-gain over the baseline in %, the mean of the seeds with its standard error, and
-the seconds that all evaluations until then took. Cases that are in FOLDER
-already are not run again. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+Runs a campaign (ames.toml, unless another is given) with each search and takes
+the best plant of the generation in which each number of evaluations is reached
+(a search that learns nothing gives the best of all until then). Evaluates all
+of these again with many paths, beside the baseline. Prints the gain over the
+baseline in %, the mean of the seeds with its standard error, and the seconds
+that all evaluations until then took. Cases that are in FOLDER already are not
+run again. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from shared import CAMPAIGNS, Numbers, breed, gain, guard, light
 from ideotype import Stand, open_history
 from ideotype.analysis.style import new_figure, series
 
-#: name: keys of [search], and the candidates of a generation
+#: Searches by name: keys of [search], and the candidates of a generation.
 SEARCHES: dict[str, tuple[tuple[str, ...], int]] = {
     "random": (("search.optimizer=random",), 100),
     "sobol": (("search.optimizer=sobol",), 100),
@@ -39,7 +39,7 @@ SEARCHES: dict[str, tuple[tuple[str, ...], int]] = {
     "auto": (("search.optimizer=auto",), 37),
 }
 RANDOM = 2
-"""Origin of a plant that follows from no other."""
+"""The origin of a plant that follows from no other."""
 CHECKPOINTS = (
     100,
     250,
@@ -61,9 +61,9 @@ class Point:
     """A search after some evaluations."""
 
     evaluations: int
-    gains: list[float]  # of each seed [%]
-    errors: list[float]  # of each, paired [%]
-    seconds: float  # of the processor, mean of the seeds
+    gains: list[float]  # The gain of each seed [%].
+    errors: list[float]  # The error of each, paired [%].
+    seconds: float  # Processor time, mean of the seeds.
 
     @property
     def gain(self) -> float:
@@ -92,9 +92,9 @@ def run(name: str, options: argparse.Namespace) -> list[Path]:
 def best_until(
     history: Path, checkpoints: list[int]
 ) -> list[tuple[Numbers, float]]:
-    """Of each checkpoint: the plant, and the seconds of all evaluations until
-    then. What learns is asked for the best of its last generation, others for
-    the best of all."""
+    """Returns for each checkpoint the plant, and the seconds of all
+    evaluations until then. A search that learns is asked for the best of its
+    last generation, others for the best of all."""
     found: list[tuple[Numbers, float]] = []
     highest, plant = -math.inf, np.empty(0)
     done, seconds = 0, 0.0
@@ -119,7 +119,8 @@ def best_until(
 def evaluate_again(
     histories: list[Path], stand: Stand, checkpoints: list[int]
 ) -> list[Point]:
-    """The best plants of one search, all with the same random numbers."""
+    """Evaluates the best plants of one search, all with the same random
+    numbers."""
     chosen = [best_until(path, checkpoints) for path in histories]
     count = min(map(len, chosen))
     plants = [plant for points in chosen for plant, _ in points[:count]]

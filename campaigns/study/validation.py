@@ -1,22 +1,25 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Does the canopy behave as maize does in the field?
+"""Compares the canopy with maize in the field.
 
 validation.py [--rough] [--figure FILE.png]
 
-Evaluates the hybrid of crops/maize_hybrid.toml, whose plants differ and fail as field
-plants do, in stands like those of field experiments, on the clear day of ames.toml,
-around its noon, and in the season of bondville.toml, and prints each figure beside the
-published one (published.py): extinction coefficients and fractions of PAR or of all
-sunlight as the source has them, light-use efficiency, and canopy assimilation; and what
-erect leaves do to crops/maize.toml. What disagrees comes first; two standard errors are
-granted, and where a source tells one figure without an error, 10 %. Then come what each
-measured input changes, alone and together, what would change the hybrid, and extinction
-coefficients k against row spacing and leaf area index. ± are standard errors. --rough is
-for tests. Means over a growing season are not compared: plants do not grow.
+Evaluates the hybrid of crops/maize_hybrid.toml, whose plants differ and fail
+as field plants do, in stands like those of field experiments, on the clear day
+of ames.toml, around its noon, and in the season of bondville.toml, and prints
+each figure beside the published one (published.py): extinction coefficients
+and fractions of PAR or of all sunlight as the source has them, light-use
+efficiency, canopy assimilation, and what erect leaves do to crops/maize.toml.
+Figures that disagree come first; two standard errors are granted, and where a
+source tells one figure without an error, 10 %. Then come what each measured
+input changes, alone and together, what would change the hybrid, and extinction
+coefficients k against row spacing and leaf area index. ± are standard errors.
+--rough is for tests. Means over a growing season are not compared: plants do
+not grow.
 
-k is of the light that reaches the soil, as in the field: -ln(transmitted / incident) / leaf
-area index. `extinction_coefficient` of the program is of what plants absorb.
+k follows from the light that reaches the soil, as in the field:
+-ln(transmitted / incident) / leaf area index. `extinction_coefficient` of the
+program follows from what plants absorb.
 """
 
 from __future__ import annotations
@@ -71,15 +74,16 @@ USUAL = Field(ROW, DENSITY)
 
 
 def density_of(area: float, plant: str = "hybrid") -> float:
-    """Plants sown per area [m-2] for a leaf area index, with the gaps of field
-    plants."""
+    """Returns plants sown per area [m-2] for a leaf area index, with the gaps
+    of field plants."""
     return area / AREAS[plant] / (1 - FIELD_PLANTS["missing"])
 
 
 DENSE = Field(ROW, density_of(6))
 JULY = replace(DENSE, hours="whole", date="2025-07-10")
 JULY_NOON = replace(JULY, hours="noon")
-#: what is compared, by the keys of PUBLISHED where it is one figure of one field
+#: The fields that are compared, by the keys of PUBLISHED where it is one
+#: figure of one field.
 FIELDS = {
     **{f"k {row}": Field(row, DENSITY) for row in (0.2, 0.5, 1.0)},
     "k ceres": USUAL,
@@ -99,9 +103,9 @@ FIELDS = {
     "july": JULY,
     "july noon": JULY_NOON,
 }
-#: whose k is of all sunlight
+#: The fields whose k is that of all sunlight.
 OF_SUNLIGHT = ("k 0.2", "k 0.5", "k 1.0", "k muchow")
-#: version 0.2's plant with each measured input, and with all of them
+#: The plant of version 0.2 with each measured input, and with all of them.
 STEPS: dict[str, dict[str, Any]] = {
     "version 0.2": {},
     "bends": {"plant": "bends"},
@@ -114,7 +118,7 @@ STEPS: dict[str, dict[str, Any]] = {
     "all together: crops/maize.toml": {"plant": "maize", "variation": "field"},
     "the hybrid": {"plant": "hybrid", "variation": "field"},
 }
-#: what would change the hybrid
+#: Changes that would change the hybrid.
 CHANGES: dict[str, dict[str, Any]] = {
     "as it is": {},
     "straight leaves": {"plant": "straight"},
@@ -137,7 +141,8 @@ CHANGES: dict[str, dict[str, Any]] = {
 def of_fields(
     found: dict[str, Measured], infrared: dict[str, Measured]
 ) -> dict[str, Estimate]:
-    """Ours, by the keys of PUBLISHED: of light and assimilation."""
+    """Returns our figures, by the keys of PUBLISHED: those of light and
+    assimilation."""
     found = found | {
         name: found[name] | of_sunlight(found[name], each)
         for name, each in infrared.items()
@@ -173,8 +178,8 @@ def of_fields(
 
 
 def of_erect_leaves(accuracy: Settings) -> dict[str, Estimate]:
-    """What leaves that are tied up do to gross assimilation [%]: the mean over
-    densities."""
+    """Returns what leaves that are tied up do to gross assimilation [%]: the
+    mean over densities."""
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         found = [
             gains[-1]
@@ -190,7 +195,8 @@ def of_erect_leaves(accuracy: Settings) -> dict[str, Estimate]:
 
 
 def of_shapes() -> dict[str, Estimate]:
-    """How leaves of the hybrid are inclined in a field of 16 plants [deg]."""
+    """Returns how leaves of the hybrid are inclined in a field of 16 plants
+    [deg]."""
     with TemporaryDirectory() as folder:
         shape = shape_of(
             field_of("hybrid", HYBRID, FIELD_PLANTS, Path(folder))
@@ -210,7 +216,8 @@ def verdict(ours: Estimate, told: Published) -> str:
 
 
 def shown(x: Estimate) -> str:
-    """To the second digit of its error, at most the fourth after the point."""
+    """Tells a figure to the second digit of its error, at most the fourth
+    after the point."""
     mean, error = x
     places = 1 - math.floor(math.log10(error)) if error else 4
     places = max(0, min(4, places))
@@ -231,7 +238,7 @@ def print_comparison(ours: dict[str, Estimate]) -> None:
 
 
 def changed(change: dict[str, Any], steps: bool) -> list[Field]:
-    """The fields in which a change is looked at."""
+    """Returns the fields in which a change is looked at."""
     if steps:
         change = {"plant": "old", "variation": "random"} | change
     area = AREAS.get(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is read of a sensitivity study, and how a report tells it."""
+"""A sensitivity study is read, and a report tells it."""
 
 from __future__ import annotations
 

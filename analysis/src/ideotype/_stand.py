@@ -424,8 +424,7 @@ def _toml(value: Any) -> str:
 def _processors() -> int:
     try:
         return len(os.sched_getaffinity(0))
-    # Not every system tells this.
-    except AttributeError:
+    except AttributeError:  # Not every system tells this.
         return os.cpu_count() or 1
 
 

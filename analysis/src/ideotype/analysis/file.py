@@ -257,8 +257,7 @@ def _is_locked(path: Path) -> bool:
         import fcntl
 
         look, write, none = fcntl.F_OFD_GETLK, fcntl.F_WRLCK, fcntl.F_UNLCK
-    # Only Linux has this lock.
-    except (ImportError, AttributeError):
+    except (ImportError, AttributeError):  # Only Linux has this lock.
         return False
     form = "hhqqi4x"  # The form of struct flock.
     whole = struct.pack(form, write, os.SEEK_SET, 0, 0, 0)

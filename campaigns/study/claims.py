@@ -15,7 +15,6 @@ and losses are in % with standard errors, over seeds where there are several.
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
@@ -23,18 +22,22 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from paper_table import CONDITIONS, FIRST, Condition, bred, campaign
+from conditions import CONDITIONS, FIRST, Condition, campaign
+from paper_table import bred
 from shared import (
     CAMPAIGNS,
     Estimate,
     Numbers,
     gain,
+    gains_over_baseline,
     guard,
     leaves,
     light,
     mean_over_seeds,
     parser_of_searches,
     print_table,
+    say,
+    told,
     with_trait,
 )  # fmt: skip
 
@@ -112,19 +115,16 @@ def best(set_up: SetUp, where: Condition) -> list[Numbers]:
 
 
 def cell(values: list[Estimate]) -> str:
-    mean, error = mean_over_seeds(values)
-    return f"{mean:+.1f} ± {error:.1f}"
+    return told(mean_over_seeds(values), sign="+")
 
 
 def gain_with(name: str) -> Callable[[SetUp], str]:
-    def told(set_up: SetUp) -> str:
-        here = stand(set_up, PLACES[name])
-        baseline, *others = light(
-            here, np.array([here.baseline, *best(set_up, PLACES[name])])
-        ).tolist()
-        return cell([gain(baseline, each) for each in others])
+    def look(set_up: SetUp) -> str:
+        where = PLACES[name]
+        plants = best(set_up, where)
+        return cell(gains_over_baseline(stand(set_up, where), plants))
 
-    return told
+    return look
 
 
 def over_elite(set_up: SetUp) -> str:
@@ -140,7 +140,7 @@ def by_leaves(trait: str) -> Callable[[SetUp], str]:
     """Tells the mean of a trait over the lower and over the upper leaves, for
     each seed."""
 
-    def told(set_up: SetUp) -> str:
+    def look(set_up: SetUp) -> str:
         here = stand(set_up, FIRST)
         own = leaves(here, here.baseline)[trait]
         pairs = []
@@ -152,7 +152,7 @@ def by_leaves(trait: str) -> Callable[[SetUp], str]:
             pairs.append(f"{low:.0f} / {top:.0f}")
         return ", ".join(pairs)
 
-    return told
+    return look
 
 
 def without(
@@ -160,7 +160,7 @@ def without(
 ) -> Callable[[SetUp], str]:
     """Tells what the best plants lose [%] by a change."""
 
-    def told(set_up: SetUp) -> str:
+    def look(set_up: SetUp) -> str:
         here = stand(set_up, FIRST)
         losses = []
         for genome in best(set_up, FIRST):
@@ -170,7 +170,7 @@ def without(
             losses.append(gain(own, changed))
         return cell(losses)
 
-    return told
+    return look
 
 
 def equal_angles(here: Stand, genome: Numbers) -> Numbers:
@@ -210,7 +210,7 @@ def elsewhere(names: tuple[str, ...]) -> Callable[[SetUp], str]:
     """Tells what the plant of 42 deg north and 30 x 6 inches has at other
     places, relative to the plant that was bred there."""
 
-    def told(set_up: SetUp) -> str:
+    def look(set_up: SetUp) -> str:
         cells = []
         for name in names:
             where = PLACES[name]
@@ -222,7 +222,7 @@ def elsewhere(names: tuple[str, ...]) -> Callable[[SetUp], str]:
             cells.append(f"{where.title}: {lost}")
         return "; ".join(cells)
 
-    return told
+    return look
 
 
 CLAIMS: dict[str, Callable[[SetUp], str]] = {
@@ -282,7 +282,7 @@ def main() -> None:
     ]
     rows = []
     for claim, look in CLAIMS.items():
-        print(claim, file=sys.stderr, flush=True)
+        say(claim)
         rows.append([claim, *(look(set_up) for set_up in set_ups)])
     print_table(["claim", *(x.title for x in set_ups)], rows)
 

@@ -21,14 +21,12 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from paper_table import FIRST, UNITS, campaign
+from conditions import FIRST, UNITS, campaign
 from shared import (
     Numbers,
-    best,
-    breed_tables,
-    gain,
+    best_plants,
+    gains_over_baseline,
     guard,
-    light,
     parser_of_searches,
     print_table,
 )
@@ -53,15 +51,12 @@ def main() -> None:
             "search": {"optimizer": "auto"},
             "stop": {"generations": evaluations, "evaluations": evaluations},
         }
-        return [best(path) for path in breed_tables(run, options.folder)]
+        return best_plants(run, options.folder)
 
     plants = bred("short", 3 * options.triples, options.evaluations)
     plants += bred("long", 3, options.long_evaluations)
     stand = Stand(tables)
-    baseline, *others = light(
-        stand, np.array([stand.baseline, *plants])
-    ).tolist()
-    gains = [gain(baseline, each)[0] for each in others]
+    gains = [mean for mean, _ in gains_over_baseline(stand, plants)]
     triples = np.array(gains[:-3]).reshape(options.triples, 3)
     missed = max(gains) - triples.max(1)
     spread = np.ptp(triples, axis=1)

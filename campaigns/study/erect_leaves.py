@@ -15,7 +15,6 @@ or 15 deg from the vertical.
 
 from __future__ import annotations
 
-import argparse
 from pathlib import Path
 
 import numpy as np
@@ -30,8 +29,10 @@ from shared import (
     guard,
     leaves,
     light,
+    parser_of,
     print_table,
     stand_of,
+    told,
     with_trait,
 )  # fmt: skip
 
@@ -107,7 +108,7 @@ def gains(
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser = parser_of(__doc__)
     parser.add_argument("--under", type=Path, default=CAMPAIGNS / "ames.toml")
     parser.add_argument(
         "--densities", nargs="+", type=float, default=DENSITIES
@@ -119,7 +120,7 @@ def main() -> None:
         for density in options.densities
     ]
     rows = [
-        [name, *(f"{mean:+.1f} ± {error:.1f}" for mean, error in each)]
+        [name, *(told(x, sign="+") for x in each)]
         for name, each in zip(
             VARIANTS, zip(*columns, strict=True), strict=True
         )

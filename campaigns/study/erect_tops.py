@@ -25,7 +25,6 @@ or the leaf area of the baseline ("area").
 from __future__ import annotations
 
 import math
-import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise, product
@@ -50,7 +49,9 @@ from shared import (
     mean_over_seeds,
     parser_of_searches,
     print_table,
+    say,
     sign_change,
+    told,
 )  # fmt: skip
 
 from ideotype import Stand
@@ -187,11 +188,9 @@ def tell(
     for key in sorted({(x.light, x.limit, x.latitude) for x in results}):
         row = [key[0], key[1], f"{key[2]:g}"]
         for density in densities:
-            mean, error = mean_over_seeds(results[Condition(*key, density)])
-            row.append(f"{mean:+.1f} ± {error:.1f}")
-        pays = (
-            "{:.1f} ± {:.1f} m-2".format(*lines[key]) if key in lines else ""
-        )
+            found = mean_over_seeds(results[Condition(*key, density)])
+            row.append(told(found, sign="+"))
+        pays = f"{told(lines[key])} m-2" if key in lines else ""
         rows.append([*row, pays])
     titles = [f"{density:g} m-2" for density in densities]
     print_table(["light", "limit", "latitude", *titles, "pays from"], rows)
@@ -236,8 +235,9 @@ def draw(results: dict[Condition, list[Estimate]], path: Path) -> None:
 
 
 def main() -> None:
-    parser = parser_of_searches(__doc__, generations=30, seeds=3)
-    parser.add_argument("--figure", type=Path)
+    parser = parser_of_searches(
+        __doc__, has_figure=True, generations=30, seeds=3
+    )
     parser.add_argument("--light", nargs="+", choices=LIGHTS, default=LIGHTS)
     parser.add_argument("--limit", nargs="+", choices=LIMITS, default=LIMITS)
     parser.add_argument(
@@ -257,7 +257,7 @@ def main() -> None:
     ]
 
     def look(where: Condition, seeds: int) -> list[Estimate]:
-        print(f"{where.name}: {seeds} seeds", file=sys.stderr, flush=True)
+        say(f"{where.name}: {seeds} seeds")
         tables = campaign(where, options.folder, options.rough)
         return difference(tables, options.folder, options.generations, seeds)
 

@@ -31,6 +31,7 @@ from shared import (
     light,
     parser_of_searches,
     print_table,
+    told,
 )  # fmt: skip
 
 import ideotype
@@ -76,7 +77,6 @@ def main() -> None:
             plants = np.array([stand.baseline, best(history)])
             values = light(stand, plants)
             found = stand.evaluate(plants, QUANTITIES, final=True)
-            mean, error = gain(*values.tolist())
             with ideotype.open_history(history) as opened:
                 unit = opened.objectives[0].unit
             rows.append(
@@ -84,7 +84,7 @@ def main() -> None:
                     f"{title} [{unit}]",
                     limit,
                     *(f"{each.mean():.4g}" for each in values),
-                    f"{mean:+.2f} ± {error:.2f}",
+                    told(gain(*values.tolist()), 2, "+"),
                     *(
                         " -> ".join(f"{x:.2f}" for x in found[name].values)
                         for name in QUANTITIES

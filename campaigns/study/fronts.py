@@ -36,6 +36,7 @@ from shared import (
     guard,
     parser_of_searches,
     print_table,
+    told,
 )  # fmt: skip
 
 from ideotype import Error, Stand, open_history
@@ -177,12 +178,11 @@ def row(found: Found, plant: int, before: int | None) -> list[str]:
     if before is not None:
         step = lai - found.lai[before]
         steps = (carbon - found.carbon[before]) / step
-        mean, error = estimate(steps.tolist())
-        more = f"{mean:+.3f} ± {error:.3f}"
+        more = told(estimate(steps.tolist()), 3, "+")
     return [
         f"{lai:.2f}",
-        "{:.3f} ± {:.3f}".format(*estimate(carbon.tolist())),
-        "{:.3f} ± {:.3f}".format(*estimate((carbon / lai).tolist())),
+        told(estimate(carbon.tolist()), 3),
+        told(estimate((carbon / lai).tolist()), 3),
         more,
         *angles(found, plant),
     ]
@@ -232,8 +232,9 @@ def draw_plants(found: Found, panels: list[Axes], shown: list[int]) -> None:
 
 
 def main() -> None:
-    parser = parser_of_searches(__doc__, generations=60, seeds=2)
-    parser.add_argument("--figure", type=Path)
+    parser = parser_of_searches(
+        __doc__, has_figure=True, generations=60, seeds=2
+    )
     options = parser.parse_args()
     found = find(options)
     tell(found)

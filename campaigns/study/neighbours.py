@@ -32,14 +32,14 @@ from shared import (
     ROUGH,
     Estimate,
     Numbers,
-    best,
-    breed_tables,
+    best_plants,
     estimate,
     guard,
     mean_over_seeds,
     parser_of_searches,
     print_table,
     read_campaign,
+    told,
 )  # fmt: skip
 
 from ideotype import Stand
@@ -95,15 +95,6 @@ def net_alone(crop: str, common: Tables) -> Estimate:
     return values(stand, stand.baseline, "net_assimilation")[0]
 
 
-def bred(tables: Tables, folder: Path) -> list[Numbers]:
-    """Returns the best plant of each seed."""
-    return [best(each) for each in breed_tables(tables, folder)]
-
-
-def tell(x: Estimate, digits: int = 3) -> str:
-    return f"{x[0]:.{digits}f} ± {x[1]:.{digits}f}"
-
-
 def draw_rows(stand: Stand, genome: Numbers, path: Path) -> None:
     """Draws light, net assimilation and leaf area of each row of a strip, per
     ground that is nearest to the row. Bars are as wide as that ground."""
@@ -138,25 +129,25 @@ def draw_rows(stand: Stand, genome: Numbers, path: Path) -> None:
 def strips(common: Tables, folder: Path) -> None:
     """Prints the land equivalent ratio of the strip, before and after."""
     alone = [net_alone(crop, common) for crop in ALONE]
-    goals: dict[str, dict[str, list[float]]] = {
+    bred_for: dict[str, dict[str, list[float]]] = {
         "both crops by land": {"sole": [net for net, _ in alone]},
         "maize alone": {"weights": [1, 0]},
     }
     plants = {}
     stands = []
-    for i, (goal, counts) in enumerate(goals.items()):
+    for i, (name, counts) in enumerate(bred_for.items()):
         tables = campaign("strip", common, name=f"strip{i}")
         tables["objective"] |= counts
         stands.append(Stand(tables))
-        plants[goal] = bred(tables, folder)
+        plants[name] = best_plants(tables, folder)
     stand = stands[0]
     plants = {"the baseline": [stand.baseline], **plants}
 
     def ratios(genome: Numbers) -> list[Estimate]:
         found = values(stand, genome, "net_assimilation_by_component")
         each = [over(*pair) for pair in zip(found, alone, strict=True)]
-        told = stand.evaluate(genome, [], final=True)
-        mean, error = estimate(told.objective_by_randomisation.values[0, 0])
+        whole = stand.evaluate(genome, [], final=True)
+        mean, error = estimate(whole.objective_by_randomisation.values[0, 0])
         of_alone = [
             part * own / net
             for (part, _), (net, own) in zip(each, alone, strict=True)
@@ -164,10 +155,10 @@ def strips(common: Tables, folder: Path) -> None:
         return [(mean, math.hypot(error, *of_alone)), *each]
 
     rows = []
-    for goal, genomes in plants.items():
+    for name, genomes in plants.items():
         by_seed = [ratios(genome) for genome in genomes]
         means = [mean_over_seeds(x) for x in zip(*by_seed, strict=True)]
-        rows.append([goal, *map(tell, means)])
+        rows.append([name, *(told(x, 3) for x in means)])
     print_table(
         ["maize bred for", "land equivalent ratio", "maize", "soybean"], rows
     )
@@ -180,7 +171,7 @@ def invaders(common: Tables, folder: Path) -> None:
     del of_stand["component"]
     of_stand["objective"] = {"maximise": "net_assimilation"}
     stand = Stand(of_stand)
-    best_of_stand = bred(of_stand, folder)[0]
+    best_of_stand = best_plants(of_stand, folder)[0]
     residents = {
         "the baseline": stand.baseline,
         "the stand's best": best_of_stand,
@@ -193,7 +184,7 @@ def invaders(common: Tables, folder: Path) -> None:
         tables["plant"] = {"baseline": str(crop)}
         tables["component"][0]["crop"] = str(crop)
         test = Stand(tables)
-        found = bred(tables, folder)
+        found = best_plants(tables, folder)
         gains = [values(test, each, "invasion")[0] for each in found]
         before = values(stand, resident, "net_assimilation")[0]
         nets = [
@@ -204,8 +195,8 @@ def invaders(common: Tables, folder: Path) -> None:
         rows.append(
             [
                 name,
-                tell((100 * gain[0], 100 * gain[1]), 1),
-                tell((100 * net[0] - 100, 100 * net[1]), 1),
+                told((100 * gain[0], 100 * gain[1])),
+                told((100 * net[0] - 100, 100 * net[1])),
             ]
         )
     titles = [
@@ -217,8 +208,9 @@ def invaders(common: Tables, folder: Path) -> None:
 
 
 def main() -> None:
-    parser = parser_of_searches(__doc__, generations=40, seeds=1)
-    parser.add_argument("--figure", type=Path)
+    parser = parser_of_searches(
+        __doc__, has_figure=True, generations=40, seeds=1
+    )
     options = parser.parse_args()
     common: dict[str, Any] = {
         "replicates": options.seeds,

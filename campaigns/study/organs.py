@@ -14,7 +14,6 @@ program, else it is that on PATH.
 
 from __future__ import annotations
 
-import argparse
 import json
 import re
 from pathlib import Path
@@ -30,6 +29,8 @@ from shared import (
     guard,
     light,
     mean_over_seeds,
+    parser_of,
+    told,
 )  # fmt: skip
 
 from ideotype import Stand
@@ -79,10 +80,6 @@ def gains(
     return [gain(first, other) for other in others]
 
 
-def text_of(value: Estimate) -> str:
-    return f"{value[0]:.2f} ± {value[1]:.2f}"
-
-
 def parts(plant: str) -> list[str]:
     """Tells where the light of the baseline goes [% of incident]."""
     stand = Stand.from_campaign(QUICK, settings=settings(plant))
@@ -99,7 +96,7 @@ def parts(plant: str) -> list[str]:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser = parser_of(__doc__)
     parser.add_argument(
         "--full", action="store_true", help="breed ames.toml too"
     )
@@ -130,14 +127,14 @@ def main() -> None:
         exact = [*settings(name), "final.paths=131072"]
         is_maize = crop == "crops/maize.toml"
         own = gains(same, QUICK, exact) if is_maize else []
-        cells.append(", ".join(map(text_of, own)))
+        cells.append(", ".join(told(x, 2) for x in own))
         for campaign in campaigns:
             for traits in options.traits:
                 plants = bred(
                     campaign, name, traits, options.seeds, options.folder
                 )
                 own = gains(plants, campaign, settings(name, traits))
-                cells.append(text_of(mean_over_seeds(own)))
+                cells.append(told(mean_over_seeds(own), 2))
         print(f"| {name} | " + " | ".join(cells) + " |", flush=True)
 
 

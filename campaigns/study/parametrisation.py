@@ -19,25 +19,24 @@ to 1.35 and -10 to 50 deg.
 
 from __future__ import annotations
 
-import sys
 import tomllib
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import tomli_w
-from paper_table import CONDITIONS, Condition, campaign
+from conditions import CONDITIONS, Condition, campaign
 from shared import (
     MAIZE,
     Estimate,
     Numbers,
     best,
     breed_tables,
-    gain,
+    gains_over_baseline,
     guard,
-    light,
     parser_of_searches,
     print_table,
+    say,
 )  # fmt: skip
 
 from ideotype import Stand
@@ -166,17 +165,13 @@ def gains_of(
     keys = [(way, seed) for way in ways for seed in range(1, seeds + 1)]
     plants = []
     for way, seed in keys:
-        print(
-            f"{where.title}: {way}, seed {seed}", file=sys.stderr, flush=True
-        )
+        say(f"{where.title}: {way}, seed {seed}")
         plants.append(found(tables, way, seed, count, folder))
     stand = Stand(tables)
-    baseline, *others = light(
-        stand, np.array([stand.baseline, *plants])
-    ).tolist()
     gains: dict[str, list[Estimate]] = {way: [] for way in ways}
-    for (way, _), values in zip(keys, others, strict=True):
-        gains[way].append(gain(baseline, values))
+    every = gains_over_baseline(stand, plants)
+    for (way, _), each in zip(keys, every, strict=True):
+        gains[way].append(each)
     return gains, max(error for each in gains.values() for _, error in each)
 
 

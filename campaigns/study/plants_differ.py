@@ -15,7 +15,6 @@ the best one there.
 
 from __future__ import annotations
 
-import argparse
 from pathlib import Path
 from typing import Any
 
@@ -31,7 +30,9 @@ from shared import (
     gain,
     guard,
     light,
+    parser_of,
     print_table,
+    told,
 )  # fmt: skip
 
 from ideotype import Stand
@@ -84,9 +85,9 @@ def row(title: str, line: str, alike: Numbers, here: Numbers) -> list[str]:
     return [
         title,
         line,
-        "{:+.2f} ± {:.2f}".format(*change),
+        told(change, 2, "+"),
         f"{agreement:.3f}",
-        "{:+.2f} ± {:.2f}".format(*worth),
+        told(worth, 2, "+"),
     ]
 
 
@@ -108,7 +109,7 @@ def draw(values: dict[tuple[str, str], Numbers], path: Path) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser = parser_of(__doc__)
     parser.add_argument("--under", type=Path, default=CAMPAIGNS / "ames.toml")
     parser.add_argument("--plants", type=int, default=64)
     parser.add_argument("--figure", type=Path)

@@ -19,7 +19,6 @@ larger.
 from __future__ import annotations
 
 import argparse
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 from statistics import fmean
@@ -32,14 +31,15 @@ from shared import (
     ROUGH,
     Estimate,
     Numbers,
-    best,
-    breed_tables,
+    best_plants,
     gain,
     guard,
     light,
     mean_over_seeds,
     parser_of_searches,
     print_table,
+    say,
+    told,
 )  # fmt: skip
 
 from ideotype import Stand
@@ -81,8 +81,8 @@ def campaign(
 
 def bred(tables: dict[str, Any], folder: Path) -> list[Numbers]:
     """Returns the best plant of each seed."""
-    print(f"breeding {tables['name']}", file=sys.stderr, flush=True)
-    return [best(path) for path in breed_tables(tables, folder)]
+    say(f"breeding {tables['name']}")
+    return best_plants(tables, folder)
 
 
 def relative(stand: Stand, home: int, plants: list[Numbers]) -> list[Estimate]:
@@ -148,8 +148,9 @@ def draw(found: Matrix, latitudes: Sequence[float], path: Path) -> None:
 
 
 def main() -> None:
-    parser = parser_of_searches(__doc__, generations=40, seeds=1)
-    parser.add_argument("--figure", type=Path)
+    parser = parser_of_searches(
+        __doc__, has_figure=True, generations=40, seeds=1
+    )
     parser.add_argument(
         "--latitudes", nargs="+", type=float, default=LATITUDES
     )
@@ -159,7 +160,7 @@ def main() -> None:
     rows = []
     for name, row in found.items():
         cells = (*row, mean_of_row(row))
-        rows.append([name, *(f"{x:.2f} ± {error:.2f}" for x, error in cells)])
+        rows.append([name, *(told(x, 2) for x in cells)])
     print_table(["bred for", *grown, "mean"], rows)
     if options.figure:
         draw(found, options.latitudes, options.figure)

@@ -18,13 +18,22 @@ from __future__ import annotations
 
 import argparse
 import math
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import fmean, stdev
 
 import numpy as np
-from shared import CAMPAIGNS, Numbers, breed, gain, guard, light
+from shared import (
+    CAMPAIGNS,
+    Numbers,
+    breed,
+    gains_over_baseline,
+    guard,
+    parser_of,
+    print_table,
+    say,
+    told,
+)
 
 from ideotype import Stand, open_history
 from ideotype.analysis.style import new_figure, series
@@ -78,7 +87,7 @@ class Point:
 
 def run(name: str, options: argparse.Namespace) -> list[Path]:
     keys, population = SEARCHES[name]
-    print(f"searching by {name}", file=sys.stderr, flush=True)
+    say(f"searching by {name}")
     every = [
         f"search.population={population}",
         f"stop.generations={math.ceil(options.evaluations / population)}",
@@ -124,34 +133,29 @@ def evaluate_again(
     chosen = [best_until(path, checkpoints) for path in histories]
     count = min(map(len, chosen))
     plants = [plant for points in chosen for plant, _ in points[:count]]
-    baseline, *best = light(
-        stand, np.array([stand.baseline, *plants])
-    ).tolist()
+    every = gains_over_baseline(stand, plants)
     points = []
     for k, evaluations in enumerate(checkpoints[:count]):
-        gains, errors = zip(
-            *(gain(baseline, after) for after in best[k::count])
-        )
+        gains, errors = zip(*every[k::count])
         seconds = fmean(points_of[k][1] for points_of in chosen)
         points.append(Point(evaluations, list(gains), list(errors), seconds))
     return points
 
 
-def print_table(found: dict[str, list[Point]]) -> None:
-    print(
-        "| search | evaluations | gain [%] | by seed (± error) | core-seconds |"
-    )
-    print("|---|---|---|---|---|")
-    for name, points in found.items():
-        for each in points:
-            seeds = ", ".join(
-                f"{gain:.2f} ± {error:.2f}"
-                for gain, error in zip(each.gains, each.errors, strict=True)
-            )
-            print(
-                f"| {name} | {each.evaluations:,} | {each.gain:.2f} ± {each.error:.2f} "
-                f"| {seeds} | {each.seconds:.1f} |"
-            )
+def tell(found: dict[str, list[Point]]) -> None:
+    titles = ["search", "evaluations", "gain [%]", "by seed (± error)"]
+    rows = [
+        [
+            name,
+            f"{each.evaluations:,}",
+            told((each.gain, each.error), 2),
+            ", ".join(told(x, 2) for x in zip(each.gains, each.errors)),
+            f"{each.seconds:.1f}",
+        ]
+        for name, points in found.items()
+        for each in points
+    ]
+    print_table([*titles, "core-seconds"], rows)
 
 
 def draw(found: dict[str, list[Point]], path: Path) -> None:
@@ -181,7 +185,7 @@ def draw(found: dict[str, list[Point]], path: Path) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser = parser_of(__doc__)
     parser.add_argument("folder", type=Path)
     parser.add_argument("--figure", type=Path)
     parser.add_argument("--evaluations", type=int, default=20000)
@@ -199,7 +203,7 @@ def main() -> None:
         name: evaluate_again(run(name, options), stand, checkpoints)
         for name in options.only or SEARCHES
     }
-    print_table(found)
+    tell(found)
     if options.figure:
         draw(found, options.figure)
 

@@ -8,6 +8,7 @@ import argparse
 import math
 import os
 import subprocess
+import sys
 import tomllib
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -128,21 +129,42 @@ def folder_at(path: str) -> Path:
     return folder
 
 
+def parser_of(
+    description: str | None, epilog: str | None = None
+) -> argparse.ArgumentParser:
+    """Returns a parser that describes a script by the first line of its
+    text."""
+    first = (description or "").partition("\n")[0]
+    return argparse.ArgumentParser(description=first, epilog=epilog)
+
+
 def parser_of_searches(
-    description: str | None, **counts: int
+    description: str | None, *, has_figure: bool = False, **counts: int
 ) -> argparse.ArgumentParser:
     """Returns the parser of a script that breeds in a folder. `counts` are the
     names of options that are whole numbers, with their defaults."""
-    parser = argparse.ArgumentParser(
-        description=(description or "").partition("\n")[0]
+    parser = parser_of(
+        description,
+        "Searches that the folder has are not repeated, and interrupted ones "
+        "go on. IDEOTYPE_EXECUTABLE names the program, else it is that on "
+        "PATH.",
     )
     parser.add_argument("folder", type=folder_at)
     for name, count in counts.items():
         parser.add_argument(
             f"--{name.replace('_', '-')}", type=int, default=count
         )
-    parser.add_argument("--rough", action="store_true")
+    if has_figure:
+        parser.add_argument("--figure", type=Path)
+    parser.add_argument(
+        "--rough", action="store_true", help="take little light, for tests"
+    )
     return parser
+
+
+def say(text: str) -> None:
+    """Tells the progress of a script, apart from its tables."""
+    print(text, file=sys.stderr, flush=True)
 
 
 def read_campaign(path: Path) -> dict[str, Any]:
@@ -198,6 +220,11 @@ def best(history: Path) -> Numbers:
     if found is None:
         raise ideotype.Error(f"{history}: no plant is evaluated yet")
     return np.asarray(found.row.genome[0], float)
+
+
+def best_plants(tables: Mapping[str, Any], folder: Path) -> list[Numbers]:
+    """Returns the genome of the best plant of each seed of a campaign."""
+    return [best(path) for path in breed_tables(tables, folder)]
 
 
 def stand_of(plant: Path, campaign: Path, settings: Settings = ()) -> Stand:
@@ -277,6 +304,16 @@ def gain(before: Sequence[float], after: Sequence[float]) -> Estimate:
     return found.mean, found.standard_error
 
 
+def gains_over_baseline(
+    stand: Stand, plants: Sequence[Numbers]
+) -> list[Estimate]:
+    """Returns the gain of each plant over the baseline of its stand [%]."""
+    baseline, *others = light(
+        stand, np.array([stand.baseline, *plants])
+    ).tolist()
+    return [gain(baseline, each) for each in others]
+
+
 def mean_over_seeds(values: Sequence[Estimate]) -> Estimate:
     """Returns the mean over seeds. The error is that of the evaluations, or of
     the seeds where that is larger."""
@@ -285,6 +322,12 @@ def mean_over_seeds(values: Sequence[Estimate]) -> Estimate:
     if len(values) > 1:
         error = max(error, stdev(means) / math.sqrt(len(means)))
     return fmean(means), error
+
+
+def told(value: Estimate, digits: int = 1, sign: str = "") -> str:
+    """Tells mean and standard error; the sign "+" stands before gains too."""
+    mean, error = value
+    return f"{mean:{sign}.{digits}f} ± {error:.{digits}f}"
 
 
 def print_table(titles: Sequence[str], rows: Iterable[Sequence[str]]) -> None:

@@ -17,7 +17,6 @@ measured/strips/README.md tells its form. --rough is for tests.
 
 from __future__ import annotations
 
-import argparse
 import math
 import tomllib
 from collections.abc import Sequence
@@ -34,6 +33,7 @@ from shared import (
     MAIZE,
     Estimate,
     guard,
+    parser_of,
     print_table,
 )  # fmt: skip
 
@@ -284,9 +284,7 @@ def compare(path: Path) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(
-        description=(__doc__ or "").partition("\n")[0]
-    )
+    parser = parser_of(__doc__)
     parser.add_argument("--table", type=Path)
     parser.add_argument("--rough", action="store_true")
     options = parser.parse_args()

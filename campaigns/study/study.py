@@ -23,7 +23,6 @@ IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
 
 from __future__ import annotations
 
-import argparse
 import hashlib
 import os
 import re
@@ -33,7 +32,11 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-from shared import CAMPAIGNS, guard
+from shared import (
+    CAMPAIGNS,
+    guard,
+    parser_of,
+)
 
 import ideotype
 
@@ -232,7 +235,7 @@ def timed(folder: Path, seconds: float) -> float:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser = parser_of(__doc__)
     parser.add_argument("folder", type=Path)
     parser.add_argument("--only", nargs="+", choices=PARTS, metavar="PART")
     parser.add_argument("--short", action="store_true")

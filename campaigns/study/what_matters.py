@@ -26,7 +26,6 @@ from __future__ import annotations
 
 import argparse
 import math
-import sys
 import tomllib
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
@@ -43,7 +42,7 @@ from shared import (
     TITLES,
     Estimate,
     Numbers,
-    best,
+    best_plants,
     breed_tables,
     gain,
     guard,
@@ -51,6 +50,8 @@ from shared import (
     mean_over_seeds,
     parser_of_searches,
     print_table,
+    say,
+    told,
 )  # fmt: skip
 
 from ideotype import Stand, open_history
@@ -195,14 +196,14 @@ def bred(tables: dict[str, Any], options: argparse.Namespace) -> list[Numbers]:
         "search": {"optimizer": "cma_es", "population": 20},
         "stop": {"generations": options.generations},
     }
-    return [best(path) for path in breed_tables(search, options.folder)]
+    return best_plants(search, options.folder)
 
 
 def look(objective: str, options: argparse.Namespace) -> Result:
     tables = campaign(objective, options.rough)
-    print(f"sensitivity of {objective}", file=sys.stderr, flush=True)
+    say(f"sensitivity of {objective}")
     found = indices(tables, options.samples, options.folder)
-    print(f"breeding for {objective}", file=sys.stderr, flush=True)
+    say(f"breeding for {objective}")
     plants = bred(tables, options)
     stand = Stand(tables)
     by_seed = [shares(stand, plant) for plant in plants]
@@ -239,7 +240,7 @@ def interval(value: Estimate) -> str:
 
 
 def signed(value: Estimate) -> str:
-    return f"{value[0]:+.2f} ± {value[1]:.2f}"
+    return told(value, 2, "+")
 
 
 def tell(
@@ -325,9 +326,8 @@ def draw(results: dict[str, Result], path: Path) -> None:
 
 def main() -> None:
     parser = parser_of_searches(
-        __doc__, samples=256, generations=60, seeds=2, draws=8
+        __doc__, has_figure=True, samples=256, generations=60, seeds=2, draws=8
     )
-    parser.add_argument("--figure", type=Path)
     parser.add_argument(
         "--only", nargs="+", choices=OBJECTIVES, metavar="OBJECTIVE"
     )

@@ -12,7 +12,6 @@ absorb, with standard errors. Histories should be the seeds of one case.
 
 from __future__ import annotations
 
-import argparse
 import math
 from collections.abc import Callable
 from itertools import combinations
@@ -29,7 +28,10 @@ from shared import (
     leaves,
     light,
     mean_over_seeds,
+    parser_of,
+    print_table,
     stand_of,
+    told,
     with_trait,
 )  # fmt: skip
 
@@ -116,7 +118,7 @@ def study(
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser = parser_of(__doc__)
     parser.add_argument(
         "--under", type=Path, required=True, metavar="CAMPAIGN"
     )
@@ -129,13 +131,16 @@ def main() -> None:
         strict=True,
     )
     print_traits(list(plants))
-    print("\n| instead of what evolved | light [%] | by seed |\n|---|---|---|")
-    for name, each in zip(VARIANTS, zip(*seeds, strict=True), strict=True):
-        mean, error = mean_over_seeds(each)
-        by_seed = ", ".join(f"{x:+.2f} ± {e:.2f}" for x, e in each)
-        print(
-            f"| {name} | {mean:+.2f} ± {error:.2f} | {by_seed} |", flush=True
-        )
+    rows = [
+        [
+            name,
+            told(mean_over_seeds(each), 2, "+"),
+            ", ".join(told(x, 2, "+") for x in each),
+        ]
+        for name, each in zip(VARIANTS, zip(*seeds, strict=True), strict=True)
+    ]
+    print()
+    print_table(["instead of what evolved", "light [%]", "by seed"], rows)
 
 
 if __name__ == "__main__":

@@ -14,7 +14,8 @@ from real_program import output_of
 from ideotype.analysis import open_history
 from ideotype.analysis.case import Case
 from ideotype.analysis.commands import report
-from ideotype.analysis.indices import draw_indices, indices_of, main
+from ideotype.analysis.indices import draw_indices, indices_of
+from ideotype.analysis.indices_command import main
 
 CAMPAIGN = Path(__file__).parents[2] / "campaigns" / "ames_quick.toml"
 

@@ -15,7 +15,7 @@ VERBS = {
     "report": "ideotype.analysis.commands:report",
     "weather": "ideotype.weather:main",
     "fidelity": "ideotype.fidelity:main",
-    "indices": "ideotype.analysis.indices:main",
+    "indices": "ideotype.analysis.indices_command:main",
     "ceptometer": "ideotype.ceptometer:main",
     "fit": "ideotype.fit:main",
 }

@@ -16,6 +16,7 @@ from ._errors import Error
 
 Floats = NDArray[np.float64]
 
+UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001}
 _NEIGHBOURS = 16
 """The number of neighbours of a point of a cloud, over which the way along a
 blade leads."""
@@ -156,6 +157,31 @@ def axis_of(ends: Floats) -> Floats:
         chosen = ends[np.arange(len(ends)), nearest, :2]
         candidates = np.vstack([best, np.median(chosen, axis=0)])
     return best
+
+
+def metres(unit: str, lengths: list[float]) -> float:
+    """Returns a unit in metres; auto takes the longest unit in which the
+    median leaf has 0.05 to 3 m."""
+    if unit != "auto":
+        return UNITS[unit]
+    median = float(np.median(lengths))
+    for name in ("m", "cm", "mm"):
+        if 0.05 <= median * UNITS[name] <= 3:
+            return UNITS[name]
+    raise Error(
+        f"the median leaf is {median:g} long, which is no leaf in m, cm or mm; "
+        "tell its unit by --unit"
+    )
+
+
+def on_stalk(
+    blades: list[Blade], unit: str, axis: Floats, ground: float
+) -> list[Blade]:
+    """Returns blades in metres from the foot of their stalk, which stands at
+    axis, [x, y], on soil at height ground."""
+    factor = metres(unit, [blade.length for blade in blades])
+    origin = np.array([*axis, ground])
+    return [blade.on_stalk(origin, factor) for blade in blades]
 
 
 def from_cloud(name: str, points: Floats, axis: Floats, area: float) -> Blade:

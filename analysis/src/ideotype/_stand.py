@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from os import PathLike
 from pathlib import Path
@@ -18,9 +18,11 @@ from numpy.typing import ArrayLike, NDArray
 
 import ideotype._core as _core
 
-from ._arrays import real, unmasked
+from ._arrays import real
 from ._errors import Error, did_you_mean
+from ._evaluated import dataset_of
 from ._geometry import Mesh
+from ._settings import Settings, words_of
 
 _GENES = (
     "name",
@@ -33,10 +35,6 @@ _GENES = (
     "is_free",
     "is_circular",
 )
-
-Settings = Mapping[str, Any] | Iterable[str]
-"""Keys of a campaign that replace what its file says: {"light.paths": 1024} or
-["light.paths=1024"]. Tables are dictionaries."""
 
 
 class Stand:
@@ -65,7 +63,7 @@ class Stand:
             tomli_w.dumps(tables),
             os.path.join(os.fspath(folder), "campaign.toml"),
             case,
-            _settings(settings),
+            words_of(settings),
             isa or "",
         )
 
@@ -86,7 +84,7 @@ class Stand:
         Error if there is no such file or case."""
         return cls._of(
             _core.CaseStand.from_file(
-                os.fspath(path), case, _settings(settings), isa or ""
+                os.fspath(path), case, words_of(settings), isa or ""
             )
         )
 
@@ -243,7 +241,7 @@ class Stand:
             )
 
         found = _map(one, plants, threads or _processors())
-        return self._dataset(found, wanted)
+        return dataset_of(self._case, found, wanted)
 
     @property
     def components(self) -> list[str]:
@@ -352,73 +350,11 @@ class Stand:
                 )
         return list(names)
 
-    def _dataset(
-        self, found: list[tuple[Any, ...]], wanted: list[str]
-    ) -> xarray.Dataset:
-        axes = {each[0]: each for each in self._case.axes}
-        messages = [each[1] for each in found]
-        numbers = np.array([each[5] for each in found]).reshape(
-            len(found), -1, 2
-        )
-        arrays: dict[str, Any] = {}
-        begin = 0
-        for name, unit, meaning, along, is_exact in self._case.quantities:
-            shape = tuple(len(axes[axis][3]) for axis in along)
-            size = int(np.prod(shape))
-            part = numbers[:, begin : begin + size]
-            begin += size
-            if name not in wanted:
-                continue
-            dims = ("plant", *along)
-            about = {"units": unit, "long_name": meaning}
-            whole = part.reshape(len(found), *shape, 2)
-            arrays[name] = (dims, whole[..., 0], about)
-            if not is_exact:
-                error = {"units": unit, "long_name": "standard error"}
-                arrays[f"{name}_standard_error"] = (dims, whole[..., 1], error)
-        arrays["violation"] = ("plant", np.array([each[4] for each in found]))
-        arrays["message"] = ("plant", np.array(messages, dtype=object))
-        names = [each[0] for each in self._case.objectives]
-        arrays["objective_by_randomisation"] = (
-            ("plant", "objective", "randomisation"),
-            np.array([each[3] for each in found]),
-        )
-        used = {axis for dims, *_ in arrays.values() for axis in dims}
-        labels = {
-            name: (name, each[3], {"units": each[1], "long_name": each[2]})
-            for name, each in axes.items()
-            if name in used
-        }
-        return xarray.Dataset(
-            arrays,
-            {**labels, "objective": names},
-            {"case": self.name, "isa": self.isa},
-        )
-
 
 def _restored(campaign: str, case: str, isa: str) -> Stand:
     return Stand._of(
         _core.CaseStand.from_history(campaign, "a stand", case, [], isa)
     )
-
-
-def _settings(settings: Settings) -> list[str]:
-    if isinstance(settings, str):
-        return [settings]
-    if isinstance(settings, Mapping):
-        return [f"{key}={_toml(value)}" for key, value in settings.items()]
-    return list(settings)
-
-
-def _toml(value: Any) -> str:
-    """Returns a value as TOML on one line."""
-    if isinstance(value, Mapping):
-        pairs = (f"{key} = {_toml(each)}" for key, each in value.items())
-        return f"{{{', '.join(pairs)}}}"
-    if isinstance(value, (list, tuple, np.ndarray)):
-        return f"[{', '.join(map(_toml, unmasked(value, 'a setting')))}]"
-    plain = value.item() if isinstance(value, np.generic) else value
-    return tomli_w.dumps({"x": plain}).partition("=")[2].strip()
 
 
 def _processors() -> int:

@@ -215,7 +215,7 @@ class Case:
         if best.row.goals[0].name != "absorbed_par":
             raise HistoryError("the objective is not absorbed PAR alone")
         if self.is_isolated:
-            raise HistoryError("a plot alone is lit from its sides too")
+            raise HistoryError("an isolated plot is lit from its sides too")
         if best.row.with_axis("scenario"):
             raise HistoryError("the objective is taken over scenarios")
         names = ("incident", "reflected_fraction", *_TAKEN)

@@ -169,7 +169,9 @@ def _draw_balance(axes: Axes, known: Sequence[Case]) -> None:
     axes.set_yticks(ticks, labels)
     axes.set_ylim(len(known) - 0.4, -0.4)
     if known[0].is_isolated:
-        axes.set_xlabel("PAR in a plot alone, over the incident on its ground")
+        axes.set_xlabel(
+            "PAR in an isolated plot, over the incident on its ground"
+        )
     else:
         axes.set_xlim(0, 1.02)
         axes.set_xlabel("part of the incident PAR")

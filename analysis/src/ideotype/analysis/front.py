@@ -70,7 +70,7 @@ def front_of(rows: Rows, baseline: Evaluation) -> Front | None:
     """Returns the front of bred rows: finalists if the baseline is one, or a
     generation whose front is to be found. None if no row is done."""
     done = rows.done
-    signs = [goal.sign for goal in done.goals]
+    signs = [objective.sign for objective in done.goals]
     is_kept = non_dominated(done.objectives, signs, done.violation)
     if not baseline.is_final:
         done = done.take(is_kept)

@@ -27,8 +27,8 @@ def draw_front(case: Case) -> Figure:
     evaluated then, as far as it lies within the axes."""
     if not case.fronts:
         raise HistoryError("no front is evaluated yet")
-    goals = case.histories[0].objectives
-    pairs = [*combinations(range(len(goals)), 2)]
+    objectives = case.histories[0].objectives
+    pairs = [*combinations(range(len(objectives)), 2)]
     columns = min(len(pairs), 2)
     rows = -(-len(pairs) // columns)
     space = " " if columns == 1 else "\n"
@@ -41,8 +41,8 @@ def draw_front(case: Case) -> Figure:
         up, across = pair
         _draw_pair(axes, case, [across, up])
         x, y = (
-            f"{style.axis_label(goals[k].name, goals[k].unit)},{space}"
-            f"{goals[k].sense}d"
+            f"{style.axis_label(objectives[k].name, objectives[k].unit)},{space}"
+            f"{objectives[k].sense}d"
             for k in (across, up)
         )
         axes.set_xlabel(x, fontsize=8)

@@ -60,8 +60,8 @@ def draw_front_plants(
         np.abs(_side(mesh.vertices)[:, 0]).max() for _, mesh, _ in shown
     )
     size = 1.9 * columns
-    goals = case.best.row.goals
-    words = 0.25 + 0.16 * len(goals)
+    objectives = case.best.row.goals
+    words = 0.25 + 0.16 * len(objectives)
     height = size / columns * top / (2 * reach) + words
     figure = style.new_figure(size, 0.5 + rows * height)
     panels = figure.subplots(rows, columns, squeeze=False)
@@ -72,13 +72,18 @@ def draw_front_plants(
         axes.set_title(f"{name}\n{told}", fontsize=8)
     for axes in chain(*panels):
         axes.set_axis_off()
-    of = (style.axis_label(goal.name, goal.unit) for goal in goals)
+    of = (
+        style.axis_label(objective.name, objective.unit)
+        for objective in objectives
+    )
     figure.suptitle("\n".join([case.name, *of]), fontsize=10)
     return figure
 
 
 def _objectives(plant: Evaluation) -> list[str]:
-    return [_text(plant.estimate(goal.name)) for goal in plant.row.goals]
+    return [
+        _text(plant.estimate(objective.name)) for objective in plant.row.goals
+    ]
 
 
 def _text(of: Estimate) -> str:

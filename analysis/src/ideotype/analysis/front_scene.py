@@ -32,11 +32,11 @@ def front_scene(case: Case) -> dict[str, Any]:
         "seeds": len(case.histories),
         "axes": [
             {
-                "name": words(goal.name),
-                "label": axis_label(goal.name, goal.unit),
-                "sense": goal.sense,
+                "name": words(objective.name),
+                "label": axis_label(objective.name, objective.unit),
+                "sense": objective.sense,
             }
-            for goal in first.members.goals
+            for objective in first.members.goals
         ],
         "baseline": _objectives(first.baseline),
         "others": [
@@ -93,12 +93,12 @@ def told(case: Case) -> str:
 def _quantities(plant: Evaluation) -> list[str]:
     """Returns objectives, then all other quantities of a plant that are one
     number."""
-    goals = [goal.name for goal in plant.row.goals]
+    objectives = [objective.name for objective in plant.row.goals]
     others = plant.row.quantities.values()
-    return goals + [
+    return objectives + [
         each.name
         for each in others
-        if each.axis is None and each.name not in (*goals, *_BOOKKEEPING)
+        if each.axis is None and each.name not in (*objectives, *_BOOKKEEPING)
     ]
 
 
@@ -109,7 +109,7 @@ def _titled(name: str, of: Estimate) -> str:
 
 def _objectives(plant: Evaluation) -> list[list[float]]:
     """Returns value and standard error of each objective."""
-    found = (plant.estimate(goal.name) for goal in plant.row.goals)
+    found = (plant.estimate(objective.name) for objective in plant.row.goals)
     return [[short(x.mean), short(x.standard_error)] for x in found]
 
 

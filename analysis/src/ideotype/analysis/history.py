@@ -57,9 +57,9 @@ class History:
                 genes["is_circular"].values.astype(bool),
                 genes["is_free"].values.astype(bool),
             )
-            goals = columns(data, "objectives")
+            objectives = columns(data, "objectives")
             names = ("objective", "unit", "sense")
-            rows = zip(*(goals[name].values.tolist() for name in names))
+            rows = zip(*(objectives[name].values.tolist() for name in names))
             self.objectives = tuple(Objective(*row) for row in rows)
             self.verify()
         except BaseException as error:

@@ -94,7 +94,7 @@ def indices_of(history: History) -> dict[str, Indices]:
         ) from error
     rows = history.evaluations()
     design = _design(history, rows.genome)
-    names = [goal.name for goal in history.objectives]
+    names = [objective.name for objective in history.objectives]
     names += [name for name, q in rows.quantities.items() if q.axis is None]
     found = {}
     for name in dict.fromkeys(names):

@@ -60,12 +60,12 @@ class Rows:
     genome: Floats
     """The genomes [rows, genes]."""
     objectives: Floats
-    """The objectives [rows, goals]."""
+    """The objectives [rows, objectives]."""
     objectives_standard_error: Floats
     randomisations: Floats
-    """The objectives by randomisation [rows, goals, randomisations]; the last
-    is 0 where the file has none. Rows of one generation, and all finalists,
-    share random numbers in the same randomisation."""
+    """The objectives by randomisation [rows, objectives, randomisations]; the
+    last is 0 where the file has none. Rows of one generation, and all
+    finalists, share random numbers in the same randomisation."""
     violation: Floats
     """The violation, 0 where all constraints are kept."""
     attempt: Integers
@@ -79,10 +79,12 @@ class Rows:
     def __getitem__(self, name: str) -> Quantity:
         if name in self.quantities:
             return self.quantities[name]
-        for k, goal in enumerate(self.goals):
-            if name == goal.name:
+        for k, objective in enumerate(self.goals):
+            if name == objective.name:
                 error = self.objectives_standard_error[:, k]
-                return Quantity(name, goal.unit, self.objectives[:, k], error)
+                return Quantity(
+                    name, objective.unit, self.objectives[:, k], error
+                )
         if name in self.genes.names:
             i = self.genes.names.index(name)
             values = self.genome[:, i]
@@ -96,8 +98,8 @@ class Rows:
     @property
     def names(self) -> list[str]:
         """The names of quantities, objectives and genes."""
-        goals = (goal.name for goal in self.goals)
-        return [*self.quantities, *goals, *self.genes.names]
+        names = (objective.name for objective in self.goals)
+        return [*self.quantities, *names, *self.genes.names]
 
     def with_axis(self, axis: str) -> list[Quantity]:
         """Returns the quantities that have this axis."""
@@ -211,8 +213,8 @@ class Evaluation:
         without axes, or a gene.
 
         Raises HistoryError if there is none."""
-        for k, goal in enumerate(self.row.goals):
-            if name == goal.name:
+        for k, objective in enumerate(self.row.goals):
+            if name == objective.name:
                 return self._goal(k)
         try:
             found = self.row[name]
@@ -231,11 +233,11 @@ class Evaluation:
         objective has them for the same light: the leaf area is exact.
 
         Raises HistoryError if the history does not tell it."""
-        name, goal = "absorbed_par_per_leaf_area", self.row.goals[0].name
-        if goal == name:
+        name, objective = "absorbed_par_per_leaf_area", self.row.goals[0].name
+        if objective == name:
             return self.objective
         found = self.estimate(name)
-        if goal != "absorbed_par" or self.row.with_axis("scenario"):
+        if objective != "absorbed_par" or self.row.with_axis("scenario"):
             return found
         scale = found.mean / self.objective.mean
         return replace(found, draws=scale * self.objective.draws)

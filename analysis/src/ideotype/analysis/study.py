@@ -139,11 +139,13 @@ _Identity = tuple[str, str, str, str]
 
 
 def _identity(history: History) -> _Identity:
-    goals = (f"{'less ' * (g.sign < 0)}{g.name}" for g in history.objectives)
+    objectives = (
+        f"{'less ' * (g.sign < 0)}{g.name}" for g in history.objectives
+    )
     return (
         str(history.attributes.get("campaign", "")),
         name_without_replicate(history),
-        ", ".join(goals),
+        ", ".join(objectives),
         history.resolved.get("search", {}).get("optimizer", "ga"),
     )
 

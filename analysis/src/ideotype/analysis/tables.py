@@ -157,8 +157,8 @@ def _case_remarks(case: Case, cross: Cross | None) -> Iterator[str]:
         return
     if case.fronts:
         yield (
-            "Of several objectives the gain is that of the first, and the best "
-            "plant the one of the front that has most of it"
+            "With several objectives the gain is that in the first, and the "
+            "best plant is the one of the front that has most of it"
         )
     if not all(pair.is_paired for pair in case.pairs):
         yield (
@@ -178,8 +178,8 @@ def _case_remarks(case: Case, cross: Cross | None) -> Iterator[str]:
     ):
         yield (
             "The gain over the elite plant is not known, since the "
-            "cross-evaluation does not have it under these cases (of a name "
-            "in several campaigns it needs to say which, CAMPAIGN: CASE)"
+            "cross-evaluation does not have it under these cases (it needs to "
+            "say CAMPAIGN: CASE where several campaigns have a case of a name)"
         )
     if not case.fronts:
         yield _spread_of_searches([pair.gain.mean for pair in case.pairs])
@@ -263,14 +263,16 @@ def scenarios(cases: Sequence[Case]) -> list[Table]:
     """Returns each objective in every scenario that it is taken over."""
     found: dict[str, list[list[str]]] = {}
     for case in cases:
-        goals = case.best.row.with_axis("scenario") if case.pairs else []
-        for goal in goals:
-            rows = found.setdefault(axis_label(goal.name, goal.unit), [])
+        objectives = case.best.row.with_axis("scenario") if case.pairs else []
+        for objective in objectives:
+            rows = found.setdefault(
+                axis_label(objective.name, objective.unit), []
+            )
             baseline, best = (
-                zip(*(p.profile(goal.name).estimates() for p in plants))
+                zip(*(p.profile(objective.name).estimates() for p in plants))
                 for plants in zip(*((p.baseline, p.best) for p in case.pairs))
             )
-            labels = case.best.profile(goal.name).labels
+            labels = case.best.profile(objective.name).labels
             for label, was, now in zip(labels, baseline, best):
                 gains = [*map(relative_gain, now, was)]
                 cells = [_bare(interval(each)) for each in (was, now, gains)]

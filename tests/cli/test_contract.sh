@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What must not go on with a history does not, and says why: other maths,
+# A run that must not go on with a history does not, and says why: other maths,
 # another instruction set, a file that is no file or not there any more.
 . "$(dirname "$0")/common.sh"
 mixed_cluster=$(readlink -f "$4")

@@ -48,7 +48,7 @@ from ideotype.analysis.style import new_figure, series
 ROBUST, BASELINE = "all of them", "baseline, not bred"
 LATITUDES = (7.0, 39.35, 42.0, 46.8, 56.2)
 Matrix = dict[str, list[Estimate]]
-"""By plant what it has at each latitude [% of the plant bred there]."""
+"""The carbon of each plant at each latitude [% of the plant bred there]."""
 
 
 def place(latitude: float, folder: Path) -> dict[str, Any]:

@@ -24,7 +24,7 @@ _RANK_LABEL: dict[str, Any] = {
     "ha": "center",
     "va": "center",
     "fontsize": 7,
-    "zorder": 1.9,  # Above the circles, below the plants.
+    "zorder": 1.9,  # Lies above the circles and below the plants.
     "bbox": {"facecolor": "white", "edgecolor": "none", "pad": 0.5},
 }
 

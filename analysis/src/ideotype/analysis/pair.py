@@ -47,7 +47,7 @@ class Pair:
 
     @property
     def gain(self) -> Estimate:
-        """By how much the first objective is higher [%]."""
+        """The gain in the first objective [%]."""
         return self.gain_in(self.best.row.goals[0].name)
 
     def gain_in(self, name: str) -> Estimate:

@@ -253,7 +253,7 @@ def test_plots_alone_have_a_panel_of_their_own(tmp_path: Path) -> None:
     with open_study(tmp_path) as study:
         stands, plots = draw_energy(study.cases()).axes
     assert stands.get_xlabel() == "part of the incident PAR"
-    assert "alone" in plots.get_xlabel()
+    assert "isolated plot" in plots.get_xlabel()
     assert [t.get_text() for t in plots.get_yticklabels()] == [
         *("plot baseline", "plot best"),
     ]

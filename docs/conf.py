@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The manual: pages in Markdown, which include the texts that stand beside what
-they describe, and the references of Python and C++ from the sources."""
+"""Builds the manual: pages in Markdown, which include the texts that stand
+beside what they describe, and the references of Python and C++ from the
+sources."""
 
 from __future__ import annotations
 
@@ -68,8 +69,8 @@ copybutton_only_copy_prompt_lines = True
 
 
 def pages_of_texts() -> dict[tuple[Path, str], str]:
-    """The page that includes a text, and those that include a chapter of it,
-    by the anchor of its heading."""
+    """Returns the page that includes a text, and those that include a chapter
+    of it, by the anchor of its heading."""
     pages = {}
     for page in DOCS.glob("*.md"):
         for text, options in re.findall(
@@ -89,9 +90,9 @@ PAGES = pages_of_texts()
 
 
 def rebase_links(text: str, source: Path) -> str:
-    """Links of a source become such to pages of the manual, or to files of the
-    repository to download. A link to a folder, which a page has nothing to
-    show of, becomes its text."""
+    """Turns links of a source into links to pages of the manual, or to files
+    of the repository to download. A link to a folder, which a page has nothing
+    to show of, becomes its text."""
 
     def rebase(link: re.Match[str]) -> str:
         is_image, shown, target, anchor = link.groups("")
@@ -117,7 +118,8 @@ def rebase_links(text: str, source: Path) -> str:
 
 
 def list_arguments(lines: list[str]) -> list[str]:
-    """Paragraphs of `name: meaning` become a list, `code` is such."""
+    """Turns paragraphs of `name: meaning` into a list, in which `code` stays
+    code."""
     result: list[str] = []
     for line in lines:
         line = re.sub(r"(?<![`:])`([^`]+)`(?!`)", r"``\1``", line)

@@ -4,8 +4,7 @@
 
 draw.py [NAME...]
 
-Each is docs/figures/NAME.png; without a name all are drawn.
-"""
+A picture is docs/figures/NAME.png; without a name all are drawn."""
 
 from __future__ import annotations
 
@@ -53,7 +52,7 @@ class Shapes:
         )
 
     def of(self, crop: dict[str, Any]) -> Mesh:
-        # Whatever it is, some trait has to be within its range.
+        # Some trait has to be within its range, whatever it is.
         crop = {key: crop[key] for key in crop if key != "bounds"}
         crop["trait"] = [
             {
@@ -70,7 +69,7 @@ class Shapes:
         return self.of(crop)
 
     def single_leaf(self, folding_angle: float = 10, **leaf: float) -> Mesh:
-        """A leaf of 70 cm on a short stalk, to the right."""
+        """Returns a leaf of 70 cm on a short stalk, to the right."""
         crop = {
             "name": "leaf",
             "stalk": {"height": 0.5, "base_diameter": 0.02},
@@ -87,7 +86,7 @@ class Shapes:
 
 
 def turned(mesh: Mesh, angle: float) -> Mesh:
-    """Clockwise, seen from above [deg]."""
+    """Turns a mesh clockwise, seen from above [deg]."""
     c, s = np.cos(np.deg2rad(angle)), np.sin(np.deg2rad(angle))
     x, y, z = mesh.vertices.T
     return Mesh(
@@ -101,12 +100,12 @@ def bare(axes: Axes) -> None:
 
 
 def show_side(axes: Axes, mesh: Mesh) -> None:
-    """From the south: right is across the rows."""
+    """Shows a mesh from the south: right is across the rows."""
     draw(axes, mesh, is_side=True, turn=0.0)
 
 
 def azimuth(shapes: Shapes) -> Figure:
-    """Seen from above, with a compass."""
+    """Draws azimuths seen from above, with a compass."""
     figure = new_figure(5.2, 2.9)
     left, right = figure.subplots(1, 2)
     directions = (0, 45, 90, 180, 270)
@@ -138,7 +137,8 @@ def azimuth(shapes: Shapes) -> Figure:
     left.set_title("azimuth of a leaf")
     bare(left)
 
-    # a row from west to east: its direction is 90 deg clockwise from north
+    # The row runs from west to east: its direction is 90 deg clockwise from
+    # north.
     right.plot([-0.8, 0.8], [0, 0], color=INK, lw=0.8, ls="--", zorder=0)
     for x in (-0.6, -0.2, 0.2, 0.6):
         right.plot(x, 0, "o", color="#4E9A3A", ms=9)
@@ -199,7 +199,7 @@ def curvature(shapes: Shapes) -> Figure:
 
 
 def folding(shapes: Shapes) -> Figure:
-    """Along the midrib of a level leaf: the V of the blade."""
+    """Draws a blade along the midrib of a level leaf: the V of the blade."""
     figure = new_figure(4.8, 1.2)
     grid = figure.subplots(1, 3, sharex=True, sharey=True)
     for axes, angle in zip(grid, (0, 10, 40)):
@@ -225,7 +225,7 @@ def folding(shapes: Shapes) -> Figure:
 
 
 def cell(shapes: Shapes) -> Figure:
-    """A field from above, and how it repeats."""
+    """Draws a field from above, and how it repeats."""
     figure = new_figure(5.2, 2.1)
     left, right = figure.subplots(1, 2, width_ratios=(4.2, 2.6))
     plant = shapes.maize()
@@ -237,7 +237,7 @@ def cell(shapes: Shapes) -> Figure:
                 for row in range(2):
                     for slot in range(2):
                         mesh = turned(plant, turns[row, slot])
-                        # rows stand apart in x, plants in y
+                        # Rows stand apart in x, plants in y.
                         shift = [
                             ((i * 2) + row) * ROW, ((j * 2) + slot) * 2 * PLANT, 0
                         ]  # fmt: skip
@@ -252,7 +252,7 @@ def cell(shapes: Shapes) -> Figure:
             )
         )  # fmt: skip
         bare(axes)
-    # copies are pale
+    # Copies are pale.
     for x, y, width, height in (
         (-3, -3, 9, 3 - PLANT), (-3, 3 * PLANT, 9, 3),
         (-3, -PLANT, 3 - ROW / 2, 4 * PLANT),
@@ -269,7 +269,7 @@ def cell(shapes: Shapes) -> Figure:
 
 
 def traits(shapes: Shapes) -> Figure:
-    """What a change of each trait does to maize."""
+    """Draws what a change of each trait does to maize."""
 
     def scale(key: str, factor: float) -> Change:
         def change(crop: dict[str, Any]) -> None:
@@ -322,7 +322,8 @@ def traits(shapes: Shapes) -> Figure:
 
 
 def light(shapes: Shapes) -> Figure:
-    """What faces absorb at two times of a clear day, in a dense stand."""
+    """Draws what faces absorb at two times of a clear day, in a dense
+    stand."""
     plant = shapes.maize()
     surfaces = mesh(plant.vertices, plant.faces, groups=plant.groups)
     figure = new_figure(4.6, 4.4)
@@ -358,7 +359,7 @@ def light(shapes: Shapes) -> Figure:
 
 
 def response(_: Shapes) -> Figure:
-    """Why the same light on more area is worth more."""
+    """Draws why the same light on more area is worth more."""
     phi, theta, amax = 0.06, 0.7, 50.0
 
     def rate(x: Any) -> Any:
@@ -392,7 +393,8 @@ def response(_: Shapes) -> Figure:
 
 
 def agrivoltaics(_: Shapes) -> Figure:
-    """The field of a campaign across its rows at three hours, and its light."""
+    """Draws the field of a campaign across its rows at three hours, and its
+    light."""
     tables = read_campaign(DOCS.parent / "campaigns/agrivoltaic.toml")
     stand = Stand(tables)
     found = stand.evaluate(stand.baseline, tolerance=0.005).isel(
@@ -412,7 +414,7 @@ def agrivoltaics(_: Shapes) -> Figure:
         day |= {"start": time(hour), "end": time(hour + 1)}
         with TemporaryDirectory() as folder:
             field = drawn(tables, Path(folder))
-        # The field and its neighbours on both sides.
+        # The picture has the field and its neighbours on both sides.
         (panel,) = tables["panel"]
         across = np.concatenate(
             [
@@ -463,7 +465,7 @@ FIGURES: dict[str, Callable[[Shapes], Figure]] = {
 
 
 def save(figure: Figure, path: Path) -> None:
-    """With few colours, so that it is small."""
+    """Saves a figure with few colours, so that it is small."""
     figure.savefig(path, dpi=150, bbox_inches="tight")
     with Image.open(path) as image:
         image.convert("RGB").quantize(96).save(path, optimize=True)

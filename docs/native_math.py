@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Equations as MathML, which browsers show without scripts or a network."""
+"""Renders equations as MathML, which browsers show without scripts or a
+network."""
 
 from __future__ import annotations
 

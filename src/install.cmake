@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# What `cmake --install` puts where: the CMake package `ideotype` with the
-# library that evaluates canopies, and the program with all that belongs to it.
+# Tells where `cmake --install` puts the CMake package `ideotype` with the library
+# that evaluates canopies, and the program with all that belongs to it.
 include(CMakePackageConfigHelpers)
 
 install(FILES LICENSE README.md CHANGELOG.md CITATION.cff TYPE DOC)
@@ -37,7 +37,7 @@ endif()
 install(FILES src/cli/completion.bash RENAME ideotype
     DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(DIRECTORY slurm DESTINATION ${data} USE_SOURCE_PERMISSIONS)
-# How the SLURM scripts find the program.
+# The SLURM scripts find the program by this link.
 file(RELATIVE_PATH program ${CMAKE_INSTALL_FULL_DATADIR}/ideotype/slurm
     ${CMAKE_INSTALL_FULL_BINDIR}/ideotype)
 install(CODE "file(CREATE_LINK \"${program}\"

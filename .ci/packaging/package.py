@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A recipe for Spack 1: copy it to packages/ideotype/package.py of a repository.
-Enter first where the repository is. It has not been checked by a build with Spack;
-tests/debian/prefix.sh builds the same way. `spack install ideotype ^embree~ispc`
-saves a build of LLVM."""
+"""A recipe for Spack 1: copy it to packages/ideotype/package.py of a
+repository. Enter first where the repository is. No build with Spack has
+checked it; tests/debian/prefix.sh builds in the same way. `spack install
+ideotype ^embree~ispc` saves a build of LLVM."""
 
 # ruff: noqa: F403, F405
 

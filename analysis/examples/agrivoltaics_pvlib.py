@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Maize below modules that track the sun: crop, electricity and land by the
-distance between rows of modules. Rows and power are pvlib's."""
+distance between rows of modules. pvlib gives the rows and the power."""
 
 from dataclasses import replace
 from typing import Any
@@ -11,16 +11,17 @@ from pvlib import pvsystem, temperature
 import ideotype
 
 WIDTH, HEIGHT, ROW = 2.4, 4.0, 0.75
-"""Of modules and their middle; distance between rows of plants [m]."""
+"""The width of modules, the height of their middle, and the distance between
+rows of plants [m]."""
 EFFICIENCY, BIFACIALITY, LOSS_PER_DEGREE = 0.21, 0.75, -0.0035
-AIR = 25.0  # [deg C]
+AIR = 25.0  # The temperature of the air [deg C].
 MOUNT = pvsystem.SingleAxisTrackerMount(
     axis_tilt=0, axis_azimuth=0, max_angle=55, gcr=WIDTH / 6
 )
 
 
 def rows_of_modules(mount: pvsystem.SingleAxisTrackerMount) -> dict[str, Any]:
-    """The table [[panel]] of pvlib's mount."""
+    """Returns the table [[panel]] of pvlib's mount."""
     return {
         "pitch": WIDTH / mount.gcr,
         "width": WIDTH,
@@ -39,7 +40,8 @@ def stand_of(rows: int, **settings: Any) -> ideotype.Stand:
 
 
 def yields_of(stand: ideotype.Stand) -> tuple[float, float]:
-    """Assimilated CO2 [mol] and electricity [kWh] per day and m2 of ground."""
+    """Returns assimilated CO2 [mol] and electricity [kWh] per day and m2 of
+    ground."""
     found = stand.evaluate(stand.baseline, tolerance=0.005).isel(plant=0)
     light = found.object_light_by_hour.sel(object="panel").sum("band")
     front, back = (light.sel(object_side=side) for side in ("front", "back"))
@@ -47,7 +49,8 @@ def yields_of(stand: ideotype.Stand) -> tuple[float, float]:
     cells = temperature.faiman(used, AIR)
     power = pvsystem.pvwatts_dc(used, cells, EFFICIENCY, LOSS_PER_DEGREE)
     both = float((front + back).sum()) * 3600e-6
-    area = float(found.panel_light) / both  # of modules per ground
+    # The area of modules per area of ground.
+    area = float(found.panel_light) / both
     return float(found.net_assimilation), area * power.sum()
 
 
@@ -57,7 +60,7 @@ table = []
 for rows in (4, 5, 6, 8, 10, 12):
     panel = [rows_of_modules(replace(MOUNT, gcr=WIDTH / (rows * ROW)))]
     crop, power = yields_of(stand_of(rows, panel=panel))
-    # So far from plant to plant that the modules stand over soil.
+    # The plants are so far apart that the modules stand over soil.
     sparse = {"spacing.plant": 10, "field.plants": 1}
     table.append(
         {

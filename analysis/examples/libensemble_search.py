@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""libEnsemble: a generator proposes plants, its workers evaluate them."""
+"""A generator of libEnsemble proposes plants, and its workers evaluate
+them."""
 
 import cma
 import numpy as np
@@ -22,7 +23,8 @@ POPULATION = 16
 
 
 class CmaEs(Generator):
-    """CMA-ES of pycma as a gest-api generator of one objective."""
+    """A gest-api generator of one objective that searches by CMA-ES of
+    pycma."""
 
     def __init__(self, vocs: VOCS, start: dict[str, float]) -> None:
         super().__init__(vocs)
@@ -47,7 +49,7 @@ class CmaEs(Generator):
 
     def ingest(self, results: list[dict[str, float]]) -> None:
         if len(results) < POPULATION:
-            return  # the end of the run
+            return  # The run ends here.
         plants = np.array([[x[name] for name in self._names] for x in results])
         points = (plants - self._lower) / (self._upper - self._lower)
         values = [-x[self._objective] for x in results]

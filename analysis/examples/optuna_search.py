@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Optuna breeds insertion angles only; the other traits stay."""
+"""Optuna breeds insertion angles only; the other traits stay as they are."""
 
 import optuna
 

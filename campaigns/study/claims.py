@@ -1,22 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What are the claims of arXiv:2512.06064 worth?
+"""Looks at what the claims of arXiv:2512.06064 are worth.
 
 claims.py FOLDER --table PAPER_TABLE [--evaluations N] [--seeds N] [--rough]
 
-Looks at each claim in four set-ups: that of the paper (a plot alone, lit from its sides,
-with a bare stalk, absorbed PAR), and a stand without end under absorbed
-PAR, net assimilation of a clear day, and the carbon balance of a season. The plants of
-the stand are the better ones that paper_table.py has bred by the genetic algorithm and by
-CMA-ES in the folder PAPER_TABLE; those of the plot are bred in FOLDER by the genetic
-algorithm, as in the paper. Gains and losses are in % with standard errors, of seeds where
-there are several. Searches that are there already are not repeated; interrupted ones go
-on. --rough is for tests. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+Looks at each claim in four set-ups: that of the paper (an isolated plot, lit
+from its sides, with a bare stalk, absorbed PAR), and a stand without end under
+absorbed PAR, net assimilation of a clear day, and the carbon balance of a
+season. The plants of the stand are the better ones that paper_table.py has
+bred by the genetic algorithm and by CMA-ES in the folder PAPER_TABLE; those of
+the plot are bred in FOLDER by the genetic algorithm, as in the paper. Gains
+and losses are in % with standard errors, over seeds where there are several.
 """
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
@@ -24,18 +22,22 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from paper_table import CONDITIONS, FIRST, Condition, bred, campaign
+from conditions import CONDITIONS, FIRST, Condition, campaign
+from paper_table import bred
 from shared import (
     CAMPAIGNS,
     Estimate,
     Numbers,
     gain,
+    gains_over_baseline,
     guard,
     leaves,
     light,
     mean_over_seeds,
     parser_of_searches,
     print_table,
+    say,
+    told,
     with_trait,
 )  # fmt: skip
 
@@ -86,7 +88,8 @@ class SetUp:
         }
 
     def best(self, where: Condition, seed: int) -> Numbers:
-        """The genome of the best plant that the searches have found."""
+        """Returns the genome of the best plant that the searches have
+        found."""
         plants = [
             bred(
                 self.tables(where), search, seed, self.evaluations, self.folder
@@ -106,25 +109,22 @@ def stand(set_up: SetUp, where: Condition) -> Stand:
 
 @cache
 def best(set_up: SetUp, where: Condition) -> list[Numbers]:
-    """A genome for each seed."""
+    """Returns a genome for each seed."""
     seeds = set_up.seeds if where == FIRST else 1
     return [set_up.best(where, seed) for seed in range(1, seeds + 1)]
 
 
 def cell(values: list[Estimate]) -> str:
-    mean, error = mean_over_seeds(values)
-    return f"{mean:+.1f} ± {error:.1f}"
+    return told(mean_over_seeds(values), sign="+")
 
 
 def gain_with(name: str) -> Callable[[SetUp], str]:
-    def told(set_up: SetUp) -> str:
-        here = stand(set_up, PLACES[name])
-        baseline, *others = light(
-            here, np.array([here.baseline, *best(set_up, PLACES[name])])
-        ).tolist()
-        return cell([gain(baseline, each) for each in others])
+    def look(set_up: SetUp) -> str:
+        where = PLACES[name]
+        plants = best(set_up, where)
+        return cell(gains_over_baseline(stand(set_up, where), plants))
 
-    return told
+    return look
 
 
 def over_elite(set_up: SetUp) -> str:
@@ -137,9 +137,10 @@ def over_elite(set_up: SetUp) -> str:
 
 
 def by_leaves(trait: str) -> Callable[[SetUp], str]:
-    """Its mean of the lower and of the upper leaves, for each seed."""
+    """Tells the mean of a trait over the lower and over the upper leaves, for
+    each seed."""
 
-    def told(set_up: SetUp) -> str:
+    def look(set_up: SetUp) -> str:
         here = stand(set_up, FIRST)
         own = leaves(here, here.baseline)[trait]
         pairs = []
@@ -151,15 +152,15 @@ def by_leaves(trait: str) -> Callable[[SetUp], str]:
             pairs.append(f"{low:.0f} / {top:.0f}")
         return ", ".join(pairs)
 
-    return told
+    return look
 
 
 def without(
     change: Callable[[Stand, Numbers], Numbers],
 ) -> Callable[[SetUp], str]:
-    """What the best plants lose [%] by a change."""
+    """Tells what the best plants lose [%] by a change."""
 
-    def told(set_up: SetUp) -> str:
+    def look(set_up: SetUp) -> str:
         here = stand(set_up, FIRST)
         losses = []
         for genome in best(set_up, FIRST):
@@ -169,7 +170,7 @@ def without(
             losses.append(gain(own, changed))
         return cell(losses)
 
-    return told
+    return look
 
 
 def equal_angles(here: Stand, genome: Numbers) -> Numbers:
@@ -180,7 +181,8 @@ def equal_angles(here: Stand, genome: Numbers) -> Numbers:
 
 
 def erect_tops(here: Stand, genome: Numbers) -> Numbers:
-    """The same angles, the steepest on top."""
+    """Returns the plant with its own insertion angles in another order, the
+    steepest on top."""
     angles = leaves(here, genome)["insertion_angle"]
     return with_trait(
         here, genome, "insertion_angle", sorted(angles, reverse=True)
@@ -188,7 +190,8 @@ def erect_tops(here: Stand, genome: Numbers) -> Numbers:
 
 
 def even_widths(here: Stand, genome: Numbers) -> Numbers:
-    """In proportion to the baseline's, with the same leaf area."""
+    """Returns the plant with widths in proportion to the baseline's, and its
+    own leaf area."""
     plant, own = leaves(here, genome), leaves(here, here.baseline)
     scale = (plant.length * plant.width).sum() / (
         plant.length * own.width
@@ -197,16 +200,17 @@ def even_widths(here: Stand, genome: Numbers) -> Numbers:
 
 
 def distichous(here: Stand, genome: Numbers) -> Numbers:
-    """In two ranks across the row, as the baseline's are."""
+    """Returns the plant with leaves in two ranks across the row, as the
+    baseline's are."""
     own = leaves(here, here.baseline)["azimuth"]
     return with_trait(here, genome, "azimuth", list(own))
 
 
 def elsewhere(names: tuple[str, ...]) -> Callable[[SetUp], str]:
-    """The plant of 42 deg north and 30 x 6 inches at other places, relative to
-    the plant that was bred there."""
+    """Tells what the plant of 42 deg north and 30 x 6 inches has at other
+    places, relative to the plant that was bred there."""
 
-    def told(set_up: SetUp) -> str:
+    def look(set_up: SetUp) -> str:
         cells = []
         for name in names:
             where = PLACES[name]
@@ -218,7 +222,7 @@ def elsewhere(names: tuple[str, ...]) -> Callable[[SetUp], str]:
             cells.append(f"{where.title}: {lost}")
         return "; ".join(cells)
 
-    return told
+    return look
 
 
 CLAIMS: dict[str, Callable[[SetUp], str]] = {
@@ -278,7 +282,7 @@ def main() -> None:
     ]
     rows = []
     for claim, look in CLAIMS.items():
-        print(claim, file=sys.stderr, flush=True)
+        say(claim)
         rows.append([claim, *(look(set_up) for set_up in set_ups)])
     print_table(["claim", *(x.title for x in set_ups)], rows)
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Light for campaigns that scripts of this folder write: a clear day, the season measured
-at Bondville, that season under the sun of another latitude, and an overcast day."""
+"""Makes the light of campaigns that scripts of this folder write: a clear day,
+the season measured at Bondville, that season under the sun of another
+latitude, and an overcast day."""
 
 from __future__ import annotations
 
@@ -20,27 +21,30 @@ DAY = date(2025, 8, 7)
 #: A whole clear day, as a [[day]] of a campaign.
 CLEAR_DAY: dict[str, Any] = {"date": DAY, "start": time(0), "end": "24:00"}
 SOLAR_CONSTANT = 1361.0
-"""W m-2"""
+"""The light of the sun outside of the atmosphere [W m-2]."""
 LOW_SUN = 0.05
-"""Sine of the height below which what passes the atmosphere is not told by an hour."""
+"""The sine of the sun's height below which an hour does not tell how much
+light passes the atmosphere."""
 OVERCAST_SHARE = 0.25
-"""Of the light outside of the atmosphere, under a closed layer of clouds (E)."""
+"""The share of the light outside of the atmosphere that passes a closed layer
+of clouds (E)."""
 
 
 def bondville() -> dict[str, Any]:
-    """The campaign of the season."""
+    """Returns the campaign of the season."""
     with (CAMPAIGNS / "bondville.toml").open("rb") as file:
         return tomllib.load(file)
 
 
 def season() -> dict[str, Any]:
-    """As a [[climate]], with the whole path of its file."""
+    """Returns the season as a [[climate]], with the whole path of its file."""
     found: dict[str, Any] = dict(bondville()["climate"][0])
     return {**found, "file": str(CAMPAIGNS / found["file"])}
 
 
 def site(latitude: float) -> dict[str, Any]:
-    """Where clocks tell the time of the sun, but for the equation of time."""
+    """Returns a site whose clocks tell the time of the sun, but for the
+    equation of time."""
     return {
         "name": "site",
         "latitude": latitude,
@@ -50,7 +54,7 @@ def site(latitude: float) -> dict[str, Any]:
 
 
 def declination(day: date) -> float:
-    """[rad], by Spencer 1971."""
+    """Returns the declination of the sun [rad], by Spencer 1971."""
     x = 2 * math.pi * (day.timetuple().tm_yday - 1) / 365
     return (
         0.006918
@@ -62,8 +66,8 @@ def declination(day: date) -> float:
 
 
 def light_outside(latitude: float, day: date, hours: Numbers) -> Numbers:
-    """On a horizontal plane outside of the atmosphere [W m-2], at hours of solar
-    time."""
+    """Returns the light on a horizontal plane outside of the atmosphere [W
+    m-2], at hours of solar time."""
     tilt, turn = math.radians(latitude), declination(day)
     height = math.sin(tilt) * math.sin(turn) + math.cos(tilt) * math.cos(
         turn
@@ -72,14 +76,14 @@ def light_outside(latitude: float, day: date, hours: Numbers) -> Numbers:
 
 
 def half_day(latitude: float, day: date) -> float:
-    """Hours from sunrise to noon."""
+    """Returns the hours from sunrise to noon."""
     x = -math.tan(math.radians(latitude)) * math.tan(declination(day))
     return math.degrees(math.acos(min(1.0, max(-1.0, x)))) / 15
 
 
 @cache
 def overcast_file(latitude: float, folder: Path) -> Path:
-    """A weather file of one day without any direct light."""
+    """Writes a weather file of one day without any direct light."""
     path = folder / f"overcast_{latitude:g}.csv"
     hours = np.arange(24) + 0.5
     light = OVERCAST_SHARE * light_outside(latitude, DAY, hours)
@@ -92,7 +96,7 @@ def overcast_file(latitude: float, folder: Path) -> Path:
 
 
 def overcast_day(latitude: float, folder: Path) -> dict[str, Any]:
-    """A [[climate]] of one day without any direct light."""
+    """Returns a [[climate]] of one day without any direct light."""
     return {
         "name": "overcast",
         "file": str(overcast_file(latitude, folder)),
@@ -108,11 +112,13 @@ def overcast_day(latitude: float, folder: Path) -> dict[str, Any]:
 
 @cache
 def moved_season(latitude: float, folder: Path) -> Path:
-    """A weather file: the season of Bondville under the sun of another latitude.
+    """Writes a weather file: the season of Bondville under the sun of another
+    latitude.
 
-    At each part of a day, from sunrise to sunset, the atmosphere lets as large a share
-    of the light pass and scatters as large a share of it as it did at Bondville at the
-    same part of that day; temperature and humidity are those of the hour."""
+    At each part of a day, from sunrise to sunset, the atmosphere transmits and
+    scatters the shares of light that it transmitted and scattered at Bondville
+    at that part of the day; temperature and humidity are those of the
+    hour."""
     here = bondville()["site"][0]
     fast = here["longitude"] / 15 - here["utc_offset"]
     days = []

@@ -1,19 +1,19 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How often is the optimum as near as the spread of three searches says?
+"""Counts how often three searches tell how near the optimum is.
 
 distance.py FOLDER [--triples N] [--evaluations N] [--long-evaluations N]
             [--objective NAME] [--rough]
 
-`ideotype summary` and reports tell the spread of a case's independent searches, the
-gain of the best less that of the worst, as a bound of the distance from the
-optimum. Breeds maize where plants differ (all traits, 42 deg north, rows of 30 inches,
-plants 6 inches apart) by N triples of searches of so many evaluations each, and by
-three searches of --long-evaluations. Evaluates all best plants again in the same
-fields; the best of them all stands for the optimum. Prints how many triples miss it
-by no more than their spread, and both of each triple in percentage points of gain.
-Searches that are in FOLDER already are not repeated. --rough is for tests.
-IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+`ideotype summary` and reports tell the spread of a case's independent
+searches, which is the gain of the best less that of the worst, as a bound of
+the distance from the optimum. The script breeds maize where plants differ (all
+traits, 42 deg north, rows of 30 inches, plants 6 inches apart) by N triples of
+searches of so many evaluations each, and by three searches of
+--long-evaluations. It evaluates all best plants again in the same fields; the
+best of them all stands for the optimum. It prints how many triples miss the
+optimum by no more than their spread, and for each triple its spread and the
+gain that it misses, in percentage points.
 """
 
 from __future__ import annotations
@@ -21,14 +21,12 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from paper_table import FIRST, UNITS, campaign
+from conditions import FIRST, UNITS, campaign
 from shared import (
     Numbers,
-    best,
-    breed_tables,
-    gain,
+    best_plants,
+    gains_over_baseline,
     guard,
-    light,
     parser_of_searches,
     print_table,
 )
@@ -45,7 +43,7 @@ def main() -> None:
     tables = campaign(FIRST, options.objective, options.folder, options.rough)
 
     def bred(kind: str, searches: int, evaluations: int) -> list[Numbers]:
-        """The best plant of each search."""
+        """Returns the best plant of each search."""
         run: dict[str, Any] = {
             **tables,
             "name": f"{tables['name']}_{kind}",
@@ -53,15 +51,12 @@ def main() -> None:
             "search": {"optimizer": "auto"},
             "stop": {"generations": evaluations, "evaluations": evaluations},
         }
-        return [best(path) for path in breed_tables(run, options.folder)]
+        return best_plants(run, options.folder)
 
     plants = bred("short", 3 * options.triples, options.evaluations)
     plants += bred("long", 3, options.long_evaluations)
     stand = Stand(tables)
-    baseline, *others = light(
-        stand, np.array([stand.baseline, *plants])
-    ).tolist()
-    gains = [gain(baseline, each)[0] for each in others]
+    gains = [mean for mean, _ in gains_over_baseline(stand, plants)]
     triples = np.array(gains[:-3]).reshape(options.triples, 3)
     missed = max(gains) - triples.max(1)
     spread = np.ptp(triples, axis=1)

@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Plants in their field, at eye height and from above, in the colours of light.
+"""Draws plants in their field, at eye height and from above.
 
 draw_field.py --to FILE.png [--spacing ROW PLANT] [TITLE=]PLANT...
 
-Each PLANT is a plant or crop file, of which its baseline is drawn, a history, of which the
-best plant is, or a campaign, whose own field is, with all of its components. Plants differ as those of fields do (FIELD_PLANTS in shared.py); leaves
-that were measured one by one keep their angles. Leaves have the colour of the PAR that they
-absorb per area on a clear 7 August at 42 deg north, by face, in rows along the meridian,
-ROW and PLANT metres apart.
+A PLANT is a plant or crop file, whose baseline is drawn, a history, whose best
+plant is drawn, or a campaign, whose own field is drawn with all of its
+components. Plants differ as those of fields do (FIELD_PLANTS in shared.py);
+leaves that were measured one by one keep their angles. Leaves have the colour
+of the PAR that they absorb per area, face by face, on a clear 7 August at
+42 deg north, in rows along the meridian, ROW and PLANT metres apart.
 """
 
 from __future__ import annotations
@@ -39,25 +40,26 @@ from ideotype.analysis.field import (
 from ideotype.analysis.style import RC, new_figure, unit_label
 
 IN_MIDRIBS = {"insertion_angle", "curvature", "azimuth", "roll", "twist"}
-"""What does not vary of plants whose leaves were each measured."""
+"""Numbers of the variation that are left out where leaves were measured one by
+one."""
 SIZE = (7, 12)
-"""Rows, and plants of each."""
+"""The number of rows, and of plants in each."""
 
 
 @dataclass(frozen=True)
 class Drawn:
-    """A field, and the light on each of its faces that is of a leaf
-    [MJ m-2 day-1]."""
+    """A field, and the light on each of its faces that belongs to a leaf [MJ
+    m-2 day-1]."""
 
     field: Mesh
     light: list[float | None]
-    rows: tuple[float, ...]  #: places across, from the middle [m]
-    length: float  #: of rows [m]
+    rows: tuple[float, ...]  # Places across, from the middle [m].
+    length: float  # Length of rows [m].
 
 
 def of_campaign(path: Path, folder: Path) -> tuple[Mesh, Numbers, float]:
-    """The field of a campaign, twice as wide and as long as it is; distances
-    from each row to the next, and the length of rows [m]."""
+    """Returns the field of a campaign, twice as wide and as long as it is
+    there, distances from each row to the next, and the length of rows [m]."""
     tables = read_campaign(path)
     field, spacing = tables["field"], tables["spacing"][0]
     pattern = np.array(field.get("row_pattern", [1.0]))
@@ -125,7 +127,7 @@ def grown(plant: Path, row: float, step: float) -> Drawn:
 
 
 def in_view(drawn: Drawn, colors: Numbers) -> Field:
-    """The field about the middle of its rows, shaded."""
+    """Returns the field about the middle of its rows, shaded."""
     corners = drawn.field.corners
     middle = corners[..., 0].min() + corners[..., 0].max()
     corners = corners - [middle / 2, 0, 0]

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Plants from the side and from above, at one scale.
+"""Draws plants from the side and from above, at one scale.
 
 draw_plants.py --to FILE.png [TITLE=]PLANT...
 
-Each PLANT is a plant or crop file, of which its baseline is drawn, or a history, of
-which the best plant is. From the side one looks 30 deg past the row.
+A PLANT is a plant or crop file, whose baseline is drawn, or a history, whose
+best plant is drawn. From the side one looks 30 deg past the row.
 """
 
 from __future__ import annotations
@@ -26,7 +26,8 @@ from ideotype.analysis.style import new_figure
 COLORS = {"leaf": "#4E9A3A", "sheath": "#A3B57E", "stalk": "#A98F62"}
 TURN = np.deg2rad(30)
 LIGHT = np.array([-0.3, 0.6, 0.74])
-"""Right, up and towards the viewer; of length 1."""
+"""The direction of the light, of length 1: right, up and towards the
+viewer."""
 
 
 def shape_of(plant: Path) -> Mesh:
@@ -49,7 +50,7 @@ def draw(axes: Axes, mesh: Mesh, is_side: bool, turn: float = TURN) -> None:
     colors = (
         np.array([to_rgb(COLORS[kind]) for kind in kinds]) * shade[:, None]
     )
-    # what is nearer to the viewer is drawn over the rest
+    # Faces that are nearer to the viewer are drawn over the others.
     order = np.argsort([c[:, 2].mean() for c in corners])
     axes.add_collection(
         PolyCollection(

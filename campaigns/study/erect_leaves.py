@@ -1,20 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What erect leaves do to canopy assimilation, by plant density.
+"""Tells what erect leaves do to canopy assimilation, by plant density.
 
 erect_leaves.py [--under CAMPAIGN] [--densities N...]
 
-Gives the leaves of crops/maize.toml other insertion angles or bends and prints how
-much more CO2 the canopy assimilates (gross, a clear day of CAMPAIGN) at some
-densities in rows of 0.762 m, in %, with standard errors of paired differences. Field
-experiments beside it: Wang and others 1995 (doi:10.1007/BF02913002) tied leaves up at
-silking; Winter and Ohlrogge 1973 (Agronomy Journal 65, 395-397) raised upper leaves
-from about 45 deg to 10 or 15 deg from the vertical.
+Gives the leaves of crops/maize.toml other insertion angles or bends and prints
+how much more CO2 the canopy assimilates (gross, a clear day of CAMPAIGN) at
+some densities in rows of 0.762 m, in %, with standard errors of paired
+differences. The table can be read beside field experiments: Wang and others
+1995 (doi:10.1007/BF02913002) tied leaves up at silking; Winter and Ohlrogge
+1973 (Agronomy Journal 65, 395-397) raised upper leaves from about 45 deg to 10
+or 15 deg from the vertical.
 """
 
 from __future__ import annotations
 
-import argparse
 from pathlib import Path
 
 import numpy as np
@@ -29,8 +29,10 @@ from shared import (
     guard,
     leaves,
     light,
+    parser_of,
     print_table,
     stand_of,
+    told,
     with_trait,
 )  # fmt: skip
 
@@ -39,11 +41,12 @@ from ideotype import Stand
 ROW = 0.762
 DENSITIES = (3.0, 5.0, 7.0, 9.0, 12.0, 16.0)
 UPPER = 5
-"""Leaves above the ear, which is at leaf 6 of 10: 6 to 10."""
+"""The number of leaves above the ear, which is at leaf 6 of 10: leaves 6 to
+10."""
 
 Change = dict[str, list[float | None]]
 ALL_45: Change = {"insertion_angle": [45.0] * 10}
-#: name: the plant that is changed, and what it becomes
+#: Variants by name: the plant that is changed, and the plant that it becomes.
 VARIANTS: dict[str, tuple[Change, Change]] = {
     "all leaves at 15 deg instead of their own": (
         {},
@@ -83,7 +86,8 @@ def changed(stand: Stand, change: Change) -> Numbers:
 def gains(
     under: Path, density: float, row: float = ROW, settings: Settings = ()
 ) -> list[Estimate]:
-    """Of each variant [%], at a density [m-2] in rows this far apart [m]."""
+    """Returns the gain of each variant [%], at a density [m-2] in rows this
+    far apart [m]."""
     spacing = (
         f"{{row = {row}, plant = {1 / density / row:.6f}, row_direction = 90}}"
     )
@@ -104,7 +108,7 @@ def gains(
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser = parser_of(__doc__)
     parser.add_argument("--under", type=Path, default=CAMPAIGNS / "ames.toml")
     parser.add_argument(
         "--densities", nargs="+", type=float, default=DENSITIES
@@ -116,7 +120,7 @@ def main() -> None:
         for density in options.densities
     ]
     rows = [
-        [name, *(f"{mean:+.1f} ± {error:.1f}" for mean, error in each)]
+        [name, *(told(x, sign="+") for x in each)]
         for name, each in zip(
             VARIANTS, zip(*columns, strict=True), strict=True
         )

@@ -1,32 +1,30 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""When does an erect top pay?
+"""Finds the plant density from which on an erect top pays.
 
 erect_tops.py FOLDER [--figure FILE.png] [--light LIGHT...] [--limit LIMIT...]
-              [--densities N...] [--latitudes N...] [--generations N] [--seeds N]
-              [--rough]
+              [--densities N...] [--latitudes N...] [--generations N]
+              [--seeds N] [--rough]
 
-Breeds crops/maize.toml twice for each plant density, latitude, light and limit of leaf
-area: plants whose four highest leaves have insertion angles below 25 deg, and plants
-whose four highest leaves have more than 45 deg; everything else that a breeder can
-select is free (bounds "breedable"), and the plants of a line differ. Evaluates the best
-of both again with the same random numbers and prints how much more carbon the erect top
-gains [%], with its standard error, and the density from which on it pays. Where the sign
-changes between two densities both are bred with more seeds. The map is the figure.
-Searches that are in FOLDER already are not repeated; interrupted ones go on.
---rough is for tests. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+Breeds crops/maize.toml twice for each plant density, latitude, light and limit
+of leaf area: plants whose four highest leaves have insertion angles below
+25 deg, and plants whose four highest leaves have more than 45 deg. Everything
+else that a breeder can select is free (bounds "breedable"), and the plants of
+a line differ. Evaluates the best of both again with the same random numbers
+and prints how much more carbon the erect top gains [%], with its standard
+error, and the density from which on it pays. Where the sign changes between
+two densities, both are bred with more seeds. The figure is the map.
 
-Light: a clear day (7 August), the season measured at Bondville, Illinois (40 deg
-north alone), or an overcast day with a quarter of the light outside of the atmosphere,
-all of it diffuse.
-Limits: what leaves cost to build and to keep ("carbon"), nitrogen of the stand that more
-leaves dilute ("nitrogen"), or the leaf area of the baseline ("area").
+The light is a clear day (7 August), the season measured at Bondville, Illinois
+(40 deg north alone), or an overcast day with a quarter of the light outside of
+the atmosphere, all of it diffuse. The limit is what leaves cost to build and
+to keep ("carbon"), nitrogen of the stand that more leaves dilute ("nitrogen"),
+or the leaf area of the baseline ("area").
 """
 
 from __future__ import annotations
 
 import math
-import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise, product
@@ -51,7 +49,9 @@ from shared import (
     mean_over_seeds,
     parser_of_searches,
     print_table,
+    say,
     sign_change,
+    told,
 )  # fmt: skip
 
 from ideotype import Stand
@@ -82,7 +82,7 @@ class Condition:
 
 
 def campaign(where: Condition, folder: Path, is_rough: bool) -> dict[str, Any]:
-    """Without a shape of the top."""
+    """Returns the tables of a condition, without a shape of the top."""
     tables: dict[str, Any] = {
         "name": where.name,
         "site": bondville()["site"]
@@ -121,7 +121,7 @@ def campaign(where: Condition, folder: Path, is_rough: bool) -> dict[str, Any]:
 def bred(
     tables: dict[str, Any], top: str, seed: int, generations: int, folder: Path
 ) -> Numbers:
-    """The genome of the best plant with this top."""
+    """Returns the genome of the best plant with this top."""
     angles = {"range": TOPS[top], "highest": TOP_LEAVES}
     constraints = tables.get("constraints", {})
     shaped = {
@@ -137,7 +137,7 @@ def bred(
 def difference(
     tables: dict[str, Any], folder: Path, generations: int, seeds: int
 ) -> list[Estimate]:
-    """Of each seed, what the erect top gains over the flat one [%]."""
+    """Returns for each seed what the erect top gains over the flat one [%]."""
     stand = Stand(tables)
     differences = []
     for seed in range(1, seeds + 1):
@@ -152,7 +152,7 @@ def difference(
 def sign_changes(
     results: dict[Condition, list[Estimate]],
 ) -> Iterator[tuple[Condition, Condition]]:
-    """Neighbouring densities between which the sign changes."""
+    """Yields neighbouring densities between which the sign changes."""
     for one, other in pairwise(sorted(results)):
         alike = (one.light, one.limit, one.latitude) == (
             other.light,
@@ -167,8 +167,8 @@ def sign_changes(
 def line(
     results: dict[Condition, list[Estimate]], one: Condition, other: Condition
 ) -> Estimate:
-    """Where the difference is zero between two densities [m-2], by a straight
-    line over the logarithm of density."""
+    """Returns where the difference is zero between two densities [m-2], by a
+    straight line over the logarithm of density."""
     low, high = (
         (math.log(x.density), mean_over_seeds(results[x]))
         for x in (one, other)
@@ -188,11 +188,9 @@ def tell(
     for key in sorted({(x.light, x.limit, x.latitude) for x in results}):
         row = [key[0], key[1], f"{key[2]:g}"]
         for density in densities:
-            mean, error = mean_over_seeds(results[Condition(*key, density)])
-            row.append(f"{mean:+.1f} ± {error:.1f}")
-        pays = (
-            "{:.1f} ± {:.1f} m-2".format(*lines[key]) if key in lines else ""
-        )
+            found = mean_over_seeds(results[Condition(*key, density)])
+            row.append(told(found, sign="+"))
+        pays = f"{told(lines[key])} m-2" if key in lines else ""
         rows.append([*row, pays])
     titles = [f"{density:g} m-2" for density in densities]
     print_table(["light", "limit", "latitude", *titles, "pays from"], rows)
@@ -237,8 +235,9 @@ def draw(results: dict[Condition, list[Estimate]], path: Path) -> None:
 
 
 def main() -> None:
-    parser = parser_of_searches(__doc__, generations=30, seeds=3)
-    parser.add_argument("--figure", type=Path)
+    parser = parser_of_searches(
+        __doc__, has_figure=True, generations=30, seeds=3
+    )
     parser.add_argument("--light", nargs="+", choices=LIGHTS, default=LIGHTS)
     parser.add_argument("--limit", nargs="+", choices=LIMITS, default=LIMITS)
     parser.add_argument(
@@ -258,7 +257,7 @@ def main() -> None:
     ]
 
     def look(where: Condition, seeds: int) -> list[Estimate]:
-        print(f"{where.name}: {seeds} seeds", file=sys.stderr, flush=True)
+        say(f"{where.name}: {seeds} seeds")
         tables = campaign(where, options.folder, options.rough)
         return difference(tables, options.folder, options.generations, seeds)
 

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What does it cost to breed only plants that lines of maize show to be possible?
+"""Tells what it costs to breed only plants that resemble lines of maize.
 
 feasible.py FOLDER [--generations N] [--rough]
 
-Breeds the smooth traits of crops/maize.toml in rows of 30 inches with 6 inches between
-plants, where plants differ as those of fields do, for the light and the net
-assimilation of a clear day and for the carbon of a season: with any distance from 281
-inbred lines (lines/maize_panel.toml) and with at most 3 standard deviations, where
-a typical line has 2.6. Prints baseline, bred plant, gain and both distances. ± are
-standard errors. --rough is for tests.
+Breeds the smooth traits of crops/maize.toml in rows of 30 inches with 6 inches
+between plants, where plants differ as those of fields do, for the light and
+the net assimilation of a clear day and for the carbon of a season. Plants may
+have any distance from 281 inbred lines (lines/maize_panel.toml), or at most 3
+standard deviations, where a typical line has 2.6. Prints baseline, bred plant,
+gain and both distances. ± are standard errors.
 """
 
 from __future__ import annotations
@@ -31,6 +31,7 @@ from shared import (
     light,
     parser_of_searches,
     print_table,
+    told,
 )  # fmt: skip
 
 import ideotype
@@ -42,7 +43,7 @@ QUANTITIES = ["distance_from_lines", "distance_from_line", "lai"]
 
 
 def campaign(objective: str, limit: float) -> dict[str, Any]:
-    """The tables of a search."""
+    """Returns the tables of a search."""
     under = SEASON if objective == "carbon_balance" else DAY
     tables = tomllib.loads(under.read_text())
     kept = ("site", "day", "climate", "photosynthesis")
@@ -76,7 +77,6 @@ def main() -> None:
             plants = np.array([stand.baseline, best(history)])
             values = light(stand, plants)
             found = stand.evaluate(plants, QUANTITIES, final=True)
-            mean, error = gain(*values.tolist())
             with ideotype.open_history(history) as opened:
                 unit = opened.objectives[0].unit
             rows.append(
@@ -84,7 +84,7 @@ def main() -> None:
                     f"{title} [{unit}]",
                     limit,
                     *(f"{each.mean():.4g}" for each in values),
-                    f"{mean:+.2f} ± {error:.2f}",
+                    told(gain(*values.tolist()), 2, "+"),
                     *(
                         " -> ".join(f"{x:.2f}" for x in found[name].values)
                         for name in QUANTITIES

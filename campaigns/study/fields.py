@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Maize in fields like those of experiments: what light does there, and what its
+"""Evaluates maize in fields like those of experiments: its light, and what
 leaves make of it."""
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ DAY, SEASON = CAMPAIGNS / "ames.toml", CAMPAIGNS / "bondville.toml"
 SOIL_ALBEDO = 0.1
 HOURS = {
     "day": ("07:00:00", "20:00:00"),
-    # the sun is highest at 13:20
+    # The sun is highest at 13:20.
     "noon": ("12:20:00", "14:20:00"),
     "whole": ("05:30:00", "21:00:00"),
 }
@@ -39,11 +39,13 @@ QUANTITIES = [
     *("gross_assimilation", "respiration"),
 ]
 CARBOHYDRATE = 30.03
-"""[g mol-1]"""
+"""The molar mass of carbohydrate per carbon [g mol-1]."""
 BUILDING = 1.39
-"""Carbohydrate that dry matter of leaves is built of [g g-1]; WOFOST."""
-#: Leaves from 700 to 1300 nm by PROSPECT-5 at silking, as docs of the crop tell for
-#: PAR; soils reflect twice as much there. Stalks and sheaths are taken for leaves.
+"""The carbohydrate that dry matter of leaves is built of [g g-1], from
+WOFOST."""
+#: The optics of leaves from 700 to 1300 nm by PROSPECT-5 at silking, as docs
+#: of the crop tell for PAR; soils reflect twice as much there. Stalks and
+#: sheaths are taken for leaves.
 NEAR_INFRARED = {
     "leaf_reflectance": 0.45,
     "leaf_transmittance": 0.45,
@@ -54,13 +56,13 @@ NEAR_INFRARED = {
     "soil_albedo": 2 * SOIL_ALBEDO,
 }
 PAR_SHARE = 0.45
-"""Of all sunlight; the rest is taken for near infrared."""
+"""The share of PAR in all sunlight; the rest is taken for near infrared."""
 
 Tables = dict[str, Any]
 
 
 def crop(name: str) -> Tables:
-    """The tables of a crop file."""
+    """Returns the tables of a crop file."""
     return tomllib.loads((CAMPAIGNS / name).read_text())
 
 
@@ -69,7 +71,8 @@ HYBRID = crop("crops/maize_hybrid.toml")
 
 
 def with_bends(plant: Tables, factor: float = 1) -> Tables:
-    """A plant with the bends of crops/maize.toml or a factor of its own."""
+    """Returns a plant with the bends of crops/maize.toml or a factor of its
+    own."""
     plant = deepcopy(plant)
     bends = NEW["leaf"] if factor == 1 else plant["leaf"]
     for leaf, like in zip(plant["leaf"], bends, strict=True):
@@ -78,11 +81,11 @@ def with_bends(plant: Tables, factor: float = 1) -> Tables:
 
 
 def with_tassel(plant: Tables) -> Tables:
-    """A plant with stalk, tassel and ear of crops/maize.toml."""
+    """Returns a plant with stalk, tassel and ear of crops/maize.toml."""
     return plant | {name: NEW[name] for name in ("organ", "stalk", "sheath")}
 
 
-#: One-sided area of the leaves of a plant [m2].
+#: The one-sided area of the leaves of a plant [m2].
 AREAS = {"maize": 0.3991, "old": 0.3991, "hybrid": 0.479}
 PLANTS: dict[str, Tables] = {
     "old": OLD,
@@ -106,7 +109,7 @@ PLANTS: dict[str, Tables] = {
 
 
 def part(*names: str) -> Tables:
-    """These numbers of the variation between field plants."""
+    """Returns these numbers of the variation between field plants."""
     return {name: FIELD_PLANTS[name] for name in names}
 
 
@@ -135,8 +138,8 @@ VARIATIONS: dict[str, Tables] = {
 
 @dataclass(frozen=True)
 class Field:
-    """Distance of rows [m], plants per area [m-2], which plant, how plants
-    differ, the direction of rows from north [deg], and the light."""
+    """A field: distance of rows [m], plants per area [m-2], which plant, how
+    plants differ, the direction of rows from north [deg], and the light."""
 
     row: float
     density: float
@@ -148,10 +151,10 @@ class Field:
     campaign: Path = DAY
     band: str = "par"
     more: tuple[str, ...] = ()
-    """Settings."""
+    """Further settings."""
 
     def tables(self) -> Tables:
-        """The campaign of this field."""
+        """Returns the campaign of this field."""
         tables = tomllib.loads(self.campaign.read_text())
         tables["spacing"] = [
             {
@@ -175,7 +178,8 @@ class Field:
         tables["plant"] = {"baseline": plant}
         tables["objective"] = {"maximise": "gross_assimilation"}
         variation = VARIATIONS[self.variation]
-        # planes at random, unless it is told how they lie
+        # Planes of leaves are at random, unless the variation tells how they
+        # lie.
         is_told = "across_row" in variation or self.variation in {
             "across",
             "along",
@@ -201,9 +205,9 @@ Measured = dict[str, Estimate]
 
 
 def measure(field: Field, accuracy: Settings = ()) -> Measured:
-    """What the program tells of a field, and of light on its way down to the
-    soil: `transmitted`, `fipar` = 1 - transmitted, and `k`, -ln(transmitted) /
-    leaf area index."""
+    """Returns what the program tells of a field, and of light on its way down
+    to the soil: `transmitted`, `fipar` = 1 - transmitted, and `k`,
+    -ln(transmitted) / leaf area index."""
     stand = Stand(
         field.tables(),
         folder=field.campaign.parent,
@@ -224,7 +228,7 @@ def measure(field: Field, accuracy: Settings = ()) -> Measured:
 
 
 def through(transmitted: Estimate, lai: Estimate) -> Measured:
-    """What follows from the light that reaches the soil."""
+    """Returns what follows from the light that reaches the soil."""
     mean, error = transmitted
     return {
         "transmitted": transmitted,
@@ -234,7 +238,7 @@ def through(transmitted: Estimate, lai: Estimate) -> Measured:
 
 
 def of_sunlight(par: Measured, infrared: Measured) -> Measured:
-    """The light of both bands on its way down to the soil."""
+    """Returns the light of both bands on its way down to the soil."""
     parts = (
         (par["transmitted"], PAR_SHARE),
         (infrared["transmitted"], 1 - PAR_SHARE),
@@ -258,18 +262,19 @@ def scaled(x: Estimate, factor: float) -> Estimate:
 
 
 def ratio(a: Estimate, b: Estimate) -> Estimate:
-    """Of two evaluations with errors of their own."""
+    """Returns the ratio of two evaluations with errors of their own."""
     mean = a[0] / b[0]
     return mean, abs(mean) * math.hypot(a[1] / a[0], b[1] / b[0])
 
 
 def noon_rate(x: Measured) -> Estimate:
-    """Gross assimilation around noon [umol m-2 s-1]."""
+    """Returns gross assimilation around noon [umol m-2 s-1]."""
     return scaled(x["gross_assimilation"], 1e6 / NOON_SECONDS)
 
 
 def dry_matter(x: Measured) -> Estimate:
-    """For each MJ of PAR that leaves absorb [g], if leaves alone respire."""
+    """Returns the dry matter for each MJ of PAR that leaves absorb [g], if
+    leaves alone respire."""
     assimilated, error = x["gross_assimilation"]
     share = CARBOHYDRATE / BUILDING / x["absorbed_par"][0]
     return (assimilated - x["respiration"][0]) * share, error * share

@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How much leaf area does a season's carbon need?
+"""Finds the leaf area that a season's carbon needs.
 
 fronts.py FOLDER [--figure FILE.png] [--generations N] [--seeds N] [--rough]
 
-Breeds crops/maize.toml by NSGA-II for a high carbon balance of the season measured at
-Bondville, Illinois, and a low leaf area index. Traits are those that a breeder can select
-(bounds "breedable"), and plants differ as those of fields do. Evaluates members of the front of
-each seed again with the same random numbers and prints some of those that no other
-dominates, the baseline, and the leaf area index beyond which more leaves cost more carbon
-than they gain. ± is the standard error, of differences that of randomisations that both
-plants share. What is in FOLDER already is not bred again; interrupted searches go on.
---rough is for tests. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+Breeds crops/maize.toml by NSGA-II for a high carbon balance of the season
+measured at Bondville, Illinois, and a low leaf area index. Traits are those
+that a breeder can select (bounds "breedable"), and plants differ as those of
+fields do. Evaluates members of the front of each seed again with the same
+random numbers and prints some of those that no other dominates, the baseline,
+and the leaf area index beyond which more leaves cost more carbon than they
+gain. ± is the standard error; that of a difference is over randomisations that
+both plants share.
 """
 
 from __future__ import annotations
@@ -36,6 +36,7 @@ from shared import (
     guard,
     parser_of_searches,
     print_table,
+    told,
 )  # fmt: skip
 
 from ideotype import Error, Stand, open_history
@@ -44,7 +45,7 @@ from ideotype.analysis.style import BASELINE, BEST, QUIET, new_figure
 
 SHOWN = 8
 DRAWN = 5
-"""Plants of the front in the figure."""
+"""The number of plants of the front in the figure."""
 
 
 @dataclass(frozen=True)
@@ -52,11 +53,11 @@ class Found:
     """Plants in the order of their leaf area index, and the baseline."""
 
     stand: Stand
-    genomes: Numbers  # [plants, genes], the baseline last
+    genomes: Numbers  # Genomes [plants, genes], the baseline last.
     lai: Numbers
-    carbon: Numbers  # [plants, randomisations]
-    is_front: np.ndarray  # no other dominates it
-    seed: Numbers  # that bred each, the baseline excepted
+    carbon: Numbers  # Carbon balance [plants, randomisations].
+    is_front: np.ndarray  # Whether no other plant dominates it.
+    seed: Numbers  # The seed that bred each but the baseline.
 
     @property
     def front(self) -> list[int]:
@@ -68,7 +69,7 @@ class Found:
         return str(known.unit["carbon_balance"])
 
     def shown(self, count: int) -> list[int]:
-        """Members of the front at about equal steps of leaf area."""
+        """Returns members of the front at about equal steps of leaf area."""
         lai = self.lai[self.front]
         step = (lai[-1] - lai[0]) / max(count - 1, 1)
         number = np.round((lai - lai[0]) / max(step, 1e-9))
@@ -95,7 +96,7 @@ def campaign(options: argparse.Namespace) -> dict[str, Any]:
 
 
 def members(history: Path) -> Numbers:
-    """Genomes of the front [plants, genes]."""
+    """Returns genomes of the front [plants, genes]."""
     with open_history(history) as opened:
         front = opened.front()
     if front is None:
@@ -126,15 +127,15 @@ def find(options: argparse.Namespace) -> Found:
 
 
 def angles(found: Found, plant: int) -> list[str]:
-    """Means of the upper four leaves and of the lower four [deg]."""
+    """Tells the means of the upper four leaves and of the lower four [deg]."""
     crop = tomllib.loads(found.stand.crop_file(found.genomes[plant]))
     leaves = [leaf["insertion_angle"] for leaf in crop["leaf"]]
     return [f"{np.mean(x):.0f}" for x in (leaves[-4:], leaves[:4])]
 
 
 def top(found: Found) -> tuple[float, float, float]:
-    """The leaf area index of the highest carbon balance, and its 95 % interval
-    by bootstrap over randomisations."""
+    """Returns the leaf area index of the highest carbon balance, and its 95 %
+    interval by bootstrap over randomisations."""
     bred = found.carbon[:-1]
     count = bred.shape[1]
     draws = np.random.default_rng(1).integers(count, size=(2000, count))
@@ -177,12 +178,11 @@ def row(found: Found, plant: int, before: int | None) -> list[str]:
     if before is not None:
         step = lai - found.lai[before]
         steps = (carbon - found.carbon[before]) / step
-        mean, error = estimate(steps.tolist())
-        more = f"{mean:+.3f} ± {error:.3f}"
+        more = told(estimate(steps.tolist()), 3, "+")
     return [
         f"{lai:.2f}",
-        "{:.3f} ± {:.3f}".format(*estimate(carbon.tolist())),
-        "{:.3f} ± {:.3f}".format(*estimate((carbon / lai).tolist())),
+        told(estimate(carbon.tolist()), 3),
+        told(estimate((carbon / lai).tolist()), 3),
         more,
         *angles(found, plant),
     ]
@@ -219,7 +219,7 @@ def draw(found: Found, path: Path) -> None:
 
 
 def draw_plants(found: Found, panels: list[Axes], shown: list[int]) -> None:
-    """From the side, at one scale."""
+    """Draws plants from the side, at one scale."""
     meshes = [found.stand.mesh(found.genomes[i]) for i in shown]
     every = np.vstack([mesh.vertices for mesh in meshes])
     reach = 1.05 * np.hypot(every[:, 0], every[:, 1]).max()
@@ -232,8 +232,9 @@ def draw_plants(found: Found, panels: list[Axes], shown: list[int]) -> None:
 
 
 def main() -> None:
-    parser = parser_of_searches(__doc__, generations=60, seeds=2)
-    parser.add_argument("--figure", type=Path)
+    parser = parser_of_searches(
+        __doc__, has_figure=True, generations=60, seeds=2
+    )
     options = parser.parse_args()
     found = find(options)
     tell(found)

@@ -1,20 +1,21 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What is a plant worth beside others, in strips with soybean and as an invader?
+"""Measures what a plant is worth in strips with soybean, and as an invader.
 
 neighbours.py FOLDER [--generations N] [--seeds N] [--figure FILE] [--rough]
 
-Breeds crops/maize.toml in the strips of strip.toml for the net assimilation of both crops
-by land (the land equivalent ratio: of each crop what it has over what it has alone, maize
-in rows .60 m apart with .15 m between plants, soybean .30 by .10 m), and for that of maize
-alone. Then breeds it in a stand of its own at 30 x 6 inches, and as one plant of 25 among
-plants of the baseline (invader.toml) and among plants that are best for the stand. Prints
-land equivalent ratios with their parts (crops of a strip share its light, so that the
-error of the sum is not that of both), what invaders gain over their neighbours, and what
-a stand of invaders has. ± is the standard error of randomisations, or over seeds where that
-is larger. --figure draws what the rows of the strip of baselines absorb and
-assimilate. What is in FOLDER already is not bred again. --rough is for tests.
-IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+Breeds crops/maize.toml in the strips of strip.toml for the land equivalent
+ratio, which is the sum over both crops of the net assimilation that a crop has
+in the strip over that which it has alone (maize in rows .60 m apart with .15 m
+between plants, soybean .30 by .10 m), and for the net assimilation of maize
+alone. Then breeds it in a stand of its own at 30 x 6 inches, and as one plant
+of 25 among plants of the baseline (invader.toml) and among plants that are
+best for the stand. Prints land equivalent ratios with their parts (crops of a
+strip share its light, so that the error of the sum does not follow from the
+errors of the parts), what invaders gain over their neighbours, and what a
+stand of invaders has. ± is the standard error of randomisations, or over seeds
+where that is larger. --figure draws what the rows of the strip of baselines
+absorb and assimilate.
 """
 
 from __future__ import annotations
@@ -31,14 +32,14 @@ from shared import (
     ROUGH,
     Estimate,
     Numbers,
-    best,
-    breed_tables,
+    best_plants,
     estimate,
     guard,
     mean_over_seeds,
     parser_of_searches,
     print_table,
     read_campaign,
+    told,
 )  # fmt: skip
 
 from ideotype import Stand
@@ -52,18 +53,19 @@ from ideotype.analysis.style import (
 )
 
 Tables = Mapping[str, Any]
-#: Of single crops, between rows and plants [m].
+#: The distances of single crops, between rows and plants [m].
 ALONE = {"maize": (0.6, 0.15), "soybean": (0.3, 0.1)}
 
 
 def campaign(file: str, common: Tables, **tables: Any) -> dict[str, Any]:
-    """A campaign of this project with other tables."""
+    """Returns a campaign of this project with other tables."""
     found = read_campaign(CAMPAIGNS / f"{file}.toml")
     return {**found, **common, **tables}
 
 
 def values(stand: Stand, genome: Numbers, name: str) -> list[Estimate]:
-    """A quantity of the plant, one for each component if it has several."""
+    """Returns a quantity of the plant, one for each component if it has
+    several."""
     found = stand.evaluate(genome, [name], final=True)
     if found.message.values[0]:
         raise SystemExit(f"{stand.name}: {found.message.values[0]}")
@@ -73,13 +75,14 @@ def values(stand: Stand, genome: Numbers, name: str) -> list[Estimate]:
 
 
 def over(a: Estimate, b: Estimate) -> Estimate:
-    """a / b of evaluations that share nothing."""
+    """Returns a / b of evaluations that share nothing."""
     mean = a[0] / b[0]
     return mean, abs(mean) * math.hypot(a[1] / a[0], b[1] / b[0])
 
 
 def net_alone(crop: str, common: Tables) -> Estimate:
-    """The net assimilation of a crop that stands alone [mol m-2 day-1]."""
+    """Returns the net assimilation of a crop that stands alone [mol m-2
+    day-1]."""
     row, plant = ALONE[crop]
     tables = campaign("cultivars", common, name=crop)
     del tables["component"]
@@ -90,15 +93,6 @@ def net_alone(crop: str, common: Tables) -> Estimate:
         tables["field"]["jitter"] = 180
     stand = Stand(tables)
     return values(stand, stand.baseline, "net_assimilation")[0]
-
-
-def bred(tables: Tables, folder: Path) -> list[Numbers]:
-    """The best plant of each seed."""
-    return [best(each) for each in breed_tables(tables, folder)]
-
-
-def tell(x: Estimate, digits: int = 3) -> str:
-    return f"{x[0]:.{digits}f} ± {x[1]:.{digits}f}"
 
 
 def draw_rows(stand: Stand, genome: Numbers, path: Path) -> None:
@@ -135,25 +129,25 @@ def draw_rows(stand: Stand, genome: Numbers, path: Path) -> None:
 def strips(common: Tables, folder: Path) -> None:
     """Prints the land equivalent ratio of the strip, before and after."""
     alone = [net_alone(crop, common) for crop in ALONE]
-    goals: dict[str, dict[str, list[float]]] = {
+    bred_for: dict[str, dict[str, list[float]]] = {
         "both crops by land": {"sole": [net for net, _ in alone]},
         "maize alone": {"weights": [1, 0]},
     }
     plants = {}
     stands = []
-    for i, (goal, counts) in enumerate(goals.items()):
+    for i, (name, counts) in enumerate(bred_for.items()):
         tables = campaign("strip", common, name=f"strip{i}")
         tables["objective"] |= counts
         stands.append(Stand(tables))
-        plants[goal] = bred(tables, folder)
+        plants[name] = best_plants(tables, folder)
     stand = stands[0]
     plants = {"the baseline": [stand.baseline], **plants}
 
     def ratios(genome: Numbers) -> list[Estimate]:
         found = values(stand, genome, "net_assimilation_by_component")
         each = [over(*pair) for pair in zip(found, alone, strict=True)]
-        told = stand.evaluate(genome, [], final=True)
-        mean, error = estimate(told.objective_by_randomisation.values[0, 0])
+        whole = stand.evaluate(genome, [], final=True)
+        mean, error = estimate(whole.objective_by_randomisation.values[0, 0])
         of_alone = [
             part * own / net
             for (part, _), (net, own) in zip(each, alone, strict=True)
@@ -161,10 +155,10 @@ def strips(common: Tables, folder: Path) -> None:
         return [(mean, math.hypot(error, *of_alone)), *each]
 
     rows = []
-    for goal, genomes in plants.items():
+    for name, genomes in plants.items():
         by_seed = [ratios(genome) for genome in genomes]
         means = [mean_over_seeds(x) for x in zip(*by_seed, strict=True)]
-        rows.append([goal, *map(tell, means)])
+        rows.append([name, *(told(x, 3) for x in means)])
     print_table(
         ["maize bred for", "land equivalent ratio", "maize", "soybean"], rows
     )
@@ -177,7 +171,7 @@ def invaders(common: Tables, folder: Path) -> None:
     del of_stand["component"]
     of_stand["objective"] = {"maximise": "net_assimilation"}
     stand = Stand(of_stand)
-    best_of_stand = bred(of_stand, folder)[0]
+    best_of_stand = best_plants(of_stand, folder)[0]
     residents = {
         "the baseline": stand.baseline,
         "the stand's best": best_of_stand,
@@ -190,7 +184,7 @@ def invaders(common: Tables, folder: Path) -> None:
         tables["plant"] = {"baseline": str(crop)}
         tables["component"][0]["crop"] = str(crop)
         test = Stand(tables)
-        found = bred(tables, folder)
+        found = best_plants(tables, folder)
         gains = [values(test, each, "invasion")[0] for each in found]
         before = values(stand, resident, "net_assimilation")[0]
         nets = [
@@ -201,8 +195,8 @@ def invaders(common: Tables, folder: Path) -> None:
         rows.append(
             [
                 name,
-                tell((100 * gain[0], 100 * gain[1]), 1),
-                tell((100 * net[0] - 100, 100 * net[1]), 1),
+                told((100 * gain[0], 100 * gain[1])),
+                told((100 * net[0] - 100, 100 * net[1])),
             ]
         )
     titles = [
@@ -214,8 +208,9 @@ def invaders(common: Tables, folder: Path) -> None:
 
 
 def main() -> None:
-    parser = parser_of_searches(__doc__, generations=40, seeds=1)
-    parser.add_argument("--figure", type=Path)
+    parser = parser_of_searches(
+        __doc__, has_figure=True, generations=40, seeds=1
+    )
     options = parser.parse_args()
     common: dict[str, Any] = {
         "replicates": options.seeds,

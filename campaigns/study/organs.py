@@ -1,19 +1,19 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What does each organ do to the light, to differences between plants, to breeding?
+"""Measures what each organ does to light, differences of plants and breeding.
 
 organs.py [--full] [--traits SET...] [--seeds N] FOLDER
 
-Breeds ames_quick.toml (with --full also ames.toml) with plants that have more and
-more organs, all traits and azimuths alone, in FOLDER, and prints a table: where the
-light of the baseline goes, the gain of the same three plants over the baseline with
-these organs, and the gains of what is bred with them. Histories that are complete
-are not run again. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+Breeds ames_quick.toml (with --full also ames.toml) with plants that have more
+and more organs, all traits and azimuths alone, in FOLDER. Prints a table:
+where the light of the baseline goes, the gain of the same three plants over
+the baseline with these organs, and the gains of what is bred with them.
+Histories that are complete are not run again. IDEOTYPE_EXECUTABLE names the
+program, else it is that on PATH.
 """
 
 from __future__ import annotations
 
-import argparse
 import json
 import re
 from pathlib import Path
@@ -29,6 +29,8 @@ from shared import (
     guard,
     light,
     mean_over_seeds,
+    parser_of,
+    told,
 )  # fmt: skip
 
 from ideotype import Stand
@@ -36,7 +38,7 @@ from ideotype import Stand
 QUICK = CAMPAIGNS / "ames_quick.toml"
 TASSEL = ["peduncle", "tassel_spike", "tassel_branches"]
 
-#: Name, crop file and organs besides leaves.
+#: Plants by name: crop file and organs besides leaves.
 PLANTS = {
     "tapered stalk": ("crops/maize.toml", ["stalk"]),
     "and sheaths": ("crops/maize.toml", ["stalk", "sheath"]),
@@ -61,7 +63,7 @@ def settings(plant: str, traits: str = "all") -> list[str]:
 def bred(
     campaign: Path, plant: str, traits: str, seeds: int, folder: Path
 ) -> list[Numbers]:
-    """The baseline, and the best plant of each seed."""
+    """Returns the baseline, and the best plant of each seed."""
     name = re.sub(r"[^a-z0-9]+", "_", f"{campaign.stem} {plant} {traits}")[:60]
     keys = [*settings(plant, traits), f"replicates={seeds}"]
     histories = breed(campaign, name, keys, folder)
@@ -72,18 +74,14 @@ def bred(
 def gains(
     plants: list[Numbers], campaign: Path, keys: list[str]
 ) -> list[Estimate]:
-    """Of each plant over the first [%]."""
+    """Returns the gain of each plant over the first [%]."""
     stand = Stand.from_campaign(campaign, settings=keys)
     first, *others = light(stand, np.array(plants)).tolist()
     return [gain(first, other) for other in others]
 
 
-def text_of(value: Estimate) -> str:
-    return f"{value[0]:.2f} ± {value[1]:.2f}"
-
-
 def parts(plant: str) -> list[str]:
-    """Where the light of the baseline goes [% of incident]."""
+    """Tells where the light of the baseline goes [% of incident]."""
     stand = Stand.from_campaign(QUICK, settings=settings(plant))
     found = stand.evaluate(stand.baseline, final=True).isel(plant=0)
     organs = (found.absorbed_by_organ / found.incident).to_series()
@@ -98,7 +96,7 @@ def parts(plant: str) -> list[str]:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser = parser_of(__doc__)
     parser.add_argument(
         "--full", action="store_true", help="breed ames.toml too"
     )
@@ -129,14 +127,14 @@ def main() -> None:
         exact = [*settings(name), "final.paths=131072"]
         is_maize = crop == "crops/maize.toml"
         own = gains(same, QUICK, exact) if is_maize else []
-        cells.append(", ".join(map(text_of, own)))
+        cells.append(", ".join(told(x, 2) for x in own))
         for campaign in campaigns:
             for traits in options.traits:
                 plants = bred(
                     campaign, name, traits, options.seeds, options.folder
                 )
                 own = gains(plants, campaign, settings(name, traits))
-                cells.append(text_of(mean_over_seeds(own)))
+                cells.append(told(mean_over_seeds(own), 2))
         print(f"| {name} | " + " | ".join(cells) + " |", flush=True)
 
 

@@ -1,34 +1,35 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The table of arXiv:2512.06064 under three objectives: how much can breeding gain, and
-which search finds it?
+"""Makes the table of arXiv:2512.06064: what breeding gains, and by which search.
 
-paper_table.py FOLDER [--figure FILE.png] [--objective NAME...] [--condition NAME...]
-               [--search NAME...] [--evaluations N] [--seeds N] [--other-seeds N]
-               [--plant FILE.toml] [--alike] [--rough]
+paper_table.py FOLDER [--figure FILE.png] [--objective NAME...]
+               [--condition NAME...] [--search NAME...] [--evaluations N]
+               [--seeds N] [--other-seeds N] [--plant FILE.toml] [--alike]
+               [--rough]
 
-Breeds crops/maize.toml with four sets of traits, at five latitudes and at six spacings
-(bounds "paper", the others as in the first condition: all traits, 42 deg north, rows of
-30 inches, plants 6 inches apart) for absorbed PAR and net assimilation of a clear day,
-and for the carbon balance of a season, where plants differ as those of fields do, by
-several searches with as many evaluations each. BIPOP-CMA-ES is that of the package cma,
-differential evolution that of pymoo; both ask for plants through the Python module, and are not run
-unless --search names them. Evaluates the best plants again, all with the same random
-numbers, and prints gains over the baseline [%] with standard errors, leaf area, and the
-gain per leaf area. With --alike all plants of a field are the same while they are bred;
-a second table tells what those champions gain where plants differ. Tells also after how many
-core-seconds (by the clock of the wall: leave other work aside) the first seed had a plant with 90 % of the largest gain under the
-first condition, which has more seeds than the others. The season is that of Bondville, Illinois, 40 deg north in the place of 42, and moved to the other latitudes
-(climates.moved_season). Searches that are
-in FOLDER already are not repeated; interrupted ones go on. --rough is for tests.
-IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+Breeds crops/maize.toml with four sets of traits, at five latitudes and at six
+spacings (bounds "paper"; all else as in the first condition: all traits,
+42 deg north, rows of 30 inches, plants 6 inches apart) for absorbed PAR and
+net assimilation of a clear day, and for the carbon balance of a season, where
+plants differ as those of fields do, by several searches with as many
+evaluations each. BIPOP-CMA-ES comes from the package cma and differential
+evolution from pymoo; both ask for plants through the Python module, and run
+only if --search names them. Evaluates the best plants again, all with the same
+random numbers, and prints gains over the baseline [%] with standard errors,
+leaf area, and the gain per leaf area. With --alike all plants of a field are
+the same while they are bred; a second table tells what those champions gain
+where plants differ. Also tells after how many core-seconds (by the clock of
+the wall: leave other work aside) the first seed had a plant with 90 % of the
+largest gain under the first condition, which has more seeds than the others.
+
+The season is that of Bondville, Illinois, 40 deg north in the place of 42, and
+moved to the other latitudes (climates.moved_season).
 """
 
 from __future__ import annotations
 
 import json
 import math
-import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import product
@@ -36,13 +37,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from climates import CLEAR_DAY, bondville, moved_season, season, site
-from numpy.typing import ArrayLike
+from conditions import CONDITIONS, FIRST, UNITS, Condition, campaign
+from libraries import LIBRARIES
 from searches import best_until
 from shared import (
     MAIZE,
-    ROUGH,
-    SEVERAL_FIELDS,
     SMALL_FIELD,
     TITLES,
     Estimate,
@@ -51,57 +50,18 @@ from shared import (
     breed_tables,
     estimate,
     gain,
+    gains_over_baseline,
     guard,
-    light,
     mean_over_seeds,
     parser_of_searches,
     print_table,
+    say,
+    told,
 )  # fmt: skip
 
 from ideotype import Stand
 from ideotype.analysis.style import new_figure, series
 
-INCH = 0.0254
-AMES = 42.0
-
-
-@dataclass(frozen=True)
-class Condition:
-    name: str
-    title: str
-    latitude: float = AMES
-    row: float = 30
-    plant: float = 6
-    """[inches]"""
-    free: tuple[str, ...] = ("insertion_angle", "azimuth", "width", "length")
-
-
-FIRST = Condition("all", "all traits, 42° N, 30 x 6 inches")
-CONDITIONS = (
-    FIRST,
-    Condition("azimuth", "azimuths", free=("azimuth",)),
-    Condition(
-        "angles", "angles and azimuths", free=("insertion_angle", "azimuth")
-    ),
-    Condition(
-        "widths",
-        "the same and widths",
-        free=("insertion_angle", "azimuth", "width"),
-    ),
-    *(
-        Condition(f"{latitude:g}".replace(".", "p"), f"{latitude}° N", latitude)
-        for latitude in (7.0, 39.35, 46.8, 56.2)
-    ),
-    *(
-        Condition(f"{row}x{plant}", f"{row} x {plant}", row=row, plant=plant)
-        for row, plant in ((15, 3), (15, 6), (20, 3), (20, 6), (30, 3))
-    ),
-)  # fmt: skip
-UNITS = {
-    "absorbed_par": "MJ m-2 day-1",
-    "net_assimilation": "mol m-2 day-1",
-    "carbon_balance": "mol m-2 day-1",
-}
 TITLES_OF_SEARCHES = {
     "random": "random search",
     "ga": "genetic algorithm",
@@ -115,60 +75,21 @@ USUAL = ("ga", "auto")
 
 @dataclass(frozen=True)
 class Found:
-    """Under one condition and objective."""
+    """The results under one condition and objective."""
 
     baseline: Estimate
     gains: dict[str, list[Estimate]]
-    """Of each search and seed [%]."""
+    """The gains of each search and seed [%]."""
     lai: float
-    """Of the best plant of all."""
+    """The leaf area index of the best plant of all."""
     gain_per_leaf_area: Estimate
-    """Of the same plant [%]."""
+    """The gain per leaf area of the same plant [%]."""
     varied_gains: dict[str, list[Estimate]]
-    """Where plants differ, if they do not where they are bred [%]."""
+    """The gains where plants differ, if they do not where they are bred
+    [%]."""
     seconds: dict[str, float]
-    """Of each search until a plant with 90 % of the largest gain was known."""
-
-
-def campaign(
-    where: Condition,
-    objective: str,
-    folder: Path,
-    is_rough: bool,
-    plant: Path = MAIZE,
-    is_alike: bool = False,
-) -> dict[str, Any]:
-    """Without a search."""
-    tables: dict[str, Any] = {
-        "name": f"{objective}_{where.name}",
-        "spacing": [
-            {
-                "name": "stand",
-                "row": round(where.row * INCH, 4),
-                "plant": round(where.plant * INCH, 4),
-            }
-        ],
-        "traits": [{"name": "free", "free": list(where.free)}],
-        "plant": {"baseline": str(plant), "bounds": "paper"},
-        "objective": {"maximise": objective},
-        "field": {} if is_alike else SMALL_FIELD,
-        "light": {} if is_alike else SEVERAL_FIELDS,
-        "final": {"candidates": 3, "paths": 4096, "randomisations": 256},
-    }
-    if objective != "carbon_balance":
-        here, light = site(where.latitude), {"day": [CLEAR_DAY]}
-    elif where.latitude == AMES:
-        here, light = bondville()["site"][0], {"climate": [season()]}
-    else:
-        moved = moved_season(where.latitude, folder)
-        here = site(where.latitude)
-        light = {"climate": [{**season(), "file": str(moved)}]}
-    return {
-        **tables,
-        "site": [here],
-        **light,
-        **(ROUGH if is_rough else {}),
-    }
+    """The core-seconds of each search until a plant with 90 % of the largest
+    gain was known."""
 
 
 def name_of(tables: dict[str, Any], search: str, seed: int) -> str:
@@ -178,7 +99,7 @@ def name_of(tables: dict[str, Any], search: str, seed: int) -> str:
 def bred(
     tables: dict[str, Any], search: str, seed: int, count: int, folder: Path
 ) -> Numbers:
-    """The genome of the best plant that this search finds."""
+    """Returns the genome of the best plant that this search finds."""
     if search in LIBRARIES:
         name = name_of(tables, search, seed)
         kept = folder / f"{name}.json"
@@ -193,7 +114,7 @@ def bred(
 def searched(
     tables: dict[str, Any], search: str, seed: int, count: int, folder: Path
 ) -> Path:
-    """The history of a search by the program."""
+    """Returns the history of a search by the program."""
     limits = {"generations": count // 10 + 1, "evaluations": count}
     settings: dict[str, Any] = {"optimizer": search}
     if search in ("random", "ga"):
@@ -208,87 +129,13 @@ def searched(
     return breed_tables(run, folder)[0]
 
 
-class Function:
-    """What a library looks for the smallest value of: free genes from 0 to 1.
-    Each generation has fields and random numbers of its own."""
-
-    def __init__(self, stand: Stand) -> None:
-        genes = stand.genes
-        self._stand, self._free = stand, np.asarray(stand.free)
-        self._lower = genes.lower.to_numpy()[self._free]
-        self._range = genes.upper.to_numpy()[self._free] - self._lower
-        self.start = (stand.baseline[self._free] - self._lower) / self._range
-        self.evaluations = self._generation = 0
-
-    def plants(self, points: ArrayLike) -> Numbers:
-        shares = np.atleast_2d(np.asarray(points, float))
-        plants = np.tile(self._stand.baseline, (len(shares), 1))
-        plants[:, self._free] = self._lower + self._range * shares
-        return plants
-
-    def __call__(self, points: ArrayLike) -> list[float]:
-        self._generation += 1
-        plants = self.plants(points)
-        self.evaluations += len(plants)
-        found = self._stand.evaluate(plants, [], generation=self._generation)
-        values = np.asarray(found.objective_by_randomisation[:, 0])
-        return [-x for x in values.mean(axis=1).tolist()]
-
-
-def by_bipop(stand: Stand, seed: int, count: int) -> Numbers:
-    """BIPOP-CMA-ES of the package cma (Hansen 2009, doi:10.1145/1570256.1570333)."""
-    import cma
-
-    function = Function(stand)
-    options = {
-        "bounds": [0, 1],
-        "seed": seed,
-        "maxfevals": count,
-        "verbose": -9,
-        "verb_log": 0,
-    }
-    _, search = cma.fmin2(
-        None,
-        function.start.clip(0.02, 0.98),
-        0.2,
-        options,
-        restarts=9,
-        bipop=True,
-        parallel_objective=function,
-    )
-    return function.plants(search.result.xfavorite)[0]
-
-
-def by_pymoo(stand: Stand, seed: int, count: int) -> Numbers:
-    """Differential evolution of pymoo."""
-    from pymoo.algorithms.soo.nonconvex.de import DE
-    from pymoo.core.problem import Problem
-    from pymoo.problems.static import StaticProblem
-
-    function = Function(stand)
-    genes = len(function.start)
-    problem = Problem(n_var=genes, n_obj=1, xl=0.0, xu=1.0)
-    search = DE(pop_size=50)
-    search.setup(problem, termination=("n_eval", count), seed=seed)
-    while search.has_next():
-        asked = search.ask()
-        values = np.array(function(asked.get("X")))[:, None]
-        search.evaluator.eval(StaticProblem(problem, F=values), asked)
-        search.tell(infills=asked)
-    return function.plants(search.result().X)[0]
-
-
-LIBRARIES = {"bipop": by_bipop, "pymoo": by_pymoo}
-
-
 def seconds_until(history: Path, stand: Stand, least: float) -> float:
-    """Core-seconds of all evaluations until a search had a plant that gains so much
-    [%] when it is evaluated again; NaN if it has none."""
+    """Returns the core-seconds of all evaluations until a search had a plant
+    that gains so much [%] when it is evaluated again; NaN if it has none."""
     points = best_until(history, list(range(50, 10**6, 50)))
-    genomes = np.array([stand.baseline, *(plant for plant, _ in points)])
-    baseline, *others = light(stand, genomes).tolist()
-    for (_, seconds), values in zip(points, others, strict=True):
-        if gain(baseline, values)[0] >= least:
+    gains = gains_over_baseline(stand, [plant for plant, _ in points])
+    for (_, seconds), (mean, _) in zip(points, gains, strict=True):
+        if mean >= least:
             return seconds
     return math.nan
 
@@ -300,7 +147,7 @@ def find(
     seeds: int,
     searches: Sequence[str],
 ) -> Found:
-    """The best plants of a campaign by each search and seed."""
+    """Finds the best plants of a campaign by each search and seed."""
     keys = list(product(searches, range(1, seeds + 1)))
     plants = [bred(tables, *key, count, folder) for key in keys]
     stand = Stand(tables)
@@ -344,18 +191,17 @@ def find(
     )
 
 
-def told(values: list[Estimate]) -> str:
-    mean, error = mean_over_seeds(values)
-    return f"{mean:.1f} ± {error:.1f}"
+def over_seeds(values: list[Estimate]) -> str:
+    return told(mean_over_seeds(values))
 
 
 def row(where: Condition, found: Found) -> list[str]:
     return [
         where.title,
-        "{:.3f} ± {:.3f}".format(*found.baseline),
-        *(told(each) for each in found.gains.values()),
+        told(found.baseline, 3),
+        *(over_seeds(each) for each in found.gains.values()),
         f"{found.lai:.1f}",
-        "{:+.1f} ± {:.1f}".format(*found.gain_per_leaf_area),
+        told(found.gain_per_leaf_area, sign="+"),
     ]
 
 
@@ -384,7 +230,7 @@ def tell(results: dict[tuple[str, Condition], Found]) -> None:
                 [
                     TITLES[name],
                     where.title,
-                    *map(told, found.varied_gains.values()),
+                    *map(over_seeds, found.varied_gains.values()),
                 ]
                 for (name, where), found in results.items()
             ],
@@ -457,9 +303,8 @@ def draw(results: dict[tuple[str, Condition], Found], path: Path) -> None:
 
 def main() -> None:
     parser = parser_of_searches(
-        __doc__, evaluations=2500, seeds=3, other_seeds=1
+        __doc__, has_figure=True, evaluations=2500, seeds=3, other_seeds=1
     )
-    parser.add_argument("--figure", type=Path)
     parser.add_argument("--plant", type=Path, default=MAIZE)
     parser.add_argument("--alike", action="store_true")
     parser.add_argument("--objective", nargs="+", choices=UNITS, default=UNITS)
@@ -477,7 +322,7 @@ def main() -> None:
     ]
     results = {}
     for objective, where in product(options.objective, wheres):
-        print(f"{objective}: {where.title}", file=sys.stderr, flush=True)
+        say(f"{objective}: {where.title}")
         results[objective, where] = find(
             campaign(
                 where,

@@ -1,44 +1,42 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Which numbers of a plant should a search breed: few for the whole plant, or some for
-each leaf?
+"""Compares breeding a few numbers of the whole plant with some for each leaf.
 
 parametrisation.py FOLDER [--evaluations N] [--seeds N] [--condition NAME...]
                    [--way NAME...] [--rough]
 
-Breeds crops/maize.toml for net assimilation of a clear day as paper_table.py does, by
-auto, where plants differ: lengths, widths and insertion angles of each leaf, as smooth
-profiles, or as three numbers that all leaves share (two factors, and degrees that are
-added), always with the azimuth of each leaf; also with half of the evaluations for one
-of these and the other half for free leaves, around the best plant that was found.
-Evaluates the best plants again, all with the same random numbers, and prints gains over
-the baseline [%] by seed, and the largest standard error of one. Factors and profiles
-have the ranges of the profiles of crops/maize.toml, .65 to 1.35 and -10 to 50 deg.
-Searches that are in FOLDER already are not repeated. --rough is for tests.
-IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+Breeds crops/maize.toml for net assimilation of a clear day as paper_table.py
+does, by auto, where plants differ. Lengths, widths and insertion angles are
+bred for each leaf, as smooth profiles, or as three numbers that all leaves
+share (two factors, and degrees that are added), always with the azimuth of
+each leaf. Two further ways spend half of the evaluations on profiles or
+factors and the other half on free leaves around the best plant that was found.
+Evaluates the best plants again, all with the same random numbers, and prints
+gains over the baseline [%] by seed, and the largest standard error of one.
+Factors and profiles have the ranges of the profiles of crops/maize.toml, .65
+to 1.35 and -10 to 50 deg.
 """
 
 from __future__ import annotations
 
-import sys
 import tomllib
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import tomli_w
-from paper_table import CONDITIONS, Condition, campaign
+from conditions import CONDITIONS, Condition, campaign
 from shared import (
     MAIZE,
     Estimate,
     Numbers,
     best,
     breed_tables,
-    gain,
+    gains_over_baseline,
     guard,
-    light,
     parser_of_searches,
     print_table,
+    say,
 )  # fmt: skip
 
 from ideotype import Stand
@@ -94,14 +92,16 @@ def crop_with_factors(folder: Path) -> Path:
 
 
 def plant_of(stand: Stand, genome: Numbers, folder: Path, name: str) -> Path:
-    """Its crop file, in which leaves have what factors and profiles made."""
+    """Writes a plant's crop file, in which leaves have what factors and
+    profiles made."""
     path = folder / f"{name}.plant.toml"
     path.write_text(stand.crop_file(genome), encoding="utf-8")
     return path
 
 
 def as_free_leaves(stand: Stand, plant: Path) -> Numbers:
-    """The genome of a plant file among those of a campaign with this baseline."""
+    """Returns the genome of a plant file among those of a campaign with this
+    baseline."""
     values = tomllib.loads(plant.read_text(encoding="utf-8"))["leaf"]
     genome = np.array(stand.baseline)
     genes = stand.genes
@@ -120,8 +120,9 @@ def as_free_leaves(stand: Stand, plant: Path) -> Numbers:
 def found(
     tables: dict[str, Any], way: str, seed: int, count: int, folder: Path
 ) -> Numbers:
-    """The genome of the best plant of the last stage. Free leaves begin around the
-    best plant of the stage before, within their own bounds."""
+    """Returns the genome of the best plant of the last stage. Free leaves
+    begin around the best plant of the stage before, within their own
+    bounds."""
     stages = way.split("-")
     start: list[float] = []
     for number, stage in enumerate(stages):
@@ -164,17 +165,13 @@ def gains_of(
     keys = [(way, seed) for way in ways for seed in range(1, seeds + 1)]
     plants = []
     for way, seed in keys:
-        print(
-            f"{where.title}: {way}, seed {seed}", file=sys.stderr, flush=True
-        )
+        say(f"{where.title}: {way}, seed {seed}")
         plants.append(found(tables, way, seed, count, folder))
     stand = Stand(tables)
-    baseline, *others = light(
-        stand, np.array([stand.baseline, *plants])
-    ).tolist()
     gains: dict[str, list[Estimate]] = {way: [] for way in ways}
-    for (way, _), values in zip(keys, others, strict=True):
-        gains[way].append(gain(baseline, values))
+    every = gains_over_baseline(stand, plants)
+    for (way, _), each in zip(keys, every, strict=True):
+        gains[way].append(each)
     return gains, max(error for each in gains.values() for _, error in each)
 
 

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Do our plants have the shape of plants that stood in a field?
+"""Compares the shape of our plants with that of plants that stood in a field.
 
 plant_shapes.py FOLDER [--to FILE.png]
 
-Draws fields of crops/maize.toml and crops/maize_hybrid.toml with FIELD_PLANTS of shared.py
-in FOLDER, and compares their leaves with those of 11 plants of Iowa (measured/README.md).
+Draws fields of crops/maize.toml and crops/maize_hybrid.toml with FIELD_PLANTS
+of shared.py in FOLDER, and compares their leaves with those of 11 plants of
+Iowa (measured/README.md).
 """
 
 from __future__ import annotations
@@ -41,9 +42,10 @@ from ideotype.analysis.style import RC, new_figure
 MEASURED = Path(__file__).parent / "measured"
 V02 = CAMPAIGNS / "plants" / "maize_v02.toml"
 HYBRID = CAMPAIGNS / "crops" / "maize_hybrid.toml"
-ROWS = 10  # of a field, and plants of each
+ROWS = 10  # The rows of a field, and the plants of each.
 CELLS = 40
-"""Faces along a leaf: about 2 cm, near the 2.5 cm of measured planes."""
+"""The number of faces along a leaf: about 2 cm, near the 2.5 cm of measured
+planes."""
 STEEP = 70
 IOWA = "11 plants of Iowa"
 TITLES = {
@@ -54,7 +56,7 @@ TITLES = {
 }
 THIRDS = ("lower", "middle", "upper")
 HEIGHTS = np.array([0, 0.2, 0.4, 0.6, 0.8, 1, 1.2, 1.4])
-"""Over that of the highest insertion."""
+"""Heights over that of the highest insertion."""
 PLANTS = {
     "version 0.2": (V02, {}),
     "as measured, all alike": (MAIZE, {}),
@@ -65,16 +67,17 @@ PLANTS = {
 
 @dataclass(frozen=True)
 class Shape:
-    """Leaves of plants; of angles and reach a number for all and each third."""
+    """The leaves of plants; angles and reach have a number for all and for
+    each third."""
 
-    inclination: Numbers  #: of surfaces from the horizontal [deg]
-    steep: Numbers  #: share of area that is steeper than STEEP
-    reach: Numbers  #: of midribs from their bases, aside [m]
-    height: Numbers  #: share of area between HEIGHTS
+    inclination: Numbers  # The angle of surfaces from the horizontal [deg].
+    steep: Numbers  # The share of area that is steeper than STEEP.
+    reach: Numbers  # The reach of midribs from their bases, aside [m].
+    height: Numbers  # The share of area between HEIGHTS.
 
 
 def read_obj(path: Path) -> Mesh:
-    """A mesh as the program exports it."""
+    """Reads a mesh as the program exports it."""
     vertices, faces, groups, group = [], [], [], ""
     for line in path.read_text().splitlines():
         word, *rest = line.split()
@@ -89,14 +92,15 @@ def read_obj(path: Path) -> Mesh:
 
 
 def turned(crop: Path) -> str:
-    """A trait of a plant; the first generation has the baseline whichever it is."""
+    """Returns a trait of a plant; whichever it is, the first generation has
+    the baseline."""
     traits = tomllib.loads(crop.read_text()).get("trait", [])
     whole = (each["name"] for each in traits if each.get("per") == "plant")
     return next(whole, "azimuth")
 
 
 def drawn(tables: Any, folder: Path) -> Mesh:
-    """The field of a campaign's first generation, the baseline."""
+    """Returns the field of a campaign's first generation, the baseline."""
     (history,) = breed_tables(tables, folder)
     to = history.with_suffix(".obj")
     to.unlink(missing_ok=True)
@@ -115,8 +119,8 @@ def field_of(
     size: tuple[int, int] = (ROWS, ROWS),
     spacing: tuple[float, float] = (0.76, 0.15),
 ) -> Mesh:
-    """The field of a plant's first generation, the baseline, as drawn: so many
-    rows and plants of each, so far apart [m]."""
+    """Returns the field of a plant's first generation, the baseline, as drawn:
+    so many rows and plants of each, so far apart [m]."""
     tables = {
         **ANYWHERE,
         "name": re.sub("[^a-z0-9]+", "_", name),
@@ -137,7 +141,8 @@ def field_of(
 
 
 def means(values: Numbers, leaf: Numbers, weights: Numbers) -> Numbers:
-    """Of all leaves and of each third of them, by their ranks."""
+    """Returns means over all leaves and over each third of them, by their
+    ranks."""
     third = np.floor(3 * (leaf - 0.5) / leaf.max())
     parts = [leaf > 0, *(third == i for i in range(3))]
     return np.array([np.average(values[k], weights=weights[k]) for k in parts])
@@ -149,7 +154,7 @@ def shape_of(field: Mesh) -> Shape:
     faces = faces.join(of.astype(float)).dropna()
     corners = field.vertices[np.array(faces.face.tolist())]
     a, b, c, d = np.moveaxis(corners, 1, 0)
-    # Of a face that is close to flat half the product of its diagonals.
+    # A face that is close to flat has half the product of its diagonals.
     normals = np.cross(c - a, d - b) / 2
     area = np.linalg.norm(normals, axis=1)
     inclination = np.degrees(np.arccos(np.abs(normals[:, 2]) / area))
@@ -173,7 +178,7 @@ def shape_of(field: Mesh) -> Shape:
 
 
 def measured() -> tuple[Shape, dict[str, Numbers]]:
-    """The mean over plants, and each plant."""
+    """Returns the mean over plants, and each plant."""
     order = ["all", *THIRDS]
     heights, steps, plants = (
         pd.read_csv(MEASURED / f"iowa_{name}.csv", index_col=0)

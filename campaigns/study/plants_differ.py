@@ -1,20 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What do plants that are all alike hide?
+"""Measures what plants that are all alike hide.
 
 plants_differ.py [--under CAMPAIGN] [--plants N] [--figure FILE.png]
 
-Evaluates N plants of the bounds "breedable", spread evenly, and the baseline in stands of
-plants alike and in stands of plants that differ: as hybrids do (estimates), and as the
-lines that were measured do (docs/campaign_files.md). Prints what the baseline absorbs and
-assimilates on the day of CAMPAIGN in each, how far the order of plants agrees (rank
-correlation), and what the best plant of the stand of plants alike is worth where plants
-differ, relative to the best one there.
+Evaluates N plants of the bounds "breedable", spread evenly, and the baseline
+in stands of plants alike and in stands of plants that differ: as hybrids do
+(estimates), and as the lines that were measured do (docs/campaign_files.md).
+Prints what the baseline absorbs and assimilates on the day of CAMPAIGN in
+each, how far the order of plants agrees (rank correlation), and what the best
+plant of the stand of plants alike is worth where plants differ, relative to
+the best one there.
 """
 
 from __future__ import annotations
 
-import argparse
 from pathlib import Path
 from typing import Any
 
@@ -30,7 +30,9 @@ from shared import (
     gain,
     guard,
     light,
+    parser_of,
     print_table,
+    told,
 )  # fmt: skip
 
 from ideotype import Stand
@@ -62,14 +64,15 @@ def stand(under: Path, objective: str, variation: dict[str, float]) -> Stand:
 
 
 def plants(of: Stand, count: int) -> Numbers:
-    """The baseline, then plants spread evenly between their bounds."""
+    """Returns the baseline, then plants spread evenly between their bounds."""
     lower, upper = of.bounds
     points = qmc.Sobol(len(lower), seed=1).random(count)
     return np.vstack([of.start, qmc.scale(points, lower, upper)])
 
 
 def lost(values: Numbers, chosen: int) -> Estimate:
-    """By choosing this plant instead of the best one [%]."""
+    """Returns what is lost by choosing this plant instead of the best one
+    [%]."""
     best = int(values.mean(1).argmax())
     return gain(values[best].tolist(), values[chosen].tolist())
 
@@ -82,9 +85,9 @@ def row(title: str, line: str, alike: Numbers, here: Numbers) -> list[str]:
     return [
         title,
         line,
-        "{:+.2f} ± {:.2f}".format(*change),
+        told(change, 2, "+"),
         f"{agreement:.3f}",
-        "{:+.2f} ± {:.2f}".format(*worth),
+        told(worth, 2, "+"),
     ]
 
 
@@ -106,7 +109,7 @@ def draw(values: dict[tuple[str, str], Numbers], path: Path) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser = parser_of(__doc__)
     parser.add_argument("--under", type=Path, default=CAMPAIGNS / "ames.toml")
     parser.add_argument("--plants", type=int, default=64)
     parser.add_argument("--figure", type=Path)

@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Published figures of maize canopies that validation.py compares the baseline with.
+"""Published figures of maize canopies that validation.py compares the baseline
+with.
 
-Left out until plants grow: means over a season of growing cover (Kukal and Irmak 2020
-have k of .36 for wheat and .48 for sorghum and soybean), grain yield (Pendleton and others
-1968; Winter and Ohlrogge 1973), and dry matter from silking to maturity (Arihara and others
-1978). Each was read in the source that it names. "Abstract": no more than that was read, so
-that density, rows or hours that it does not tell are unknown."""
+Figures that wait until plants grow are left out: means over a season of
+growing cover (Kukal and Irmak 2020 have k of .36 for wheat and .48 for sorghum
+and soybean), grain yield (Pendleton and others 1968; Winter and Ohlrogge
+1973), and dry matter from silking to maturity (Arihara and others 1978). Each
+was read in the source that it names. "Abstract" means that no more than the
+abstract was read, so that density, rows or hours that it does not tell are
+unknown."""
 
 from __future__ import annotations
 
@@ -20,7 +23,7 @@ class Published:
     what: str
     low: float
     high: float
-    """What counts as agreement."""
+    """The highest figure that counts as agreement."""
     told: str
     """The figure as the source has it."""
     differs: str
@@ -28,17 +31,19 @@ class Published:
 
 
 def near(value: float, share: float = 0.1) -> tuple[float, float]:
-    """Where no range or error is told."""
+    """Returns the range of agreement where no range or error is told."""
     return (1 - share) * value, (1 + share) * value
 
 
 def apsim_k(row: float) -> float:
-    """Default of APSIM 7.10 by distance of rows [m], linear between points."""
+    """Returns the default of APSIM 7.10 by distance of rows [m], linear
+    between points."""
     return float(np.interp(row, (0.2, 0.5, 1.0), (0.70, 0.50, 0.40)))
 
 
 def ceres_k(row: float, density: float) -> float:
-    """Of CERES-Maize by distance of rows [m] and plants per area [m-2]."""
+    """Returns the value of CERES-Maize by distance of rows [m] and plants per
+    area [m-2]."""
     return float(1.5 - 0.768 * (row**2 * density) ** 0.1)
 
 

@@ -1,25 +1,24 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What does one plant for five sites cost?
+"""Measures what one plant for five sites costs.
 
-robust.py FOLDER [--figure FILE.png] [--latitudes N...] [--generations N] [--seeds N]
-          [--rough]
+robust.py FOLDER [--figure FILE.png] [--latitudes N...] [--generations N]
+          [--seeds N] [--rough]
 
 Breeds crops/maize.toml for the carbon balance of a season at each latitude of
-arXiv:2512.06064 alone, and one robust plant for the mean of all of them: the season
-measured at Bondville, Illinois, under the sun of each latitude (temperature and the share
-of the light that passes the atmosphere are those of Bondville). Traits are those that a
-breeder can select (bounds "breedable"), and plants differ as those of fields do. Prints what each
-plant has at each latitude, relative to the plant that was bred there [%]; ± is the
-standard error of randomisations that all plants share, or over seeds where that is
-larger. What is in FOLDER already is not bred again; interrupted searches go on.
---rough is for tests. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+arXiv:2512.06064 alone, and one robust plant for the mean over all of them: the
+season measured at Bondville, Illinois, under the sun of each latitude
+(temperature and the share of the light that passes the atmosphere are those of
+Bondville). Traits are those that a breeder can select (bounds "breedable"),
+and plants differ as those of fields do. Prints what each plant has at each
+latitude, relative to the plant that was bred there [%]; ± is the standard
+error of randomisations that all plants share, or over seeds where that is
+larger.
 """
 
 from __future__ import annotations
 
 import argparse
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 from statistics import fmean
@@ -32,14 +31,15 @@ from shared import (
     ROUGH,
     Estimate,
     Numbers,
-    best,
-    breed_tables,
+    best_plants,
     gain,
     guard,
     light,
     mean_over_seeds,
     parser_of_searches,
     print_table,
+    say,
+    told,
 )  # fmt: skip
 
 from ideotype import Stand
@@ -48,11 +48,11 @@ from ideotype.analysis.style import new_figure, series
 ROBUST, BASELINE = "all of them", "baseline, not bred"
 LATITUDES = (7.0, 39.35, 42.0, 46.8, 56.2)
 Matrix = dict[str, list[Estimate]]
-"""Of each plant, what it has at each latitude [% of the plant bred there]."""
+"""The carbon of each plant at each latitude [% of the plant bred there]."""
 
 
 def place(latitude: float, folder: Path) -> dict[str, Any]:
-    """As a [[site]], with its weather."""
+    """Returns a latitude as a [[site]], with its weather."""
     return {
         **site(latitude),
         "name": f"n{latitude:g}".replace(".", "p"),
@@ -63,7 +63,7 @@ def place(latitude: float, folder: Path) -> dict[str, Any]:
 def campaign(
     name: str, places: list[dict[str, Any]], options: argparse.Namespace
 ) -> dict[str, Any]:
-    """For the mean of these places."""
+    """Returns the tables of a search for the mean of these places."""
     climate = season()
     climate.pop("file")
     return {
@@ -80,13 +80,13 @@ def campaign(
 
 
 def bred(tables: dict[str, Any], folder: Path) -> list[Numbers]:
-    """The best plant of each seed."""
-    print(f"breeding {tables['name']}", file=sys.stderr, flush=True)
-    return [best(path) for path in breed_tables(tables, folder)]
+    """Returns the best plant of each seed."""
+    say(f"breeding {tables['name']}")
+    return best_plants(tables, folder)
 
 
 def relative(stand: Stand, home: int, plants: list[Numbers]) -> list[Estimate]:
-    """What plants have here [% of the one whose home this is]."""
+    """Returns what plants have here [% of the one whose home this is]."""
     values = light(stand, np.array(plants)).tolist()
     changes = (gain(values[home], value) for value in values)
     return [(100 + mean, error) for mean, error in changes]
@@ -118,7 +118,8 @@ def matrix(options: argparse.Namespace) -> Matrix:
 
 
 def mean_of_row(row: Sequence[Estimate]) -> Estimate:
-    """The error is at most that: fields are the same at all latitudes."""
+    """Returns the mean of a row. The error is at most the mean of errors:
+    fields are the same at all latitudes."""
     return fmean(mean for mean, _ in row), fmean(error for _, error in row)
 
 
@@ -147,8 +148,9 @@ def draw(found: Matrix, latitudes: Sequence[float], path: Path) -> None:
 
 
 def main() -> None:
-    parser = parser_of_searches(__doc__, generations=40, seeds=1)
-    parser.add_argument("--figure", type=Path)
+    parser = parser_of_searches(
+        __doc__, has_figure=True, generations=40, seeds=1
+    )
     parser.add_argument(
         "--latitudes", nargs="+", type=float, default=LATITUDES
     )
@@ -158,7 +160,7 @@ def main() -> None:
     rows = []
     for name, row in found.items():
         cells = (*row, mean_of_row(row))
-        rows.append([name, *(f"{x:.2f} ± {error:.2f}" for x, error in cells)])
+        rows.append([name, *(told(x, 2) for x in cells)])
     print_table(["bred for", *grown, "mean"], rows)
     if options.figure:
         draw(found, options.latitudes, options.figure)

@@ -1,35 +1,44 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How fast each search gains, by evaluations and by time.
+"""Measures how fast each search gains, by evaluations and by time.
 
 searches.py FOLDER [--figure FILE.png] [--evaluations N] [--seeds N]
             [--only SEARCH...] [--campaign FILE]
 
-Runs a campaign (ames.toml, unless another is given) with each search, takes the
-best plant of the generation in which each number of evaluations is reached (of
-all until then, where nothing is learnt), and evaluates all of these again with
-many paths, beside the baseline. Prints the
-gain over the baseline in %, the mean of the seeds with its standard error, and
-the seconds that all evaluations until then took. Cases that are in FOLDER
-already are not run again. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+Runs a campaign (ames.toml, unless another is given) with each search and takes
+the best plant of the generation in which each number of evaluations is reached
+(a search that learns nothing gives the best of all until then). Evaluates all
+of these again with many paths, beside the baseline. Prints the gain over the
+baseline in %, the mean of the seeds with its standard error, and the seconds
+that all evaluations until then took. Cases that are in FOLDER already are not
+run again. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
 """
 
 from __future__ import annotations
 
 import argparse
 import math
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import fmean, stdev
 
 import numpy as np
-from shared import CAMPAIGNS, Numbers, breed, gain, guard, light
+from shared import (
+    CAMPAIGNS,
+    Numbers,
+    breed,
+    gains_over_baseline,
+    guard,
+    parser_of,
+    print_table,
+    say,
+    told,
+)
 
 from ideotype import Stand, open_history
 from ideotype.analysis.style import new_figure, series
 
-#: name: keys of [search], and the candidates of a generation
+#: Searches by name: keys of [search], and the candidates of a generation.
 SEARCHES: dict[str, tuple[tuple[str, ...], int]] = {
     "random": (("search.optimizer=random",), 100),
     "sobol": (("search.optimizer=sobol",), 100),
@@ -39,7 +48,7 @@ SEARCHES: dict[str, tuple[tuple[str, ...], int]] = {
     "auto": (("search.optimizer=auto",), 37),
 }
 RANDOM = 2
-"""Origin of a plant that follows from no other."""
+"""The origin of a plant that follows from no other."""
 CHECKPOINTS = (
     100,
     250,
@@ -61,9 +70,9 @@ class Point:
     """A search after some evaluations."""
 
     evaluations: int
-    gains: list[float]  # of each seed [%]
-    errors: list[float]  # of each, paired [%]
-    seconds: float  # of the processor, mean of the seeds
+    gains: list[float]  # The gain of each seed [%].
+    errors: list[float]  # The error of each, paired [%].
+    seconds: float  # Processor time, mean of the seeds.
 
     @property
     def gain(self) -> float:
@@ -78,7 +87,7 @@ class Point:
 
 def run(name: str, options: argparse.Namespace) -> list[Path]:
     keys, population = SEARCHES[name]
-    print(f"searching by {name}", file=sys.stderr, flush=True)
+    say(f"searching by {name}")
     every = [
         f"search.population={population}",
         f"stop.generations={math.ceil(options.evaluations / population)}",
@@ -92,9 +101,9 @@ def run(name: str, options: argparse.Namespace) -> list[Path]:
 def best_until(
     history: Path, checkpoints: list[int]
 ) -> list[tuple[Numbers, float]]:
-    """Of each checkpoint: the plant, and the seconds of all evaluations until
-    then. What learns is asked for the best of its last generation, others for
-    the best of all."""
+    """Returns for each checkpoint the plant, and the seconds of all
+    evaluations until then. A search that learns is asked for the best of its
+    last generation, others for the best of all."""
     found: list[tuple[Numbers, float]] = []
     highest, plant = -math.inf, np.empty(0)
     done, seconds = 0, 0.0
@@ -119,38 +128,34 @@ def best_until(
 def evaluate_again(
     histories: list[Path], stand: Stand, checkpoints: list[int]
 ) -> list[Point]:
-    """The best plants of one search, all with the same random numbers."""
+    """Evaluates the best plants of one search, all with the same random
+    numbers."""
     chosen = [best_until(path, checkpoints) for path in histories]
     count = min(map(len, chosen))
     plants = [plant for points in chosen for plant, _ in points[:count]]
-    baseline, *best = light(
-        stand, np.array([stand.baseline, *plants])
-    ).tolist()
+    every = gains_over_baseline(stand, plants)
     points = []
     for k, evaluations in enumerate(checkpoints[:count]):
-        gains, errors = zip(
-            *(gain(baseline, after) for after in best[k::count])
-        )
+        gains, errors = zip(*every[k::count])
         seconds = fmean(points_of[k][1] for points_of in chosen)
         points.append(Point(evaluations, list(gains), list(errors), seconds))
     return points
 
 
-def print_table(found: dict[str, list[Point]]) -> None:
-    print(
-        "| search | evaluations | gain [%] | by seed (± error) | core-seconds |"
-    )
-    print("|---|---|---|---|---|")
-    for name, points in found.items():
-        for each in points:
-            seeds = ", ".join(
-                f"{gain:.2f} ± {error:.2f}"
-                for gain, error in zip(each.gains, each.errors, strict=True)
-            )
-            print(
-                f"| {name} | {each.evaluations:,} | {each.gain:.2f} ± {each.error:.2f} "
-                f"| {seeds} | {each.seconds:.1f} |"
-            )
+def tell(found: dict[str, list[Point]]) -> None:
+    titles = ["search", "evaluations", "gain [%]", "by seed (± error)"]
+    rows = [
+        [
+            name,
+            f"{each.evaluations:,}",
+            told((each.gain, each.error), 2),
+            ", ".join(told(x, 2) for x in zip(each.gains, each.errors)),
+            f"{each.seconds:.1f}",
+        ]
+        for name, points in found.items()
+        for each in points
+    ]
+    print_table([*titles, "core-seconds"], rows)
 
 
 def draw(found: dict[str, list[Point]], path: Path) -> None:
@@ -180,7 +185,7 @@ def draw(found: dict[str, list[Point]], path: Path) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser = parser_of(__doc__)
     parser.add_argument("folder", type=Path)
     parser.add_argument("--figure", type=Path)
     parser.add_argument("--evaluations", type=int, default=20000)
@@ -198,7 +203,7 @@ def main() -> None:
         name: evaluate_again(run(name, options), stand, checkpoints)
         for name in options.only or SEARCHES
     }
-    print_table(found)
+    tell(found)
     if options.figure:
         draw(found, options.figure)
 

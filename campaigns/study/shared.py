@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the scripts of this folder share: breeding by the program, plants in the
-light of a campaign, and gains with their standard errors."""
+"""Functions that the scripts of this folder share: breeding by the program,
+plants in the light of a campaign, and gains with their standard errors."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import argparse
 import math
 import os
 import subprocess
+import sys
 import tomllib
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -30,9 +31,9 @@ from ideotype.analysis.estimate import relative_gain
 CAMPAIGNS = Path(__file__).parents[1]
 MAIZE = CAMPAIGNS / "crops" / "maize.toml"
 PLANT_AREA = 0.3991
-"""Leaf area of this plant [m2]."""
-#: [field.variation] of hybrids, and of the lines that were measured; README.md has the
-#: sources.
+"""The leaf area of this plant [m2]."""
+#: The [field.variation] of hybrids, and of the lines that were measured;
+#: README.md has the sources.
 HYBRIDS = {
     "length": 0.05,
     "width": 0.06,
@@ -47,7 +48,8 @@ MEASURED_LINES = {
     "azimuth": 17.3,
     "height": 0.05,
 }
-#: [field.variation] of plants as they were measured; docs/campaign_files.md has the sources.
+#: The [field.variation] of plants as they were measured;
+#: docs/campaign_files.md has the sources.
 FIELD_PLANTS = {
     "length": 0.05,
     "width": 0.06,
@@ -61,31 +63,31 @@ FIELD_PLANTS = {
     "missing": 0.045,
     "late": 0.04,
 }
-#: [field] and [light] of searches where plants differ: several small fields, so that
-#: errors of rows contain how fields differ.
+#: The [field] and [light] of searches where plants differ: several small
+#: fields, so that errors of rows contain how fields differ.
 SMALL_FIELD = {"rows": 2, "plants": 2, "variation": FIELD_PLANTS}
 SEVERAL_FIELDS = {"fields": 4}
 Numbers = NDArray[np.float64]
 Settings = Sequence[str]
-"""As for --set: "search.optimizer=ga"."""
+"""Settings as for --set: "search.optimizer=ga"."""
 Estimate = tuple[float, float]
-"""Mean and standard error."""
+"""A mean and its standard error."""
 
 TITLES = {
     "absorbed_par": "absorbed PAR, clear day",
     "net_assimilation": "net assimilation, clear day",
     "carbon_balance": "carbon balance, season",
 }
-"""Of objectives, with the light that they are looked at under."""
+"""The titles of objectives, with the light that they are looked at under."""
 
-#: Light of tests: evaluations of milliseconds, with errors of per cents.
+#: The light of tests: evaluations of milliseconds, with errors of per cents.
 ROUGH: Mapping[str, Any] = {
     "light": {"paths": 64, "randomisations": 4},
     "final": {"candidates": 1, "paths": 256, "randomisations": 4},
 }
 
-#: What a breeder can select of hybrids, in rows of 30 inches with 6 inches between
-#: plants; a campaign that lacks light and an objective.
+#: A campaign of what a breeder can select in hybrids, in rows of 30 inches
+#: with 6 inches between plants; it lacks light and an objective.
 BREEDABLE: Mapping[str, Any] = {
     "spacing": [{"name": "30x6", "row": 0.762, "plant": 0.1524}],
     "field": SMALL_FIELD,
@@ -107,7 +109,7 @@ ANYWHERE: Mapping[str, Any] = {
     ],
     "spacing": [{"row": 0.76, "plant": 0.15}],
 }
-"""A campaign for what does not depend on light; it lacks a plant."""
+"""A campaign for results that do not depend on light; it lacks a plant."""
 
 
 def guard(main: Callable[[], None]) -> None:
@@ -121,31 +123,53 @@ def guard(main: Callable[[], None]) -> None:
 
 
 def folder_at(path: str) -> Path:
-    """Made if it is not there."""
+    """Returns a folder, which is made if it is not there."""
     folder = Path(path).resolve()
     folder.mkdir(parents=True, exist_ok=True)
     return folder
 
 
-def parser_of_searches(
-    description: str | None, **counts: int
+def parser_of(
+    description: str | None, epilog: str | None = None
 ) -> argparse.ArgumentParser:
-    """Options of a script that breeds in a folder; `counts` are the names of
-    numbers with what they are if they are not given."""
-    parser = argparse.ArgumentParser(
-        description=(description or "").partition("\n")[0]
+    """Returns a parser that describes a script by the first line of its
+    text."""
+    first = (description or "").partition("\n")[0]
+    return argparse.ArgumentParser(description=first, epilog=epilog)
+
+
+def parser_of_searches(
+    description: str | None, *, has_figure: bool = False, **counts: int
+) -> argparse.ArgumentParser:
+    """Returns the parser of a script that breeds in a folder. `counts` are the
+    names of options that are whole numbers, with their defaults."""
+    parser = parser_of(
+        description,
+        "Searches that the folder has are not repeated, and interrupted ones "
+        "go on. IDEOTYPE_EXECUTABLE names the program, else it is that on "
+        "PATH.",
     )
     parser.add_argument("folder", type=folder_at)
     for name, count in counts.items():
         parser.add_argument(
             f"--{name.replace('_', '-')}", type=int, default=count
         )
-    parser.add_argument("--rough", action="store_true")
+    if has_figure:
+        parser.add_argument("--figure", type=Path)
+    parser.add_argument(
+        "--rough", action="store_true", help="take little light, for tests"
+    )
     return parser
 
 
+def say(text: str) -> None:
+    """Tells the progress of a script, apart from its tables."""
+    print(text, file=sys.stderr, flush=True)
+
+
 def read_campaign(path: Path) -> dict[str, Any]:
-    """The tables of a campaign file, whose crop files are found from anywhere."""
+    """Returns the tables of a campaign file, whose crop files are found from
+    anywhere."""
     tables = tomllib.loads(path.read_text())
     for part in (tables["plant"], *tables.get("component", [])):
         key = "crop" if "crop" in part else "baseline"
@@ -160,10 +184,11 @@ def breed(
     out: Path,
     verb: str = "run",
 ) -> list[Path]:
-    """The histories of all cases and seeds, in a folder of this name. Complete
-    ones are kept, interrupted ones go on. `verb` may be "sensitivity".
+    """Returns the histories of all cases and seeds, in a folder of this name.
+    Complete ones are kept, interrupted ones go on. `verb` may be
+    "sensitivity".
 
-    The program is that of IDEOTYPE_EXECUTABLE, else `ideotype` on PATH."""
+    IDEOTYPE_EXECUTABLE names the program, else it is `ideotype` on PATH."""
     program = os.environ.get("IDEOTYPE_EXECUTABLE", "ideotype")
     words = [program, verb, str(campaign), "--resume"]
     words += ["--out", str(out)]
@@ -181,14 +206,15 @@ def breed(
 def breed_tables(
     tables: Mapping[str, Any], folder: Path, verb: str = "run"
 ) -> list[Path]:
-    """The histories of a campaign that is written to a file of this folder."""
+    """Returns the histories of a campaign that is written to a file of this
+    folder."""
     path = folder / f"{tables['name']}.toml"
     path.write_text(tomli_w.dumps(tables), encoding="utf-8")
     return breed(path, tables["name"], [], folder, verb)
 
 
 def best(history: Path) -> Numbers:
-    """The genome of its best plant."""
+    """Returns the genome of a history's best plant."""
     with ideotype.open_history(history) as opened:
         found = opened.best()
     if found is None:
@@ -196,9 +222,14 @@ def best(history: Path) -> Numbers:
     return np.asarray(found.row.genome[0], float)
 
 
+def best_plants(tables: Mapping[str, Any], folder: Path) -> list[Numbers]:
+    """Returns the genome of the best plant of each seed of a campaign."""
+    return [best(path) for path in breed_tables(tables, folder)]
+
+
 def stand_of(plant: Path, campaign: Path, settings: Settings = ()) -> Stand:
-    """The first case of a campaign, whose baseline is this plant: that of a
-    crop file, or the best of a history."""
+    """Returns the first case of a campaign, whose baseline is this plant: that
+    of a crop file, or the best of a history."""
     with TemporaryDirectory() as folder:
         if plant.suffix == ".h5":
             bred = Stand.from_history(plant, same_isa=False)
@@ -212,8 +243,8 @@ def stand_of(plant: Path, campaign: Path, settings: Settings = ()) -> Stand:
 
 
 def light(stand: Stand, genomes: Numbers) -> Numbers:
-    """The objective [plants, randomisations] as finalists are evaluated: all
-    in the same fields and with the same random numbers."""
+    """Returns the objective [plants, randomisations] as finalists are
+    evaluated: all in the same fields and with the same random numbers."""
     found = stand.evaluate(genomes, [], final=True)
     for message in found.message.values:
         if message:
@@ -222,7 +253,7 @@ def light(stand: Stand, genomes: Numbers) -> Numbers:
 
 
 def light_of_baselines(stands: Iterable[Stand]) -> Numbers:
-    """The same of the baseline of each stand."""
+    """Returns the objective of the baseline of each stand, as light() does."""
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         return np.concatenate(
             list(pool.map(lambda stand: light(stand, stand.baseline), stands))
@@ -230,7 +261,8 @@ def light_of_baselines(stands: Iterable[Stand]) -> Numbers:
 
 
 def leaves(stand: Stand, genome: Numbers) -> pd.DataFrame:
-    """A row for each leaf, the lowest first; its traits in columns."""
+    """Returns a row for each leaf, the lowest first; its traits are
+    columns."""
     genes = stand.genes.assign(value=genome).query("leaf > 0")
     return genes.pivot(index="leaf", columns="trait", values="value")
 
@@ -238,21 +270,21 @@ def leaves(stand: Stand, genome: Numbers) -> pd.DataFrame:
 def with_trait(
     stand: Stand, genome: Numbers, trait: str, values: Sequence[float]
 ) -> Numbers:
-    """A plant whose leaves have these values of a trait."""
+    """Returns a plant whose leaves have these values of a trait."""
     changed = genome.copy()
     changed[(stand.genes.trait == trait).to_numpy()] = values
     return changed
 
 
 def estimate(values: Sequence[float]) -> Estimate:
-    """Of randomisations."""
+    """Returns the estimate of randomisations."""
     return fmean(values), stdev(values) / math.sqrt(len(values))
 
 
 def sign_change(
     low: tuple[float, Estimate], high: tuple[float, Estimate]
 ) -> Estimate:
-    """Where a line through two points is zero."""
+    """Returns where a line through two points is zero."""
     (x, (y, error)), (x2, (y2, error2)) = low, high
     slope = (y2 - y) / (x2 - x)
     weight = -y / (y2 - y)
@@ -261,7 +293,8 @@ def sign_change(
 
 
 def gain(before: Sequence[float], after: Sequence[float]) -> Estimate:
-    """100 (after / before - 1) [%], of randomisations that both plants share."""
+    """Returns 100 (after / before - 1) [%], of randomisations that both plants
+    share."""
     found = relative_gain(
         *(
             Figure(*estimate(values), draws=np.array(values))
@@ -271,9 +304,19 @@ def gain(before: Sequence[float], after: Sequence[float]) -> Estimate:
     return found.mean, found.standard_error
 
 
+def gains_over_baseline(
+    stand: Stand, plants: Sequence[Numbers]
+) -> list[Estimate]:
+    """Returns the gain of each plant over the baseline of its stand [%]."""
+    baseline, *others = light(
+        stand, np.array([stand.baseline, *plants])
+    ).tolist()
+    return [gain(baseline, each) for each in others]
+
+
 def mean_over_seeds(values: Sequence[Estimate]) -> Estimate:
-    """The error is that of the evaluations, or of the seeds where that is
-    larger."""
+    """Returns the mean over seeds. The error is that of the evaluations, or of
+    the seeds where that is larger."""
     means = [mean for mean, _ in values]
     error = math.hypot(*(error for _, error in values)) / len(values)
     if len(values) > 1:
@@ -281,8 +324,14 @@ def mean_over_seeds(values: Sequence[Estimate]) -> Estimate:
     return fmean(means), error
 
 
+def told(value: Estimate, digits: int = 1, sign: str = "") -> str:
+    """Tells mean and standard error; the sign "+" stands before gains too."""
+    mean, error = value
+    return f"{mean:{sign}.{digits}f} ± {error:.{digits}f}"
+
+
 def print_table(titles: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
-    """As Markdown."""
+    """Prints a table as Markdown."""
     print(f"| {' | '.join(titles)} |")
     print("|---" * len(titles) + "|")
     for row in rows:

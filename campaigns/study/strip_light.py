@@ -1,22 +1,22 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Does light in strips of maize and soybean agree with reports of fields?
+"""Compares light in strips of maize and soybean with reports of fields.
 
 strip_light.py [--table FILE.csv] [--rough]
 
-Puts what abstracts tell of light in strips beside the light of this program, by sign and
-size: nothing is fitted. Maize is crops/maize.toml. Soybean at a stage is crops/soybean.toml
-with as many of its leaves as the stage has, all lengths times one factor that makes its
-stem as high as the sum of internodes (DSSAT, as in that file). Days are clear, of
-Chengdu. What a report does not tell is marked in the table: "rows" where distances between
-rows are ours, "stage" where the stage is. ± is the standard error of randomisations.
---table compares light that was measured by row instead; measured/strips/README.md tells its
-form. --rough is for tests.
+Puts what abstracts tell of light in strips beside the light of this program,
+by sign and size: nothing is fitted. Maize is crops/maize.toml. Soybean at a
+stage is crops/soybean.toml with as many of its leaves as the stage has; all
+lengths are multiplied by the factor that makes its stem as high as the sum of
+internodes (DSSAT, as in that file). Days are clear, of Chengdu. The table
+marks what a report does not tell: "rows" where distances between rows are
+ours, "stage" where the stage is. ± is the standard error of randomisations.
+--table compares light that was measured by row instead;
+measured/strips/README.md tells its form. --rough is for tests.
 """
 
 from __future__ import annotations
 
-import argparse
 import math
 import tomllib
 from collections.abc import Sequence
@@ -33,14 +33,15 @@ from shared import (
     MAIZE,
     Estimate,
     guard,
+    parser_of,
     print_table,
 )  # fmt: skip
 
 from ideotype import Stand
 
 SOYBEAN = CAMPAIGNS / "crops" / "soybean.toml"
-#: Trifoliate nodes of soybean at stages, the height of its stem [m], and days on which it
-#: has them between maize that is sown two months earlier.
+#: Trifoliate nodes of soybean at stages, the height of its stem [m], and days
+#: on which it has them between maize that is sown two months earlier.
 STAGES = {
     "V2": (2, 0.134, date(2017, 6, 25)),
     "V5": (5, 0.308, date(2017, 7, 5)),
@@ -55,7 +56,7 @@ SITE = {
 
 
 def soybean_at(stage: str, folder: Path) -> Path:
-    """A crop file of soybean at a stage."""
+    """Writes a crop file of soybean at a stage."""
     nodes, height, _ = STAGES[stage]
     crop = tomllib.loads(SOYBEAN.read_text())
     crop["leaf"] = crop["leaf"][:nodes]
@@ -95,9 +96,9 @@ class Strips:
         stage: str = "R1",
         direction: float = 0,
     ) -> Stand:
-        """Rows at these distances [m], with plants `plant` apart [m], and
-        soybean .10 m apart in some of them."""
-        length = 0.6  # of the cell along the rows, about [m]
+        """Returns rows at these distances [m], with plants `plant` apart [m],
+        and soybean .10 m apart in some of them."""
+        length = 0.6  # About the length of the cell along the rows [m].
         tables: dict[str, Any] = {
             "name": "strip",
             "seed": 1,
@@ -135,8 +136,8 @@ class Strips:
         return Stand(tables)
 
     def at(self, stand: Stand, height: float, position: float) -> Estimate:
-        """The part of the day's light that arrives at a height, so far from a
-        row [m]."""
+        """Returns the part of the day's light that arrives at a height, so far
+        from a row [m]."""
         found = stand.light_at(
             stand.baseline, height, position, points=self._points
         ).isel(sensor=0)
@@ -147,7 +148,8 @@ class Strips:
         return float((part * found.fraction).sum()), error
 
     def by_row(self, stand: Stand) -> list[Estimate]:
-        """Light that leaves of each row absorb, per length of row."""
+        """Returns the light that leaves of each row absorb, per length of
+        row."""
         found = stand.evaluate(stand.baseline, final=True).isel(plant=0)
         width = found.row_width
         means = found.absorbed_light_by_row * width
@@ -158,20 +160,21 @@ class Strips:
 
 
 def total(rows: Sequence[Estimate]) -> Estimate:
-    """The sum of rows, whose errors are taken as independent."""
+    """Returns the sum of rows, whose errors are taken as independent."""
     return sum(x for x, _ in rows), math.hypot(*(e for _, e in rows))
 
 
 def more(a: Estimate, b: Estimate) -> str:
-    """How much more a is than b [%]."""
+    """Tells how much more a is than b [%]."""
     ratio = a[0] / b[0]
     error = ratio * math.hypot(a[1] / a[0], b[1] / b[0])
     return f"{100 * ratio - 100:+.0f} ± {100 * error:.0f}"
 
 
 def above_soybean(strips: Strips) -> list[list[str]]:
-    """Light above soybean between maize that has grown, in strips of two rows
-    over that in alternate rows; as many plants of maize in both."""
+    """Compares light above soybean between maize that has grown, in strips of
+    two rows over that in alternate rows; as many plants of maize stand in
+    both."""
     rows = []
     for stage, reported in (("V2", "+218"), ("V5", "+160"), ("R1", "+172")):
         height = STAGES[stage][1]
@@ -191,13 +194,13 @@ def above_soybean(strips: Strips) -> list[list[str]]:
 
 
 def of_maize(strips: Strips) -> list[str]:
-    """Light of maize in strips before soybean has grown, over that of maize
-    alone with as many plants."""
+    """Compares light of maize in strips before soybean has grown with that of
+    maize alone with as many plants."""
     strip = strips.stand((0.4, 1.6), 0.2, stage="V2")
     alone = strips.stand((0.7, 0.7), 0.2 / 0.7, stage="V2")
     in_strip = total(strips.by_row(strip))
     sole = total(strips.by_row(alone))
-    land = 2.0 / 1.4  # of the cell of strips over that of the other
+    land = 2.0 / 1.4  # The cell of strips over that of the other.
     scaled = (sole[0] * land, sole[1] * land)
     return [
         "all maize leaves, 2M2S over sole (PMC6391028: those at wide rows)",
@@ -208,8 +211,8 @@ def of_maize(strips: Strips) -> list[str]:
 
 
 def of_strips(strips: Strips) -> list[str]:
-    """Light of soybean in strips over that in alternate rows, as many plants
-    of each on the land."""
+    """Compares light of soybean in strips with that in alternate rows, with as
+    many plants of each on the land."""
     strip = strips.stand((0.4, 0.6, 0.4, 0.6), 0.2, soybean=(3, 4))
     alternate = strips.stand((0.5, 0.5), 0.2, soybean=(2,))
     a = total(strips.by_row(strip)[2:])
@@ -223,8 +226,8 @@ def of_strips(strips: Strips) -> list[str]:
 
 
 def southernmost(strips: Strips) -> list[str]:
-    """Light that the southernmost of three rows of soybean loses to maize at
-    its south, over that of the same rows without maize."""
+    """Compares light that the southernmost of three rows of soybean loses to
+    maize at its south with that of the same rows without maize."""
     between = strips.stand(
         (0.4, 0.6, 0.3, 0.3, 0.6), 0.2, soybean=(3, 4, 5), direction=90
     )
@@ -281,9 +284,7 @@ def compare(path: Path) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(
-        description=(__doc__ or "").partition("\n")[0]
-    )
+    parser = parser_of(__doc__)
     parser.add_argument("--table", type=Path)
     parser.add_argument("--rough", action="store_true")
     options = parser.parse_args()

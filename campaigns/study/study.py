@@ -4,25 +4,25 @@
 
 study.py FOLDER [--only PART...] [--short] [--check] [--results FILE.md]
 
-Each part is a script of this folder, which breeds and evaluates in FOLDER/PART and
-prints a table. What is in FOLDER already is not bred again, and interrupted searches
-go on. The tables replace those between
+A part is a script of this folder, which breeds and evaluates in FOLDER/PART
+and prints a table. Searches that FOLDER has are not repeated, and interrupted
+ones go on. The tables replace those between
 
     <!-- study: PART -->
     <!-- end of study -->
 
-in RESULTS.md; with --check that file stays as it is, and the script fails if any number
-in it is not what the histories say. It tells the commit of the project, the version of
-the program, the digests of the files that were read, and of each part how many
-evaluations its histories have and how long it took, earlier sessions included.
---short is a study of minutes with the same parts, rough; its tables stand between
-<!-- short study: PART --> and <!-- end of study -->.
+in RESULTS.md; with --check that file stays as it is, and the script fails if
+any number in it is not what the histories say. It tells the commit of the
+project, the version of the program, the digests of the files that were read,
+and for each part how many evaluations its histories have and how long it took,
+earlier sessions included. --short is a study of minutes with the same parts,
+rough; its tables stand between <!-- short study: PART --> and
+<!-- end of study -->.
 IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
 """
 
 from __future__ import annotations
 
-import argparse
 import hashlib
 import os
 import re
@@ -32,7 +32,11 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-from shared import CAMPAIGNS, guard
+from shared import (
+    CAMPAIGNS,
+    guard,
+    parser_of,
+)
 
 import ideotype
 
@@ -43,10 +47,10 @@ HERE = Path(__file__).parent
 class Part:
     question: str
     words: tuple[str, ...]
-    """The script and its options; {folder} is that of the part, {study} that of all
-    parts."""
+    """The script and its options; {folder} is that of the part, {study} that
+    of all parts."""
     short: tuple[str, ...] = ()
-    """Options of a short study, after the others."""
+    """Further options of a short study."""
 
 
 PARTS = {
@@ -129,7 +133,7 @@ PARTS = {
 
 
 def table_of(name: str, folder: Path, figures: Path, is_short: bool) -> str:
-    """What the script of a part prints."""
+    """Returns what the script of a part prints."""
     part = PARTS[name]
     words = [*part.words, *(part.short if is_short else ())]
     done = subprocess.run(
@@ -160,7 +164,7 @@ def block(place: str) -> re.Pattern[str]:
 
 
 def written(results: Path, place: str) -> str:
-    """The table that the file has there."""
+    """Returns the table that the file has there."""
     found = block(place).search(results.read_text(encoding="utf-8"))
     if found is None:
         raise SystemExit(
@@ -179,7 +183,7 @@ def write(results: Path, place: str, table: str) -> None:
 
 
 def evaluations(folder: Path) -> int:
-    """Of all histories of a folder."""
+    """Counts the evaluations of all histories of a folder."""
     count = 0
     for path in folder.rglob("*.h5"):
         with ideotype.open_history(path) as history:
@@ -188,13 +192,14 @@ def evaluations(folder: Path) -> int:
 
 
 def told_by(*words: str) -> str:
-    """What a command prints, if it can be run."""
+    """Returns what a command prints, if it can be run."""
     done = subprocess.run(words, check=False, capture_output=True, text=True)
     return done.stdout.strip() or f"{words[0]} tells nothing"
 
 
 def versions() -> str:
-    """Of the project that this script is in, and of the program."""
+    """Tells the versions of the project that this script is in, and of the
+    program."""
     program = os.environ.get("IDEOTYPE_EXECUTABLE", "ideotype")
     return "{}; {}".format(
         told_by(
@@ -206,7 +211,8 @@ def versions() -> str:
 
 
 def digests() -> list[str]:
-    """Of the plants, weather files and campaigns that the parts may read."""
+    """Tells the digests of the plants, weather files and campaigns that the
+    parts may read."""
     return [
         f"{hashlib.sha256(path.read_bytes()).hexdigest()[:12]} "
         f"{path.relative_to(CAMPAIGNS)}"
@@ -221,7 +227,7 @@ def digests() -> list[str]:
 
 
 def timed(folder: Path, seconds: float) -> float:
-    """What a part has taken in all sessions."""
+    """Returns the time that a part has taken in all sessions."""
     path = folder / "seconds"
     before = float(path.read_text()) if path.exists() else 0.0
     path.write_text(f"{before + seconds:.1f}\n")
@@ -229,7 +235,7 @@ def timed(folder: Path, seconds: float) -> float:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser = parser_of(__doc__)
     parser.add_argument("folder", type=Path)
     parser.add_argument("--only", nargs="+", choices=PARTS, metavar="PART")
     parser.add_argument("--short", action="store_true")

@@ -1,27 +1,29 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Does the canopy behave as maize does in the field?
+"""Compares the canopy with maize in the field.
 
 validation.py [--rough] [--figure FILE.png]
 
-Evaluates the hybrid of crops/maize_hybrid.toml, whose plants differ and fail as field
-plants do, in stands like those of field experiments, on the clear day of ames.toml,
-around its noon, and in the season of bondville.toml, and prints each figure beside the
-published one (published.py): extinction coefficients and fractions of PAR or of all
-sunlight as the source has them, light-use efficiency, and canopy assimilation; and what
-erect leaves do to crops/maize.toml. What disagrees comes first; two standard errors are
-granted, and where a source tells one figure without an error, 10 %. Then come what each
-measured input changes, alone and together, what would change the hybrid, and extinction
-coefficients k against row spacing and leaf area index. ± are standard errors. --rough is
-for tests. Means over a growing season are not compared: plants do not grow.
+Evaluates the hybrid of crops/maize_hybrid.toml, whose plants differ and fail
+as field plants do, in stands like those of field experiments, on the clear day
+of ames.toml, around its noon, and in the season of bondville.toml, and prints
+each figure beside the published one (published.py): extinction coefficients
+and fractions of PAR or of all sunlight as the source has them, light-use
+efficiency, canopy assimilation, and what erect leaves do to crops/maize.toml.
+Figures that disagree come first; two standard errors are granted, and where a
+source tells one figure without an error, 10 %. Then come what each measured
+input changes, alone and together, what would change the hybrid, and extinction
+coefficients k against row spacing and leaf area index. ± are standard errors.
+--rough is for tests. Means over a growing season are not compared: plants do
+not grow.
 
-k is of the light that reaches the soil, as in the field: -ln(transmitted / incident) / leaf
-area index. `extinction_coefficient` of the program is of what plants absorb.
+k follows from the light that reaches the soil, as in the field:
+-ln(transmitted / incident) / leaf area index. `extinction_coefficient` of the
+program follows from what plants absorb.
 """
 
 from __future__ import annotations
 
-import argparse
 import math
 import os
 from collections.abc import Sequence
@@ -34,10 +36,24 @@ from typing import Any
 
 import erect_leaves
 import numpy as np
+from compared_fields import (
+    CHANGES,
+    DENSITY,
+    FIELDS,
+    LEAF_AREAS,
+    LIGHTS,
+    OF_SUNLIGHT,
+    PLANES,
+    ROW,
+    ROWS,
+    STEPS,
+    by_area,
+    by_row,
+    changed,
+    density_of,
+)  # fmt: skip
 from fields import (
-    AREAS,
     DAY,
-    SEASON,
     Field,
     Measured,
     dry_matter,
@@ -55,89 +71,19 @@ from shared import (
     Estimate,
     Settings,
     guard,
+    parser_of,
     print_table,
+    told,
 )  # fmt: skip
 
 from ideotype.analysis.style import new_figure
-
-ROWS = (0.20, 0.38, 0.50, 0.76, 1.0)
-DENSITY = 7.5
-ROW = 0.762
-LEAF_AREAS = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0)
-PLANES = ("field", "all across", "along", "random")
-LIGHTS = ("day", "noon")
-
-USUAL = Field(ROW, DENSITY)
-
-
-def density_of(area: float, plant: str = "hybrid") -> float:
-    """Plants sown per area [m-2] for a leaf area index, with the gaps of field
-    plants."""
-    return area / AREAS[plant] / (1 - FIELD_PLANTS["missing"])
-
-
-DENSE = Field(ROW, density_of(6))
-JULY = replace(DENSE, hours="whole", date="2025-07-10")
-JULY_NOON = replace(JULY, hours="noon")
-#: what is compared, by the keys of PUBLISHED where it is one figure of one field
-FIELDS = {
-    **{f"k {row}": Field(row, DENSITY) for row in (0.2, 0.5, 1.0)},
-    "k ceres": USUAL,
-    "k muchow": Field(0.75, 7),
-    "k dense": replace(DENSE, hours="noon"),
-    "fapar": Field(ROW, density_of(5)),
-    **{
-        f"fipar {density}": Field(0.52, density, hours="noon")
-        for density in (4.5, 6.2, 7.3)
-    },
-    "rows 1.0": Field(1.0, DENSITY, hours="noon"),
-    "rows 0.35": Field(0.35, DENSITY, hours="noon"),
-    "eight, 0.7": Field(0.7, 8, hours="noon"),
-    "eight, 0.35": Field(0.35, 8, hours="noon"),
-    "noon": replace(USUAL, hours="noon"),
-    "season": replace(USUAL, campaign=SEASON),
-    "july": JULY,
-    "july noon": JULY_NOON,
-}
-#: whose k is of all sunlight
-OF_SUNLIGHT = ("k 0.2", "k 0.5", "k 1.0", "k muchow")
-#: version 0.2's plant with each measured input, and with all of them
-STEPS: dict[str, dict[str, Any]] = {
-    "version 0.2": {},
-    "bends": {"plant": "bends"},
-    "roll and twist": {"variation": "roll and twist"},
-    "azimuths and planes": {"variation": "azimuths"},
-    "optics of leaves": {"plant": "optics"},
-    "capacity by rank": {"plant": "capacity"},
-    "stalk, ear and tassel": {"plant": "tassel"},
-    "gaps": {"variation": "gaps"},
-    "all together: crops/maize.toml": {"plant": "maize", "variation": "field"},
-    "the hybrid": {"plant": "hybrid", "variation": "field"},
-}
-#: what would change the hybrid
-CHANGES: dict[str, dict[str, Any]] = {
-    "as it is": {},
-    "straight leaves": {"plant": "straight"},
-    "leaves half as bent": {"plant": "half as bent"},
-    "leaves half more bent": {"plant": "half more bent"},
-    "no roll and twist": {"variation": "without roll and twist"},
-    "all planes across the row": {"variation": "all across"},
-    "rows from north to south": {"direction": 0},
-    "no gaps": {"variation": "without gaps"},
-    "twice the gaps": {"variation": "twice the gaps"},
-    "optics of ADEL, 0.09 and 0.04": {"plant": "optics of ADEL"},
-    "leaves without other organs": {"plant": "leaves alone"},
-    "capacity alike in all leaves": {"more": ("photosynthesis.profile=none",)},
-    "capacity of 60 umol m-2 s-1 in place of 50": {
-        "more": ("photosynthesis.amax=60",)
-    },
-}
 
 
 def of_fields(
     found: dict[str, Measured], infrared: dict[str, Measured]
 ) -> dict[str, Estimate]:
-    """Ours, by the keys of PUBLISHED: of light and assimilation."""
+    """Returns our figures, by the keys of PUBLISHED: those of light and
+    assimilation."""
     found = found | {
         name: found[name] | of_sunlight(found[name], each)
         for name, each in infrared.items()
@@ -173,8 +119,8 @@ def of_fields(
 
 
 def of_erect_leaves(accuracy: Settings) -> dict[str, Estimate]:
-    """What leaves that are tied up do to gross assimilation [%]: the mean over
-    densities."""
+    """Returns what leaves that are tied up do to gross assimilation [%]: the
+    mean over densities."""
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         found = [
             gains[-1]
@@ -190,7 +136,8 @@ def of_erect_leaves(accuracy: Settings) -> dict[str, Estimate]:
 
 
 def of_shapes() -> dict[str, Estimate]:
-    """How leaves of the hybrid are inclined in a field of 16 plants [deg]."""
+    """Returns how leaves of the hybrid are inclined in a field of 16 plants
+    [deg]."""
     with TemporaryDirectory() as folder:
         shape = shape_of(
             field_of("hybrid", HYBRID, FIELD_PLANTS, Path(folder))
@@ -202,45 +149,32 @@ def of_shapes() -> dict[str, Estimate]:
     }
 
 
-def verdict(ours: Estimate, told: Published) -> str:
+def verdict(ours: Estimate, published: Published) -> str:
     mean, error = ours
-    if mean + 2 * error < told.low:
+    if mean + 2 * error < published.low:
         return "lower"
-    return "higher" if mean - 2 * error > told.high else "as published"
+    return "higher" if mean - 2 * error > published.high else "as published"
 
 
 def shown(x: Estimate) -> str:
-    """To the second digit of its error, at most the fourth after the point."""
-    mean, error = x
+    """Tells a figure to the second digit of its error, at most the fourth
+    after the point."""
+    error = x[1]
     places = 1 - math.floor(math.log10(error)) if error else 4
-    places = max(0, min(4, places))
-    return f"{mean:.{places}f} ± {error:.{places}f}"
+    return told(x, max(0, min(4, places)))
 
 
 def print_comparison(ours: dict[str, Estimate]) -> None:
     rows = []
-    for name, told in PUBLISHED.items():
-        cells = [told.what, shown(ours[name]), told.told]
-        cells += [verdict(ours[name], told), told.differs, told.source]
+    for name, each in PUBLISHED.items():
+        cells = [each.what, shown(ours[name]), each.told]
+        cells += [verdict(ours[name], each), each.differs, each.source]
         rows.append(cells)
     rows.sort(key=lambda cells: cells[3] == "as published")
     apart = sum(cells[3] != "as published" for cells in rows)
     print(f"{apart} of {len(rows)} figures disagree\n")
     titles = ["figure", "ours", "published", "ours is", "what differs"]
     print_table([*titles, "source"], rows)
-
-
-def changed(change: dict[str, Any], steps: bool) -> list[Field]:
-    """The fields in which a change is looked at."""
-    if steps:
-        change = {"plant": "old", "variation": "random"} | change
-    area = AREAS.get(
-        change.get("plant", "hybrid"), AREAS["old" if steps else "hybrid"]
-    )
-    dense = replace(DENSE, density=6 / area / (1 - FIELD_PLANTS["missing"]))
-    july = replace(JULY_NOON, density=dense.density)
-    usual = USUAL, replace(USUAL, band="nir"), replace(USUAL, hours="noon")
-    return [replace(field, **change) for field in (*usual, dense, july)]
 
 
 def print_changes(
@@ -268,23 +202,6 @@ def print_changes(
     titles.append("July noon, leaf area index 6 [umol m-2 s-1]")
     print()
     print_table([title, *titles], rows)
-
-
-def by_row(rows: Sequence[float]) -> list[Field]:
-    return [
-        Field(row, DENSITY, variation=planes, hours=hours)
-        for row in rows
-        for hours in LIGHTS
-        for planes in PLANES
-    ]
-
-
-def by_area(areas: Sequence[float]) -> list[Field]:
-    return [
-        Field(ROW, density_of(area), hours=hours)
-        for area in areas
-        for hours in LIGHTS
-    ]
 
 
 def print_rows(found: dict[Field, Measured], rows: Sequence[float]) -> None:
@@ -369,7 +286,7 @@ def draw(found: dict[Field, Measured], path: Path) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser = parser_of(__doc__)
     parser.add_argument("--rough", action="store_true")
     parser.add_argument("--figure", type=Path)
     options = parser.parse_args()

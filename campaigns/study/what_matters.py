@@ -1,32 +1,31 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Which traits make the difference?
+"""Measures which traits make the difference.
 
 what_matters.py FOLDER [--figure FILE.png] [--only OBJECTIVE...] [--samples N]
                 [--generations N] [--seeds N] [--draws N] [--rough]
 
-For absorbed PAR and net assimilation of the clear day of ames.toml, and for the carbon
-balance of the season of bondville.toml, of plants that a breeder can select (bounds
-"breedable") and that differ as those of fields do, prints
+Looks at absorbed PAR and net assimilation on the clear day of ames.toml, and
+at the carbon balance of the season of bondville.toml, with plants that a
+breeder can select (bounds "breedable") and that differ as those of fields do.
+Prints
 
-* Sobol' indices of the traits over their bounds (`ideotype sensitivity`), with 95 %
-  intervals;
-* what sizes, insertion angles and azimuths of a bred plant have of its gain over the
-  baseline: the Shapley value of each, which is the mean of what it adds over all orders
-  in which the three can be taken over from the bred plant (Shapley 1953; Owen 2014,
-  doi:10.1137/130936233);
+* Sobol' indices of the traits over their bounds (`ideotype sensitivity`), with
+  95 % intervals;
+* the shares of sizes, insertion angles and azimuths of a bred plant in its
+  gain over the baseline. A share is the Shapley value: the mean of what a
+  group of traits adds over all orders in which the three can be taken over
+  from the bred plant (Shapley 1953; Owen 2014, doi:10.1137/130936233);
 * what a mistake of 10 deg costs the bred plant. Angles below 0 deg are 0.
 
-± is the standard error of randomisations that all plants share, or over seeds where that
-is larger. What is in FOLDER already is not bred again; interrupted searches go on.
---rough is for tests. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+± is the standard error of randomisations that all plants share, or over seeds
+where that is larger.
 """
 
 from __future__ import annotations
 
 import argparse
 import math
-import sys
 import tomllib
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
@@ -43,7 +42,7 @@ from shared import (
     TITLES,
     Estimate,
     Numbers,
-    best,
+    best_plants,
     breed_tables,
     gain,
     guard,
@@ -51,6 +50,8 @@ from shared import (
     mean_over_seeds,
     parser_of_searches,
     print_table,
+    say,
+    told,
 )  # fmt: skip
 
 from ideotype import Stand, open_history
@@ -58,21 +59,21 @@ from ideotype.analysis.indices import Indices, indices_of
 from ideotype.analysis.style import new_figure, series
 
 DAY, SEASON = CAMPAIGNS / "ames.toml", CAMPAIGNS / "bondville.toml"
-#: What is bred for, and the campaign of its light.
+#: The objectives of breeding, and the campaign of the light of each.
 OBJECTIVES = {
     "absorbed_par": DAY,
     "net_assimilation": DAY,
     "carbon_balance": SEASON,
 }
-#: What is taken over from a bred plant together.
+#: The groups of traits that are taken over from a bred plant together.
 GROUPS = {
     "sizes": ("length_profile", "width_profile"),
     "insertion angles": ("insertion_angle_profile",),
     "azimuths": ("azimuth_deviation", "leaf_plane"),
 }
 ANGLE, AZIMUTH = "insertion_angle", "azimuth_deviation"
-#: A trait, by how much all of it is off [deg], and whether each leaf is so
-#: either way at random.
+#: Mistakes: a trait, by how much all of it is off [deg], and whether each leaf
+#: is off either way at random.
 MISTAKES = {
     "all insertion angles 10 deg larger": (ANGLE, 10.0, False),
     "all insertion angles 10 deg smaller": (ANGLE, -10.0, False),
@@ -84,7 +85,8 @@ MISTAKES = {
 
 @dataclass(frozen=True)
 class Result:
-    """Of one objective; shares of the gain in percentage points, costs in %."""
+    """The results of one objective; shares of the gain in percentage points,
+    costs in %."""
 
     indices: Indices
     gain: Estimate
@@ -107,14 +109,15 @@ def campaign(objective: str, is_rough: bool) -> dict[str, Any]:
 
 
 def is_of(stand: Stand, traits: Sequence[str]) -> np.ndarray:
-    """Which genes these traits have."""
+    """Returns which genes these traits have."""
     return stand.genes.trait.isin(traits).to_numpy()
 
 
 def combined(
     stand: Stand, bred: Numbers
 ) -> Iterator[tuple[frozenset[str], Numbers]]:
-    """The baseline with any groups of traits of a bred plant; none first."""
+    """Yields the baseline with any groups of traits of a bred plant; none
+    first."""
     for count in range(len(GROUPS) + 1):
         for names in combinations(GROUPS, count):
             traits = [trait for name in names for trait in GROUPS[name]]
@@ -125,7 +128,8 @@ def combined(
 
 
 def shapley(values: dict[frozenset[str], Numbers], name: str) -> Numbers:
-    """What one of them adds, mean over all orders; of each randomisation."""
+    """Returns what one of the groups adds, mean over all orders, for each
+    randomisation."""
     count = len(GROUPS)
     total = np.zeros_like(values[frozenset()])
     for names, value in values.items():
@@ -137,7 +141,7 @@ def shapley(values: dict[frozenset[str], Numbers], name: str) -> Numbers:
 
 
 def shares(stand: Stand, bred: Numbers) -> dict[str, Estimate]:
-    """Of the gain [percentage points]; "" is all of it."""
+    """Returns shares of the gain [percentage points]; "" is all of it."""
     names, plants = zip(*combined(stand, bred), strict=True)
     values = dict(zip(names, light(stand, np.array(plants)), strict=True))
     baseline = values[frozenset()]
@@ -152,7 +156,7 @@ def shares(stand: Stand, bred: Numbers) -> dict[str, Estimate]:
 def mistaken(
     stand: Stand, plant: Numbers, mistake: str, draws: int
 ) -> Iterator[Numbers]:
-    """Plants of which this trait is off."""
+    """Yields plants of which this trait is off."""
     trait, degrees, is_random = MISTAKES[mistake]
     genes = is_of(stand, [trait])
     numbers = np.random.default_rng(1)
@@ -162,7 +166,7 @@ def mistaken(
 
 
 def cost(stand: Stand, plant: Numbers, mistake: str, draws: int) -> Estimate:
-    """[%] of the objective."""
+    """Returns the cost of a mistake [%] of the objective."""
     plants = [plant, *mistaken(stand, plant, mistake, draws)]
     right, *wrong = light(stand, np.array(plants))
     mean, error = gain(right.tolist(), np.mean(wrong, 0).tolist())
@@ -173,7 +177,7 @@ def cost(stand: Stand, plant: Numbers, mistake: str, draws: int) -> Estimate:
 
 
 def indices(tables: dict[str, Any], samples: int, folder: Path) -> Indices:
-    """Of the objective."""
+    """Returns the indices of the objective."""
     study = {
         **tables,
         "name": f"{tables['name']}_indices",
@@ -185,21 +189,21 @@ def indices(tables: dict[str, Any], samples: int, folder: Path) -> Indices:
 
 
 def bred(tables: dict[str, Any], options: argparse.Namespace) -> list[Numbers]:
-    """The best plant of each seed."""
+    """Returns the best plant of each seed."""
     search = {
         **tables,
         "replicates": options.seeds,
         "search": {"optimizer": "cma_es", "population": 20},
         "stop": {"generations": options.generations},
     }
-    return [best(path) for path in breed_tables(search, options.folder)]
+    return best_plants(search, options.folder)
 
 
 def look(objective: str, options: argparse.Namespace) -> Result:
     tables = campaign(objective, options.rough)
-    print(f"sensitivity of {objective}", file=sys.stderr, flush=True)
+    say(f"sensitivity of {objective}")
     found = indices(tables, options.samples, options.folder)
-    print(f"breeding for {objective}", file=sys.stderr, flush=True)
+    say(f"breeding for {objective}")
     plants = bred(tables, options)
     stand = Stand(tables)
     by_seed = [shares(stand, plant) for plant in plants]
@@ -221,7 +225,7 @@ def of_trait(name: str) -> str:
 
 
 def sobol(indices: Indices, which: str) -> dict[str, Estimate]:
-    """Of each trait."""
+    """Returns an index of each trait."""
     numbers = (indices.index[which], indices.standard_error[which])
     return {
         of_trait(trait): (float(mean), float(error))
@@ -230,13 +234,13 @@ def sobol(indices: Indices, which: str) -> dict[str, Estimate]:
 
 
 def interval(value: Estimate) -> str:
-    """95 %"""
+    """Tells a 95 % interval."""
     mean, half = value[0], 1.96 * value[1]
     return f"{mean:.2f} ({mean - half:.2f} .. {mean + half:.2f})"
 
 
 def signed(value: Estimate) -> str:
-    return f"{value[0]:+.2f} ± {value[1]:.2f}"
+    return told(value, 2, "+")
 
 
 def tell(
@@ -276,7 +280,7 @@ def print_tables(results: dict[str, Result]) -> None:
 
 
 def draw(results: dict[str, Result], path: Path) -> None:
-    """Bars with 95 % intervals."""
+    """Draws bars with 95 % intervals."""
     figure = new_figure(11, 3.6)
     figure.suptitle("Which traits make the difference?")
     panels: dict[str, Callable[[Result], dict[str, Estimate]]] = {
@@ -322,9 +326,8 @@ def draw(results: dict[str, Result], path: Path) -> None:
 
 def main() -> None:
     parser = parser_of_searches(
-        __doc__, samples=256, generations=60, seeds=2, draws=8
+        __doc__, has_figure=True, samples=256, generations=60, seeds=2, draws=8
     )
-    parser.add_argument("--figure", type=Path)
     parser.add_argument(
         "--only", nargs="+", choices=OBJECTIVES, metavar="OBJECTIVE"
     )

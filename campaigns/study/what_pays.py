@@ -1,18 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What has been bred, do the seeds agree, and what do its parts pay?
+"""Tells what has been bred, whether the seeds agree, and what its parts pay.
 
 what_pays.py --under CAMPAIGN HISTORY...
 
-Prints the traits of the best plant of each history and how alike they are. Then
-undoes one feature at a time, looks at all variants under the light of CAMPAIGN,
-and prints what the canopy loses, in % of the light that its leaves absorb, with
-standard errors. Histories should be the seeds of one case.
+Prints the traits of the best plant of each history and how alike they are.
+Then undoes one feature at a time, looks at all variants under the light of
+CAMPAIGN, and prints what the canopy loses, in % of the light that its leaves
+absorb, with standard errors. Histories should be the seeds of one case.
 """
 
 from __future__ import annotations
 
-import argparse
 import math
 from collections.abc import Callable
 from itertools import combinations
@@ -29,7 +28,10 @@ from shared import (
     leaves,
     light,
     mean_over_seeds,
+    parser_of,
+    print_table,
     stand_of,
+    told,
     with_trait,
 )  # fmt: skip
 
@@ -40,7 +42,8 @@ def mean_of(values: Values) -> Values:
     return [fmean(values)] * len(values)
 
 
-#: What is undone: a trait, and its new values from the old ones and the baseline's.
+#: Features that are undone: a trait, and its new values from the old ones and
+#: the baseline's.
 VARIANTS: dict[str, tuple[str, Callable[[Values, Values], Values]]] = {
     "azimuths of the baseline, all across the row": (
         "azimuth",
@@ -62,7 +65,8 @@ VARIANTS: dict[str, tuple[str, Callable[[Values, Values], Values]]] = {
 
 
 def alike(trait: str, a: Values, b: Values) -> float:
-    """1: the same; 0: unrelated. Azimuths count as axes, without a direction."""
+    """Returns how alike plants are: 1 is the same, 0 unrelated. Azimuths count
+    as axes, without a direction."""
     if trait != "azimuth":
         return correlation(a, b) if min(stdev(a), stdev(b)) > 0 else math.nan
     return fmean(
@@ -71,7 +75,7 @@ def alike(trait: str, a: Values, b: Values) -> float:
 
 
 def print_traits(plants: list[pd.DataFrame]) -> None:
-    """A row per leaf, the plants beside each other."""
+    """Prints a row per leaf, the plants beside each other."""
     form = {"length": "{:.2f}", "width": "{:.3f}", "insertion_angle": "{:.0f}"}
     names = [*form, "azimuth"]
     print("| leaf | length m | width m | insertion_angle deg | azimuth deg |")
@@ -101,7 +105,8 @@ def print_traits(plants: list[pd.DataFrame]) -> None:
 def study(
     history: Path, baseline: pd.DataFrame, under: Path
 ) -> tuple[pd.DataFrame, list[Estimate]]:
-    """The best plant, and what each variant loses, with its standard error [%]."""
+    """Returns the best plant, and what each variant loses, with its standard
+    error [%]."""
     stand = stand_of(history, under)
     best = leaves(stand, stand.baseline)
     genomes = [stand.baseline]
@@ -113,7 +118,7 @@ def study(
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser = parser_of(__doc__)
     parser.add_argument(
         "--under", type=Path, required=True, metavar="CAMPAIGN"
     )
@@ -126,13 +131,16 @@ def main() -> None:
         strict=True,
     )
     print_traits(list(plants))
-    print("\n| instead of what evolved | light [%] | by seed |\n|---|---|---|")
-    for name, each in zip(VARIANTS, zip(*seeds, strict=True), strict=True):
-        mean, error = mean_over_seeds(each)
-        by_seed = ", ".join(f"{x:+.2f} ± {e:.2f}" for x, e in each)
-        print(
-            f"| {name} | {mean:+.2f} ± {error:.2f} | {by_seed} |", flush=True
-        )
+    rows = [
+        [
+            name,
+            told(mean_over_seeds(each), 2, "+"),
+            ", ".join(told(x, 2, "+") for x in each),
+        ]
+        for name, each in zip(VARIANTS, zip(*seeds, strict=True), strict=True)
+    ]
+    print()
+    print_table(["instead of what evolved", "light [%]", "by seed"], rows)
 
 
 if __name__ == "__main__":

@@ -14,8 +14,8 @@ sbatch_options=(--ntasks=3 --time=01:00:00)
 # sbatch_options=(--account=ABC --partition=standard --time=12:00:00
 #     --nodes=2 --ntasks-per-node=64 --mem-per-cpu=1G)
 
-# What starts the ranks: Open MPI's own, or SLURM if it has PMIx
-# (`srun --mpi=list`).
+# The launcher starts the ranks: Open MPI's own, or SLURM if it has PMIx (`srun
+# --mpi=list`).
 launcher=(mpirun)
 # launcher=(srun --mpi=pmix)
 # launcher=(srun --mpi=pmi2)  # MPICH

@@ -122,7 +122,7 @@ ExitCode verify(const std::vector<std::string>& paths);
 //! Tells the user, and returns the code for the shell.
 ExitCode report_error(const std::exception& error);
 
-//! The same, in a log.
+//! Reports an error in a log and returns its exit code.
 ExitCode report_error(const std::exception& error, const Log& log);
 
 //! Parses the command line, runs the verb, reports errors.

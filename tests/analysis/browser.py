@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A page in a real browser: Chromium, without a window or a network."""
+"""Shows a page in a real browser: Chromium, without a window or a network."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ OPTIONS = [
     *("--disable-dev-shm-usage", "--disable-background-networking"),
     *("--disable-component-update", "--host-resolver-rules=MAP * ~NOTFOUND"),
 ]
-"""Without a window and without a network."""
+"""Options for Chromium without a window and without a network."""
 
 _EARLY = """<script>
 const failures = [];
@@ -42,8 +42,8 @@ addEventListener("load", () => {
 def run_in_browser(
     page: Path, script: str, folder: Path, width: int = 1000
 ) -> tuple[Any, list]:
-    """What the script, the body of a function, returns in the loaded page,
-    and all errors: of scripts, of the console, of refused loads."""
+    """Returns what the script, the body of a function, returns in the loaded
+    page, and all errors: of scripts, of the console, of refused loads."""
     name = next(filter(shutil.which, NAMES), None)
     if name is None:
         pytest.fail(
@@ -72,7 +72,7 @@ def run_in_browser(
 
 
 def _run(command: list[str]) -> tuple[str, str]:
-    """Output and log. A browser is many processes: all of them end."""
+    """Returns output and log. A browser is many processes: all of them end."""
     process = subprocess.Popen(
         command,
         stdout=subprocess.PIPE,

@@ -57,14 +57,15 @@ class WriterProcess:
         self._await()
 
     def do(self, command: str) -> None:
-        """Returns when the command is carried out and flushed."""
+        """Obeys a command, and returns when it is carried out and flushed."""
         assert self._process.stdin is not None
         self._process.stdin.write(command + "\n")
         self._process.stdin.flush()
         self._await()
 
     def kill(self) -> None:
-        """SIGKILL: nothing is flushed, closed or unlocked by the program."""
+        """Kills the writer by SIGKILL: the program flushes, closes and unlocks
+        nothing."""
         self._process.kill()
         self._process.communicate()
 
@@ -76,7 +77,7 @@ class WriterProcess:
 
 @pytest.fixture
 def writer(tmp_path: Path) -> Iterator[WriterProcess]:
-    """A live writer of an empty history."""
+    """Gives a live writer of an empty history."""
     process = WriterProcess(tmp_path / "live.h5")
     yield process
     process.kill()
@@ -84,7 +85,8 @@ def writer(tmp_path: Path) -> Iterator[WriterProcess]:
 
 @pytest.fixture(scope="session")
 def finished(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Six generations, three failures, finals, closed."""
+    """Gives a closed history of six generations with three failures and
+    finals."""
     path = tmp_path_factory.mktemp("finished") / "case.h5"
     made = MadeHistory(path)
     made.evolve(6)
@@ -95,8 +97,8 @@ def finished(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="session")
 def drained(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Two generations, five rows of the third, the rest of it only proposed;
-    closed, not finished."""
+    """Gives a history of two generations and five rows of the third, whose
+    rest is only proposed; it is closed, not finished."""
     path = tmp_path_factory.mktemp("drained") / "case.h5"
     made = MadeHistory(path)
     made.evolve(2)
@@ -109,13 +111,13 @@ def drained(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 SHIFTS = (0.0, 0.1)
-"""Of the seeds of the sweep [MJ m-2 day-1]."""
+"""The shifts of the seeds of the sweep [MJ m-2 day-1]."""
 
 
 @pytest.fixture(scope="session")
 def sweep(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder of finished histories: two sites, two seeds each, with PAR in
-    three height layers, and by origin."""
+    """Gives a folder of finished histories: two sites with two seeds each,
+    with PAR in three height layers, and by origin."""
     folder = tmp_path_factory.mktemp("sweep")
     layers = Measured("MJ m-2 day-1", "layer")
     sources = Measured("MJ m-2 day-1", "light_source")
@@ -145,7 +147,7 @@ def sweep(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="session")
 def own(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The history of a finished run of the tiny campaign, which lies in
+    """Gives the history of a finished run of the tiny campaign, which lies in
     the folder above."""
     folder = tmp_path_factory.mktemp("run")
     run = start(folder, 3)
@@ -157,6 +159,6 @@ def own(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="session")
 def sorghum(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
-    """Finished histories of sorghum: of each leaf's traits, then of its
-    profile of insertion angles."""
+    """Gives finished histories of sorghum, bred in the traits of each leaf,
+    and in the profile of insertion angles."""
     return run_shortened(tmp_path_factory.mktemp("sorghum"), "sorghum")

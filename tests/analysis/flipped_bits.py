@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Histories of which single bits are wrong."""
+"""Makes histories in which single bits are wrong."""
 
 from __future__ import annotations
 
@@ -18,21 +18,21 @@ OPEN = 5
 
 
 def flip(content: bytes, bit: int) -> bytes:
-    """The content with one bit flipped."""
+    """Returns the content with one bit flipped."""
     damaged = bytearray(content)
     damaged[bit // 8] ^= 1 << bit % 8
     return bytes(damaged)
 
 
 def marked(content: bytes, marks: int) -> bytes:
-    """The content with these marks in its superblock."""
+    """Returns the content with these marks in its superblock."""
     start = content[:11] + bytes([marks]) + content[12:44]
     return start + struct.pack("<I", lookup3(start)) + content[48:]
 
 
 def metadata(path: Path) -> np.ndarray:
-    """The bits of all that ideotype.open() reads of a history but its data,
-    which have checksums."""
+    """Returns the bits of all that ideotype.open() reads of a history but its
+    data, which have checksums."""
     is_read = np.zeros(path.stat().st_size, bool)
     readinto = _Unmarked.readinto
 

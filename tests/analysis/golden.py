@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures that must stay the same, bit for bit, through changes of the program.
+"""Computes figures that must stay the same, bit for bit, through changes of
+the program.
 
 `golden.py write` makes tests/data/golden/*.txt anew with the program that
 IDEOTYPE_EXECUTABLE names, after a change that is meant to change results; the commit
@@ -42,7 +43,8 @@ MESHES = {
 
 
 def figures(name: str) -> dict[str, np.ndarray]:
-    """Of a campaign or a mesh of this module, computed by the program."""
+    """Returns the figures of a campaign or a mesh of this module, computed by
+    the program."""
     if name in MESHES:
         return _mesh_figures(MESHES[name])
     with tempfile.TemporaryDirectory() as folder:
@@ -90,7 +92,7 @@ def _mesh_figures(options: list[str]) -> dict[str, np.ndarray]:
     )
     _flatten("", report, found)
     found.pop("seconds")
-    # What came later.
+    # Quantities that came later have no golden figures.
     return {k: v for k, v in found.items() if not k.startswith("quantities.")}
 
 

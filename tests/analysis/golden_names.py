@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figures of a history by the names that the golden files have for them."""
+"""Gives the figures of a history the names that the golden files have for
+them."""
 
 from __future__ import annotations
 
@@ -13,7 +14,7 @@ PARTS = ("absorbed", "stalk", "soil", "reflected")
 
 
 def figures(file: h5py.File) -> dict[str, np.ndarray]:
-    """All that the golden files hold."""
+    """Returns all figures that the golden files hold."""
     found = {}
     for part in ("evaluations", "final"):
         rows = file[part]
@@ -44,7 +45,7 @@ def figures(file: h5py.File) -> dict[str, np.ndarray]:
 
 
 def _slots(file: h5py.File, rows: np.ndarray) -> np.ndarray:
-    """Of rows in their generations; -1 stays."""
+    """Returns the slots of rows in their generations; -1 stays."""
     first = file["generations/first_row"][:]
     generation = np.searchsorted(first, rows, side="right") - 1
     return np.where(rows < 0, rows, rows - first[generation])
@@ -53,7 +54,8 @@ def _slots(file: h5py.File, rows: np.ndarray) -> np.ndarray:
 def _columns(
     file: h5py.File, rows: h5py.Group
 ) -> Iterator[tuple[str, np.ndarray, np.ndarray]]:
-    """Names, values and standard errors of objectives and diagnostics."""
+    """Yields names, values and standard errors of objectives and
+    diagnostics."""
     errors = rows["objectives_standard_error"]
     for i, name in enumerate(file["objectives/objective"].asstr()[:]):
         yield name, rows["objectives"][:, i], errors[:, i]
@@ -71,7 +73,8 @@ def _columns(
 
 
 def _endings(axis: str, labels: np.ndarray) -> list[str]:
-    """What followed "absorbed_" in the name of each column."""
+    """Returns the words that followed "absorbed_" in the name of each
+    column."""
     if axis == "leaf":
         return [f"leaf{rank:02}" for rank in labels]
     if axis == "hour":

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The campaign of made histories, from which their plants have shapes."""
+"""Makes the campaign of made histories, from which their plants have
+shapes."""
 
 from __future__ import annotations
 
@@ -12,13 +13,13 @@ from real_program import CAMPAIGNS
 import ideotype
 
 SITES = {"ames": (42.0, 10), "edmonton": (53.5, 30)}
-"""Latitude, and folding angle of blades [deg]."""
+"""The latitude of each site, and the folding angle of blades there [deg]."""
 
 
 @cache
 def resolved(*over: str, folding_angle: float = 10) -> str:
-    """With every key, of two seeds. Sites, or what else is named, may be
-    scenarios."""
+    """Returns a campaign with every key, of two seeds. `over` names what may
+    be scenarios, such as sites."""
     settings = {
         "plant.baseline": str(DATA / "golden" / "pole.toml"),
         "replicates": 2,

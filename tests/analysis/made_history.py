@@ -2,9 +2,9 @@
 """Makes small histories to the letter of analysis/FORMAT.md, without the
 program.
 
-Also a program: `made_history.py PATH` creates a history and obeys commands
-from its standard input, one a line, such as `record 0 3`; it answers each
-with `ok`. That is the writer in another process."""
+As a program of its own, `made_history.py PATH` creates a history and obeys
+commands from its standard input, one a line, such as `record 0 3`; it answers
+each with `ok`. It is then the writer in another process."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ from made_numbers import (
     randomisations,
 )
 
-_HEADER = 1 << 18  # bytes
+_HEADER = 1 << 18  # The size of the header [bytes].
 
 Extra = tuple[Measured, float | np.ndarray]
 """A quantity, and which part of the absorbed PAR it is."""
@@ -84,7 +84,7 @@ SESSION = {
 
 
 class MadeHistory:
-    """A writer in SWMR mode with a lock beside the file, as the program."""
+    """A writer in SWMR mode with a lock beside the file, like the program."""
 
     def __init__(
         self,
@@ -100,7 +100,7 @@ class MadeHistory:
             ("absorbed_par", "maximise"),
         ),
     ) -> None:
-        """Creates everything, empty, but the dataset `without`. `attributes`
+        """Creates all datasets, empty, but the dataset `without`. `attributes`
         are those of the root beside or instead of the usual, `shift` is added
         to what bred plants absorb, `extra` are more quantities and `labels`
         those of their axes."""
@@ -110,7 +110,8 @@ class MadeHistory:
         self._measured = QUANTITIES | {
             n: kind for n, (kind, _) in extra.items()
         }
-        # As the program, what describes the data stands at the beginning.
+        # The description of the data stands at the beginning, as in files of
+        # the program.
         self.file = h5py.File(
             path, "w", libver=("v110", "v110"), meta_block_size=_HEADER
         )
@@ -153,7 +154,7 @@ class MadeHistory:
         self.file.swmr_mode = True
 
     def propose(self, generation: int) -> None:
-        """Genomes first, then the place, then the status."""
+        """Proposes rows: genomes first, then the place, then the status."""
         for slot in range(POPULATION):
             row = generation * POPULATION + slot
             first = ORIGIN["baseline"] if slot == 0 else ORIGIN["random"]
@@ -171,7 +172,7 @@ class MadeHistory:
         self.file.flush()
 
     def record(self, generation: int, slot: int) -> None:
-        """An outcome, status last."""
+        """Records an outcome, status last."""
         total = absorbed(generation, slot)
         if generation or slot:
             total += self._shift
@@ -182,7 +183,7 @@ class MadeHistory:
         self.file.flush()
 
     def fail(self, generation: int, slot: int) -> None:
-        """A failed row with its reason."""
+        """Records a failed row with its reason."""
         rows, row = self.file["evaluations"], generation * POPULATION + slot
         rows["message"][row] = b"leaf 3 folds into itself"
         for name, kind in self._measured.items():
@@ -223,7 +224,7 @@ class MadeHistory:
         self.file.flush()
 
     def commit(self, generation: int) -> None:
-        """Summarizes the generation; `committed` last."""
+        """Summarizes the generation; writes `committed` last."""
         first = generation * POPULATION
         rows = self.file["evaluations"]
         status = rows["status"][first : first + POPULATION]
@@ -253,7 +254,7 @@ class MadeHistory:
         self.file.flush()
 
     def evolve(self, generations: int) -> None:
-        """Whole generations; slot 5 of each odd one fails."""
+        """Makes whole generations; slot 5 of each odd one fails."""
         for generation in range(generations):
             self.propose(generation)
             for slot in range(POPULATION):
@@ -262,7 +263,8 @@ class MadeHistory:
             self.commit(generation)
 
     def propose_final(self) -> None:
-        """Row 0 is the baseline, the others the fittest of generation 3."""
+        """Proposes finals: row 0 is the baseline, the others the fittest of
+        generation 3."""
         rows = self.file["final"]
         for slot in range(FINALISTS):
             bred = genome(3, POPULATION - slot)
@@ -272,7 +274,7 @@ class MadeHistory:
         self.file.flush()
 
     def record_final(self, slot: int) -> None:
-        """A final evaluation."""
+        """Records a final evaluation."""
         total = final_absorbed(slot) + (self._shift if slot else 0.0)
         noise = 999, slot
         self._outcome("final", slot, total, ERROR / 4, noise, self._counts[1])
@@ -282,7 +284,7 @@ class MadeHistory:
         self.file.flush()
 
     def finish(self, reason: str = "generations") -> None:
-        """The finals, and the end."""
+        """Makes the finals and ends."""
         self.propose_final()
         for slot in range(FINALISTS):
             self.record_final(slot)
@@ -291,13 +293,14 @@ class MadeHistory:
         self.file.flush()
 
     def close(self) -> None:
-        """As the program at its end: no lock stays behind."""
+        """Closes the file, so that no lock stays behind, as the program does
+        at its end."""
         self.file.close()
         os.close(self._lock)
 
 
 def main() -> None:
-    """Creates a history and obeys."""
+    """Creates a history and obeys commands."""
     made = MadeHistory(Path(sys.argv[1]))
     print("ok", flush=True)
     for line in sys.stdin:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Words of the format that all made histories use."""
+"""Types of the format that all made histories use."""
 
 from __future__ import annotations
 

@@ -17,19 +17,19 @@ AXES_UNITS = {"layer": "m", "hour": "h"}
 
 
 def fixed(length: int) -> np.dtype:
-    """A text of at most so many bytes."""
+    """Returns the type of a text of at most so many bytes."""
     return h5py.string_dtype("utf-8", length)
 
 
 def texts(values: Iterable[str]) -> np.ndarray:
-    """As they stand in a file."""
+    """Returns texts as they stand in a file."""
     encoded = [value.encode() for value in values]
     return np.array(encoded, fixed(max(map(len, encoded))))
 
 
 @dataclass
 class Layout:
-    """What a file has before SWMR writing starts, but the dataset
+    """The content of a file before SWMR writing starts, but the dataset
     `without`."""
 
     file: h5py.File
@@ -37,20 +37,21 @@ class Layout:
     finalists: int
     generations: int
     genes: Mapping[str, Sequence]
-    """Datasets of /genes."""
+    """The datasets of /genes."""
     objectives: Sequence[tuple[str, str, str]]
-    """Name, unit, sense."""
+    """Name, unit and sense of each objective."""
     labels: Mapping[str, Sequence]
-    """Of the axes of quantities."""
+    """The labels of the axes of quantities."""
     quantities: Mapping[str, Measured]
     randomisations: tuple[int, int] = (0, 0)
-    """In /evaluations and /final; 0: none are kept."""
+    """The numbers of randomisations in /evaluations and /final; 0: none are
+    kept."""
     without: str | None = None
 
     def create(
         self, attributes: Mapping[str, object], campaign: Mapping[str, str]
     ) -> None:
-        """All of it, empty but for the header."""
+        """Creates all datasets, which are empty but for the header."""
         for name, value in attributes.items():
             self._attribute(name, value)
         for form, text in campaign.items():
@@ -215,7 +216,7 @@ def _attribute_bytes(file: h5py.File, name: str) -> bytes:
 
 
 def header_checksum(file: h5py.File) -> str:
-    """As FORMAT.md defines it."""
+    """Returns the checksum of the header as FORMAT.md defines it."""
     names = sorted({*file.attrs} - {"checksum"})
     parts = [(name, _attribute_bytes(file, name)) for name in names]
     tables = ("campaign", "genes", "objectives")
@@ -228,7 +229,7 @@ def header_checksum(file: h5py.File) -> str:
 
 
 def generation_checksum(file: h5py.File, generation: int) -> str:
-    """As FORMAT.md defines it."""
+    """Returns the checksum of a generation as FORMAT.md defines it."""
     table = file["generations"]
     first = int(table["first_row"][generation])
     last = first + int(table["count"][generation])
@@ -246,7 +247,8 @@ def generation_checksum(file: h5py.File, generation: int) -> str:
 
 
 def finalist_checksum(file: h5py.File, finalist: int, status: int) -> str:
-    """As FORMAT.md defines it, with the status that the row will have."""
+    """Returns the checksum of a finalist as FORMAT.md defines it, with the
+    status that the row will have."""
     rows = sorted(file["final"].items())
     return _hash(
         (name, bytes([status]))

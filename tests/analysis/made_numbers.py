@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The numbers in the made histories: all known from a formula here."""
+"""Computes the numbers in the made histories, which all follow from a formula
+here."""
 
 from __future__ import annotations
 
@@ -11,11 +12,11 @@ POPULATION = 12
 GENERATIONS = 8
 FINALISTS = 4
 BASELINE = 11.0
-"""Absorbed PAR of the baseline, all rows [MJ m-2 day-1]."""
+"""The absorbed PAR of the baseline in all rows [MJ m-2 day-1]."""
 INCIDENT = 12.2
-"""[MJ m-2 day-1]"""
+"""The incident PAR [MJ m-2 day-1]."""
 ERROR = 0.02
-"""Standard error of absorbed PAR; a quarter of it in /final."""
+"""The standard error of absorbed PAR; /final has a quarter of it."""
 HOURS = [*range(7, 20), 19.5]
 
 KINDS = {
@@ -58,15 +59,18 @@ TRAITS = [
     for leaf in range(1, LEAVES + 1)
     for kind in KINDS
 ]
-"""Name, unit, lower and upper bound, is circular."""
+"""Name, unit, lower and upper bound of each trait, and whether it is
+circular."""
 
 PARTS = ("absorbed", "stalk", "soil", "reflected")
 RANDOMISATIONS = 8
-"""Of evaluations; finalists have twice as many."""
+"""The number of randomisations of evaluations; finalists have twice as
+many."""
 COMMON_NOISE = 0.9
-"""Part of the variance of a randomisation that rows of a generation share."""
+"""The part of the variance of a randomisation that rows of a generation
+share."""
 LABELS = {"leaf": np.arange(1, LEAVES + 1, dtype="i4"), "hour": HOURS}
-"""Of the axes of quantities."""
+"""The labels of the axes of quantities."""
 QUANTITIES = {
     "absorbed_par": Measured("MJ m-2 day-1"),
     "absorbed_par_per_leaf_area": Measured("MJ m-2 day-1"),
@@ -81,33 +85,36 @@ LAI = 3.44
 
 
 def absorbed(generation: int, slot: int) -> float:
-    """PAR absorbed by the leaves [MJ m-2 day-1]; the baseline is slot 0 of
-    generation 0."""
+    """Returns PAR absorbed by the leaves [MJ m-2 day-1]; the baseline is slot
+    0 of generation 0."""
     return BASELINE + 0.05 * generation + 0.01 * slot
 
 
 def final_absorbed(slot: int) -> float:
-    """The same in /final; slot 2 is the best and 1.5 % above the baseline."""
+    """Returns PAR absorbed by the leaves in /final; slot 2 is the best and 1.5
+    % above the baseline."""
     return BASELINE * (1 + [0.0, 0.010, 0.015, 0.005][slot])
 
 
 def hypervolume(generation: int) -> float:
-    """Of the front of a generation, where there are several objectives."""
+    """Returns the hypervolume of the front of a generation, where there are
+    several objectives."""
     return 1.0 - 0.5 ** (generation + 1)
 
 
 def leaf_share(leaf: int) -> float:
-    """Part of the absorbed PAR that leaf 1 ... LEAVES takes."""
+    """Returns the part of the absorbed PAR that leaf 1 ... LEAVES takes."""
     return 2 * leaf / (LEAVES * (LEAVES + 1))
 
 
 def hour_par(total: float, hour: float) -> float:
-    """Absorbed at a local time [W m-2] by a canopy of this daily total."""
+    """Returns PAR absorbed at a local time [W m-2] by a canopy of this daily
+    total."""
     return 36.0 * total * np.sin(np.pi * (hour - 6.0) / 15.0)
 
 
 def quantities(total: float) -> dict[str, float | np.ndarray]:
-    """All of a canopy of this total [MJ m-2 day-1]."""
+    """Returns all quantities of a canopy of this total [MJ m-2 day-1]."""
     fraction = total / INCIDENT
     shares = (fraction, *((1 - fraction) * np.array([0.2, 0.5, 0.3])))
     return {
@@ -126,8 +133,8 @@ def quantities(total: float) -> dict[str, float | np.ndarray]:
 def randomisations(
     total: float, error: float, count: int, generation: int, slot: int
 ) -> np.ndarray:
-    """Of this mean and standard error; most of the noise is that of the
-    generation."""
+    """Draws randomisations with this mean and standard error; most of the
+    noise is that of the generation."""
 
     def noise(*seed: int) -> np.ndarray:
         found = np.random.default_rng(seed).normal(size=count)
@@ -139,15 +146,15 @@ def randomisations(
 
 
 def baseline_genome() -> np.ndarray:
-    """The unbred plant, gene by gene."""
+    """Returns the unbred plant, gene by gene."""
     return np.array(
         [BASELINE_LEAF[kind][leaf] for leaf in range(LEAVES) for kind in KINDS]
     )
 
 
 def genome(generation: int, slot: int) -> np.ndarray:
-    """The plant of a row. Azimuths of leaf 1 lie around north: slot s has
-    355 + s deg, so that their circular mean is near 0 and not near 180."""
+    """Returns the plant of a row. Azimuths of leaf 1 lie around north: slot s
+    has 355 + s deg, so that their circular mean is near 0 and not near 180."""
     if generation == 0 and slot == 0:
         return baseline_genome()
     draw = np.random.default_rng([generation, slot])

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A page on a phone: Chromium without a window, 390 points wide, touched by
-fingers. It is told what to do over a pipe, in the DevTools protocol."""
+"""Shows a page on a phone: Chromium without a window, 390 points wide, touched
+by fingers. A pipe tells it what to do, in the DevTools protocol."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Phone:
         self._count = 0
 
     def open(self, page: Path, width: int) -> None:
-        """Returns when it is loaded."""
+        """Opens a page, and returns when it is loaded."""
         target = self.ask("Target.createTarget", url="about:blank")
         session = self.ask("Target.attachToTarget", flatten=True, **target)
         self._session = session["sessionId"]
@@ -43,13 +43,13 @@ class Phone:
         self.show(page)
 
     def show(self, page: Path) -> None:
-        """Another page in its place; returns when it is loaded."""
+        """Shows another page in its place, and returns when it is loaded."""
         self.ask("Page.navigate", url=page.as_uri())
         while self._message().get("method") != "Page.loadEventFired":
             pass
 
     def value(self, expression: str) -> Any:
-        """Of a JavaScript expression in the page."""
+        """Returns the value of a JavaScript expression in the page."""
         said = self.ask(
             "Runtime.evaluate", expression=expression, returnByValue=True
         )
@@ -59,7 +59,7 @@ class Phone:
     def swipe(
         self, start: tuple[float, float], step: tuple[float, float]
     ) -> None:
-        """One finger, from a point on the screen in ten steps."""
+        """Moves one finger from a point on the screen in ten steps."""
         x, y = start
         touch = "Input.dispatchTouchEvent"
         self.ask(touch, type="touchStart", touchPoints=[{"x": x, "y": y}])
@@ -69,7 +69,7 @@ class Phone:
         self.ask(touch, type="touchEnd", touchPoints=[])
 
     def tap(self, x: float, y: float) -> None:
-        """One finger."""
+        """Taps with one finger."""
         for kind, points in (("Start", [{"x": x, "y": y}]), ("End", [])):
             self.ask(
                 "Input.dispatchTouchEvent",
@@ -78,7 +78,7 @@ class Phone:
             )
 
     def press(self, key: str) -> None:
-        """A key that has a name."""
+        """Presses a key that has a name."""
         for kind in ("keyDown", "keyUp"):
             self.ask("Input.dispatchKeyEvent", type=kind, key=key)
 
@@ -108,13 +108,14 @@ class Phone:
 def phone_with(
     page: Path, folder: Path, width: int = WIDTH
 ) -> Iterator[Phone]:
-    """The page on a phone, or on a wider screen."""
+    """Shows a page on a phone, or on a wider screen."""
     name = next(filter(shutil.which, NAMES), None)
     if name is None:
         pytest.fail(f"no browser: install one of {', '.join(NAMES)}")
     orders, to_browser = os.pipe()
     from_browser, answers = os.pipe()
-    # out of the way of 3 and 4, which the browser reads and writes
+    # These numbers are out of the way of 3 and 4, which the browser reads and
+    # writes.
     ends = [fcntl.fcntl(end, fcntl.F_DUPFD, 10) for end in (orders, answers)]
     command = [
         *(name, *OPTIONS, "--remote-debugging-pipe"),

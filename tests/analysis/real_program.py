@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The program itself, and a campaign that takes it a second."""
+"""Runs the program itself, with a campaign that takes it a second."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ randomisations = 4
 
 
 def executable() -> str:
-    """The program that IDEOTYPE_EXECUTABLE names."""
+    """Returns the program that IDEOTYPE_EXECUTABLE names."""
     found = os.environ.get("IDEOTYPE_EXECUTABLE")
     if not found:
         if "IDEOTYPE_SAMPLE_HISTORY" in os.environ:
@@ -74,7 +74,7 @@ def executable() -> str:
 
 
 def write_campaign(folder: Path, generations: int) -> Path:
-    """tiny.toml with its plant, of so many generations."""
+    """Writes tiny.toml with its plant, of so many generations."""
     shutil.copy(_PLANT, folder)
     campaign = folder / "tiny.toml"
     campaign.write_text(_CAMPAIGN.format(generations=generations) + _FAST)
@@ -82,8 +82,8 @@ def write_campaign(folder: Path, generations: int) -> Path:
 
 
 def run_crop(folder: Path, crop: str, free: list[str]) -> Path:
-    """A finished history of a crop of campaigns/crops, two generations in the
-    stand of the tiny campaign, and these traits bred."""
+    """Returns a finished history of a crop of campaigns/crops, two generations
+    in the stand of the tiny campaign, with these traits bred."""
     campaign = write_campaign(folder, 2)
     baseline = json.dumps(str(CAMPAIGNS / "crops" / f"{crop}.toml"))
     text = campaign.read_text().replace('"maize.toml"', baseline)
@@ -95,8 +95,8 @@ def run_crop(folder: Path, crop: str, free: list[str]) -> Path:
 
 
 def run_shortened(folder: Path, name: str) -> list[Path]:
-    """Finished histories of campaigns/NAME.toml, of two generations of eight
-    plants and with little light."""
+    """Returns finished histories of campaigns/NAME.toml, of two generations of
+    eight plants and with little light."""
     light = _FAST.replace("paths = 64", "paths = 256")
     text = (CAMPAIGNS / f"{name}.toml").read_text() + light
     for key, value in (("population", 8), ("generations", 2)):
@@ -122,7 +122,7 @@ def start(folder: Path, generations: int) -> subprocess.Popen[str]:
 
 
 def output_of(*arguments: object) -> str:
-    """What the program prints; it has to succeed."""
+    """Returns what the program prints; it has to succeed."""
     done = subprocess.run(
         [executable(), *map(str, arguments)],
         capture_output=True,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The schemas of what the program prints as JSON."""
+"""Checks documents against the schemas of what the program prints as JSON."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from jsonschema import Draft202012Validator
 
 
 def validator(name: str) -> Draft202012Validator:
-    """Of NAME.schema.json in the package."""
+    """Returns the validator of NAME.schema.json in the package."""
     path = resources.files("ideotype") / "schemas" / f"{name}.schema.json"
     schema: dict[str, Any] = json.loads(path.read_text())
     Draft202012Validator.check_schema(schema)
@@ -19,14 +19,14 @@ def validator(name: str) -> Draft202012Validator:
 
 
 def assert_needs_all(name: str, document: dict[str, Any]) -> None:
-    """The document is valid, and is not if any member lacks, is of another
-    type, or is not known."""
+    """Asserts that the document is valid, and is not if any member lacks, is
+    of another type, or is not known."""
     checked = validator(name)
     checked.validate(document)
     for key in document:
         rest = {k: v for k, v in document.items() if k != key}
         assert not checked.is_valid(rest), key
-        # What a client sends as `id` may be anything.
+        # A client may send anything as `id`.
         changed = {**document, key: object()}
         assert key == "id" or not checked.is_valid(changed), key
     assert not checked.is_valid({**document, "other": 1})

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What figures of assimilation, of sunlit leaves and of a season show."""
+"""Figures of assimilation, of sunlit leaves and of a season show what they
+should."""
 
 from __future__ import annotations
 
@@ -23,7 +24,7 @@ from ideotype.analysis.profiles import (
 )
 
 DAYS = [f"2011-07-{day}" for day in range(28, 32)] + ["2011-08-01"]
-"""From a Thursday to a Monday."""
+"""The days from a Thursday to a Monday."""
 PARTS = {
     "sunlit_lai_by_hour": (
         Measured("m2 m-2", "hour"),
@@ -83,7 +84,7 @@ def test_assimilation_is_drawn_by_hour_and_leaf(case: Case) -> None:
         ),
         "assimilation [mol m⁻² day⁻¹ of ground]",
     } <= labels(figure)
-    # in its own figure alone
+    # They are in a figure of their own alone.
     assert len(draw_leaves(case).axes) == 1
     assert len(draw_hours(case).axes) == 2
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Scripts of campaigns/study that are no part of the study."""
+"""Scripts of campaigns/study that are no part of the study do what they
+say."""
 
 from __future__ import annotations
 
@@ -28,7 +29,8 @@ def run(script: str, *words: object) -> str:
 
 
 def test_erect_leaves_pay_only_where_plants_stand_close() -> None:
-    """As in the field: Winter and Ohlrogge 1973, Agronomy Journal 65, 395."""
+    """Fields showed this: Winter and Ohlrogge 1973, Agronomy Journal 65,
+    395."""
     table = run("erect_leaves.py", "--densities", 3, 12)
     for name in (
         "upper 5 leaves at 12 deg",
@@ -131,8 +133,8 @@ def test_the_blades_of_the_script_take_the_light_of_the_program(
 def test_the_error_of_a_gain_is_that_of_the_ratio(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """As of the carbon balance at 15 x 3 inches: the baseline has nearly
-    nothing, and the noise of both plants is about the same."""
+    """The carbon balance at 15 x 3 inches is such a case: the baseline has
+    nearly nothing, and the noise of both plants is about the same."""
     monkeypatch.syspath_prepend(CAMPAIGNS / "study")
     shared = importlib.import_module("shared")
     draw, runs, count = np.random.default_rng(3), 2000, 16

@@ -23,7 +23,7 @@ def stand() -> ideotype.Stand:
 
 
 def measured(stand: ideotype.Stand, folder: Path, factor: float = 1) -> Path:
-    """A table made from other fields, by more points."""
+    """Writes a table that was made from other fields, by more points."""
     heights, positions = [0.0, 0.4, 1.0, 3.0], [0.1, 0.38, 0.6, 0.2]
     found = stand.light_at(
         stand.baseline, heights, positions, fields=64, points=64

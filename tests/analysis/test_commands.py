@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The commands, as a user starts them."""
+"""The commands work as a user starts them."""
 
 from __future__ import annotations
 
@@ -169,7 +169,7 @@ def test_both_commands_hand_over(finished: Path, tmp_path: Path) -> None:
     compiled = {"IDEOTYPE_EXECUTABLE": program}
     by_program = run(program, "status", "--help")
     assert run(BIN / "ideotype", "status", "--help", **compiled) == by_program
-    # The package finds its own command on the PATH, and must not begin it.
+    # The package finds its own command on PATH, and must not begin it.
     itself = {"IDEOTYPE_EXECUTABLE": str(BIN / "ideotype")}
     missing = run(BIN / "ideotype", "status", **itself)
     assert missing[0] == 2 and "need the compiled program" in str(missing[2])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Cases against each other."""
+"""Cases are compared with each other."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def make(
     campaign_name: str = "made",
     **place: str | float,
 ) -> None:
-    """A finished history of one generation."""
+    """Makes a finished history of one generation."""
     place = {"case": path.stem, "campaign": campaign_name, **place}
     made = MadeHistory(path, attributes=place, resolved=campaign)
     made.evolve(1)
@@ -59,7 +59,7 @@ def test_spacings_have_a_line_for_each_distance_of_rows(
     lines = [
         line for line in figure.axes[1].lines if len(line.get_xdata()) == 2
     ]
-    # 15 x 6 and 30 x 3 inches have as many plants; no line joins them
+    # 15 x 6 and 30 x 3 inches have as many plants; no line joins them.
     assert all(np.diff(line.get_xdata())[0] > 1 for line in lines)
 
 
@@ -80,7 +80,7 @@ def test_leaf_area_stands_beside_every_gain(tmp_path: Path) -> None:
         (tick,) = draw_gains([case]).axes[0].get_yticklabels()
     ratio = 1.015 * 3.44 / np.array(lais)
     assert pair.gain_per_leaf_area.mean == pytest.approx(100 * (ratio[0] - 1))
-    # the leaf area is exact: the error is that of the light
+    # The leaf area is exact: the error is that of the light.
     error = pair.gain.standard_error * 3.44 / 6.0
     assert pair.gain_per_leaf_area.standard_error == pytest.approx(error)
     found = dict(zip(table.header, table.rows[0]))
@@ -96,7 +96,8 @@ def test_leaf_area_stands_beside_every_gain(tmp_path: Path) -> None:
 def test_one_seed_does_not_tell_the_noise_of_the_search(
     tmp_path: Path, seeds: tuple[int, int]
 ) -> None:
-    """In every text, table and figure; "95 %" is of several seeds alone."""
+    """This holds in every text, table and figure; "95 %" stands for several
+    seeds alone."""
     place = (("ames", 42.0), ("edmonton", 53.5))
     for (site, latitude), count in zip(place, seeds):
         for seed in range(1, count + 1):
@@ -132,8 +133,8 @@ def test_one_seed_does_not_tell_the_noise_of_the_search(
 
 
 def test_the_interval_of_several_seeds_is_that_between_them() -> None:
-    """Four searches of the trial of version 0.2.0, whose errors knew the
-    noise of the light alone."""
+    """These are four searches of the trial of version 0.2.0, whose errors knew
+    the noise of the light alone."""
     gains = [
         Estimate(mean, error, "%")
         for mean, error in (
@@ -142,7 +143,7 @@ def test_the_interval_of_several_seeds_is_that_between_them() -> None:
         )
     ]
     found = interval(gains)
-    # Student's t with three degrees of freedom
+    # This is Student's t with three degrees of freedom.
     scatter = np.std([x.mean for x in gains], ddof=1) / 2
     assert found.half_width == pytest.approx(3.1824 * scatter, rel=1e-4)
     assert str(found) == "3.6 ± 1.6 %"
@@ -159,7 +160,7 @@ def test_an_objective_per_leaf_area_is_its_own_gain(tmp_path: Path) -> None:
     made.finish()
     made.close()
     with h5py.File(path, "r+") as file:
-        # must not be divided by it once more
+        # The error must not be divided by it once more.
         file["final/lai"][2] = 6.0
         seal(file)
     with open_study(tmp_path) as study:
@@ -231,7 +232,7 @@ def test_a_cross_evaluation_serves_two_campaigns(tmp_path: Path) -> None:
         over = {c.name: cross.relative_gain(c, ELITE) for c in study.cases()}
         table, *notes = gains(study.cases(), cross)
     best = final_absorbed(2)
-    # "c" may be that of either campaign
+    # "c" may be that of either campaign.
     assert over.pop("one: c") is None
     assert {name: gain and gain.mean for name, gain in over.items()} == {
         "one: a": pytest.approx(100 * (best / 10.0 - 1)),
@@ -252,7 +253,7 @@ def test_plots_alone_have_a_panel_of_their_own(tmp_path: Path) -> None:
     with open_study(tmp_path) as study:
         stands, plots = draw_energy(study.cases()).axes
     assert stands.get_xlabel() == "part of the incident PAR"
-    assert "alone" in plots.get_xlabel()
+    assert "isolated plot" in plots.get_xlabel()
     assert [t.get_text() for t in plots.get_yticklabels()] == [
         *("plot baseline", "plot best"),
     ]
@@ -265,7 +266,7 @@ def test_seeds_are_put_together_in_a_cross_evaluation() -> None:
     (ames, bred), (oslo, lonely), (b73, _) = cross.seeds_together()
     assert (ames, oslo, b73) == ("ames_all", "oslo_all_r1", "b73")
     assert bred[0] is not None and bred[0].mean == pytest.approx(11.1)
-    # Student's t with one degree of freedom, times the standard error
+    # This is Student's t with one degree of freedom, times the standard error.
     assert bred[0].half_width == pytest.approx(12.7062 * 0.1)
     assert lonely[0] is None and lonely[1] is not None
     assert lonely[1].half_width == pytest.approx(0.0196)

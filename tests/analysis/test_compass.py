@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which way figures from above are turned."""
+"""Figures from above tell which way they are turned."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ideotype.analysis.study import open_study
 
 
 def copy_with(history: Path, folder: Path, campaign: str) -> Path:
-    """A copy of another campaign."""
+    """Makes a copy that has another campaign."""
     copy = folder / "copy.h5"
     shutil.copy(history, copy)
     with h5py.File(copy, "r+") as file:
@@ -28,7 +28,7 @@ def copy_with(history: Path, folder: Path, campaign: str) -> Path:
 
 
 def turned(history: Path, folder: Path, direction: float) -> Path:
-    """A copy whose rows run that way."""
+    """Makes a copy whose rows run that way."""
     text = f'[[spacing]]\nname = "30x6"\nrow_direction = {direction}'
     return copy_with(history, folder, text)
 
@@ -51,7 +51,7 @@ def test_north_lies_against_the_turn_of_the_rows(
         (case,) = study.cases()
         assert row_direction(case) == direction
         ((x, y),) = norths(draw_azimuths(case))
-    # clockwise from the row, which is the top of the figure
+    # Angles count clockwise from the row, which is the top of the figure.
     assert np.rad2deg(np.arctan2(x, y)) == pytest.approx(-direction)
 
 

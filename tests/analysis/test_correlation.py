@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which traits go together."""
+"""Correlations tell which traits go together."""
 
 from __future__ import annotations
 

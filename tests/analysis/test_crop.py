@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Crops that grow, against references and measured seasons."""
+"""Crops that grow agree with references and measured seasons."""
 
 from __future__ import annotations
 
@@ -25,7 +25,8 @@ def read(name: str) -> list[list[str]]:
 
 
 def hours(largest: float, smallest: float) -> NDArray[np.float64]:
-    """The temperature of each hour of a day: half a wave about the mean."""
+    """Returns the temperature of each hour of a day: half a wave about the
+    mean."""
     wave = np.sin(np.pi * np.arange(24) / 12)
     return (largest + smallest) / 2 + (largest - smallest) / 2 * wave
 
@@ -47,13 +48,14 @@ def test_a_hybrid_has_the_areas_of_the_reference() -> None:
 
 
 def test_a_stand_has_silking_and_maturity_of_gainesville_1982() -> None:
-    """Measured on days 132 and 185 of the year."""
+    """Both were measured, on days 132 and 185 of the year."""
     crop = ideotype.Crop.from_file(HYBRID)
     weather = {
         x[0]: (float(x[2]), float(x[3]))
         for x in read("ufga1982_weather_daily.csv")
     }
-    # Sown 7 cm deep on 26 February: 45 + 6 x 7 deg C d to emergence (CERES).
+    # The stand was sown 7 cm deep on 26 February: 45 + 6 x 7 deg C d to
+    # emergence (CERES).
     day, sum_to_emergence = date(1982, 2, 26), 0.0
     while sum_to_emergence < 45 + 6 * 7:
         day += timedelta(1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Crops with traits of any kind, as the program evolves them."""
+"""Crops with traits of any kind are read as the program evolves them."""
 
 from __future__ import annotations
 
@@ -27,12 +27,14 @@ FREE = ["azimuth_deviation", "leaf_plane", "height", "length_profile"]
 
 @pytest.fixture(scope="module")
 def maize(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Bred in a trait of leaves, two of the plant, and a profile."""
+    """Gives a history of maize that is bred in a trait of leaves, two of the
+    plant, and a profile."""
     return run_crop(tmp_path_factory.mktemp("maize"), "maize", FREE)
 
 
 def leaves_of(history: Path, folder: Path) -> dict[str, np.ndarray]:
-    """What the leaves of the best plant measure, as the program says."""
+    """Returns what the leaves of the best plant measure, as the program
+    says."""
     path = folder / "leaves.csv"
     output_of("export", history, "--best", "--to", path)
     rows = list(csv.DictReader(path.read_text().splitlines()))
@@ -42,7 +44,7 @@ def leaves_of(history: Path, folder: Path) -> dict[str, np.ndarray]:
 
 
 def profile_of(case: Case, trait: str, leaves: int) -> np.ndarray:
-    """A trait of the best plant, for each leaf."""
+    """Returns a trait of the best plant, for each leaf."""
     points = case.best.row.genome[0, case.genes.columns(trait)]
     return curve(points, np.linspace(0, 1, leaves))
 
@@ -56,7 +58,7 @@ def test_azimuths_are_those_of_the_program(
         (found,) = azimuths(case, case.best.row.genome)
         (baseline,) = azimuths(case, case.baseline.row.genome)
     assert found == pytest.approx(told)
-    # two traits turn leaves; neither is called azimuth
+    # Two traits turn leaves; neither is called azimuth.
     assert np.ptp(found - baseline) > 0.1
     assert list(baseline) == [90, 270] * 5
 
@@ -118,7 +120,7 @@ def test_a_profile_is_a_curve_through_its_points(maize: Path) -> None:
         (axes,) = draw_profiles(case).axes
         fittest = case.top(1).genome[0, case.genes.columns("length_profile")]
     curves = [line for line in axes.lines if len(line.get_xdata()) == 101]
-    # the baseline's, drawn last, is 1 everywhere
+    # The baseline's curve, drawn last, is 1 everywhere.
     *bred, baseline = [line.get_xdata() for line in curves]
     assert baseline == pytest.approx(np.ones(101))
     at = np.searchsorted(np.linspace(0, 1, 101), [0, 1]), [0, -1]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Histories with a damaged byte, and what goes on without them."""
+"""Histories with a damaged byte are refused, and others are read without
+them."""
 
 from __future__ import annotations
 
@@ -28,7 +29,7 @@ UNREADABLE = 24_062
 
 
 def damage(path: Path, byte: int) -> Path:
-    """A copy of the sample with one bit flipped."""
+    """Makes a copy of the sample with one bit flipped."""
     data = bytearray(SAMPLE.read_bytes())
     data[byte] ^= 0x40
     path.write_bytes(data)
@@ -37,7 +38,7 @@ def damage(path: Path, byte: int) -> Path:
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    """A good history between two others, of which one can't be read."""
+    """Gives a good history between two others, of which one can't be read."""
     place = tmp_path / "results"
     place.mkdir()
     damage(place / "a.h5", UNREADABLE)
@@ -58,7 +59,7 @@ def test_damaged_metadata_are_told_at_once(tmp_path: Path, byte: int) -> None:
 
 @pytest.fixture
 def small(tmp_path: Path) -> Path:
-    """A finished history of two generations."""
+    """Gives a finished history of two generations."""
     made = MadeHistory(tmp_path / "small.h5")
     made.evolve(2)
     made.finish()
@@ -68,8 +69,8 @@ def small(tmp_path: Path) -> Path:
 
 @pytest.mark.parametrize("marks", [0, OPEN])
 def test_no_bit_of_the_metadata_is_endless(small: Path, marks: int) -> None:
-    """Of 150 of them, in a file that is closed and in one that is marked as
-    open; tests/stress/flip.py takes any number."""
+    """150 bits are flipped, in a file that is closed and in one that is marked
+    as open; tests/stress/flip.py takes any number."""
     content = marked(small.read_bytes(), marks)
     small.write_bytes(content)
     whole = ideotype.open(small)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pictures of plants, as campaigns/README.md makes them."""
+"""Pictures of plants are as campaigns/README.md makes them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from real_program import CAMPAIGNS
 
 
 def draw(*arguments: object) -> subprocess.CompletedProcess[str]:
-    """What campaigns/study/draw_plants.py says."""
+    """Returns what campaigns/study/draw_plants.py says."""
     script = CAMPAIGNS / "study" / "draw_plants.py"
     words = [sys.executable, script, *arguments]
     return subprocess.run(
@@ -34,7 +34,7 @@ def test_baselines_and_bred_plants_are_drawn(
     leaves = (green > red + 30) & (green > blue + 30)
     wood = (red > green + 10) & (green > blue + 10)
     middle = pixels.shape[1] // 2
-    # leaves in both columns, the panicles in the upper half
+    # Leaves are in both columns, the panicles in the upper half.
     assert min(leaves[:, :middle].sum(), leaves[:, middle:].sum()) > 1000
     assert wood[: len(wood) // 2].sum() > 100
 

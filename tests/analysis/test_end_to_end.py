@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The package on a file of the program itself.
+"""The package reads a file of the program itself.
 
 IDEOTYPE_EXECUTABLE names the built program: a tiny campaign is run with it.
 IDEOTYPE_SAMPLE_HISTORY names a finished history that is looked at instead;
@@ -34,7 +34,7 @@ PROMISED = {
 
 @pytest.fixture(scope="session", params=["own", "sorghum"])
 def sample(request: pytest.FixtureRequest) -> Path:
-    """The given history, or else one of our own and one of sorghum."""
+    """Gives the given history, or else one of our own and one of sorghum."""
     if given := os.environ.get("IDEOTYPE_SAMPLE_HISTORY"):
         return Path(given)
     found = request.getfixturevalue(request.param)
@@ -43,7 +43,7 @@ def sample(request: pytest.FixtureRequest) -> Path:
 
 @pytest.fixture(params=["evaluations", "finalists"])
 def rows(request: pytest.FixtureRequest, sample: Path) -> Rows:
-    """Done rows of the run and of the finals."""
+    """Gives done rows of the run and of the finals."""
     with open_history(sample) as history:
         found = getattr(history, request.param)().done
     assert len(found) > 0
@@ -117,7 +117,8 @@ def test_hours_integrate_to_the_day(own: Path) -> None:
         best = history.best()
     assert best is not None and best.is_final
     profile = best.profile("absorbed_by_hour")
-    # trapezoids: the sun of Ames is up from the first hour to the last
+    # The sum is that of trapezoids: the sun of Ames is up from the first hour
+    # to the last.
     assert list(profile.labels) == list(range(7, 21))
     ends = profile.values[0] + profile.values[-1]
     joules = 3600 * (profile.values.sum() - ends / 2)
@@ -138,14 +139,14 @@ def test_the_plants_of_a_report_have_the_sizes_of_their_genes(
     widths = best.row.genome[0, genes.columns("width")]
     for leaf, length, width in zip(leaves, lengths, widths):
         part = plants.best.area(leaf) / (length * width)
-        # a blade fills some of its rectangle
+        # A blade fills some of its rectangle.
         assert 0.5 < part < 0.95
     assert plants.baseline.area("leaf01") != plants.best.area("leaf01")
 
 
 @pytest.fixture
 def running(tmp_path: Path) -> Iterator[tuple[subprocess.Popen[str], Path]]:
-    """A run that does not end by itself, and its history."""
+    """Gives a run that does not end by itself, and its history."""
     run = start(tmp_path, 10_000)
     deadline = time.monotonic() + 60
     while not (found := list((tmp_path / "tiny").glob("*.h5"))):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The examples of analysis/examples, as users run them."""
+"""The examples of analysis/examples work as users run them."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ LEAST = {
 
 
 def at(folder: Path) -> Path:
-    """A folder with the campaigns, where nothing else is overwritten."""
+    """Makes a folder with the campaigns, where nothing else is overwritten."""
     (folder / "campaigns").symlink_to(TOP / "campaigns")
     return folder
 

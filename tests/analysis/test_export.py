@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Exported plants and fields, opened with the readers of VTK, which are those
-of ParaView."""
+"""Exported plants and fields can be opened with the readers of VTK, which are
+those of ParaView."""
 
 from __future__ import annotations
 
@@ -30,16 +30,17 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 ABSORBED = "absorbed_par [MJ m-2 day-1]"
 ERROR = "standard_error [MJ m-2 day-1]"
 FACES = 10 * 24 + 16 + 48 + 2 * 12 + 8 + 7 * 6
-"""Those of a plant: leaves of 12 x 2 cells, stalk, sheaths, peduncle and ear,
-spike, and seven branches of three sides, each of which has a cover of as many
-faces as sides."""
+"""The number of faces of a plant: leaves of 12 x 2 cells, stalk, sheaths,
+peduncle and ear, spike, and seven branches of three sides, each of which has a
+cover of as many faces as sides."""
 GROUPS = 16
-"""Those of a plant: its leaves, stalk and five kinds of other organs."""
+"""The number of groups of a plant: its leaves, stalk and five kinds of other
+organs."""
 FINAL_PATHS = 256
 
 
 def opened(reader: Any, path: Path) -> vtkPolyData:
-    """What VTK reads, without an error."""
+    """Returns what VTK reads, without an error."""
     errors: list[str] = []
     reader.AddObserver("ErrorEvent", lambda *_: errors.append("error"))
     reader.SetFileName(str(path))
@@ -49,12 +50,12 @@ def opened(reader: Any, path: Path) -> vtkPolyData:
 
 
 def cells(data: vtkPolyData, name: str) -> NDArray[np.float64]:
-    """A value per face."""
+    """Returns a value per face."""
     return vtk_to_numpy(data.GetCellData().GetArray(name))
 
 
 def areas(data: vtkPolyData) -> NDArray[np.float64]:
-    """Of the faces as VTK finds them [m2]."""
+    """Returns the areas of the faces as VTK finds them [m2]."""
     size = vtkCellSizeFilter()
     size.SetInputData(data)
     size.Update()
@@ -62,13 +63,14 @@ def areas(data: vtkPolyData) -> NDArray[np.float64]:
 
 
 def exported(own: Path, to: Path, *options: object) -> Path:
-    """The file, once the program has written it."""
+    """Returns the file, once the program has written it."""
     output_of("export", own, *options, "--to", to)
     return to
 
 
 def totals(data: vtkPolyData) -> tuple[float, float]:
-    """What leaves and stalks absorb on the ground below [MJ m-2 day-1]."""
+    """Returns what leaves and stalks absorb on the ground below [MJ m-2
+    day-1]."""
     fields = data.GetFieldData()
     ground = fields.GetArray("ground_area [m2]").GetValue(0)
     energy = cells(data, ABSORBED) * areas(data) / ground
@@ -93,7 +95,7 @@ def test_the_light_of_a_plant_is_that_of_its_evaluation(
     assert np.all(cells(data, ERROR) >= 0)
     leaves, stalks = totals(data)
     incident = best.estimate("incident").mean
-    # coordinates have seven decimals
+    # Coordinates have seven decimals.
     assert leaves == pytest.approx(best.objective.mean, rel=1e-5)
     expected = best.estimate("stalk_fraction").mean * incident
     assert stalks == pytest.approx(expected, rel=1e-4)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The cost of accuracy: planned by a clock, measured, pasted and drawn."""
+"""The cost of accuracy is planned by a clock, measured, pasted and drawn."""
 
 from __future__ import annotations
 
@@ -28,7 +28,8 @@ KEYS = [
 
 
 class Fake:
-    """Evaluations of known error, which a clock of its own takes for long."""
+    """Evaluations of known error, for which a clock of their own counts long
+    times."""
 
     def __init__(self, second: float = 1.0) -> None:
         self.now = 0.0
@@ -109,7 +110,7 @@ def test_of_a_front_each_is_more_accurate_than_all_cheaper() -> None:
 
 
 def measure(campaign: Path, *options: object) -> str:
-    # As users do: the program hands the verb to Python, which it then serves.
+    # Users do so: the program hands the verb to Python, which it then serves.
     done = subprocess.run(
         [executable(), "fidelity", campaign, *map(str, options)],
         env=os.environ | {"IDEOTYPE_PYTHON": sys.executable},
@@ -123,10 +124,11 @@ def measure(campaign: Path, *options: object) -> str:
 
 
 def pasted(campaign: Path, told: str) -> Path:
-    """The campaign with the tables of the output in the place of its own."""
+    """Returns the campaign with the tables of the output in the place of its
+    own."""
     block = told.split("\n# ")[1].split("\n", 1)[1]
     headers = re.findall(r"^\[.*", block, re.MULTILINE)
-    # none where the campaign itself is the cheapest that will do
+    # There is none where the campaign itself is the cheapest that will do.
     assert len(headers) == len(set(headers))
     changed = {name.split(".")[0] for name in tomllib.loads(block)}
     head, *tables = re.split(
@@ -143,7 +145,7 @@ def of_a_day(folder: Path) -> Path:
 
 
 def of_a_season(folder: Path) -> Path:
-    """A week of bondville.toml."""
+    """Writes a campaign of a week of bondville.toml."""
     text = (CAMPAIGNS / "bondville.toml").read_text()
     text = text.replace("to = 2011-09-20", "to = 2011-07-27")
     for name in ("weather", "crops"):
@@ -160,7 +162,8 @@ def test_keys_can_be_pasted_and_time_is_kept(made, tmp_path: Path) -> None:
     began = time.monotonic()
     options = ("--seconds", 12, "--tolerance", 1e-4, "--json", file)
     told = measure(campaign, *options, "--figure", tmp_path / "fidelity.png")
-    assert time.monotonic() - began < 60  # with the start and the figure
+    # The time includes the start and the figure.
+    assert time.monotonic() - began < 60
     found = json.loads(file.read_text())
     rows = [row for rows in found["keys"] for row in rows]
     rows += found["settings"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plants drawn in their field."""
+"""Plants are drawn in their field."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ MAST = Mesh(
     ((0, 1, 2, 3), (0, 1, 4)),
     ("stalk", "leaf01"),
 )
-"""Higher than eyes, and a leaf."""
+"""A mast that is higher than eyes, and a leaf."""
 
 
 def test_plants_stand_in_rows_and_are_turned() -> None:
@@ -50,7 +50,7 @@ def test_plants_stand_in_rows_and_are_turned() -> None:
     across = masts[:, 1] - masts[:, 0]
     turns = np.rad2deg(np.arctan2(across[:, 1], across[:, 0]))
     assert 0 < np.abs(turns).max() <= 10 and len(set(turns.round(6))) == 12
-    # a shade of the leaf's own colour
+    # Colours are a shade of the leaf's own colour.
     shades = field.colors[1::2] / colors[1]
     assert np.ptp(shades, axis=1) == pytest.approx(0)
     assert shades.min() >= 0.72 and shades.max() <= 1
@@ -66,10 +66,10 @@ def test_what_is_higher_than_eyes_is_above_the_horizon() -> None:
     for quad in masts:
         foot, top = quad[1], quad[2]
         assert foot[1] < view.horizon < top[1]
-        # about so far up the mast as eyes are
+        # The horizon crosses the mast about as far up as eyes are.
         part = (view.horizon - foot[1]) / (top[1] - foot[1])
         assert part == pytest.approx(EYE / 3, abs=0.1)
-    # the nearest mast, which is the largest, is drawn last
+    # The nearest mast, which is the largest, is drawn last.
     heights = [quad[2, 1] - quad[1, 1] for quad in masts]
     assert heights[-1] == max(heights) > 1.2 * min(heights)
 
@@ -79,7 +79,7 @@ def test_from_above_the_highest_hide_others() -> None:
     field = plant_field(MAST, colors, 0.7, 0.4, 0.0, (3, 4))
     view = from_above(field)
     is_leaf = np.ptp(view.colors, axis=1) > 0.1
-    # leaves below masts, which are grey
+    # Leaves are below masts, which are grey.
     assert is_leaf[:12].all() and not is_leaf[12:].any()
     left, right, bottom, top = view.limits
     assert (left + right, bottom + top) == pytest.approx((0, field.length))
@@ -94,7 +94,7 @@ def test_a_view_is_painted_over_sky_and_soil() -> None:
     assert soil.get_extent() == [-2, 2, -2, 1]
     assert sky.get_extent() == [-2, 2, 1, 2]
     painted = np.asarray(faces.get_array())
-    # rows count from the top
+    # Rows count from the top.
     height, width, _ = painted.shape
     green_part = painted[2 : height // 2 - 2, width // 2 + 2 : -2]
     assert np.all(green_part == (0, 255, 0, 255))

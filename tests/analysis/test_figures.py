@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the figures show."""
+"""Figures show what histories say."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ from ideotype.analysis.style import RC, unit_label
 
 
 def bars(axes: Axes, label: str) -> tuple[np.ndarray, np.ndarray]:
-    """Values and half-lengths of the vertical bars of that label."""
+    """Returns values and half-lengths of the vertical bars of that label."""
     (found,) = [
         c for c in axes.containers if (c.get_label() or "_").startswith(label)
     ]
@@ -48,7 +48,7 @@ def bars(axes: Axes, label: str) -> tuple[np.ndarray, np.ndarray]:
 
 
 def labels(figure: Figure) -> set[str]:
-    """All labels of all legends and axes."""
+    """Returns all labels of all legends and axes."""
     found = {t for a in figure.axes for t in (a.get_xlabel(), a.get_ylabel())}
     legends = [*figure.legends, *(a.get_legend() for a in figure.axes)]
     for legend in filter(None, legends):
@@ -90,10 +90,10 @@ def test_traits_show_ten_plants_and_bounds(finished: Path) -> None:
     assert width.get_xlabel() == "width [m]"
     assert insertion_angle.get_xlabel() == "insertion angle [°]"
     markers = [line.get_marker() for line in length.lines]
-    # ten plants, the baseline, the means
+    # There are ten plants, the baseline and the means.
     assert [markers.count(marker) for marker in "oD|"] == [10, 1, 1]
     assert length.get_xlim()[0] < 0.40 and length.get_xlim()[1] > 1.10
-    # leaf 1 lies around the row: its mean is near 0, far from 180
+    # Leaf 1 lies around the row: its mean is near 0, far from 180.
     mean, _ = horizontal_bars(azimuth)
     assert min(mean[0], 360 - mean[0]) < 10
     assert "baseline" in labels(figure) and "bounds" in labels(figure)
@@ -117,7 +117,8 @@ def test_circular_means_and_their_bars_stay_on_the_axis(
     ]
     ends = np.array(parts)[..., 0]
     assert ends.min() >= 0 and ends.max() <= 360
-    # of leaf 1, on both sides of the seam: together twice its deviation
+    # The bars of leaf 1 are on both sides of the seam: together they are twice
+    # its deviation.
     at = np.array(parts)[:, 0, 1] < 1
     lengths = (ends[:, 1] - ends[:, 0])[at]
     away = (top + 180) % 360 - 180
@@ -126,7 +127,7 @@ def test_circular_means_and_their_bars_stay_on_the_axis(
 
 
 def test_deviations_are_drawn_whole(finished: Path) -> None:
-    """Of plants at both bounds: the deviation reaches past them."""
+    """The plants are at both bounds: the deviation reaches past them."""
     with open_study(finished) as study:
         case = study.cases()[0]
         top = case.top(10)
@@ -150,7 +151,8 @@ def test_the_legend_of_many_seeds_fits(sweep: Path) -> None:
 
 
 def horizontal_bars(axes: Axes, index: int = 0) -> tuple[np.ndarray, ...]:
-    """Means by leaf and half-lengths of their bars, of so many bars."""
+    """Returns means by leaf and half-lengths of their bars, of so many
+    bars."""
     from matplotlib.container import ErrorbarContainer
 
     found = [c for c in axes.containers if isinstance(c, ErrorbarContainer)]
@@ -172,7 +174,7 @@ def test_azimuths_are_polar_and_averaged_on_the_circle(
         if line.get_label() == "circular mean ± deviation"
     ]
     first = np.rad2deg(mean.get_xdata()[0])
-    # slots 11 ... 6 and 4 ... 1 at 355 + slot deg
+    # Slots 11 ... 6 and 4 ... 1 have 355 + slot deg.
     slots = [11, 10, 9, 8, 7, 6, 4, 3, 2, 1]
     assert (first + 180) % 360 - 180 == pytest.approx(
         355 + np.mean(slots) - 360, abs=0.05
@@ -235,7 +237,8 @@ def test_the_ten_fittest_come_from_all_seeds(sweep: Path) -> None:
     with open_study(sweep) as study:
         case = study.cases()[0]
         top, seeds = case.top(10), case.seeds_of_top(10)
-    # the same plants in both seeds, better by the shift in the second
+    # Both seeds have the same plants, which are better by the shift in the
+    # second.
     expected = sorted(
         (absorbed(5, s) + max(SHIFTS) for s in range(POPULATION) if s != 5),
         reverse=True,

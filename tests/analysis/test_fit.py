@@ -30,8 +30,8 @@ SIZES = (3, 6)
 def fitted(
     source: Path, capsys: pytest.CaptureFixture[str], *words: str
 ) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
-    """Leaves of the crop file that a source becomes, and the table of how
-    well they are met."""
+    """Returns leaves of the crop file that a source becomes, and the table of
+    how well they are met."""
     to = source.parent / f"{source.stem}_fitted.toml"
     to.unlink(missing_ok=True)
     arguments = [str(source), "--crop", str(MAIZE), "--to", str(to), "--json"]
@@ -56,7 +56,8 @@ def plant(path: Path) -> tuple[list[dict[str, Any]], Mesh]:
 
 
 def rows(mesh: Mesh) -> Iterator[np.ndarray]:
-    """Of each leaf the rows of its vertices, [rows, left middle right, 3]."""
+    """Yields for each leaf the rows of its vertices, [rows, left middle right,
+    3]."""
     for group in sorted({g for g in mesh.groups if g.startswith("leaf")}):
         faces = [f for f, g in zip(mesh.faces, mesh.groups) if g == group]
         first = min(min(face) for face in faces)
@@ -65,7 +66,7 @@ def rows(mesh: Mesh) -> Iterator[np.ndarray]:
 
 
 def write_obj(mesh: Mesh, path: Path, unit: float, noise: float = 0) -> None:
-    """A mesh in a scanner's frame, turned over its soil by 40 deg."""
+    """Writes a mesh in a scanner's frame, turned over its soil by 40 deg."""
     turned = Rotation.from_euler("z", 40, degrees=True)
     draw = np.random.default_rng(1).normal(0, noise, mesh.vertices.shape)
     points = turned.apply(mesh.vertices + draw) / unit + [30, -8, 900]
@@ -134,7 +135,8 @@ def write_nurbs(
     mesh: Mesh, path: Path, unit: float, *, u_fastest: bool, from_tip: bool,
     names: bool, noise: float = 0,
 ) -> None:  # fmt: skip
-    """Leaves as MaizeField3D has them: the net that fits their rows best."""
+    """Writes leaves as MaizeField3D has them: the net that fits their rows
+    best."""
     u = np.array([0.0, 0, 0, 1, 1, 1])
     v = np.array([0.0, 0, 0, 0, 1 / 3, 2 / 3, 1, 1, 1, 1])
     draw = np.random.default_rng(2)
@@ -143,7 +145,7 @@ def write_nurbs(
         at = np.linspace(0, 1, len(leaf))
         along = make_lsq_spline(at, leaf, v, 3).c
         left, middle, right = along.transpose(1, 0, 2)
-        # a parabola across through the midrib
+        # A parabola runs across through the midrib.
         net = np.stack([left, 2 * middle - (left + right) / 2, right])
         net = (net + draw.normal(0, noise, net.shape)) / unit + [2, 3, 40]
         if from_tip:
@@ -232,8 +234,9 @@ def triangulated(faces: list[tuple[int, ...]]) -> list[tuple[int, ...]]:
 def test_midribs_are_met(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Points in centimetres, two digitisations of each leaf, another plant in
-    the same file; lengths and azimuths from a table beside it."""
+    """The source has points in centimetres, two digitisations of each leaf,
+    and another plant in the same file; lengths and azimuths come from a table
+    beside it."""
     known, mesh = plant(MAIZE)
     lines = ["plant,leaf,number,x_cm,z_cm", "other,1,0,0,0", "other,1,0,9,9"]
     measures = ["leaf,length_cm,width_cm,azimuth_deg,insertion_height_cm"]

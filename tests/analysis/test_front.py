@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Fronts of several objectives: which plants are in them, and how the report
-lets a reader choose one."""
+"""Fronts of several objectives have the right plants, and the report lets a
+reader choose one."""
 
 from __future__ import annotations
 
@@ -48,7 +48,8 @@ from ideotype.analysis.style import BEST
 LIGHT, AREA = ("absorbed_par", "maximise"), ("lai", "minimise")
 LEAVES = ("absorbed_par_per_leaf_area", "maximise")
 LAIS = [LAI, 3.0, 3.5, 3.2]
-"""Of the finalists: another has more light than the last on fewer leaves."""
+"""Leaf area indices of the finalists: another has more light than the last on
+fewer leaves."""
 KEPT = [True, True, False]
 SCENARIOS = ["dense stand", "wide rows"]
 
@@ -58,7 +59,7 @@ def make(
     objectives: Sequence[tuple[str, str]] = (LIGHT, AREA),
     **options: Any,
 ) -> Path:
-    """A finished history whose finalists have LAIS."""
+    """Makes a finished history whose finalists have LAIS."""
     made = MadeHistory(
         path, objectives=objectives, resolved=resolved(), **options
     )
@@ -113,12 +114,12 @@ def test_members_that_fall_off_are_told(history: Path) -> None:
     assert front.kept["lai"].values.tolist() == LAIS[1:3]
     gain = front.pair(0).gain_in("absorbed_par")
     assert gain.mean == pytest.approx(1.0)
-    # paired: most of the noise is shared
+    # The error is paired: most of the noise is shared.
     assert 0 < gain.standard_error < 0.5 * 100 * 2**0.5 * ERROR / 4 / 11
     area = front.pair(0).gain_in("lai")
     assert area.mean == pytest.approx(100 * (3.0 / LAI - 1))
     assert area.standard_error == 0
-    # of what is no objective as of independent figures
+    # Quantities that are no objectives have the error of independent figures.
     soil = front.pair(0).gain_in("soil_fraction")
     assert soil.mean == pytest.approx(100 * (1.2 - 0.11) / 1.2 - 100)
     assert soil.standard_error > gain.standard_error
@@ -138,7 +139,7 @@ def test_before_the_finals_it_is_that_of_the_last_generation(
     assert fronts[0] is None
     front = fronts[1]
     assert front is not None and not front.is_final
-    # all have the same leaf area
+    # All have the same leaf area.
     assert front.members["absorbed_par"].values == [
         absorbed(1, POPULATION - 1)
     ]
@@ -159,7 +160,8 @@ def test_plants_along_the_front_are_drawn(history: Path) -> None:
         plants = build_plants(case)
         figure = draw_front_plants(case, plants.baseline, plants.members)
     titles = [axes.get_title() for axes in figure.axes if axes.get_title()]
-    # by the first objective; what has fallen off is left out
+    # Plants are in the order of the first objective; those that have fallen
+    # off are left out.
     light = [BASELINE, *sorted(final_absorbed(i + 1) for i in (0, 1))]
     area = [LAIS[0], *LAIS[1:3]]
     error = ERROR / 4
@@ -177,8 +179,8 @@ def test_plants_along_the_front_are_drawn(history: Path) -> None:
 
 
 def test_a_plant_has_one_number_everywhere(tmp_path: Path) -> None:
-    """Though plants of the figure are in the order of the first objective,
-    and finalists in the order of their last generation."""
+    """This holds though plants of the figure are in the order of the first
+    objective, and finalists in the order of their last generation."""
     for seed in (1, 2):
         path = tmp_path / f"case_r{seed}.h5"
         make(path, attributes={"case": f"a_r{seed}"})
@@ -304,7 +306,8 @@ def test_each_plant_has_the_shape_of_its_row(history: Path) -> None:
         mesh.area("leaf01") / row[sizes].prod()
         for mesh, row in zip([plants.baseline, *plants.members], rows)
     ]
-    # of the rectangle around a blade, which have one outline
+    # The part is that of the rectangle around a blade, which all have one
+    # outline.
     assert parts == pytest.approx([parts[0]] * 4, rel=0.01)
     assert np.array_equal(plants.best.vertices, plants.members[1].vertices)
 
@@ -328,10 +331,11 @@ def test_a_plant_of_the_front_is_chosen(
         phone.value(f"{CHART}.scrollIntoView()")
         boxes = phone.value(BOXES)
         chart, plant, numbers = boxes.values()
-        if width == 1280:  # side by side, the numbers below the chart
+        if width == 1280:
+            # They are side by side, the numbers below the chart.
             assert chart[2] < plant[0] and plant[1] < chart[3] < numbers[1]
             assert numbers[2] < plant[0]
-        else:  # both on one screen
+        else:  # Both are on one screen.
             assert chart[3] < plant[1] < plant[3] < min(HEIGHT, numbers[1])
         for i, (left, top, right, bottom) in enumerate(
             labels := phone.value(LABELS)
@@ -343,7 +347,7 @@ def test_a_plant_of_the_front_is_chosen(
         first, looks = phone.value(CELLS), [phone.value(LOOK)]
         assert first[0] == ["", "baseline", "plant 2", "higher by [%]"]
         assert first[2] == ["LAI [m² m⁻²]", "3.44", "3.5", "+1.74"]
-        # a little beside the point, as fingers do
+        # Fingers touch a little beside the point.
         x, y = phone.value(MEMBER % 0)
         phone.tap(x + 9, y - 9)
         looks.append(phone.value(LOOK))
@@ -351,7 +355,7 @@ def test_a_plant_of_the_front_is_chosen(
         assert chosen[0][2] == "plant 1"
         assert re.fullmatch(r"\+1\.00 ±\u00a00\.0\d", chosen[1][3])
         assert chosen[2][1:] == ["3.44", "3", "−12.79"]
-        # the keys go from left to right: 3.0, 3.2, 3.5
+        # The keys go from left to right: 3.0, 3.2, 3.5.
         phone.press("ArrowRight")
         looks.append(phone.value(LOOK))
         assert phone.value(CELLS)[0][2] == "plant 3"
@@ -383,7 +387,7 @@ def test_the_chart_has_error_bars_in_the_scale_of_its_axes(
               [member.dataset.member, member.classList.contains("fallen")])"""
         )
     assert {int(i): not fell for i, fell in kinds} == dict(enumerate(KEPT))
-    # plants 1 and 2 differ by 0.005 of the baseline
+    # Plants 1 and 2 differ by 0.005 of the baseline.
     step = (places[0] - places[1]) / (final_absorbed(2) - final_absorbed(1))
     assert heights == pytest.approx([step * 2 * ERROR / 4] * 3, rel=0.01)
 
@@ -427,7 +431,7 @@ def test_of_three_objectives_two_are_chosen(tmp_path: Path) -> None:
 
 
 def test_scenarios_stand_beside_the_plant(tmp_path: Path) -> None:
-    """Also readers take an axis that they do not know."""
+    """Readers also take an axis that they do not know."""
     path = make(
         tmp_path / "case.h5",
         labels={"scenario": SCENARIOS},

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures as files."""
+"""Figures become files."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def test_figures_for_documents_are_small(tmp_path: Path) -> None:
 
 def test_a_figure_of_any_width_is_painted_upright(tmp_path: Path) -> None:
     def half() -> Figure:
-        # 1140 pixels, which is 1139.99... as a product
+        # The width is 1140 pixels, which is 1139.99... as a product.
         figure = Figure(figsize=(1.9 * 3, 2))
         figure.add_axes(
             (0, 0, 0.5, 1), facecolor="black", xticks=[], yticks=[]

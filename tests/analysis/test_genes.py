@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What genes are called."""
+"""Genes are called by their names."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ TRAITS = ["fold", "droop", "fold", "droop", "height", *["size_profile"] * 3]
 
 @pytest.fixture
 def genes() -> Genes:
-    """Two leaves with two traits each, a plant's trait, and a profile."""
+    """Returns two leaves with two traits each, a plant's trait, and a
+    profile."""
     count = len(TRAITS)
     return Genes(
         tuple(f"gene{i}" for i in range(count)),
@@ -31,7 +32,7 @@ def test_traits_are_of_leaves_of_plants_or_profiles(genes: Genes) -> None:
     assert [genes.kind(t) for t in ("fold", "height", "size_profile")] == [
         *("leaf", "plant", "profile"),
     ]
-    # what is not free is not bred
+    # A gene that is not free is not bred.
     assert genes.bred("leaf") == ["droop"]
     assert genes.bred("plant") == ["height"]
     assert genes.bred("profile") == ["size_profile"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is read of a sensitivity study, and how a report tells it."""
+"""A sensitivity study is read, and a report tells it."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ from real_program import output_of
 from ideotype.analysis import open_history
 from ideotype.analysis.case import Case
 from ideotype.analysis.commands import report
-from ideotype.analysis.indices import draw_indices, indices_of, main
+from ideotype.analysis.indices import draw_indices, indices_of
+from ideotype.analysis.indices_command import main
 
 CAMPAIGN = Path(__file__).parents[2] / "campaigns" / "ames_quick.toml"
 

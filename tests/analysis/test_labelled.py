@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Histories as labelled arrays, in every state."""
+"""Histories in every state are read as labelled arrays."""
 
 from __future__ import annotations
 

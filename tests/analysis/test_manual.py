@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The manual: every command block of it runs, and no page is wider than a
-phone. A block of bash or python is a program of its own; pages begin in a
-clone of the project. A block of console is commands after `$ ` and what they
-print: each line of it has to be among what is printed, apart from numbers. A
-block with a file's name as its caption is that file."""
+"""Every command block of the manual runs, and no page is wider than a phone. A
+block of bash or python is a program of its own; pages begin in a clone of the
+project. A block of console has commands after `$ ` and what they print: each
+line of it has to be among what is printed, apart from numbers. A block whose
+caption is the name of a file is that file."""
 
 from __future__ import annotations
 
@@ -28,9 +28,10 @@ REASONS = (
     "needs a cluster",
     "needs another system",
 )
-"""Why a block may not be run: `<!-- not run: REASON -->` before it."""
+"""The reasons why a block may not be run: `<!-- not run: REASON -->` stands
+before it."""
 MOST_EXEMPT = 0.25
-"""Of all blocks."""
+"""The largest part of all blocks that may not be run."""
 
 _BLOCK = re.compile(
     r"(?ms)^(?:<!-- not run: (?P<reason>[^>]*) -->\n)?"
@@ -62,7 +63,7 @@ def blocks_of(page: Path) -> list[Block]:
 
 
 def commands_of(console: str) -> list[tuple[str, list[str]]]:
-    """Commands, each with the lines that it prints."""
+    """Returns commands, each with the lines that it prints."""
     steps: list[tuple[str, list[str]]] = []
     for line in console.splitlines():
         if line.startswith("$ "):
@@ -82,7 +83,8 @@ def without_numbers(line: str) -> str:
 
 @pytest.fixture
 def clone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """What of the project the pages use; the program is on PATH."""
+    """Makes a copy of what the pages use of the project; the program is on
+    PATH."""
     program = os.environ.get("IDEOTYPE_EXECUTABLE")
     assert program, "IDEOTYPE_EXECUTABLE names no program"
     for folder in ("campaigns", "analysis", "docs", "slurm", "tests/data"):
@@ -171,7 +173,8 @@ def test_no_block_escapes(page: Path) -> None:
 
 
 def test_links_of_every_text_lead_somewhere() -> None:
-    """Of the repository's Markdown; docs/build sees to anchors of pages."""
+    """The links are those of the repository's Markdown; docs/build looks at
+    anchors of pages."""
     listed = subprocess.run(
         ["git", "ls-files", "-z", "*.md"],
         cwd=TOP, capture_output=True, text=True, check=True,
@@ -187,7 +190,8 @@ def test_links_of_every_text_lead_somewhere() -> None:
 
 @pytest.fixture(scope="session")
 def manual() -> Path:
-    """Built anew where something changed; a warning is an error."""
+    """Gives the manual, built anew where something changed; a warning is an
+    error."""
     done = subprocess.run(
         [DOCS / "build", sys.executable],
         capture_output=True, text=True, timeout=600, check=False,
@@ -197,7 +201,8 @@ def manual() -> Path:
 
 
 def test_pages_are_as_wide_as_the_screen(manual: Path, tmp_path: Path) -> None:
-    """On a phone and on a desk: what is wider, as a table, scrolls by itself."""
+    """Screens are those of a phone and of a desk: wider things, such as
+    tables, scroll by themselves."""
     names = sorted(path.name for path in manual.glob("*.html"))
     assert "index.html" in names
     for width in (390, 1280):

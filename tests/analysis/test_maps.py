@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Maps of gains over latitude and plant density."""
+"""Maps show gains over latitude and plant density."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ SETS = ("erect", "flat")
 
 
 def shift(trait_set: str, latitude: float, plant: float) -> float:
-    """What is added to the light of bred plants [MJ m-2 day-1]: erect ones
-    have more in the dense stand alone."""
+    """Returns what is added to the light of bred plants [MJ m-2 day-1]: erect
+    ones have more in the dense stand alone."""
     if trait_set == "flat":
         return 0.0
     return (0.3 if plant == PLANTS[0] else -0.1) + latitude / 1000
@@ -62,7 +62,7 @@ def test_gains_are_mapped_for_each_trait_set(study: Study) -> None:
     assert [axes.get_title().split()[-1] for axes in panels] == [*SETS]
     for axes, trait_set in zip(panels, SETS):
         (image,) = axes.images
-        # from few plants to many, from south to north
+        # Maps run from few plants to many, from south to north.
         expected = [
             [
                 100 * (best(trait_set, latitude, plant) / BASELINE - 1)
@@ -94,7 +94,7 @@ def test_two_trait_sets_have_a_line_where_they_are_equal(
     assert np.all(shown[:, 0] < 0) and np.all(shown[:, 1] > 0)
     (line,) = axes.collections
     (path,) = line.get_paths()
-    # between few and many plants, through all latitudes
+    # The line runs between few and many plants, through all latitudes.
     at = path.vertices[path.vertices[:, 1] == 1.0][0]
     left, right = shown[1]
     assert at[0] == pytest.approx(-left / (right - left))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""NSGA-II against a published implementation."""
+"""NSGA-II agrees with a published implementation."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Files in every state that a writer can leave them in."""
+"""Files are read in every state that a writer can leave them in."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from ideotype.analysis import (
 
 
 def fingerprint(path: Path) -> tuple[str, int]:
-    """Content and time of the last change."""
+    """Returns content and time of the last change."""
     digest = hashlib.sha256(path.read_bytes()).hexdigest()
     return digest, path.stat().st_mtime_ns
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Organs besides leaves, as the report shows them."""
+"""The report shows organs besides leaves."""
 
 from __future__ import annotations
 

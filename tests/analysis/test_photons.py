@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Axes of light."""
+"""Axes of light tell energy and photons."""
 
 from __future__ import annotations
 

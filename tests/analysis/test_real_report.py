@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A report of what the program itself has written: a history, its plants under
-each other's light."""
+"""A report shows what the program itself has written: a history, and its
+plants under each other's light."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from ideotype.analysis.cross import read_cross
 
 @pytest.fixture(scope="module")
 def cross(own: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The best plant and the baseline under the campaign's one case."""
+    """Gives the best plant and the baseline under the campaign's one case."""
     campaign = own.parents[1] / "tiny.toml"
     path = tmp_path_factory.mktemp("cross") / "cross.json"
     path.write_text(

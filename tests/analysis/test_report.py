@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The report: what the page says and shows, and that a browser shows it."""
+"""The page of a report says and shows what it should, and a browser shows
+it."""
 
 from __future__ import annotations
 
@@ -32,9 +33,10 @@ CASES = ("ames_0807_762x152_all", "edmonton_0807_762x152_all")
 DRAWN = CASE_FIGURES.keys() - {
     *("profiles", "plant_traits", "sunlit", "assimilation", "days")
 }
-"""Of each case, which is bred in traits of leaves for the light of a day."""
+"""The figures of each case, which is bred in traits of leaves for the light of
+a day."""
 ELITE = 11.08
-"""Absorbed PAR of the elite plant of the cross-evaluation."""
+"""The absorbed PAR of the elite plant of the cross-evaluation."""
 
 
 @dataclass(frozen=True)
@@ -55,7 +57,7 @@ class Made:
 
 @pytest.fixture(scope="session")
 def cross(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Two plants under both cases; edmonton has no elite."""
+    """Gives two plants under both cases; edmonton has no elite."""
     path = tmp_path_factory.mktemp("cross") / "cross.json"
     data = {
         "plants": ["elite", "best of ames"],
@@ -73,7 +75,7 @@ def made(
     cross: Path,
     tmp_path_factory: pytest.TempPathFactory,
 ) -> Made:
-    """The report of the sweep."""
+    """Gives the report of the sweep."""
     folder = tmp_path_factory.mktemp("report")
     arguments = [sweep, "-o", folder, "--cross", cross]
     with pytest.MonkeyPatch.context() as patch:
@@ -85,7 +87,7 @@ def made(
 
 
 def plain(text: str) -> str:
-    """The words of a page, without marks."""
+    """Returns the words of a page, without marks."""
     text = re.sub(r"(?s)<(script|style).*?</\1>", "", text)
     return re.sub(r"\s+", " ", re.sub(r"<[^>]*>", " ", text))
 
@@ -112,7 +114,7 @@ def test_each_figure_answers_the_question_above_it(made: Made) -> None:
     for question, data, told, name in figures:
         assert re.fullmatch(r"[A-Z][^.?]+\?", question)
         assert told.startswith(question)
-        # in the file it is the first line of the figure
+        # In the file it is the first line of the figure.
         with Image.open(io.BytesIO(base64.b64decode(data))) as shown:
             in_page = shown.height / shown.width
         with Image.open(made.folder / "figures" / f"{name}.png") as file:
@@ -132,7 +134,7 @@ def test_the_page_needs_nothing_else(made: Made) -> None:
 
 def test_the_page_says_what_was_gained(made: Made) -> None:
     words = plain(made.text).replace("\u00a0", " ")
-    # two seeds, 1.5 % over 11 and 0.1 more in the second
+    # There are two seeds, 1.5 % over 11 and 0.1 more in the second.
     assert "ames_0807_762x152_all 2 11.0000 ± 0.0069" in words
     assert re.search(r"0\.2[12] ± 0\.64 ", words)
     over_elite = [
@@ -224,9 +226,9 @@ def test_a_browser_shows_the_page(made: Made, tmp_path: Path) -> None:
     """
     shown, errors = run_in_browser(made.page, script, tmp_path)
     assert errors == []
-    # leaves of 12 x 2 faces, eight sides and tops of the stalk
+    # There are leaves of 12 x 2 faces, and eight sides and tops of the stalk.
     assert shown["faces"] == 2 * (10 * 24 + 16)
-    # ten leaves in two plants, and smooth edges
+    # There are ten leaves in two plants, and smooth edges.
     assert shown["colors"] > 100
     assert shown["states"] == 6 and shown["isHome"]
     assert shown["scrolls"] and shown["zooms"]
@@ -250,7 +252,7 @@ def test_leaf_colours_are_per_ground_and_per_leaf_area(
 ) -> None:
     (text,) = re.findall(r'(?s)id="scene">(.*?)</script>', made.text)
     scene = json.loads(text)
-    # all plants have the same organs
+    # All plants have the same organs.
     (shape,) = scene["shapes"]
     first = scene["cases"][0]
     assert len(first["neighbours"]) == 3 * 7 - 1
@@ -262,7 +264,7 @@ def test_leaf_colours_are_per_ground_and_per_leaf_area(
     for plant, by_ground, by_leaf, mesh in plants:
         assert plant["shape"] == 0 and shape["groups"][-1] == "stalk"
         assert by_ground[-1] is by_leaf[-1] is None
-        # all that the plant's leaves take, on its part of the ground
+        # This is all that the plant's leaves take, on its part of the ground.
         taken = sum(
             value * mesh.area(group)
             for value, group in zip(by_leaf[:-1], shape["groups"])
@@ -273,7 +275,7 @@ def test_leaf_colours_are_per_ground_and_per_leaf_area(
 def test_what_is_missing_or_saturated_is_told(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    # as in an installation without the compiled module
+    # An installation without the compiled module is so.
     monkeypatch.setitem(sys.modules, "ideotype._core", None)
     monkeypatch.delitem(sys.modules, "ideotype._stand", raising=False)
     for name in ("_core", "Stand"):
@@ -283,7 +285,7 @@ def test_what_is_missing_or_saturated_is_told(
     made.evolve(1)
     made.finish()
     made.close()
-    # in this process alone, which the others would not follow
+    # The report is made in this process alone, since others would not follow.
     assert report([str(path), "-o", str(tmp_path / "out"), "-j", "1"]) == 0
     text = (tmp_path / "out" / "report.html").read_text()
     assert "&lt;full&gt;.h5" in text and "<full>" not in text

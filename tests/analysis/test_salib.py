@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Indices of the program's designs, of functions whose indices are known."""
+"""Indices are right for the program's designs and functions whose indices are
+known."""
 
 import os
 import subprocess
@@ -41,7 +42,7 @@ CASES = [
 
 
 def design(method, genes, together, samples):
-    """The rows of the program's design, as its histories have them."""
+    """Returns the rows of the program's design, as its histories have them."""
     build = Path(os.environ["IDEOTYPE_EXECUTABLE"]).parents[1]
     words = (method, genes, together, samples, LEVELS)
     run = subprocess.run(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A history that version 0.2.0 wrote (see tests/data/history)."""
+"""A history that version 0.2.0 wrote (see tests/data/history) is read."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plants that are bred for several scenarios."""
+"""Plants that are bred for several scenarios are told in each."""
 
 from __future__ import annotations
 
@@ -56,12 +56,12 @@ CASES = {
     "day": "ames_all_762x152_all",
     "spacing": "ames_0807_all_all",
 }
-"""Names by what has scenarios."""
+"""Names of cases by what has scenarios."""
 
 
 def make(folder: Path, over: str = "", **place: float) -> None:
-    """A case that may have two scenarios, of which the second has half the
-    light."""
+    """Makes a case that may have two scenarios, of which the second has half
+    the light."""
     made = MadeHistory(
         folder / f"{len([*folder.iterdir()])}.h5",
         resolved=resolved(*[over] * bool(over)),
@@ -104,7 +104,7 @@ def test_a_report_tells_scenarios_apart(tmp_path: Path) -> None:
     with pytest.raises(HistoryError, match="over scenarios"):
         cases[0].headroom()
     assert cases[1].headroom().mean > 0
-    # the light of the objective is not that per leaf area
+    # The light of the objective is not that per leaf area.
     over, one = (case.best_pair.gain_per_leaf_area for case in cases)
     assert over.mean == pytest.approx(one.mean)
     assert over.standard_error > 2 * one.standard_error

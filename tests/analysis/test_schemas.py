@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What status, check, plan and compare print as JSON is as their schemas say."""
+"""JSON that status, check, plan and compare print is as their schemas say."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ from schemas import assert_needs_all, validator
 
 
 def told(expected: int, *words: object) -> dict[str, Any]:
-    """The document that a command prints, which ends with this code."""
+    """Returns the document that a command prints, which ends with this
+    code."""
     done = subprocess.run(
         [executable(), *map(str, words), "--json"],
         capture_output=True,
@@ -28,7 +29,7 @@ def told(expected: int, *words: object) -> dict[str, Any]:
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Of tiny.toml and its finished history."""
+    """Gives a folder with tiny.toml and its finished history."""
     folder = tmp_path_factory.mktemp("told")
     output_of("run", write_campaign(folder, 2), "--out", folder)
     return folder

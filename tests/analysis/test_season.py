@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A season of weather: what the program writes of it, and how it is drawn."""
+"""A season of weather is written by the program, and drawn."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _WEATHER = "weather/bondville_2011_0721_0920.csv"
 
 @pytest.fixture(scope="module")
 def campaign(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The tiny campaign under ten days of Bondville."""
+    """Gives the tiny campaign under ten days of Bondville."""
     folder = tmp_path_factory.mktemp("season")
     path = write_campaign(folder, 3)
     text = path.read_text()
@@ -55,7 +55,7 @@ def test_hours_and_days_sum_to_the_mean_day(season: Path) -> None:
     assert set(range(6, 19)) <= set(hours.labels)
     mean = 3600 * hours.values.sum() / 1e6
     assert mean == pytest.approx(best.objective.mean, rel=1e-9)
-    # the light of the file
+    # This is the light of the file.
     weather = season.parents[1] / _WEATHER
     table = np.genfromtxt(weather, delimiter=",", skip_header=1, max_rows=240)
     mol = table[:, 1].sum() * 3600 / 10 / 1e6
@@ -76,7 +76,7 @@ def test_hours_are_told_on_the_clock_of_the_site(
     )
     output_of("run", late, "--out", tmp_path)
     (new,) = (tmp_path / "tiny").glob("*.h5")
-    # As version 0.2.0 wrote it.
+    # Version 0.2.0 wrote it so.
     old = Path(shutil.copy(new, tmp_path / "old.h5"))
     with h5py.File(old, "r+") as file:
         for group in ("evaluations", "final"):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`ideotype serve`: the same bits as a run, and lines as its schemas say."""
+"""`ideotype serve` gives the same bits as a run, and lines as its schemas
+say."""
 
 from __future__ import annotations
 
@@ -16,7 +17,7 @@ from schemas import assert_needs_all, validator
 
 
 def serve(campaign: Path, *requests: Any) -> list[dict[str, Any]]:
-    """The hello and the answers in the order of lines."""
+    """Returns the hello and the answers in the order of lines."""
     text = "\n".join(
         r if isinstance(r, str) else json.dumps(r) for r in requests
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plants evaluated in Python: the same bits as those of the program."""
+"""Plants evaluated in Python have the same bits as those of the program."""
 
 from __future__ import annotations
 
@@ -144,7 +144,8 @@ def test_the_interpreter_goes_on_while_a_plant_is_evaluated(
     stand.evaluate(stand.baseline, tolerance=0.0005, threads=1)
     done.set()
     counter.join()
-    assert counted > 5  # with the lock held it would be one or two
+    # It would be one or two if the lock were held.
+    assert counted > 5
 
 
 def test_free_genes_alone_are_a_genome() -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Circles, errors and units."""
+"""Statistics of circles, errors and units are right."""
 
 from __future__ import annotations
 
@@ -59,8 +59,9 @@ def test_the_error_of_a_gain_is_that_of_independent_figures() -> None:
 
 
 def test_errors_of_figures_with_common_noise_are_paired() -> None:
-    """Two plants with strong common noise, evaluated many times: the scatter
-    of their difference and gain is what a single evaluation has as error."""
+    """Two plants with strong common noise are evaluated many times: the
+    scatter of their difference and gain is what a single evaluation has as
+    error."""
     draw, runs, count = np.random.default_rng(2), 4000, 16
     common = draw.normal(0.0, 0.4, (runs, 1, count))
     draws = common + draw.normal(0.0, 0.1, (runs, 2, count))
@@ -81,6 +82,6 @@ def test_errors_of_figures_with_common_noise_are_paired() -> None:
             [[each.standard_error**2 for each in both] for both in figures]
         )
         paired, unpaired = np.sqrt(squares.mean(0))
-        # a scatter of 4000 is known to 1.1 %
+        # A scatter of 4000 is known to 1.1 %.
         assert paired == pytest.approx(scatter, rel=0.05)
         assert unpaired > 3 * paired

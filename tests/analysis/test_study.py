@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Many histories together."""
+"""Many histories are read together."""
 
 from __future__ import annotations
 
@@ -96,7 +96,7 @@ def test_the_gain_has_the_interval_of_its_seeds(sweep: Path) -> None:
         gain = study.cases()[0].gain()
     seeds = np.array([final_absorbed(2) - BASELINE + s for s in SHIFTS])
     assert gain.mean == pytest.approx(seeds.mean())
-    # Student's t of one degree of freedom
+    # This is Student's t with one degree of freedom.
     half = 12.7062 * seeds.std(ddof=1) / np.sqrt(2)
     assert gain.half_width == pytest.approx(half, rel=1e-5)
     assert (gain.unit, gain.seeds) == ("MJ m-2 day-1", 2)
@@ -111,7 +111,8 @@ def test_seeds_that_agree_by_chance_keep_their_measured_error() -> None:
 def test_many_seeds_have_the_quantile_of_their_number() -> None:
     seeds = [Estimate(float(x), 0.0) for x in range(61)]
     scatter = np.arange(61).std(ddof=1) / np.sqrt(61)
-    # Student's t of 60 degrees of freedom (NIST/SEMATECH, table 1.3.6.7.2)
+    # This is Student's t with 60 degrees of freedom (NIST/SEMATECH, table
+    # 1.3.6.7.2).
     half_width = interval(seeds).half_width
     assert half_width == pytest.approx(2.000 * scatter, abs=5e-4 * scatter)
 
@@ -124,7 +125,7 @@ def test_intervals_cover_the_truth_as_often_as_they_say() -> None:
         seeds = [Estimate(x, 0.0) for x in draw.normal(size=3)]
         found = interval(seeds)
         hits += abs(found.mean) <= found.half_width
-    # four standard errors of a share of 0.95
+    # Four standard errors of a share of 0.95 are allowed.
     assert abs(hits / runs - 0.95) < 4 * np.sqrt(0.95 * 0.05 / runs)
 
 
@@ -138,7 +139,8 @@ def test_saturation_is_told_from_room(sweep: Path, tmp_path: Path) -> None:
         )
         assert not case.is_saturated()
     assert room.mean == pytest.approx(incident * (stalk + soil))
-    # so much that less than the standard error is left to stalks and soil
+    # The leaves take so much that less than the standard error is left to
+    # stalks and soil.
     path = tmp_path / "full.h5"
     made = MadeHistory(path, shift=12.2 - 0.001 - final_absorbed(2))
     made.evolve(1)

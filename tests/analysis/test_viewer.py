@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The 3D view, by its pixels."""
+"""The 3D view is right, by its pixels."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ from ideotype.analysis.page import render
 from ideotype.analysis.scene import packed
 
 TURN = 0.6
-"""Of the view at its start, about the vertical."""
+"""The turn of the view at its start, about the vertical."""
 PURPLE, YELLOW = (68, 1, 84), (253, 231, 37)
 """The ends of the colour map."""
 GREEN = (126, 148, 112)
-"""Of groups whose light is not shown."""
+"""The colour of groups whose light is not shown."""
 TITLE = "9.4317 ± 0.0092 MJ m⁻² day⁻¹"
 NEIGHBOURS = [[-0.7, 0.0], [0.7, 0.0]]
 
 
 def upright(ends: list[tuple[float, float]]) -> list[list[float]]:
-    """Corners of an upright leaf, from its ends as seen at the start: to the
-    right and away from the viewer."""
+    """Returns corners of an upright leaf, from its ends as seen at the start:
+    to the right and away from the viewer."""
     c, s = np.cos(TURN), np.sin(TURN)
     low, high = [
         [[c * r + s * away, c * away - s * r, z] for r, away in ends]
@@ -40,8 +40,8 @@ def upright(ends: list[tuple[float, float]]) -> list[list[float]]:
 
 
 def scene_of(direction: float | None = 90.0) -> str:
-    """Two leaves that cross: the first is nearer on the left, the second on
-    the right."""
+    """Returns two leaves that cross: the first is nearer on the left, the
+    second on the right."""
     vertices = upright([(-0.5, -0.5), (0.5, 0.5)])
     vertices += upright([(-0.5, 0.5), (0.5, -0.5)])
     shape = {
@@ -74,7 +74,7 @@ def scene_of(direction: float | None = 90.0) -> str:
 
 
 def page_of(folder: Path, scene: str) -> Path:
-    """With two pictures below the view."""
+    """Writes a page with two pictures below the view."""
     section = Section("View", [Viewer(scene, "What is shown.")])
     data = io.BytesIO()
     Image.new("RGB", (900, 600)).save(data, "WEBP")
@@ -107,11 +107,11 @@ NEARER = (
   return [[at(0, -1), at(0, 1)], [at(1, -1), at(1, 1)]];
 """
 )
-"""Colours of what is nearer on the left and on the right of each plant."""
+"""The colours of what is nearer on the left and on the right of each plant."""
 
 
 def hue(color: list[int]) -> np.ndarray:
-    """A colour without its shade."""
+    """Returns a colour without its shade."""
     return np.array(color) / max(color)
 
 
@@ -156,7 +156,8 @@ def test_organs_without_light_have_colours_of_their_own(
 def test_the_ground_shows_north_from_above(
     tmp_path: Path, direction: float | None
 ) -> None:
-    """The black of the arrow's faces, over the ground around the plant."""
+    """The black pixels are the arrow's faces, over the ground around the
+    plant."""
     script = (
         PIXELS
         + """
@@ -182,11 +183,12 @@ def test_the_ground_shows_north_from_above(
     assert errors == []
     assert shown["ground"] == [240, 233, 222]
     if direction is None:
-        assert shown["count"] < 200  # only the word of the row
+        # Only the word of the row is there.
+        assert shown["count"] < 200
         return
     assert shown["count"] > 500
     x, y = shown["at"]
-    # the top is along the row
+    # The top is along the row.
     off = np.rad2deg(np.arctan2(x, y)) + direction
     assert abs((off + 180) % 360 - 180) < 25
     assert np.hypot(x, y) > 50

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`ideotype weather` converts what pvlib, which is independent code, reads
-from the same file, and the program reads that from the conversion."""
+from the same file, and the program reads the same from the conversion."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from ideotype.weather import main
 DATA = Path(__file__).parents[1] / "data" / "weather"
 SHIPPED = Path(pvlib.__file__).parent / "data"
 YEAR = SHIPPED / "723170TYA.CSV"
-PAR = 0.45  # of all solar radiation
+PAR = 0.45  # The share of PAR in all solar radiation.
 LIGHT = ["global", "beam_normal", "diffuse"]
 HOUR = pd.Timedelta("1h")
 
@@ -45,8 +45,8 @@ to = {last}
 
 
 def read_expected() -> pd.DataFrame:
-    """The days of all files of DATA, by the middles of hours, as columns of
-    the conversion."""
+    """Returns the days of all files of DATA, by the middles of hours, as
+    columns of the conversion."""
     table = pd.read_csv(DATA / "expected.csv")
     table.index = pd.to_datetime(table["date"]) + pd.to_timedelta(
         table["hour"], "h"
@@ -70,7 +70,7 @@ def read(file: Path) -> pd.DataFrame:
 
 
 def weather_of(folder: Path, file: Path, first: str, last: str) -> dict:
-    """What the program reads for a campaign of this period."""
+    """Returns what the program reads for a campaign of this period."""
     campaign = write_campaign(folder, 1)
     text = campaign.read_text()
     begin, end = text.index("[[site]]"), text.index("[[spacing]]")
@@ -107,8 +107,8 @@ def test_the_program_reads_a_typical_year_as_pvlib(
     assert found == pytest.approx(PAR * ghi, abs=1e-9)
     temperature = table.temp_air.to_numpy()
     assert np.array(weather["temperature"]) == pytest.approx(temperature)
-    # Diffuse light as given, but with the sun at or below the horizon, and where
-    # the beam would be more than there is outside the atmosphere.
+    # Diffuse light is as given, but with the sun at or below the horizon, and
+    # where the beam would be more than there is outside the atmosphere.
     is_up = cosine > 0.02
     outside = (
         pvlib.irradiance.get_extra_radiation(at, 1361.1).to_numpy() * cosine
@@ -171,8 +171,8 @@ def test_a_file_of_another_format_is_told_how_to_convert(
 
 
 def test_what_pvlib_refuses_or_misreads(tmp_path: Path) -> None:
-    """Half hours, names in Latin-1, commas in names, the end of 28 February in
-    a leap year, clocks of half an hour."""
+    """The cases are half hours, names in Latin-1, commas in names, the end of
+    28 February in a leap year, and clocks of half an hour."""
     sun = read_expected()["global"].iloc[:24].tolist()
     head = "LOCATION,S\xe3o,b,c,d,1,36.1,-79.95,-5.5,300\nDATA PERIODS,1,2\n"
     rows = [
@@ -208,7 +208,7 @@ def test_what_pvlib_refuses_or_misreads(tmp_path: Path) -> None:
 
 
 def minutes(step: int) -> pd.DataFrame:
-    """The days in UTC in equal parts of hours, by their beginnings."""
+    """Returns the days in UTC in equal parts of hours, by their beginnings."""
     table = read_expected()
     table.index += 5 * HOUR - HOUR / 2
     table.loc[table.index[-1] + HOUR] = np.nan
@@ -308,7 +308,8 @@ def at_half(table: pd.DataFrame) -> pd.DataFrame:
 def write_knmi(file: Path) -> None:
     rows = []
     for t, r in minutes(60).iterrows():
-        energy = r["global"] * 0.36  # J/cm2
+        # The file has J/cm2.
+        energy = r["global"] * 0.36
         rows.append(
             f"  260,{t:%Y%m%d},{t.hour + 1:5},  180,{10 * r.temperature:5.0f},"
             f"{energy:9.3f},     ,{r.humidity:5.0f}"
@@ -323,7 +324,7 @@ def write_knmi(file: Path) -> None:
 
 
 def write_dwd(file: Path) -> None:
-    """Ten minutes' light."""
+    """Writes ten minutes' light."""
     rows = [
         f"       123;{t + pd.Timedelta('10min'):%Y%m%d%H%M};    3;"
         f"{r.diffuse * 0.06:.5f};{r['global'] * 0.06:.5f};0.1;  -999;eor"
@@ -435,7 +436,7 @@ def test_a_typical_year_of_pvgis_begins_on_the_site_s_clock(
 
 
 def without_hours(folder: Path, *hours: int) -> Path:
-    """The NSRDB file without these rows."""
+    """Writes the NSRDB file without these rows."""
     lines = (DATA / "nsrdb.csv").read_text().splitlines()
     for hour in sorted(hours, reverse=True):
         del lines[3 + hour]

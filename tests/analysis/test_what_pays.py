@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What single traits are worth, as campaigns/study/what_pays.py tells it."""
+"""Single traits are worth what campaigns/study/what_pays.py tells."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reports drawn by several processes."""
+"""Reports are drawn by several processes."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def meet(folder: Path, number: int) -> tuple[int, int]:
 
 
 def die(number: int) -> None:
-    """As when the memory runs out."""
+    """Dies as a process does when the memory runs out."""
     os.kill(os.getpid(), signal.SIGKILL)
 
 
@@ -86,5 +86,5 @@ def test_a_copy_of_a_case_shows_the_same_moment(writer: WriterProcess) -> None:
         copy = pickle.loads(pickle.dumps(case))
         assert copy.best.objective == case.best.objective
         assert list(copy.top(3).generation) == [0, 0, 0]
-        # and reads the file itself for all else
+        # It reads the file itself for all else.
         assert len(copy.histories[0].generations()) == 2

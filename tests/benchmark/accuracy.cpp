@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-//! What accuracy costs: for each stand, light and tolerance the error that
-//! evaluations report, the time of the processor they take, the figure of merit
-//! 1 / (relative variance x core-seconds), and what the variance is made of.
+//! Measures what accuracy costs: for each stand, light and tolerance the error
+//! that evaluations report, the time of the processor they take, the figure of
+//! merit 1 / (relative variance x core-seconds), and the parts of the variance.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>

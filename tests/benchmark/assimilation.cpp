@@ -101,7 +101,7 @@ class Canopy {
         return estimate(values);
     }
 
-    //! Of the mean light, with what its noise does.
+    //! Returns assimilation of the mean light, with what its noise does.
     double plain(const std::vector<Tally>& tallies) const {
         Tally mean = tallies.front();
         for (LeafLight& light : mean.leaf_light) light = {};
@@ -163,7 +163,7 @@ const Stands stands[] = {
     {"ames.toml, elite", "ames", 0, "plants/elite", {}, {}},
     {"bondville.toml", "bondville"}};
 
-//! Of this program [ms].
+//! Returns the processor time of this program [ms].
 double processor_time() {
     return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
@@ -248,7 +248,8 @@ class Costs {
         }
     }
 
-    //! Of time, and of time for the same error if that falls with its root.
+    //! Returns ratios of time, and of time for the same error if that falls
+    //! with its root.
     std::string line() const {
         const double ratio = time(assimilation_) / time(light_);
         return fmt::format(

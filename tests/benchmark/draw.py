@@ -20,7 +20,7 @@ FAMILIES = ("plants", "leaves", "faces", "hours", "sites")
 
 
 def slope(points):
-    """Least squares in logarithms: exponent and factor."""
+    """Returns exponent and factor by least squares in logarithms."""
     x = [math.log(a) for a, _ in points]
     y = [math.log(b) for _, b in points]
     mean_x, mean_y = sum(x) / len(x), sum(y) / len(y)
@@ -31,7 +31,7 @@ def slope(points):
 
 
 def rows(path):
-    """Of a table that `accuracy` printed, by plants and light."""
+    """Returns rows of a table that `accuracy` printed, by plants and light."""
     found = {}
     with open(path, encoding="utf-8") as file:
         for line in file:

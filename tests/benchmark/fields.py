@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How much of the noise of a row is the field's, and what an evaluation costs
-where plants differ.
+"""Measures how much of the noise of a row is the field's, and what an
+evaluation costs where plants differ.
 
 fields.py [--objective NAME...] [--plants N] [--seeds N]
 
@@ -44,13 +44,14 @@ from numpy.typing import NDArray
 import ideotype
 
 CAMPAIGNS = Path(__file__).resolve().parents[2] / "campaigns"
-#: Campaign that has the light of each objective.
+#: Campaigns that have the light of each objective.
 OBJECTIVES = {
     "absorbed_par": "ames",
     "net_assimilation": "ames",
     "carbon_balance": "bondville",
 }
-#: Rows, plants of each, whether they differ, and fields of an evaluation.
+#: Cells: rows, plants of each, whether they differ, and fields of an
+#: evaluation.
 CELLS: dict[str, tuple[int, int, bool, int]] = {
     "4 x 4, alike": (4, 4, False, 1),
     "4 x 4": (4, 4, True, 1),
@@ -98,7 +99,8 @@ def stand(objective: str, cell: str, tolerance: float) -> ideotype.Stand:
 
 
 def plants_around(where: ideotype.Stand, count: int) -> Numbers:
-    """The baseline and plants of a generation around it [plants, free genes]."""
+    """Returns the baseline and plants of a generation around it [plants, free
+    genes]."""
     lower, upper = where.bounds
     random = np.random.default_rng(1)
     steps = STEP * random.standard_normal((count, len(lower)))
@@ -107,7 +109,7 @@ def plants_around(where: ideotype.Stand, count: int) -> Numbers:
 
 
 def values(where: ideotype.Stand, plants: Numbers, seed: int) -> Numbers:
-    """Of each randomisation [plants, randomisations]."""
+    """Returns values of each randomisation [plants, randomisations]."""
     found = where.evaluate(plants, [], seed=seed, threads=1)
     if any(found.message.values):
         raise ideotype.Error(found.message.values.max())
@@ -115,13 +117,13 @@ def values(where: ideotype.Stand, plants: Numbers, seed: int) -> Numbers:
 
 
 def noise(draws: Numbers, seconds: float) -> Noise:
-    """draws: [seeds, plants, randomisations]."""
+    """Returns the noise of draws, [seeds, plants, randomisations]."""
     seeds, plants, count = draws.shape
     rows = draws.mean(2)
     scale = rows.mean() ** 2
 
     def of_mean(parts: Numbers) -> float:
-        """The variance of a mean over randomisations."""
+        """Returns the variance of a mean over randomisations."""
         return float(parts.var(2, ddof=1).mean() / count)
 
     # The mean over plants is what they have in common in a field.
@@ -145,7 +147,8 @@ def measure(objective: str, plants: int, seeds: int) -> dict[Any, Noise]:
     genomes = plants_around(stands[keys[0]], plants)
     draws: dict[Any, list[Numbers]] = {key: [] for key in keys}
     spent: dict[Any, list[float]] = {key: [] for key in keys}
-    # In turn, so that other work on the machine slows all of them alike.
+    # Fields take turns, so that other work on the machine slows all of them
+    # alike.
     for seed in range(1, seeds + 1):
         for key in keys:
             began = time.process_time()
@@ -158,18 +161,19 @@ def measure(objective: str, plants: int, seeds: int) -> dict[Any, Noise]:
 
 
 def parts(light: float, whole: float) -> str:
-    """Standard deviations in per cent by their origin."""
+    """Tells standard deviations in per cent by their origin."""
     field = max(whole - light, 0.0)
     return " | ".join(f"{100 * np.sqrt(x):.2f}" for x in (light, field, whole))
 
 
 def of_field(fine: Noise) -> float:
-    """The variance of a difference that no light takes away."""
+    """Returns the variance of a difference that no light takes away."""
     return max(fine.difference - fine.light_of_difference, 0.0)
 
 
 def seconds_for(variance: float, rough: Noise, fine: Noise) -> float:
-    """What an evaluation takes that has this variance of a difference."""
+    """Returns the time of an evaluation that has this variance of a
+    difference."""
     left = variance - of_field(fine)
     if left <= 0:
         return np.inf

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-//! What Embree can do at all with this scene: the faces of the cell and of its
-//! neighbours, rays without wraps, scattering or tallies. The only file outside
-//! src/light that uses Embree.
+//! Measures what Embree can do at all with this scene: the faces of the cell
+//! and of its neighbours, rays without wraps, scattering or tallies. This is
+//! the only file outside src/light that uses Embree.
 #include <cmath>
 #include <vector>
 

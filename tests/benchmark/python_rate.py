@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How fast Python evaluates plants compared with `ideotype run`.
+"""Measures how fast Python evaluates plants compared with `ideotype run`.
 
 python_rate.py [CAMPAIGN] [PAIRS]
 
@@ -40,7 +40,7 @@ SETTINGS = (
 
 
 def run(campaign: str, folder: str) -> tuple[Path, float]:
-    """The history, and what it took [s of the processor]."""
+    """Returns the history, and what it took [s of the processor]."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     settings = [word for x in SETTINGS for word in ("--set", x)]
     subprocess.run(
@@ -55,7 +55,7 @@ def run(campaign: str, folder: str) -> tuple[Path, float]:
 
 
 def measure(campaign: str) -> tuple[float, float]:
-    """Plants per second of the program and of Python."""
+    """Returns plants per second of the program and of Python."""
     with tempfile.TemporaryDirectory() as folder:
         history, own = run(campaign, folder)
         rows = ideotype.open(history)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# How many genomes of a file `serve` evaluates in a second, beside the
+# Measures how many genomes of a file `serve` evaluates in a second, beside the
 # evaluations of `run`: serve_rate.sh IDEOTYPE CAMPAIGN [GENOMES [RANKS]]. Both
 # have the same number of evaluations, with a single generation of random plants.
 set -euo pipefail

@@ -33,16 +33,16 @@ def apart(row: float, plant: float) -> list[str]:
     return [f"spacing=[{{{where}, row_direction = 90}}]"]
 
 
-GOAL = 'objective.maximise="carbon_balance"'
-# Name: campaign, settings, tolerance, quantities.
+CARBON_BALANCE = 'objective.maximise="carbon_balance"'
+# Set-ups by name: campaign, settings, tolerance, quantities.
 SETUPS = {
     "30 x 6 inches": ("ames_quick", [], 0.01, LIGHT),
     "2 x 2 m": ("ames_quick", apart(2, 2), 0.01, LIGHT),
     "4 x 4 m": ("ames_quick", apart(4, 4), 0.01, LIGHT),
     "10 x 10 m": ("ames_quick", apart(10, 10), 0.01, LIGHT),
     "R + T = .998": ("ames_quick", WHITE, 0.01, LIGHT),
-    "day": ("ames_quick", [GOAL], 0.008, CARBON),
-    "season": ("bondville", [GOAL], 0.008, CARBON),
+    "day": ("ames_quick", [CARBON_BALANCE], 0.008, CARBON),
+    "season": ("bondville", [CARBON_BALANCE], 0.008, CARBON),
 }
 
 

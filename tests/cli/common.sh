@@ -16,7 +16,7 @@ fail() {
     exit 1
 }
 
-# What stops a command that hangs, where a test has any that might.
+# This command stops a command that hangs, where a test has any that might.
 time_limit=()
 
 # $1 the expected exit code, the rest a command; its output is in out.log.
@@ -85,7 +85,7 @@ give_season() {
 
 # $1 and $2 histories, $3 a group, the rest datasets that may differ
 same_group() {
-    # The same data at other places in the file: scales refer to them.
+    # Scales refer to data by their places in the file, which differ.
     local excluded=() name scales="row finalist gene parent objective \
         randomisation leaf layer hour day light_source leaf_side generation \
         quantity factor"
@@ -102,8 +102,8 @@ same_results() {
     same_group "$1" "$2" /generations wall_time checksum
 }
 
-# What process $1 started, and what those did: MPICH has a process of its own
-# between mpirun and the ranks.
+# Tells the processes that process $1 started, and those that these did: MPICH
+# has a process of its own between mpirun and the ranks.
 descendants_of() {
     local process
     for process in $(pgrep -P "$1"); do
@@ -144,7 +144,7 @@ is_stopped() {
         "$ideotype" --version | grep -q "^MPICH 4\.0"; }
 }
 
-# What mpirun ends with when signal $1 ends a rank.
+# Tells the code that mpirun ends with when signal $1 ends a rank.
 code_of_signal() {
     if is_mpich; then
         echo "$1"

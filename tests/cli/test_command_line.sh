@@ -151,7 +151,7 @@ expect 0 "$ideotype" light field.obj --period 2.286 .4572 \
     --sun 60 180 --tolerance .05
 says "^LAI 3.4[34]"
 says "^stalk "
-# Of a plot that is cut, plants keep different numbers of faces.
+# The plants of a plot that is cut keep different numbers of faces.
 sed -e 's/"verbs"/"cut"/' -e '/^\[field\]/a boundary = "isolated"\nborder_rows = 1' \
     campaigns/verbs.toml >campaigns/cut.toml
 expect 0 "$ideotype" run campaigns/cut.toml
@@ -178,7 +178,7 @@ done
 grep -q 'absorbed_by_hour\|absorbed_by_leaf' heads && fail "profiles are no scalars"
 awk -F, 'NF != '"$(wc -l <heads)"' { exit 1 }' all.csv || fail "uneven lines"
 expect 0 "$ideotype" export "$history" --best --to bred.toml
-# What is exported is the plant, whatever way it is written.
+# The plant is exported, whatever way it is written.
 expect 0 "$ideotype" compare "$history" bred.toml plant.csv \
     --under campaigns/verbs.toml --csv same.csv
 [ "$(tail -n +2 same.csv | cut -d, -f1 | sort -u | wc -l)" -eq 3 ] || fail "not three plants"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What must not go on with a history does not, and says why: other maths,
+# A run that must not go on with a history does not, and says why: other maths,
 # another instruction set, a file that is no file or not there any more.
 . "$(dirname "$0")/common.sh"
 mixed_cluster=$(readlink -f "$4")
@@ -56,7 +56,7 @@ if ! h5dump -a isa "$maths" | grep -q '"sse2"'; then
     says "narrow has no instruction set .* (it has sse2); this history was"
 fi
 
-# What is not a file does not keep anybody waiting.
+# Nothing that is no file keeps anybody waiting.
 mkdir -p odd/maths folder/x.h5
 mkfifo pipe.h5
 ln -s loop.h5 loop.h5
@@ -142,7 +142,7 @@ for verb in check run; do
     says "this path is 42.. bytes long .*allows 4096); choose a shorter folder"
 done
 
-# What check says of the disk is what a history takes.
+# A history takes as much of the disk as check says.
 expect 0 "$ideotype" check campaigns/maths.toml
 size=$(stat -c %s "$maths" | awk '{ printf "%.2f", $1 / 1048576 }')
 says "^disk      $size MiB per case, $size MiB for all of them"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# How much runs tell of their work, and that lines of a log have the time.
+# Runs tell as much of their work as they are asked to, and lines of a log have
+# the time.
 . "$(dirname "$0")/common.sh"
 write_campaign told 6 2
 time='^[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9:]{8}Z  '

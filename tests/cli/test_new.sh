@@ -37,8 +37,7 @@ sum=$(cat own/* | sha256sum)
 expect 4 "$ideotype" new own/my.toml "${place[@]}" "${field[@]}" --plant maize
 says "own/my.toml: exists already and is not overwritten"
 [ "$(cat own/* | sha256sum)" = "$sum" ] || fail "something was overwritten"
-# The same crop serves another campaign; one that was changed is not taken
-# for it.
+# A crop serves another campaign too; one that was changed is not taken for it.
 expect 0 "$ideotype" new own/second.toml "${place[@]}" "${field[@]}" \
     --plant maize --objective net_assimilation --name bread --utc-offset -5
 expect 0 "$ideotype" check own/second.toml

@@ -24,7 +24,7 @@ lengths() { grep -o 'length = [0-9.]*' "$1" | cut -c1-13 | head -10; }
 cmp <(lengths best.toml) <(lengths again.toml) ||
     fail "the search does not begin around its start"
 
-# What cannot be a start is refused before anything is written.
+# Numbers that cannot be a start are refused before anything is written.
 code=0
 "$ideotype" "${start[@]}" --out none --start missing.h5 >start.log 2>&1 || code=$?
 [ $code -eq 1 ] || fail "a missing start ended with $code: $(cat start.log)"

@@ -25,7 +25,7 @@ wait $job || true
 expect 0 mpirun -n 2 "$ideotype" run campaigns/season.toml --out killed --resume
 same_results "$whole" "$(history_of killed season july)"
 
-# What was read is in the history: nothing of the files is needed.
+# The history has all that was read: nothing of the files is needed.
 mkdir alone
 cp "$whole" alone/history.h5
 rm -r campaigns

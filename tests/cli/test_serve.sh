@@ -32,8 +32,8 @@ figures() {
     grep '"id":' "$1" | sed -E 's/,"rank":.*//; s/"line":[0-9]*,//' | sort -V
 }
 
-# The same answers on any number of ranks, from a file, a pipe, and without an
-# end of the last line.
+# Answers are the same on any number of ranks, from a file, a pipe, and without
+# an end of the last line.
 requests 60 >requests
 "${serve[@]}" <requests >alone.out
 figures alone.out >alone
@@ -181,7 +181,7 @@ wait
 [ $code -eq "$(code_of_signal 9)" ] || fail "a killed rank ends with $code: $(cat lost.log)"
 await "the end of all ranks" no_ranks
 
-# What ranks cannot share, because there is none, is told once.
+# A campaign that ranks cannot share, because there is none, is told once.
 code=0
 "${ranks[@]}" "$ideotype" serve campaigns/none.toml </dev/null >none.log 2>&1 || code=$?
 [ $code -ne 0 ] || fail "no campaign is no error"

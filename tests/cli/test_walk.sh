@@ -17,7 +17,8 @@ says "better_millet"
 grep -q '^name = "better_millet"' better_millet.toml || fail "no crop file"
 grep -q '^g sheath' better_millet.obj || fail "no sheaths"
 grep -q '^g stalk_ear' better_millet.obj || fail "no ear"
-# What is bred is within its bounds, and traits that are not keep their values.
+# Traits that are bred are within their bounds, and the others keep their
+# values.
 expect 0 "$ideotype" export results/dryland/*.h5 --generations --to all.csv
 head -1 all.csv | tr , '\n' | grep -c '_insertion_angle_deg$' | grep -qx 3 ||
     fail "not an angle for each leaf"

@@ -65,7 +65,7 @@ class MadeCsv {
     Date first_;
 };
 
-//! What reads a MadeCsv.
+//! Returns a request that reads a MadeCsv.
 inline WeatherRequest made_request() {
     ColumnMap columns;
     columns.time = {"time"};

@@ -9,7 +9,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-//! What is wrong with a table after some change.
+//! Returns what is wrong with a table after some change.
 template <class Change>
 std::string problem(Change&& change) {
     MadeCsv made;
@@ -218,7 +218,7 @@ TEST(WeatherProblems, PeriodMustBeInTheFile) {
     EXPECT_EQ(error_of(MadeCsv().text(), request),
               "made.csv: the file has 2011-07-01 to 2011-07-12, but the period "
               "is 2011-07-05 to 2011-07-20; choose days that it has");
-    // What is wrong outside of the period does not matter.
+    // Mistakes outside of the period do not matter.
     request.period = Period{{2011, 7, 5}, {2011, 7, 9}};
     MadeCsv made;
     set_light(made, noon, "x");

@@ -16,7 +16,7 @@ RandomStream stream(std::uint64_t seed = 1) {
     return {seed, Purpose::variation};
 }
 
-//! Of what so many plants have, over their mean or in its unit.
+//! The spread of what so many plants have, over their mean or in its unit.
 struct Spread {
     double mean, deviation;
 };
@@ -54,7 +54,7 @@ TEST(PlantVariation, HasTheMeansAndDeviationsThatItIsGiven) {
            second.insertion_height, .05 * second.insertion_height);
     expect([](const Plant& p) { return p.leaves[1].curvature; },
            second.curvature, 12);
-    // Of three leaves the second is the middle third.
+    // The second of three leaves is the middle third.
     expect([](const Plant& p) { return p.leaves[1].roll; }, 0, 20);
     expect([](const Plant& p) { return p.leaves[2].roll; }, 0, 1);
     expect([](const Plant& p) { return p.stalk.height; }, line.stalk.height,

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What run.sh runs inside of the new root: a command, or both of README.md, then
+# Runs inside of the new root of run.sh: a command, or both of README.md, then
 # versions, times and digests of results to compare between two Debians.
 set -euo pipefail
 export DEBIAN_FRONTEND=noninteractive

@@ -23,7 +23,8 @@ HistoryHeader long_header() {
     return header;
 }
 
-// What is reported once it is durable; generation alone means committed.
+// A row or generation that is reported once it is durable; generation alone
+// means committed.
 struct Report {
     std::uint32_t generation = 0;
     std::int32_t slot = -1;

@@ -33,7 +33,7 @@ std::intmax_t hole_bytes(const std::string& path) {
     return status.st_size - status.st_blocks * 512;
 }
 
-// What action says in a process with a limit on the size of files.
+// Returns what action says in a process with a limit on the size of files.
 std::string message_under_limit(const Folder& folder, std::uintmax_t bytes,
                                 const std::function<void()>& action) {
     const int code = in_other_process([&] {

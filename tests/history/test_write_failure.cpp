@@ -61,7 +61,8 @@ TEST(WriteFailure, NamesTheFileAndKeepsWhatWasRecorded) {
     EXPECT_EQ(history.next_generation(), 2U);
 }
 
-// What it says when it is to commit a generation; empty if it does.
+// Returns what a history says when it is to commit a generation; empty if it
+// does.
 std::string message_of_commit(History& history) {
     try {
         complete(history, 0);

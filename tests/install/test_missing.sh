@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What the build says where libraries are missing: all of them at once.
+# The build names all libraries that are missing at once.
 . "$(dirname "$0")/../cli/common.sh"
 export CMAKE_GENERATOR=Ninja  # as the presets; there may be no make
 

@@ -24,7 +24,7 @@ class Findings {
     //! As above, for fractions that come from elsewhere.
     void require_closed(const Fractions& fractions);
 
-    //! What must hold.
+    //! Notes a condition that must hold.
     void require(bool holds, const std::string& what);
 
     //! Requires ours within four combined standard errors of a reference, and
@@ -32,15 +32,15 @@ class Findings {
     void require_agreement(Estimate ours, Estimate reference, double bound,
                            const std::string& what);
 
-    //! What came out, in words.
+    //! Notes in words what came out.
     void say(const std::string& words);
 
     const std::vector<std::string>& failures() const { return failures_; }
-    //! How many balances were looked at.
+    //! Returns the number of balances that were looked at.
     int traces() const { return traces_; }
     //! Largest in any randomisation of any trace.
     double balance_error() const { return balance_error_; }
-    //! What was said, or how far agreements were off.
+    //! Returns what was said, or how far agreements were off.
     std::string result() const;
 
   private:

@@ -17,7 +17,7 @@ namespace ideotype {
 
 namespace {
 
-//! What is met first; the soil has no group and no side.
+//! The surface that is met first; the soil has no group and no side.
 struct Seen {
     bool is_soil;
     std::uint32_t group;

@@ -8,7 +8,7 @@
 
 namespace ideotype {
 
-//! What depth buffer and rays see at the same points of a beam.
+//! The surfaces that depth buffer and rays see at the same points of a beam.
 struct FirstHitsCompared {
     std::string name;
     std::size_t points = 0;

@@ -52,7 +52,7 @@ Fractions trace(const Mesh& mesh, GroundPeriod period, const Optics& optics,
 Optics leaf_optics(double reflectance, double transmittance,
                    double soil_albedo);
 
-//! How far ours is from a reference in combined standard errors.
+//! Returns how far ours is from a reference in combined standard errors.
 double deviation(Estimate ours, Estimate reference);
 
 //! A horizontal square that covers a period.

@@ -10,8 +10,8 @@
 
 namespace ideotype {
 
-//! What is known of one light in a scene: of "leaves", "soil", "reflected" or
-//! a group of the mesh, as a fraction of the incident light.
+//! A value that is known of one light in a scene: of "leaves", "soil",
+//! "reflected" or a group of the mesh, as a fraction of the incident light.
 struct KnownValue {
     std::string quantity;
     Estimate value;
@@ -43,7 +43,7 @@ struct ReferenceScene {
 //! Every value of the exact and trusted references.
 std::vector<ReferenceScene> reference_scenes();
 
-//! How many cases there are.
+//! Returns the number of cases.
 std::size_t count_cases(const std::vector<ReferenceScene>& scenes);
 
 //! One known value against ours.

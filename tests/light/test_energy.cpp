@@ -32,8 +32,8 @@ TEST(Energy, AStandWithoutLeavesIsItsSoil) {
 TEST(Energy, ALeafOnTheSoilLetsLightThroughToIt) {
     Mesh mesh = leaves_only();
     add_sheet(mesh, {1, 1}, 0, 0);
-    // Of what the leaf transmits, .4, half comes back from the soil, and .4
-    // of that once more ...
+    // The leaf transmits .4; half of it comes back from the soil, and .4 of
+    // that once more ...
     const Fractions f = trace(mesh, {1, 1}, leaf_optics(.4, .4, .5),
                               sun_from(60, 0), {1 << 14, 16});
     expect_agreement(f.leaves, {.25, 0}, 1e-3, "leaves");

@@ -105,7 +105,7 @@ TEST(FirstHits, ARandomisationIsTheSameHoweverManyFollow) {
     EXPECT_EQ(first(16), first(40));
 }
 
-//! Of faces with the same corners only the first is there, to all engines.
+//! All engines have the first of faces with the same corners alone.
 TEST(Coincident, OnlyTheFirstFaceIsLit) {
     Mesh mesh = leaves_only();
     mesh.groups.push_back({"again"});

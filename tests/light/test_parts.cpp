@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of the light leaves absorb is told apart: by origin, face and layer, and
-// how much leaf area is sunlit.
+// The light that leaves absorb is told apart by origin, face and layer, and the
+// leaf area that is sunlit is known.
 #include <cmath>
 
 #include "expectations.hpp"

@@ -112,7 +112,7 @@ class MadeUpSeason : public ::testing::Test {
 };
 
 TEST_F(MadeUpSeason, HasTheSunsOfAFewDates) {
-    // Of the second and the fifth day, at two hours each.
+    // The beams are those of the second and the fifth day, at two hours each.
     EXPECT_EQ(light.beam_of, (std::vector<int>{0, 1, -1, 0, 1, -1, 0, 1, -1, 2,
                                                3, -1, 2, 3, -1, 2, 3, -1}));
     EXPECT_EQ(light.sky_of, std::vector<int>(18, 4));
@@ -153,7 +153,7 @@ TEST_F(MadeUpSeason, MayHaveAllItsSuns) {
 //! A leaf over black soil, and what is certain about its light.
 class Certainty : public ::testing::Test {
   protected:
-    //! Of the light of one second.
+    //! Returns the report of the light of one second.
     DayReport seen(double side, const Optics& optics, double stalk = 0) const {
         Mesh mesh;
         mesh.groups = {{"leaf01"}, {"leaf02"}, {"stalk", {0, 1}, 1}};
@@ -172,7 +172,8 @@ class Certainty : public ::testing::Test {
                       light);
     }
 
-    //! Of 2 J, 2 x 256 paths in each of 8 randomisations.
+    //! The light of a path: 2 J are shared by 2 x 256 paths in each of 8
+    //! randomisations.
     static constexpr double path = 2. / 512 / 8;
 };
 

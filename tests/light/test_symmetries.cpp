@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The same light described in another way: what must not matter does not.
+// Light that is described in another way is absorbed alike.
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -13,7 +13,7 @@ class Commanded : public OnAllRanks {
     explicit Commanded(FakeEvaluator evaluator = FakeEvaluator())
         : evaluator_(std::move(evaluator)) {}
 
-    //! What rank 0 does, while the others serve.
+    //! Runs on rank 0 what the test commands, while the others serve.
     template <class Command>
     void command(Command give_orders, const AnswerRules& rules = {}) {
         if (!is_master()) return serve(session(), {&evaluator_});

@@ -119,7 +119,7 @@ TEST_F(Deadline, EndsWithAnErrorWhenNobodyAnswers) {
         EXPECT_TRUE(answers_.empty());
         EXPECT_EQ(static_cast<int>(director_.silences.size()), width);
         EXPECT_FALSE(dispatcher.dismiss());
-        // What pauses must not outlive what it waits for.
+        // A coroutine that pauses must not outlive what it waits for.
         director_.started.clear();
     }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-//! What an evaluation costs rank 0: evolves a case with workers that only
-//! sleep, with the real loop, messages and history. Prints one line per
+//! Measures what an evaluation costs rank 0: evolves a case with workers that
+//! only sleep, with the real loop, messages and history. Prints one line per
 //! duration of an evaluation; nothing is asserted.
 //! Usage: mpirun -n RANKS master_cost FOLDER
 #include <algorithm>

@@ -285,7 +285,8 @@ TEST_F(Study, RowsHaveIndependentNoiseOfKnownSizeInOneField) {
     }
     const double variance =
         count * std::pow(estimate(values).standard_error, 2);
-    // Of a chi-squared distribution with 59 degrees of freedom.
+    // This is the error of a chi-squared distribution with 59 degrees of
+    // freedom.
     EXPECT_NEAR(variance / squares, 1, 3.5 * std::sqrt(2.0 / (count - 1)));
     EXPECT_LT(std::sqrt(squares), 0.02 * values[0]);
 }

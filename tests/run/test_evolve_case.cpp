@@ -82,7 +82,7 @@ class EvolveCase : public ::testing::Test {
         return once.result();
     }
 
-    //! Of searches that are stopped and resumed.
+    //! Expects the same history of searches that are stopped and resumed.
     void expect_same_after_stops() {
         const HistoryHeader h = header();
         History whole = History::create(path("whole.h5"), h);
@@ -197,7 +197,7 @@ long long bytes_read() {
     return bytes;
 }
 
-//! How much was read in each generation.
+//! Counts how much was read in each generation.
 class ReadingWatcher : public NoWatcher {
   public:
     void on_generation(std::uint32_t, const GenerationSummary&) override {
@@ -253,7 +253,8 @@ TEST_F(EvolveCase, StopAndResumeGiveTheSameByAutoWithStreams) {
     expect_same_after_stops();
 }
 
-// What tells streams to end also follows from the rows that they need alone.
+// The rule that tells streams to end also follows from the rows that they need
+// alone.
 TEST_F(EvolveCase, AStopRuleEndsStreamsAtTheSameRow) {
     campaign.search.streams = 2;
     campaign.stop.evaluations = 20;

@@ -28,8 +28,8 @@ class FaceLight : public ::testing::Test {
         request.scene.cell = cell_of(form);
     }
 
-    //! What the faces of leaves, or of all else, absorb, for each area of
-    //! ground [J m-2 day-1].
+    //! Returns what the faces of leaves, or of all else, absorb, for each area
+    //! of ground [J m-2 day-1].
     static double sum(const Mesh& mesh, const std::vector<Estimate>& light,
                       double ground_area, bool is_leaf) {
         const std::vector<double> areas = face_areas(mesh);
@@ -108,7 +108,7 @@ TEST_F(FaceLight, StandardErrorsOfFacesAreHonestAndSmall) {
     for (std::size_t f = 0; f < plant.faces.size(); ++f) {
         const Estimate &a = one[f], &b = other[f];
         const double error = std::hypot(a.standard_error, b.standard_error);
-        // Of the tops of sheaths hardly anything shows.
+        // The tops of sheaths hardly show.
         if (!(error > 0) || !(a.mean > 0)) continue;
         squares += std::pow((a.mean - b.mean) / error, 2);
         relative += a.standard_error / a.mean;

@@ -31,14 +31,14 @@ class FakeEvaluator : public Evaluator {
         return outcome;
     }
 
-    //! Of all evaluations so far [s].
+    //! Returns the time of all evaluations so far [s].
     double total() const { return total_; }
 
   private:
     //! A function of the task.
     double seconds_of(const Task& task) const {
-        // Of evaluations of campaigns/ames.toml, in equal steps of probability,
-        // relative to their mean.
+        // The times of evaluations of campaigns/ames.toml, in equal steps of
+        // probability, relative to their mean.
         constexpr double quantiles[] = {
             0.223, 0.276, 0.332, 0.512, 0.623, 0.664, 0.709,
             0.752, 0.826, 0.94,  1.01,  1.04,  1.07,  1.1,

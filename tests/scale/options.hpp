@@ -8,8 +8,8 @@
 
 namespace ideotype {
 
-//! What is simulated. Times in seconds; those of rank 0 as measured by
-//! tests/benchmark/master.cpp and tests/stress/master_cost.sh.
+//! The options of a simulation. Times are in seconds; those of rank 0 are
+//! measured by tests/benchmark/master.cpp and tests/stress/master_cost.sh.
 struct Options {
     int ranks = 64;
     int ranks_per_node = 64;

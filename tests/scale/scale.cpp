@@ -143,7 +143,7 @@ class Master : public Director, public Watcher {
     double synchronized_ = 0;  //!< when the disk had all [s]
 };
 
-//! What all ranks of a simulation share.
+//! The data that all ranks of a simulation share.
 struct Simulation {
     explicit Simulation(const Options& its_options)
         : options(its_options),
@@ -164,7 +164,7 @@ struct Simulation {
             std::make_unique<FakeEvaluator>(header.schema, options.evaluation);
     }
 
-    //! Of one master.
+    //! Runs the loop of one master.
     void direct(const Session& crew, int part, int parts) {
         const auto dispatcher = make_dispatcher(crew, {evaluator.get()}, stop);
         Master master(options, campaign, *dispatcher, clock, header,

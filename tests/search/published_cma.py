@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Evaluations that the package cma needs: the bounds of test_cma_es.cpp."""
+"""Counts the evaluations that the package cma needs: the bounds of
+test_cma_es.cpp."""
 
 import warnings
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Writes tests/data/dd_cma.txt: what the dd-CMA-ES of the package pypop7 0.0.82 makes of
-points that test_dd_cma.cpp shows to ours. For each case a line with dimension, population,
-generations and mean, then for each generation a line with its points, best first, and
-at the end lines with the mean, the standard deviations and the correlations."""
+"""Writes tests/data/dd_cma.txt: what the dd-CMA-ES of the package pypop7
+0.0.82 makes of points that test_dd_cma.cpp shows to ours. Each case has a line
+with dimension, population, generations and mean, then for each generation a
+line with its points, best first, and at the end lines with the mean, the
+standard deviations and the correlations."""
 
 import sys
 
@@ -36,7 +37,8 @@ for dimension, population, generations in CASES:
     }
     search = DDCMA(problem, options)
     (mean, d, root, inverse, z, cz, x, y, *state) = search.initialize()
-    # The package begins with one where the change of the correlations is added up.
+    # The package begins with one where the change of the correlations is added
+    # up.
     state[3][:] = 0
     print(dimension, population, generations, line(mean))
     for _ in range(generations):

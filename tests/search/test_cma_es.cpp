@@ -28,7 +28,8 @@ Population evaluated(const std::vector<Candidate>& candidates,
     return population;
 }
 
-//! How many evaluations a search took to bring f down to a value.
+//! Returns the number of evaluations that a search took to bring f down to a
+//! value.
 std::size_t evaluations(const Function& f, std::size_t dimension, double target,
                         std::uint64_t seed,
                         OptimizerKind kind = OptimizerKind::cma_es) {
@@ -82,9 +83,9 @@ double rastrigin(const Genome& x) {
     return sum;
 }
 
-// What pycma 4.4 needs (median of 7 seeds, the same start, step and target,
-// without bounds), and half as much again for luck:
-// tests/search/published_cma.py prints it.
+// The bounds are the evaluations that pycma 4.4 needs (median of 7 seeds, the
+// same start, step and target, without bounds), and half as much again for
+// luck: tests/search/published_cma.py prints them.
 TEST(CmaEs, SolvesStandardFunctionsWithinPublishedEvaluations) {
     EXPECT_LT(evaluations(sphere, 10, 1e-8, 1), 1.5 * 1490);
     EXPECT_LT(evaluations(ellipsoid, 10, 1e-8, 1), 1.5 * 4330);
@@ -300,7 +301,7 @@ TEST(Streams, WaitForTheirOwnGenerationsAlone) {
         const Candidate candidate = whole->propose(generation, slot);
         rows.push_back(evaluated({candidate}, sphere)[0]);
         whole->learn(rows.back());
-        // What it needs is enough.
+        // The rows that it needs suffice.
         const std::size_t known = generation < 3 ? 0 : 8 * (generation - 2);
         if (slot == 0 && generation >= 3)
             for (std::size_t i = known - 8; i < known; ++i)

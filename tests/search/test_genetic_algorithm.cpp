@@ -38,8 +38,8 @@ std::vector<Candidate> candidates_of(const Population& population) {
     return candidates;
 }
 
-//! What a new optimizer proposes for this generation; the generations before
-//! it were all as the last one.
+//! Returns what a new optimizer proposes for this generation; the generations
+//! before it were all as the last one.
 std::vector<Candidate> proposed(const SearchSettings& settings,
                                 std::uint64_t seed, std::uint32_t generation,
                                 const Population& parents) {

@@ -29,7 +29,7 @@ constexpr int randomisations = 8;
 //! random numbers.
 Population noisy_front(std::uint32_t draw) {
     Population population;
-    // Of standard deviation 1.
+    // The noise has standard deviation 1.
     const auto noise = [&](std::uint32_t slot) {
         RandomStream stream(1, Purpose::mutation, draw, slot);
         std::vector<double> values;
@@ -91,7 +91,7 @@ TEST(Hypervolume, IsRelativeToTheWorstOfTheFirstGeneration) {
     EXPECT_EQ(summarized(first).hypervolume,
               hypervolume(first, worst, both).mean);
     const GenerationSummary summary = summarized(second);
-    // Of all rows so far.
+    // The summary has the hypervolume of all rows so far.
     Population all = first;
     all.insert(all.end(), second.begin(), second.end());
     EXPECT_DOUBLE_EQ(summary.hypervolume, hypervolume(all, worst, both).mean);

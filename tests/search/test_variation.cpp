@@ -8,8 +8,8 @@
 #include "ideotype/core/random.hpp"
 #include "search/optimizer.hpp"
 
-// How far children are from their parents, against the densities that were
-// published for simulated binary crossover and polynomial mutation.
+// Tests how far children are from their parents, against the densities that
+// were published for simulated binary crossover and polynomial mutation.
 
 namespace ideotype {
 namespace {
@@ -61,9 +61,9 @@ Distribution on_circle(double period, int turns,
     };
 }
 
-//! Of the spread factor of simulated binary crossover (Deb and Agrawal 1995,
-//! eq. 10 and 11: density (n + 1) / 2 b^n up to 1, (n + 1) / 2 b^-(n + 2)
-//! beyond).
+//! Returns the distribution of the spread factor of simulated binary crossover
+//! (Deb and Agrawal 1995, eq. 10 and 11: density (n + 1) / 2 b^n up to 1, (n +
+//! 1) / 2 b^-(n + 2) beyond).
 Distribution spread(double index) {
     return [=](double b) {
         if (b <= 0) return 0.0;
@@ -72,8 +72,9 @@ Distribution spread(double index) {
     };
 }
 
-//! Of the length of a step of polynomial mutation to either side, over the
-//! gene's range (Deb and Goyal 1996: density (n + 1) (1 - d)^n for one side).
+//! Returns the distribution of the length of a step of polynomial mutation to
+//! either side, over the gene's range (Deb and Goyal 1996: density (n + 1) (1 -
+//! d)^n for one side).
 Distribution step(double index) {
     return [=](double d) {
         return 1 - std::pow(1 - std::clamp(d, 0.0, 1.0), index + 1);
@@ -98,8 +99,8 @@ std::vector<Candidate> children(const Gene& gene, const GaSettings& ga,
     return optimizer->ask();
 }
 
-//! How far the two children of each crossed couple are from the couple's mean,
-//! over half of the distance between the parents, the smaller one first:
+//! The distances of the two children of each crossed couple from the couple's
+//! mean, over half of the distance between the parents, the smaller one first:
 //! positive on the side where the child belongs.
 struct Spreads {
     std::vector<double> below, above;
@@ -136,7 +137,7 @@ Spreads crossed(const Gene& gene, double index, double low, double high) {
 }
 
 TEST(Crossover, HalfOfTheGenesOfUnlikeParentsAreCrossed) {
-    // Of 100000 couples half have unlike parents: binomial(100000, 1/4).
+    // Half of 100000 couples have unlike parents: binomial(100000, 1/4).
     const auto n = crossed(length, 15, 0.7, 0.8).above.size();
     EXPECT_NEAR(static_cast<double>(n), 25000, 4 * std::sqrt(1e5 * 3 / 16));
 }
@@ -208,7 +209,8 @@ std::vector<double> mutated(const Gene& gene, double index, double parent) {
     return steps;
 }
 
-//! Of steps that go down and up equally often, at most so far.
+//! Returns the distribution of steps that go down and up equally often, at most
+//! so far.
 Distribution either_way(double index, double down, double up) {
     return [=](double d) {
         return d < 0 ? (1 - step(index)(-d) / step(index)(down)) / 2

@@ -91,9 +91,9 @@ wait_for_jobs() {
     done
 }
 
-# What a site's file would say: $1 a name, the rest the launcher. Nodes that
-# share one machine cannot share memory by node, and reach each other by the
-# loopback interface, whatever networks there are.
+# Writes what a site's file would say: $1 a name, the rest the launcher. Nodes
+# that share one machine cannot share memory by node, and reach each other by
+# the loopback interface, whatever networks there are.
 write_site() {
     cat >"$1.sh" <<SITE
 sbatch_options=(--ntasks=3 --time=10)
@@ -102,7 +102,7 @@ export OMPI_MCA_btl=tcp,self OMPI_MCA_btl_tcp_if_include=lo
 SITE
 }
 
-# How srun starts ranks of the MPI that the program is built with.
+# Tells how srun starts ranks of the MPI that the program is built with.
 srun_of_mpi() {
     if is_mpich; then
         echo srun --mpi=pmi2

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What slurm/submit says and refuses without a cluster.
+# Without a cluster slurm/submit says and refuses what it should.
 . "$(dirname "$0")/../cli/common.sh"
 
 # $1 the expected exit code, the rest arguments.

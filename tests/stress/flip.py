@@ -53,7 +53,7 @@ from ideotype.analysis import HistoryError, open_history, open_study
 from ideotype.analysis.provenance import provenance
 from ideotype.analysis.tables import gains
 
-LIMIT = 60  # [s]
+LIMIT = 60  # The longest time that a reader may take [s].
 CAMPAIGN = Path(__file__).parents[2] / "campaigns" / "ames_quick.toml"
 SMALL = {
     "search.population": 6,
@@ -68,7 +68,7 @@ KINDS = ("noticed", "harmless", "no checksum", "silent", "hanging", "crashing")
 GROUPS = ("evaluations", "final", "generations", "genes", "objectives")
 
 Said = tuple[str, str]
-"""Kind of the end (noticed, hanging, crashing, or read), and all that was
+"""The kind of the end (noticed, hanging, crashing, or read), and all that was
 said."""
 
 
@@ -91,7 +91,7 @@ class Place:
         return path
 
     def run(self, *words: str) -> list[str]:
-        """The command that evolves the campaign here."""
+        """Returns the command that evolves the campaign here."""
         return [
             self.program,
             "run",
@@ -127,7 +127,7 @@ def killed(program: str, folder: Path) -> Place:
 
 
 def said(command: list[str], without: str = "") -> Said:
-    """What the program says, but for lines that match."""
+    """Returns what the program says, but for lines that match."""
     try:
         done = subprocess.run(
             command,
@@ -219,7 +219,7 @@ def serve(parent: multiprocessing.connection.Connection) -> None:
 
 
 class Readers:
-    """All readers; those in Python in a process of their own."""
+    """All readers; those in Python are in a process of their own."""
 
     def __init__(self) -> None:
         self._start()
@@ -246,7 +246,7 @@ class Readers:
         return kind, ""
 
     def read(self, place: Place, content: bytes) -> dict[str, Said]:
-        """What each says of the history with that content."""
+        """Returns what each reader says of the history with that content."""
         path = place.path
         found = {}
         for name in (*PYTHON, *PROGRAMS):
@@ -262,7 +262,7 @@ class Readers:
 
 
 def without_checksum(path: Path) -> list[range]:
-    """Where a history has what no checksum is of."""
+    """Returns where a history has bytes that no checksum covers."""
     found = []
     with open_history(path) as history:
         generations = history.generations()
@@ -291,13 +291,13 @@ def without_checksum(path: Path) -> list[range]:
 def look(
     state: str, place: Place, flips: int, chosen: random.Random
 ) -> collections.Counter[tuple[str, str, str]]:
-    """Counts of state, reader and kind."""
+    """Counts kinds by state and reader."""
     readers = Readers()
     content = place.path.read_bytes()
     unprotected = without_checksum(place.path)
     used = [i for i, byte in enumerate(content) if byte]
     whole = readers.read(place, content)
-    # Who refuses a live file says nothing of its content.
+    # A reader that refuses a live file says nothing about its content.
     names = [name for name in whole if whole[name][0] == "read"]
     counts: collections.Counter[tuple[str, str, str]] = collections.Counter()
     for number in range(flips):
@@ -373,7 +373,8 @@ def main() -> int:
             if state == "live":
                 locks.append(place.path.open("r+b"))
                 whole = (fcntl.F_WRLCK, os.SEEK_SET, 0, 0, 0)
-                lock = struct.pack("hhqqi4x", *whole)  # struct flock
+                # The bytes are those of struct flock.
+                lock = struct.pack("hhqqi4x", *whole)
                 fcntl.fcntl(locks[-1], fcntl.F_OFD_SETLK, lock)
             counts += look(state, place, flips // 3, chosen)
     print(f"{flips // 3} flips in each state (seed {seed})")

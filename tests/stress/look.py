@@ -15,7 +15,7 @@ from ideotype.analysis import Rows, open_history
 
 
 def values(rows: Rows) -> list[np.ndarray]:
-    """All numbers of complete rows that no kill may change."""
+    """Returns all numbers of complete rows that no kill may change."""
     found = [
         rows.row,
         rows.generation,

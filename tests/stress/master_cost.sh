@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What an evaluation costs rank 0, and how many workers it can feed.
+# Measures what an evaluation costs rank 0, and how many workers it can feed.
 # Usage: tests/stress/master_cost.sh [RANKS...]    after a build of preset dev
 set -euo pipefail
 cd "$(dirname "$0")/../.."

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Are the standard errors of a history those that its rows have?
+"""Compares the standard errors of a history with those that its rows have.
 
 row_errors.py HISTORY [ROWS] [TOLERANCE]: takes ROWS (50) finished rows at random
 and looks at each again, in the same field to a relative standard error of TOLERANCE

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Which share of their time workers evaluate: a sweep of 6 latitudes and 20
+# Measures the share of their time in which workers evaluate: a sweep of 6 latitudes and 20
 # generations, all cases in one job and one case after the other, these also
 # with three times as many plants under way as there are ranks, in streams.
 # Usage: tests/stress/worker_share.sh [RANKS...]    with preset dev or release

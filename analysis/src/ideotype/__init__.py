@@ -34,8 +34,8 @@ __all__ = [
     "open_study",
 ]
 
-# Where each name is: reading needs no compiled module, and evaluating none of
-# what draws figures.
+# The module that has each name: reading needs no compiled module, and
+# evaluating needs nothing that draws figures.
 _PLACES = {
     "Canopy": ("._mesh", "Canopy"),
     "Crop": ("._crop", "Crop"),

@@ -15,15 +15,16 @@ VERBS = {
     "report": "ideotype.analysis.commands:report",
     "weather": "ideotype.weather:main",
     "fidelity": "ideotype.fidelity:main",
-    "indices": "ideotype.analysis.indices:main",
+    "indices": "ideotype.analysis.indices_command:main",
     "ceptometer": "ideotype.ceptometer:main",
     "fit": "ideotype.fit:main",
 }
-"""Where the function of each verb is, which takes the words after the verb
-and returns the exit code; `python_verbs.cpp` has the same names."""
+"""The module and function of each verb. A function takes the words after the
+verb and returns the exit code; `python_verbs.cpp` has the same names."""
 
 _HANDED = "IDEOTYPE_HANDED"
-"""Set in the environment of a program that this command has become."""
+"""The environment variable that is set for a program which this command has
+become."""
 
 
 def answer(words: Sequence[str]) -> int:
@@ -37,7 +38,7 @@ def main() -> int:
     words = sys.argv[1:]
     if words and words[0] in VERBS:
         return answer(words)
-    # A script on the PATH may be a way back to this command.
+    # A script on PATH may lead back to this command.
     if (program := compiled_program()) and not os.environ.get(_HANDED):
         os.execve(program, [program, *words], os.environ | {_HANDED: "1"})
     is_help = words in (["--help"], ["-h"])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Arrays that users give."""
+"""Checks arrays that users give."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ _Given = TypeVar("_Given")
 
 
 def real(given: ArrayLike, name: str) -> NDArray[np.float64]:
-    """Real numbers, of which none is hidden or lost.
+    """Returns real numbers, of which none is hidden or lost.
 
-    Raises Error of what is not: of masked arrays numpy takes the values that
-    they hide, and of complex numbers it drops the imaginary part."""
+    Raises Error for all else: numpy would take the values that masked arrays
+    hide, and drop the imaginary part of complex numbers."""
     try:
         found = np.asarray(unmasked(given, name))
         if not np.iscomplexobj(found):
@@ -30,7 +30,7 @@ def real(given: ArrayLike, name: str) -> NDArray[np.float64]:
 
 
 def unmasked(given: _Given, name: str) -> _Given:
-    """What is given. Raises Error if it is or holds a masked array."""
+    """Returns what is given. Raises Error if it is or holds a masked array."""
     if _is_masked(given):
         raise Error(
             f"{name} is or holds a masked array, whose hidden values would "

@@ -16,42 +16,44 @@ from ._errors import Error
 
 Floats = NDArray[np.float64]
 
+UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001}
 _NEIGHBOURS = 16
-"""Of a point of a cloud, over which the way along a blade leads."""
+"""The number of neighbours of a point of a cloud, over which the way along a
+blade leads."""
 _SLICES = 24
-"""Cross sections of a blade that is a cloud of points."""
+"""The number of cross sections of a blade that is a cloud of points."""
 
 
 @dataclass(frozen=True)
 class Blade:
-    """The midrib of a leaf and what else is known of its blade; metres, z up
-    from the soil, x to the right of the row, y along it."""
+    """The midrib of a leaf and what else is known of its blade, in metres: z
+    points up from the soil, x to the right of the row and y along it."""
 
     name: str
     midrib: Floats
-    """[points, 3] from base to tip"""
+    """The points of the midrib from base to tip [points, 3]."""
     has_azimuth: bool = True
     has_height: bool = True
     """Whether it is known where the blade points to and where it begins."""
     left: Floats | None = None
-    """Edge of the blade at each point of the midrib."""
+    """The left edge of the blade at each point of the midrib."""
     right: Floats | None = None
     points: Floats | None = None
-    """[n, 3] that lie on the blade evenly."""
+    """Points [n, 3] that lie evenly on the blade."""
     area: float = np.nan
-    """[m2]"""
+    """The one-sided area of the blade [m2]."""
     told_width: float | None = None
 
     @property
     def length(self) -> float:
-        """Of the midrib [m]."""
+        """The length of the midrib [m]."""
         return float(
             np.linalg.norm(np.diff(self.midrib, axis=0), axis=1).sum()
         )
 
     @property
     def width(self) -> float | None:
-        """Largest width [m], where any was measured."""
+        """The largest width [m], if any was measured."""
         if self.told_width is not None or self.left is None:
             return self.told_width
         assert self.right is not None
@@ -64,21 +66,21 @@ class Blade:
 
     @cached_property
     def azimuth(self) -> float:
-        """Where the blade points from its base, clockwise from the row [deg]:
-        mean of its horizontal displacement."""
+        """The direction of the blade from its base, clockwise from the row
+        [deg]: that of the mean horizontal displacement."""
         x, y, _ = (self.midrib - self.midrib[0]).mean(axis=0)
         return float(np.degrees(np.arctan2(x, y)))
 
     @property
     def in_its_plane(self) -> tuple[Floats, Floats]:
-        """Points of the midrib outward from the base and up [m]."""
+        """The points of the midrib outward from the base and up [m]."""
         turn = np.radians(self.azimuth)
         x, y, z = (self.midrib - self.midrib[0]).T
         return x * np.sin(turn) + y * np.cos(turn), z
 
     @property
     def out_of_plane(self) -> float:
-        """Root mean square distance of the midrib from its plane [m]."""
+        """The root mean square distance of the midrib from its plane [m]."""
         turn = np.radians(self.azimuth)
         x, y, _ = (self.midrib - self.midrib[0]).T
         return float(
@@ -87,9 +89,9 @@ class Blade:
 
     @property
     def roll_and_twist(self) -> tuple[float, float]:
-        """Mean turn of the cross sections about the midrib and its slope from
-        base to tip [deg], by least squares with the widths as weights; 0 where
-        only a width is known."""
+        """The mean turn of the cross sections about the midrib and its slope
+        from base to tip [deg], by least squares with the widths as weights;
+        both are 0 where only a width is known."""
         if self.left is None or self.right is None:
             return 0.0, 0.0
         across = self.right - self.left
@@ -109,8 +111,9 @@ class Blade:
         return float((roll + 90) % 180 - 90), float(twist)
 
     def on_stalk(self, origin: Floats, factor: float) -> Blade:
-        """The blade from the end that is nearer to the stalk, in metres from
-        its foot, origin. factor: metres of the unit that it was in."""
+        """Returns the blade from the end that is nearer to the stalk, in
+        metres from the foot of the stalk, origin. factor: metres of the unit
+        that the blade was in."""
         ends = np.linalg.norm(self.midrib[[0, -1], :2] - origin[:2], axis=1)
         step = 1 if ends[0] <= ends[1] else -1
 
@@ -132,7 +135,8 @@ class Blade:
 
 
 def parts(line: Floats) -> Floats:
-    """The part of a line's length that lies before each of its points, 0 to 1."""
+    """Returns the part of a line's length that lies before each of its points,
+    0 to 1."""
     sizes = np.linalg.norm(np.diff(line, axis=0), axis=1)
     length = np.concatenate([[0.0], np.cumsum(sizes)])
     if length[-1] == 0:
@@ -141,8 +145,8 @@ def parts(line: Floats) -> Floats:
 
 
 def axis_of(ends: Floats) -> Floats:
-    """Where a stalk stands, [x, y]: the point to which one end of each leaf is
-    nearest in the median, ends: [leaves, 2, 3]."""
+    """Returns where a stalk stands, [x, y]: the point to which one end of each
+    leaf is nearest in the median. ends: [leaves, 2, 3]."""
     candidates = ends.reshape(-1, 3)[:, :2]
     for _ in range(3):
         apart = np.linalg.norm(
@@ -155,10 +159,35 @@ def axis_of(ends: Floats) -> Floats:
     return best
 
 
+def metres(unit: str, lengths: list[float]) -> float:
+    """Returns a unit in metres; auto takes the longest unit in which the
+    median leaf has 0.05 to 3 m."""
+    if unit != "auto":
+        return UNITS[unit]
+    median = float(np.median(lengths))
+    for name in ("m", "cm", "mm"):
+        if 0.05 <= median * UNITS[name] <= 3:
+            return UNITS[name]
+    raise Error(
+        f"the median leaf is {median:g} long, which is no leaf in m, cm or mm; "
+        "tell its unit by --unit"
+    )
+
+
+def on_stalk(
+    blades: list[Blade], unit: str, axis: Floats, ground: float
+) -> list[Blade]:
+    """Returns blades in metres from the foot of their stalk, which stands at
+    axis, [x, y], on soil at height ground."""
+    factor = metres(unit, [blade.length for blade in blades])
+    origin = np.array([*axis, ground])
+    return [blade.on_stalk(origin, factor) for blade in blades]
+
+
 def from_cloud(name: str, points: Floats, axis: Floats, area: float) -> Blade:
-    """The blade of points that lie evenly on it: cross sections along the
-    shortest ways over it from its base, the points nearest to the axis of the
-    stalk, [x, y]."""
+    """Returns the blade of points that lie evenly on it: its cross sections
+    follow the shortest ways over the blade from its base, the points nearest
+    to the axis of the stalk, [x, y]."""
     if len(points) < 5 * _SLICES:
         raise Error(
             f"{name} has {len(points)} points; {5 * _SLICES} are needed"
@@ -172,8 +201,8 @@ def from_cloud(name: str, points: Floats, axis: Floats, area: float) -> Blade:
 
 
 def _way_from_base(points: Floats, axis: Floats) -> Floats:
-    """How far points are from the base over their nearest neighbours; infinite
-    where no way leads."""
+    """Returns how far points are from the base along ways over nearest
+    neighbours; infinite where no way leads."""
     apart, near = cKDTree(points).query(points, _NEIGHBOURS + 1)
     rows = np.repeat(np.arange(len(points)), _NEIGHBOURS)
     graph = csr_array(
@@ -191,7 +220,8 @@ def _way_from_base(points: Floats, axis: Floats) -> Floats:
 
 
 def _sections(points: Floats, along: Floats) -> tuple[Floats, Floats, Floats]:
-    """The midrib through the middles of slices, and the edges there."""
+    """Returns the midrib through the middles of slices, and the edges
+    there."""
     edges = np.linspace(along.min(), along.max(), _SLICES + 1)
     of = np.clip(np.searchsorted(edges, along, "right") - 1, 0, _SLICES - 1)
     kept = [i for i in range(_SLICES) if (of == i).sum() > 3]
@@ -209,14 +239,15 @@ def _sections(points: Floats, along: Floats) -> tuple[Floats, Floats, Floats]:
         previous = direction
         at = flat @ direction
         low, high = np.quantile(at, [0.01, 0.99]) / 0.98
-        # the midrib is where a folded blade has its keel
+        # The midrib is where a folded blade has its keel.
         inner = np.abs(at - (low + high) / 2) < max(0.15 * (high - low), 1e-4)
         keel = c + (flat[inner].mean(axis=0) if inner.any() else 0)
         middle.append(keel)
         left.append(keel + (low - (low + high) / 2) * direction)
         right.append(keel + (high - (low + high) / 2) * direction)
     line = np.array(middle)
-    # the first and the last slice reach half their size further than the middle
+    # The first and the last slice reach half their size further than the
+    # middle.
     first = line[0] - tangent[0] * max(
         0.0, -((points[of == kept[0]] - line[0]) @ tangent[0]).min()
     )
@@ -231,11 +262,11 @@ def _sections(points: Floats, along: Floats) -> tuple[Floats, Floats, Floats]:
 
 
 def _projected(points: Floats, line: Floats) -> Floats:
-    """How far along a line the nearest place to each point is."""
+    """Returns how far along a line the place nearest to each point is."""
     steps = np.diff(line, axis=0)
     sizes = np.linalg.norm(steps, axis=1)
     at = ((points[:, None] - line[None, :-1]) * steps).sum(2) / sizes**2
-    # beyond its ends the first and the last segment go on
+    # The first and the last segment go on beyond the ends of the line.
     lower = np.zeros(len(steps))
     upper = np.ones(len(steps))
     lower[0], upper[-1] = -np.inf, np.inf

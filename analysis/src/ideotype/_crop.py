@@ -43,6 +43,8 @@ class Crop:
     def from_file(cls, path: str | PathLike[str]) -> Crop:
         """Reads a crop file.
 
+        Raises Error if it has no [growth], InputError with all problems.
+
         Raises Error if it has no [growth], InputError with all problems."""
         return cls(_core.GrowingCrop(os.fspath(path)))
 
@@ -62,7 +64,7 @@ class Crop:
         return self._core.maturity
 
     def at(self, thermal_time: float) -> xarray.Dataset:
-        """One plant at a thermal time from emergence [deg C d].
+        """Grows one plant to a thermal time from emergence [deg C d].
 
         Returns a Dataset over `rank` from the lowest leaf, 1: `green_area` and
         `dead_area` of blades [m2], dates `tip`, `collar` and `death`
@@ -83,11 +85,11 @@ class Crop:
         temperatures: ArrayLike,
         density: float,
     ) -> xarray.Dataset:
-        """A stand day by day.
+        """Grows a stand day by day.
 
         emergence: day on which plants emerge.
-        temperatures: of each hour from the beginning of that day on, of whole
-            days [deg C].
+        temperatures: temperature of each hour from the beginning of that day
+            on, for whole days [deg C].
         density: plants per area of ground [m-2].
 
         Returns a Dataset over `day`: at its end `thermal_time` [deg C d],

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What goes wrong, with messages that are meant for the user."""
+"""Errors, with messages that are meant for the user."""
 
 from __future__ import annotations
 
@@ -12,23 +12,24 @@ _CONTROLS_OF_LINES = _CONTROLS | {ord(c): c for c in "\n\t"}
 
 
 def printable(text: str) -> str:
-    """A text of unknown origin as one line for a terminal, where it can do
-    nothing: control characters as \\x1b."""
+    """Returns a text of unknown origin as one line that cannot harm a
+    terminal: control characters become \\x1b and the like."""
     return text.translate(_CONTROLS)
 
 
 def printable_lines(text: str) -> str:
-    """As above, of several lines, with tabs."""
+    """Returns a text of unknown origin for a terminal with its lines and tabs;
+    other control characters become \\x1b and the like."""
     return text.translate(_CONTROLS_OF_LINES)
 
 
 class Error(Exception):
-    """What could not be done, why, and what to do."""
+    """An error that says what could not be done, why, and what to do."""
 
 
 class Problem(NamedTuple):
-    """One thing that is wrong with an input; line and column count from 1,
-    0 where they are not known."""
+    """One thing that is wrong with an input. Lines and columns count from 1,
+    and are 0 where they are not known."""
 
     file: str
     line: int
@@ -37,7 +38,7 @@ class Problem(NamedTuple):
 
 
 class InputError(Error):
-    """Every problem of an input, found in one pass."""
+    """An error with every problem of an input, found in one pass."""
 
     def __init__(
         self,
@@ -49,6 +50,6 @@ class InputError(Error):
 
 
 def did_you_mean(word: str, names: Sequence[str]) -> str:
-    """ "; did you mean 'x'?", or "" if none is near."""
+    """Returns "; did you mean 'x'?", or "" if no name is near the word."""
     near = get_close_matches(word, names, 1, 0.8)
     return f"; did you mean '{near[0]}'?" if near else ""

@@ -12,15 +12,15 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True)
 class Mesh:
-    """Surfaces in metres, z up; of a plant its foot at the origin, y along
-    the rows."""
+    """Surfaces in metres, with z up; a plant has its foot at the origin and y
+    along the rows."""
 
     vertices: NDArray[np.float64]
-    """[vertices, 3]"""
+    """The corners of faces [vertices, 3]."""
     faces: tuple[tuple[int, ...], ...]
-    """Three or four vertices each."""
+    """The three or four vertices of each face."""
     groups: tuple[str, ...]
-    """Organ of each face: "leaf01", ..., "stalk", "sheath", and others as
+    """The organ of each face: "leaf01", ..., "stalk", "sheath", and others as
     "stalk_NAME" or "sheath_NAME" by their tissue."""
 
     @classmethod
@@ -31,7 +31,8 @@ class Mesh:
         face_group: NDArray[np.integer[Any]],
         names: list[str],
     ) -> Self:
-        """Of faces with four corners, in which triangles repeat the last."""
+        """Makes a mesh of faces with four corners, in which triangles repeat
+        the last."""
         return cls(
             vertices,
             tuple(
@@ -43,11 +44,12 @@ class Mesh:
 
     @property
     def corners(self) -> NDArray[np.float64]:
-        """[faces, 4, 3] in metres; triangles repeat the last."""
+        """The corners of faces [faces, 4, 3] in metres; triangles repeat the
+        last."""
         return self.vertices[[(*face, face[-1])[:4] for face in self.faces]]
 
     def area(self, group: str) -> float:
-        """Of an organ [m2]; faces are cut into triangles."""
+        """Returns the area of an organ [m2]; faces are cut into triangles."""
         faces = self.corners[[name == group for name in self.groups]]
         a, b, c, d = faces.transpose(1, 0, 2)
         twice = np.cross([b - a, c - a], [c - a, d - a])
@@ -60,8 +62,9 @@ def shaded(
     light: NDArray[np.float64],
     least: float,
 ) -> NDArray[np.float64]:
-    """Returns the colours [faces, 3] of faces with these corners, [faces, 4, 3], as far as
-    they face the light, a direction of length 1; edge-on `least` of them."""
+    """Returns the colours [faces, 3] of faces with these corners, [faces, 4,
+    3], darker the less they face the light, a direction of length 1; faces
+    seen by the light edge-on keep `least` of their colour."""
     normals = np.cross(
         corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1]
     )

@@ -22,7 +22,7 @@ Pair = tuple[float, float]
 
 
 class Canopy:
-    """A mesh whose light can be found: see `ideotype.mesh`."""
+    """A mesh whose light can be found; `ideotype.mesh` makes it."""
 
     def __init__(
         self,
@@ -70,41 +70,44 @@ class Canopy:
         by_face: bool = False,
         seed: int | None = None,
     ) -> xarray.Dataset:
-        """Where light goes, as `ideotype light` tells it: what is not given
-        is as on its command line.
+        """Evaluates where light goes, as `ideotype light` does: an option that
+        is not given is as on its command line.
 
-        period: of the lattice on which the mesh repeats, along x and y [m].
-        isolated: the mesh alone on endless soil, with `ground_area` [m2] that
-            light per area refers to.
-        field: rows, plants of a row, row and plant spacing [m]: repeats the
-            mesh as a plant at x = y = 0, in rows along y, each turned at
-            random by up to `jitter` [deg].
+        period: the period of the lattice on which the mesh repeats, along x
+            and y [m].
+        isolated: whether the mesh stands alone on endless soil, with
+            `ground_area` [m2] that light per area refers to.
+        field: rows, plants of a row, row and plant spacing [m]. The mesh is a
+            plant at x = y = 0 and repeats in rows along y, each plant turned
+            at random by up to `jitter` [deg].
         sun: elevation and azimuth, clockwise from north = +y [deg]; level
             ground receives 1, or `beam_ppfd` [umol m-2 s-1].
         sky: "uniform", "overcast" or "clear"; level ground receives 1, or
             `sky_ppfd` [umol m-2 s-1].
-        site: latitude, longitude [deg] and UTC offset [h]: the sun and sky of
-            a clear `day`, "2021-07-01".
+        site: latitude, longitude [deg] and UTC offset [h] of the sun and sky
+            of a clear `day`, "2021-07-01".
         climate: file with the tables [site] and [climate] of a campaign.
-        photosynthesis: file with this table, for assimilation; `exact` as
-            `--exact` of the command line.
+        photosynthesis: file with this table, for assimilation; `exact` means
+            what `--exact` means on the command line.
         leaf, stalk, sheath: reflectance and transmittance, by default those of
             the command line. Groups whose names begin with "stalk" or "sheath"
-            are such, all others leaves.
+            are stalks or sheaths, all others are leaves.
         scene: file of materials, components and wavebands, as `--scene` of the
-            command line; it tells all optics and photosynthesis.
-        tolerance: relative standard error of the leaves' light; or so many
-            `paths`.
-        by_face: also the light that each face absorbs.
+            command line takes it; it tells all optics and photosynthesis.
+        tolerance: relative standard error of the leaves' light; `paths` gives
+            a number of paths instead.
+        by_face: whether the light that each face absorbs is returned too.
 
-        Returns a Dataset: `incident` on the ground; what `leaves`, `stalks`
-        (all other organs) and `soil` absorb and what is `reflected`, per area
-        of ground; `absorbed` by `group`; `absorbed_by_layer`, of leaves by
-        height; quantities that a history has, of a single light those that are
-        no rates; and NAME_standard_error of each. With a `scene` instead, by
-        `band`: `incident`, `soil`, `reflected`, `absorbed_by_component` and
-        `absorbed` by `group`; and by `component` its leaf area index `lai`,
-        `gross_assimilation` and `net_assimilation`.
+        Returns a Dataset: `incident` is the light on the ground; `leaves`,
+        `stalks` (all other organs) and `soil` are what these absorb, and
+        `reflected` is what leaves the canopy, per area of ground; `absorbed`
+        is by `group`, and `absorbed_by_layer` is the light of leaves by
+        height. Quantities that a history has are there too, for a single sun
+        or sky those that are no rates. Each has its NAME_standard_error. With
+        a `scene` there are instead, by `band`, `incident`, `soil`,
+        `reflected`, `absorbed_by_component` and `absorbed` by `group`; and by
+        `component` its leaf area index `lai`, `gross_assimilation` and
+        `net_assimilation`.
 
         Raises Error if options contradict each other."""
         arguments = _arguments(
@@ -161,12 +164,14 @@ def mesh(
     *,
     groups: Sequence[str] | None = None,
 ) -> Canopy:
-    """Any surfaces, such as those of trimesh, PlantGL or an own plant model.
+    """Returns a canopy of any surfaces, such as those of trimesh, PlantGL or a
+    plant model of one's own.
 
     vertices: [vertices, 3] in metres; x is east, y is north, z is up.
     faces: [faces, 3], [faces, 4], or a list of polygons of any number of
-        corners, counted from 0; divided into triangles as those of OBJ files.
-    groups: name of the organ that each face is of; "leaf" if not given.
+        corners, counted from 0; they are divided into triangles as those of
+        OBJ files are.
+    groups: name of the organ that each face belongs to; "leaf" if not given.
 
     Raises Error if arrays do not fit together."""
     return Canopy(vertices, faces, groups)
@@ -190,7 +195,7 @@ def _vertices(given: ArrayLike) -> NDArray[np.float64]:
 def _polygons(
     given: ArrayLike | Sequence[Sequence[int]], vertices: int
 ) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
-    """The corners of all faces, and how many each has."""
+    """Returns the corners of all faces, and the number of corners of each."""
     # Rows may differ in length, unlike those of an array.
     every: Any = unmasked(given, "faces")
     if not len(every):
@@ -217,7 +222,8 @@ def _polygons(
 
 
 def _arguments(**given: Any) -> list[str]:
-    """The words of a command line with these options; None leaves one out."""
+    """Returns the words of a command line with these options; None leaves one
+    out."""
     words: list[str] = []
     for name, value in given.items():
         if value is None or value is False:
@@ -230,7 +236,7 @@ def _arguments(**given: Any) -> list[str]:
 
 
 def _in_python(message: str) -> str:
-    """The names of arguments in the place of those of options."""
+    """Puts the names of arguments in the place of those of options."""
     message = re.sub(r"--(leaf|stalk|sheath)-\w+", r"\1", message)
     message = message.replace("--date", "--day")
     return re.sub(
@@ -239,7 +245,7 @@ def _in_python(message: str) -> str:
 
 
 def _dataset(found: dict[str, Any], unit: str, scale: float) -> xarray.Dataset:
-    """`scale` turns what is found into the unit."""
+    """Returns what is found as arrays; `scale` turns it into the unit."""
     arrays: dict[str, Any] = {}
 
     def add(
@@ -262,14 +268,15 @@ def _dataset(found: dict[str, Any], unit: str, scale: float) -> xarray.Dataset:
     add("absorbed_by_layer", ("layer",), layers[:, 0], layers[:, 1])
     faces = scale * found["absorbed_by_face"]
     if len(faces):
-        # Of the face's one-sided area.
+        # Light by face is per one-sided area of the face.
         add("absorbed_by_face", ("face",), faces[:, 0], faces[:, 1])
     for name, units, meaning, mean, error in found["numbers"]:
         add(name, (), mean, error, units, meaning)
     arrays["incident"] = ((), scale * found["incident"], {"units": unit})
-    arrays.pop("incident_standard_error", None)  # exact
+    # Incident light is exact.
+    arrays.pop("incident_standard_error", None)
     if "gross_assimilation" in found:
-        # Of a single light it is that of a second [mol].
+        # The light of a single sun or sky is that of a second [mol].
         is_day = unit.endswith("day-1")
         moles = 1 if is_day else 1e6
         of = "mol m-2 day-1" if is_day else "umol m-2 s-1"
@@ -297,7 +304,8 @@ def _dataset(found: dict[str, Any], unit: str, scale: float) -> xarray.Dataset:
 def _scene_dataset(
     found: dict[str, Any], is_day: bool, is_ppfd: bool
 ) -> xarray.Dataset:
-    """The light and assimilation of a scene file, by band and component."""
+    """Returns the light and assimilation of a scene file, by band and
+    component."""
     unit = "MJ m-2 day-1" if is_day else "umol m-2 s-1" if is_ppfd else "1"
     scale = 1e-6 if is_day else 1.0
     bands = found["bands"]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The optimizers of the program for any function: ask for points, tell their values."""
+"""The optimizers of the program for any function: ask for points, tell their
+values."""
 
 from __future__ import annotations
 
@@ -34,11 +35,12 @@ class Search:
         circular: ArrayLike | None = None,
         traits: Sequence[str] | None = None,
     ) -> None:
-        """lower and upper: bounds [genes]. start: where the search begins, by
-        default in the middle. maximise: of each objective, else it is
-        minimised. population: points of a generation. circular: whether both
-        bounds of a gene are the same point. traits: names of groups of genes
-        that belong together, by default each by itself."""
+        """Begins a search. lower and upper: bounds [genes]. start: where the
+        search begins, by default in the middle. maximise: whether each
+        objective is maximised, else it is minimised. population: number of
+        points of a generation. circular: whether both bounds of a gene are the
+        same point. traits: names of groups of genes that belong together, by
+        default each gene by itself."""
         bounds = np.array([real(lower, "lower"), real(upper, "upper")])
         if bounds.ndim != 2 or not np.all(bounds[0] < bounds[1]):
             raise Error(
@@ -74,7 +76,8 @@ class Search:
         )
 
     def ask(self) -> Numbers:
-        """The points of the next generation [points, genes]; the same until tell()."""
+        """Returns the points of the next generation [points, genes], which
+        stay as they are until tell()."""
         return np.array(self._search.ask())
 
     def tell(
@@ -97,5 +100,6 @@ class Search:
         self._search.tell(told.tolist(), failed.tolist())
 
     def best(self, count: int = 1) -> Numbers:
-        """The points to evaluate again at the end, best first [at most count, genes]."""
+        """Returns the points to evaluate again at the end, best first [at most
+        count, genes]."""
         return np.array(self._search.best(count))

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The plants of a campaign, evaluated here."""
+"""Evaluates the plants of a campaign in this process."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from os import PathLike
 from pathlib import Path
@@ -18,9 +18,11 @@ from numpy.typing import ArrayLike, NDArray
 
 import ideotype._core as _core
 
-from ._arrays import real, unmasked
+from ._arrays import real
 from ._errors import Error, did_you_mean
+from ._evaluated import dataset_of
 from ._geometry import Mesh
+from ._settings import Settings, words_of
 
 _GENES = (
     "name",
@@ -34,18 +36,14 @@ _GENES = (
     "is_circular",
 )
 
-Settings = Mapping[str, Any] | Iterable[str]
-"""Keys of a campaign in the place of what its file says:
-{"light.paths": 1024} or ["light.paths=1024"]. Tables are dictionaries."""
-
 
 class Stand:
-    """How plants stand and what lights them: one case of a campaign.
+    """The plants of one case of a campaign and the light on them.
 
     `Stand(tables)` takes the tables of a campaign file as dictionaries, with
     every key that a file may have; files that it names are looked for in
-    `folder`. `Stand.from_campaign` reads such a file. What keys mean:
-    docs/campaign_files.md.
+    `folder`. `Stand.from_campaign` reads such a file. docs/campaign_files.md
+    tells the meaning of keys.
 
     Threads may share a stand: evaluations run without the interpreter's lock.
     """
@@ -65,7 +63,7 @@ class Stand:
             tomli_w.dumps(tables),
             os.path.join(os.fspath(folder), "campaign.toml"),
             case,
-            _settings(settings),
+            words_of(settings),
             isa or "",
         )
 
@@ -78,14 +76,15 @@ class Stand:
         settings: Settings = (),
         isa: str | None = None,
     ) -> Self:
-        """A case of a campaign file, or of another with `settings`.
+        """Returns the stand of a case of a campaign file, with `settings` in
+        the place of its keys.
 
         `isa` is the instruction set of the ray tracer, else the widest that
         this processor has. Raises InputError with all problems of the file,
         Error if there is no such file or case."""
         return cls._of(
             _core.CaseStand.from_file(
-                os.fspath(path), case, _settings(settings), isa or ""
+                os.fspath(path), case, words_of(settings), isa or ""
             )
         )
 
@@ -97,9 +96,9 @@ class Stand:
         *,
         same_isa: bool = True,
     ) -> Self:
-        """What the plants of a history were evaluated in. A sensitivity study
-        also varies keys of its campaign: then it is that of the row with this
-        genome.
+        """Returns the stand that the plants of a history were evaluated in. A
+        sensitivity study also varies keys of its campaign: the stand is then
+        that of the row with this genome.
 
         `same_isa`: with the instruction set of the history, without which
         light differs in its last digits; else the widest that this processor
@@ -127,17 +126,17 @@ class Stand:
         return stand
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Copies, also in other processes, give the same bits."""
+        """Makes copies, also in other processes, give the same bits."""
         return _restored, (self.campaign, self.name, self.isa)
 
     @property
     def name(self) -> str:
-        """Of the case."""
+        """The name of the case."""
         return self._case.name
 
     @property
     def isa(self) -> str:
-        """Instruction set of the ray tracer."""
+        """The instruction set of the ray tracer."""
         return self._case.isa
 
     @property
@@ -147,15 +146,15 @@ class Stand:
 
     @property
     def warnings(self) -> list[str]:
-        """What may be wrong with the campaign."""
+        """Messages about what may be wrong with the campaign."""
         return self._case.warnings
 
     @property
     def genes(self) -> pd.DataFrame:
         """A row for each number of a genome, in their order: name, trait, leaf
         (rank from the lowest, 1; 0: not of one leaf), unit, lower, upper,
-        baseline, is_free (bred in this case), is_circular (lower and upper
-        are the same)."""
+        baseline, is_free (bred in this case), is_circular (lower and upper are
+        the same point)."""
         return pd.DataFrame(self._case.genes, columns=list(_GENES))
 
     @property
@@ -183,8 +182,8 @@ class Stand:
 
     @property
     def objectives(self) -> dict[str, str]:
-        """What the campaign searches for: "maximise" or "minimise" by the
-        name of the quantity."""
+        """The objectives of the campaign: "maximise" or "minimise" by the name
+        of the quantity."""
         return {
             name: "maximise" if is_maximised else "minimise"
             for name, _, is_maximised in self._case.objectives
@@ -192,8 +191,8 @@ class Stand:
 
     @property
     def quantities(self) -> pd.DataFrame:
-        """What evaluations measure: name, unit, meaning, axes, is_exact (it
-        has no standard error)."""
+        """The quantities that evaluations measure: name, unit, meaning, axes,
+        is_exact (it has no standard error)."""
         columns = ["name", "unit", "meaning", "axes", "is_exact"]
         return pd.DataFrame(self._case.quantities, columns=columns)
 
@@ -208,22 +207,24 @@ class Stand:
         final: bool = False,
         threads: int | None = None,
     ) -> xarray.Dataset:
-        """What light does in a stand of each of these plants.
+        """Evaluates the light in a stand of each of these plants.
 
         genomes: [plants, genes], or [plants, free genes] if the others are
-            those of the baseline; one plant may be [genes]. In the units of
-            `genes`. Numbers beyond their bounds are evaluated as they are; a
-            measure that a plant cannot have is moved to its limit.
+            those of the baseline; one plant may be [genes]. Numbers have the
+            units of `genes`. Numbers beyond their bounds are evaluated as they
+            are; a measure that a plant cannot have is moved to its limit.
         quantities: names of `quantities`; all if not given.
         tolerance: relative standard error of the leaves' light, at most 0.05,
             with as few paths as that takes; else that of the campaign.
-        seed: of the random numbers, in the place of the campaign's.
-        generation: whose fields and random numbers they are; plants of one
-            generation share them. A row of a history has the same bits.
-        final: as finalists are evaluated again, and as `ideotype compare`
-            does: with the accuracy of [final] and many fields.
-        threads: that share the plants, else as many as there are processors.
-            The result does not depend on it.
+        seed: seed of the random numbers, in the place of the campaign's.
+        generation: number of the generation whose fields and random numbers
+            are taken; plants of one generation share them. A row of a history
+            has the same bits.
+        final: whether plants are evaluated as finalists are at the end, and as
+            `ideotype compare` does: with the accuracy of [final] and many
+            fields.
+        threads: number of threads that share the plants, else as many as there
+            are processors. The result does not depend on it.
 
         Returns a Dataset over `plant` and the axes of the quantities: each
         quantity and, unless it is exact, NAME_standard_error; `violation` of
@@ -240,19 +241,19 @@ class Stand:
             )
 
         found = _map(one, plants, threads or _processors())
-        return self._dataset(found, wanted)
+        return dataset_of(self._case, found, wanted)
 
     @property
     def components(self) -> list[str]:
-        """The names of the kinds of plants in the field, that of the
-        campaign's crop first."""
+        """The names of the components of the field, that of the campaign's
+        crop first."""
         return list(self._case.components)
 
     def mesh(self, genome: ArrayLike, component: int = 0) -> Mesh:
-        """The surfaces of one plant: its foot at the origin, y along the row,
-        z up [m].
+        """Returns the surfaces of one plant: its foot at the origin, y along
+        the row, z up [m].
 
-        component: place of its kind in `components`."""
+        component: place of the plant's component in `components`."""
         return Mesh.of(*self._case.mesh(self._plants(genome)[0], component))
 
     def light_at(
@@ -264,19 +265,20 @@ class Stand:
         fields: int = 16,
         points: int = 256,
     ) -> xarray.Dataset:
-        """The light that level sensors among the plants receive from above, as
-        a ceptometer that is held along the rows.
+        """Evaluates the light that level sensors among the plants receive from
+        above, as a ceptometer that is held along the rows.
 
-        height: of each sensor above the soil [m].
-        position: of each sensor across the rows, from a row [m]; NaN: the mean
-            over all positions.
-        fields: that are drawn; the light is their mean (2 or more).
-        points: on each sensor in each field.
+        height: height of each sensor above the soil [m].
+        position: position of each sensor across the rows, from a row [m]; NaN:
+            the mean over all positions.
+        fields: number of fields that are drawn (2 or more); the light is their
+            mean.
+        points: number of points on each sensor in each field.
 
-        Returns a Dataset over `sensor` and `instant`: `fraction` of the light
-        on level ground above the canopy, `fraction_standard_error`, that
-        light, `incident` [W m-2 of PAR], and `hour` on the clock of the site
-        [h]."""
+        Returns a Dataset over `sensor` and `instant`: `incident` is the light
+        on level ground above the canopy [W m-2 of PAR], `fraction` is the part
+        of it on the sensor, with `fraction_standard_error`, and `hour` is on
+        the clock of the site [h]."""
         heights, positions = np.broadcast_arrays(
             np.atleast_1d(real(height, "height")),
             np.atleast_1d(real(position, "position")),
@@ -303,13 +305,13 @@ class Stand:
         )
 
     def crop_file(self, genome: ArrayLike, component: int = 0) -> str:
-        """The text of a crop file with this plant as its baseline.
+        """Returns the text of a crop file with this plant as its baseline.
 
-        component: place of its kind in `components`."""
+        component: place of the plant's component in `components`."""
         return self._case.crop_text(self._plants(genome)[0], component)
 
     def _plants(self, genomes: ArrayLike) -> NDArray[np.float64]:
-        """[plants, genes]"""
+        """Returns the genomes as [plants, genes]."""
         given = np.atleast_2d(real(genomes, "genomes"))
         free = self.free
         if given.ndim != 2 or given.shape[1] not in (free.size, free.sum()):
@@ -348,49 +350,6 @@ class Stand:
                 )
         return list(names)
 
-    def _dataset(
-        self, found: list[tuple[Any, ...]], wanted: list[str]
-    ) -> xarray.Dataset:
-        axes = {each[0]: each for each in self._case.axes}
-        messages = [each[1] for each in found]
-        numbers = np.array([each[5] for each in found]).reshape(
-            len(found), -1, 2
-        )
-        arrays: dict[str, Any] = {}
-        begin = 0
-        for name, unit, meaning, along, is_exact in self._case.quantities:
-            shape = tuple(len(axes[axis][3]) for axis in along)
-            size = int(np.prod(shape))
-            part = numbers[:, begin : begin + size]
-            begin += size
-            if name not in wanted:
-                continue
-            dims = ("plant", *along)
-            about = {"units": unit, "long_name": meaning}
-            whole = part.reshape(len(found), *shape, 2)
-            arrays[name] = (dims, whole[..., 0], about)
-            if not is_exact:
-                error = {"units": unit, "long_name": "standard error"}
-                arrays[f"{name}_standard_error"] = (dims, whole[..., 1], error)
-        arrays["violation"] = ("plant", np.array([each[4] for each in found]))
-        arrays["message"] = ("plant", np.array(messages, dtype=object))
-        names = [each[0] for each in self._case.objectives]
-        arrays["objective_by_randomisation"] = (
-            ("plant", "objective", "randomisation"),
-            np.array([each[3] for each in found]),
-        )
-        used = {axis for dims, *_ in arrays.values() for axis in dims}
-        labels = {
-            name: (name, each[3], {"units": each[1], "long_name": each[2]})
-            for name, each in axes.items()
-            if name in used
-        }
-        return xarray.Dataset(
-            arrays,
-            {**labels, "objective": names},
-            {"case": self.name, "isa": self.isa},
-        )
-
 
 def _restored(campaign: str, case: str, isa: str) -> Stand:
     return Stand._of(
@@ -398,29 +357,10 @@ def _restored(campaign: str, case: str, isa: str) -> Stand:
     )
 
 
-def _settings(settings: Settings) -> list[str]:
-    if isinstance(settings, str):
-        return [settings]
-    if isinstance(settings, Mapping):
-        return [f"{key}={_toml(value)}" for key, value in settings.items()]
-    return list(settings)
-
-
-def _toml(value: Any) -> str:
-    """On one line."""
-    if isinstance(value, Mapping):
-        pairs = (f"{key} = {_toml(each)}" for key, each in value.items())
-        return f"{{{', '.join(pairs)}}}"
-    if isinstance(value, (list, tuple, np.ndarray)):
-        return f"[{', '.join(map(_toml, unmasked(value, 'a setting')))}]"
-    plain = value.item() if isinstance(value, np.generic) else value
-    return tomli_w.dumps({"x": plain}).partition("=")[2].strip()
-
-
 def _processors() -> int:
     try:
         return len(os.sched_getaffinity(0))
-    except AttributeError:  # not on every system
+    except AttributeError:  # Not every system tells this.
         return os.cpu_count() or 1
 
 

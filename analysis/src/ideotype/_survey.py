@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Measures how accurate evaluations are with settings that trade accuracy for
-speed,
-measured within a time."""
+"""Measures the accuracy of evaluations with settings that trade accuracy for
+speed, within a given time."""
 
 from __future__ import annotations
 
@@ -16,18 +15,20 @@ from typing import Any, NamedTuple
 from ._errors import Error
 
 Setting = tuple[tuple[str, float], ...]
-"""Keys with the values that they have instead of the campaign's."""
+"""Keys with the values that they have in the place of the campaign's."""
 OWN: Setting = ()
 FEWEST = 4
-"""Draws that a standard deviation is taken from."""
+"""The fewest draws that a standard deviation is taken from."""
 _FOR_LADDERS = 0.6
-"""Part of the time for keys by themselves."""
+"""The part of the time in which keys are measured one by one."""
 _COMBINATIONS = 6
-"""So many of the combinations that are predicted best are measured."""
+"""The number of combinations that are measured, those that are predicted
+best."""
 
 
 class Refused(Error):
-    """The program does not take a setting; code is its exit code."""
+    """An error for a setting that the program does not take; code is its exit
+    code."""
 
     def __init__(self, message: str, code: int) -> None:
         super().__init__(message)
@@ -36,7 +37,8 @@ class Refused(Error):
 
 class Draw(NamedTuple):
     """The objective of one evaluation of the baseline, how much more another
-    plant has with the same random numbers, and what one takes [s]."""
+    plant has with the same random numbers, and the time of one evaluation
+    [s]."""
 
     value: float
     difference: float
@@ -54,17 +56,17 @@ class Estimate(NamedTuple):
 
 
 def root_sum(biases: Sequence[Estimate]) -> Estimate:
-    """The root of the sum of squares, less what errors add to them; a bias
-    within two standard errors of 0 is taken for none."""
+    """Returns the root of the sum of squares, less what errors add to them; a
+    bias within two standard errors of 0 is taken for none."""
     square = sum(m**2 - e**2 for m, e in biases if abs(m) > 2 * e)
     error = math.hypot(*(error for _, error in biases))
     return Estimate(math.sqrt(square), error)
 
 
 class Survey:
-    """Measures settings within some seconds. A ladder has the settings of one
-    key, the most accurate last, which get the same draws, so that biases are
-    means of pairs; cheap ladders get more."""
+    """A measurement of settings within some seconds. A ladder has the settings
+    of one key, the most accurate last. All get the same draws, so that biases
+    are means of pairs; cheap ladders get more draws."""
 
     def __init__(
         self,
@@ -79,7 +81,8 @@ class Survey:
         self.draws: dict[Setting, list[Draw]] = {OWN: []}
         self.left_out: dict[str, str] = {}
         self.ladders = [ladder(**each) for each in keys]
-        self.chosen = [OWN]  # the combinations that are measured
+        # The combinations that are measured.
+        self.chosen = [OWN]
 
     def run(self, tolerance: float) -> None:
         """Measures each setting once, then ladders, then combinations."""
@@ -100,7 +103,7 @@ class Survey:
         """Measures a ladder once, and leaves out what takes too long."""
         last = OWN
         for each in list(settings):
-            # More accurate ones may take several times as long.
+            # More accurate settings may take several times as long.
             factor = 2 if OWN in settings[settings.index(each) :] else 6
             guess = factor * self.draws[last][0].seconds
             try:
@@ -127,7 +130,7 @@ class Survey:
             cost = sum(self._cost[each] for each in settings)
             return least(settings) * math.sqrt(cost)
 
-        # The campaign alone has nothing to compare.
+        # The campaign alone has nothing to be compared with.
         several = [each for each in ladders if each != [OWN]]
         settings = min(several, key=work, default=[])
         fewest = least(settings) if settings else 0
@@ -135,7 +138,7 @@ class Survey:
         return all([behind, *(self._draw(each, 0, part) for each in behind)])
 
     def _draw(self, setting: Setting, guess: float, part: float) -> bool:
-        """Measures a setting if that is done within a part of the time."""
+        """Measures a setting if that can be done within a part of the time."""
         before = self._clock()
         end = before + self._cost.get(setting, guess) - self._began
         if end > part * self._seconds:
@@ -149,7 +152,8 @@ class Survey:
         return True
 
     def measured(self) -> list[list[Setting]]:
-        """The ladders without what has too few draws to tell its error."""
+        """Returns the ladders without settings that have too few draws to tell
+        their error."""
         return [
             [s for s in each if len(self.draws.get(s, [])) >= FEWEST]
             for each in self.ladders
@@ -158,10 +162,11 @@ class Survey:
     def row(
         self, setting: Setting, ladders: Sequence[list[Setting]]
     ) -> dict[str, Any]:
-        """Errors of one evaluation relative to the baseline's objective, of
-        that and of the difference between the plants. Biases against the most
-        accurate setting of each ladder add up as squares: that some cancel for
-        these plants says nothing of others."""
+        """Returns errors of one evaluation relative to the baseline's
+        objective: those of the objective and of the difference between the
+        plants. Biases against the most accurate setting of each ladder add up
+        as squares, since biases that cancel for these plants need not cancel
+        for others."""
         draws = self.draws[setting]
         scale = abs(fmean(each.value for each in self.draws[OWN]))
         row: dict[str, Any] = {"settings": dict(setting), "draws": len(draws)}
@@ -187,8 +192,8 @@ class Survey:
         return row
 
     def predicted(self, tolerance: float) -> list[Setting]:
-        """Some of the combinations that promise most near a tolerance: with
-        ratios of noise and of seconds that multiply."""
+        """Returns some of the combinations that promise most near a tolerance,
+        if ratios of noise and of seconds multiply."""
         own = self.row(OWN, [])
         noise = own["value"]["noise"]
         options: list[list[Any]] = []
@@ -214,7 +219,8 @@ class Survey:
 
 
 def pareto(points: Sequence[tuple[float, float, Any]]) -> list[Any]:
-    """Those of (cost, error, ...) that are more accurate than all cheaper."""
+    """Returns those of (cost, error, ...) that are more accurate than all
+    cheaper ones."""
     front: list[Any] = []
     for each in sorted(points, key=lambda point: point[:2]):
         if not front or each[1] < front[-1][1]:
@@ -223,19 +229,20 @@ def pareto(points: Sequence[tuple[float, float, Any]]) -> list[Any]:
 
 
 def ladder(key: str, value: float, values: Sequence[float]) -> list[Setting]:
-    """The settings of a key, the most accurate last, and the campaign's."""
+    """Returns the settings of a key, the most accurate last, and the
+    campaign's."""
     is_falling = values[-1] < values[0]
     steps = sorted({value, *values}, reverse=is_falling)
     return [OWN if each == value else ((key, each),) for each in steps]
 
 
 def words(setting: Setting) -> str:
-    """Keys and values as `--set` takes them."""
+    """Returns keys and values as `--set` takes them."""
     return " ".join(f"{k}={v:.15g}" for k, v in setting) or "the campaign"
 
 
 def result(survey: Survey, tolerance: float) -> dict[str, Any]:
-    """All that was measured; an estimate is [mean, standard error]."""
+    """Returns all that was measured; an estimate is [mean, standard error]."""
     ladders = survey.measured()
     rows = [
         survey.row(each, ladders)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of weather: its place, its clock against the sun, and its gaps."""
+"""Checks the place of weather, its clock against the sun, and its gaps."""
 
 from __future__ import annotations
 

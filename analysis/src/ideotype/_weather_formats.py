@@ -96,8 +96,9 @@ def _tmy2(path: Path) -> Readings:
 def _pvlib(
     reader: str, *, stamp: str = "beginning", is_west: bool = False
 ) -> Callable[[Path], Readings]:
-    """Reads what pvlib.iotools names as we do, with the place in its metadata
-    or in each row; `is_west`: of a network that leaves out the sign."""
+    """Returns a reader of what pvlib.iotools names as we do, with the place in
+    its metadata or in each row; `is_west` says that the network leaves out the
+    sign."""
 
     def read_it(path: Path) -> Readings:
         found = getattr(_iotools(), reader)(str(path))

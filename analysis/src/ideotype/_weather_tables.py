@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Weather files that pvlib does not read (NASA POWER, KNMI, DWD), or not all
-of: names in Latin-1 or with commas, half hours, the last hour of 28 February,
-and clocks of half an hour in TMY3, EPW and NSRDB."""
+"""Reads weather files that pvlib does not read (NASA POWER, KNMI, DWD) or does
+not read whole: names in Latin-1 or with commas, half hours, the last hour of
+28 February, and clocks of half an hour in TMY3, EPW and NSRDB."""
 
 from __future__ import annotations
 
@@ -18,7 +18,8 @@ import pandas as pd
 
 from ._errors import Error
 
-#: Light in W m-2, temperature in deg C, relative humidity in %.
+#: The columns of readings: light in W m-2, temperature in deg C, relative
+#: humidity in %.
 COLUMNS = ("global", "beam_normal", "diffuse", "temperature", "humidity")
 _PVLIB = ("ghi", "dni", "dhi", "temp_air", "relative_humidity")
 MISSING = [-99, -999, -9900, -9999, 9999, 99999]
@@ -26,13 +27,14 @@ MISSING = [-99, -999, -9900, -9999, 9999, 99999]
 
 @dataclass
 class Readings:
-    """The data of a file: COLUMNS that it has, by its stamps on its clock."""
+    """The data of a file: those of COLUMNS that it has, by its stamps on its
+    clock."""
 
     frame: pd.DataFrame
     utc_offset: float
-    place: tuple[float, float] | None = None  #: latitude, longitude [deg]
-    stamp: str = "end"  #: the part of the time step that a stamp names
-    is_typical: bool = False  #: years mean nothing
+    place: tuple[float, float] | None = None  # Latitude and longitude [deg].
+    stamp: str = "end"  # The part of the time step that a stamp names.
+    is_typical: bool = False  # Whether years mean nothing.
 
 
 def named(
@@ -85,7 +87,7 @@ def read_epw(path: Path) -> Readings:
         io.StringIO("\n".join(lines[first + 1 :])), header=None
     )[list(names)].rename(columns=names)
     table = table.replace({"temperature": 99.9, "humidity": 999}, np.nan)
-    # The minute of a single row of each hour is 0 or 60, which is the same.
+    # The only row of an hour has minute 0 or 60, and both mean the whole hour.
     is_parted = table["minute"].nunique() > 1
     minute = table["minute"].where((table["minute"] > 0) & is_parted, 60)
     stamps = (
@@ -113,7 +115,7 @@ def read_nsrdb(path: Path) -> Readings:
         ("GHI", "DNI", "DHI", "Temperature", "Relative Humidity"),
         utc_offset=float(meta["Time Zone"]),
         place=(float(meta["Latitude"]), float(meta["Longitude"])),
-        # Hourly files of before May 2019 have minutes 0.
+        # Hourly files from before May 2019 have minutes 0.
         stamp="beginning" if hourly else "middle",
     )
 
@@ -168,9 +170,11 @@ def read_knmi(path: Path) -> Readings:
     station = _only(path, table["STN"])
     day = pd.to_datetime(table["YYYYMMDD"], format="%Y%m%d")
     table.index = pd.DatetimeIndex(day + pd.to_timedelta(table["HH"], "h"))
-    table["Q"] = pd.to_numeric(table["Q"]) * 1e4 / 3600  # J/cm2
+    # The file has J/cm2.
+    table["Q"] = pd.to_numeric(table["Q"]) * 1e4 / 3600
     if "T" in table:
-        table["T"] = pd.to_numeric(table["T"]) / 10  # 0.1 C
+        # The file has 0.1 deg C.
+        table["T"] = pd.to_numeric(table["T"]) / 10
     place = re.search(
         rf"^# *{station}:? +(-?[\d.]+) +(-?[\d.]+) ",
         "\n".join(head),
@@ -202,7 +206,8 @@ def read_dwd(path: Path) -> Readings:
     for name in table.columns:
         if name[:2] in ours and "_" in name:
             seconds = 600 if name.endswith("_10") else 3600
-            energy = table[name].where(table[name] >= 0)  # J/cm2
+            # The file has J/cm2.
+            energy = table[name].where(table[name] >= 0)
             table[ours[name[:2]]] = energy * 1e4 / seconds
         elif name[:3] in ("TT_", "RF_"):
             table[name[:2]] = table[name]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`ideotype ceptometer CAMPAIGN TABLE`: light that was measured in a field
+"""`ideotype ceptometer CAMPAIGN TABLE` puts light that was measured in a field
 beside the light that the program finds there."""
 
 from __future__ import annotations
@@ -21,7 +21,8 @@ _UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001}
 
 
 def _column(table: pd.DataFrame, name: str) -> pd.Series | None:
-    """The column of this name with a unit of length at its end, in m."""
+    """Returns the column of this name with a unit of length at its end, in
+    m."""
     for unit, factor in _UNITS.items():
         if f"{name}_{unit}" in table:
             return table[f"{name}_{unit}"].astype(float) * factor
@@ -29,16 +30,16 @@ def _column(table: pd.DataFrame, name: str) -> pd.Series | None:
 
 
 def _hour(text: object) -> float:
-    """The hour of `13.5` or `13:30`."""
+    """Returns the hour of `13.5` or `13:30`."""
     if match := re.fullmatch(r"\s*(\d{1,2}):(\d\d)(?::\d\d)?\s*", str(text)):
         return int(match[1]) + int(match[2]) / 60
     return float(str(text))
 
 
 def read_table(path: Path) -> pd.DataFrame:
-    """What a ceptometer measured, with columns height [m], position [m, NaN:
-    mean across the row], hour [h, NaN: the whole day] and measured, the
-    fraction of the light above the canopy.
+    """Reads measurements of a ceptometer, with columns height [m], position
+    [m, NaN: mean across the row], hour [h, NaN: the whole day] and measured,
+    the fraction of the light above the canopy.
 
     Raises Error with the line of what cannot be read."""
     try:
@@ -85,8 +86,8 @@ def read_table(path: Path) -> pd.DataFrame:
 
 
 def compare(stand: Stand, table: pd.DataFrame) -> pd.DataFrame:
-    """The table with the light that the baseline of a stand lets through,
-    `ours`, and its standard error, `error`."""
+    """Returns the table with the light that the baseline of a stand lets
+    through, `ours`, and its standard error, `error`."""
     sensors = table[["height", "position"]].drop_duplicates()
     found = stand.light_at(stand.baseline, sensors.height, sensors.position)
     hours = found.hour.to_numpy()
@@ -117,8 +118,9 @@ def compare(stand: Stand, table: pd.DataFrame) -> pd.DataFrame:
 
 
 def agreement(found: pd.DataFrame) -> dict[str, float]:
-    """The mean difference between ours and measured and its standard error,
-    the root of the mean square of the differences, and the correlation."""
+    """Returns the mean difference between ours and measured and its standard
+    error, the root of the mean square of the differences, and the
+    correlation."""
     apart = found.ours - found.measured
     several = len(apart) > 1
     return {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`ideotype fidelity CAMPAIGN`: measures what accuracy costs, and tells the
+"""`ideotype fidelity CAMPAIGN` measures what accuracy costs, and tells the
 cheapest setting that is accurate enough."""
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ from ._survey import FEWEST, OWN, Draw, Refused, Setting, Survey, result, words
 
 
 class Program:
-    """Evaluates two plants with `ideotype serve`, one process for each
-    setting: the baseline, and one whose free genes are moved by a tenth of
-    their ranges, which is how far candidates are apart."""
+    """The program `ideotype serve`, one process for each setting, which
+    evaluates two plants: the baseline, and one whose free genes are moved by a
+    tenth of their ranges, which is how far candidates are apart."""
 
     def __init__(self, *arguments: str) -> None:
         if not (program := compiled_program()):
@@ -49,11 +49,13 @@ class Program:
             self._start(setting)
         server = self._servers[setting]
         assert server.stdin and server.stdout
-        # Linux' number of the clock of the processor time of a process.
+        # This is Linux' number of the clock of the processor time of a
+        # process.
         clock = (~server.pid << 3) | 2
         values, seconds = [], 0.0
         for genome in self._plants:
-            # The last generation has no other tolerance than the campaign.
+            # The last generation has the tolerance of the campaign and no
+            # other.
             request = {"genome": genome, "seed": number, "generation": 1 << 30}
             began = time.clock_gettime(clock)
             print(json.dumps(request), file=server.stdin, flush=True)
@@ -62,7 +64,8 @@ class Program:
                 why = answer.get("message", "the program has ended")
                 raise Error(f"{words(setting)}: {why}")
             values.append(answer["objectives"][self.objective]["mean"])
-            # The second: a process needs longer for its very first one.
+            # The time is that of the second plant: a process needs longer for
+            # its very first one.
             seconds = time.clock_gettime(clock) - began
         return Draw(values[0], values[1] - values[0], seconds)
 
@@ -73,7 +76,7 @@ class Program:
 
     def _start(self, setting: Setting) -> dict[str, Any]:
         sets = [w for pair in setting for w in ("--set", words((pair,)))]
-        # In a group of its own: Ctrl-C is for this process alone.
+        # The process has a group of its own: Ctrl-C is for this process alone.
         server = subprocess.Popen(
             [*self._command, *sets],
             stdin=subprocess.PIPE,
@@ -87,7 +90,8 @@ class Program:
         if line := server.stdout.readline():
             return json.loads(line)
         message = server.stderr.read().strip() or "the program has ended"
-        # Without the time, and the name that this command tells itself.
+        # The message is told without the time, and without the name that this
+        # command tells itself.
         message = re.sub(r"^\S+  ideotype: ", "", message, flags=re.MULTILINE)
         raise Refused(message, server.wait())
 
@@ -101,7 +105,7 @@ def _moved(gene: dict[str, Any]) -> float:
 
 
 def table(rows: Sequence[dict[str, Any]]) -> list[str]:
-    """A line for each setting, in % and milliseconds."""
+    """Returns a line for each setting, in % and milliseconds."""
     lines = []
     for row in rows:
         figures = [
@@ -119,7 +123,7 @@ def table(rows: Sequence[dict[str, Any]]) -> list[str]:
 
 
 def block(campaign: str, settings: dict[str, float]) -> str:
-    """The tables of a campaign's text that change, as TOML."""
+    """Returns the tables of a campaign's text that change, as TOML."""
     data = tomllib.loads(campaign)
     changed: dict[str, Any] = {}
     for path, value in settings.items():
@@ -141,7 +145,7 @@ def block(campaign: str, settings: dict[str, float]) -> str:
 
 
 def text(found: dict[str, Any], campaign: str) -> str:
-    """Tables of keys and of settings, and what to paste."""
+    """Returns tables of keys and of settings, and what to paste."""
     names = ("bias", "noise", "error", "bias of diff.", "noise", "error")
     lines = [
         f"{found['case']}: errors of one evaluation in % of "
@@ -181,7 +185,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     program = None
     code = 0
-    # also where a script that runs in the background has made it ignore SIGINT
+    # Both signals end the survey, also where a script that runs in the
+    # background has made it ignore SIGINT.
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, signal.default_int_handler)
     try:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`ideotype fit SOURCE --crop CROP --to FILE`: a crop file of a plant that was
-digitised, and how well each of its leaves is met."""
+"""`ideotype fit SOURCE --crop CROP --to FILE` writes a crop file of a plant
+that was digitised, and tells how well each of its leaves is met."""
 
 from __future__ import annotations
 
@@ -25,16 +25,17 @@ from ._plant_sources import read_plant
 from ._stand import Stand
 
 _STEPS = 10
-"""Segments of a midrib in a crop file."""
+"""The number of segments of a midrib in a crop file."""
 
 
 def leaf_of(blade: Blade, exponent: float) -> dict[str, Any]:
-    """The measures of a blade as a table [[leaf]] of a crop file.
+    """Returns the measures of a blade as a table [[leaf]] of a crop file.
 
-    exponent: of the crop's bends, by which insertion angle and curvature are
-        fitted to the angles of the midrib (weights: equal parts of length).
+    exponent: exponent of the crop's bends, by which insertion angle and
+        curvature are fitted to the angles of the midrib (equal parts of its
+        length have equal weights).
 
-    Roll and twist are there where the blade has a width: the mean turn of its
+    A blade that has a width also has roll and twist: the mean turn of its
     cross sections and their slope from base to tip (least squares, weighted by
     width)."""
     outward, up = blade.in_its_plane
@@ -68,11 +69,11 @@ def leaf_of(blade: Blade, exponent: float) -> dict[str, Any]:
 def crop_of(
     blades: Sequence[Blade], crop: dict[str, Any], name: str, form: str
 ) -> dict[str, Any]:
-    """The tables of a crop file with these leaves, lowest first.
+    """Returns the tables of a crop file with these leaves, lowest first.
 
-    crop: has all that was not measured: stalk, sheaths, organs, traits, and
-        widths, azimuths and heights, which are those at the same relative
-        position.
+    crop: the crop that has all that was not measured: stalk, sheaths, organs,
+        traits, and widths, azimuths and heights, which are taken from the same
+        relative position.
     form: "midrib", or "angles" for insertion angles and curvatures."""
     exponent = crop.get("blade", {}).get("curvature_exponent", 1.5)
     own = crop["leaf"]
@@ -111,7 +112,7 @@ def crop_of(
 
 
 def _rounded(value: Any) -> Any:
-    """Numbers to a tenth of a millimetre or degree."""
+    """Rounds numbers to a tenth of a millimetre or degree."""
     if isinstance(value, dict):
         return {
             key: round(float(each), 1)
@@ -126,8 +127,8 @@ def _rounded(value: Any) -> Any:
 
 
 def mesh_of(crop: dict[str, Any], folder: Path) -> Mesh:
-    """The surfaces of a crop's plant, its foot at the origin, y along the
-    row. Raises InputError if the program refuses the crop."""
+    """Returns the surfaces of a crop's plant, its foot at the origin, y along
+    the row. Raises InputError if the program refuses the crop."""
     free = [each["name"] for each in crop.get("trait", [{"name": "azimuth"}])]
     stand = Stand(
         {
@@ -154,16 +155,17 @@ def mesh_of(crop: dict[str, Any], folder: Path) -> Mesh:
 def agreement(
     blades: Sequence[Blade], crop: dict[str, Any], mesh: Mesh
 ) -> pd.DataFrame:
-    """How well each leaf of a crop meets what was measured of it: the root
-    mean square distances of the midrib and of the measured points of the blade
-    [mm], that of the midrib's angle [deg], lengths [m] and areas [m2]."""
+    """Returns how well each leaf of a crop meets what was measured of it: the
+    root mean square distances of the midrib and of the measured points of the
+    blade [mm], that of the midrib's angle [deg], lengths [m] and areas
+    [m2]."""
     rows = []
     for i, (blade, leaf) in enumerate(zip(blades, crop["leaf"], strict=True)):
         group = f"leaf{i + 1:02d}"
         area = mesh.area(group)
         ours = _midrib(mesh, group)
-        # what is drawn begins at the surface of the stalk, and where the row
-        # is that of the crop a leaf without azimuth points as that one does
+        # A leaf is drawn from the surface of the stalk. Where the row is that
+        # of the crop, a leaf without azimuth points as the crop's does.
         measured = _turned(blade, leaf["azimuth"], ours[0])
         at = np.linspace(0, 1, 41)
         apart = _resampled(ours, at) - _resampled(measured(blade.midrib), at)
@@ -193,12 +195,13 @@ def agreement(
 
 
 def _resampled(line: Floats, at: Floats) -> Floats:
-    """Points of a line at these parts of its length."""
+    """Returns points of a line at these parts of its length."""
     return np.column_stack([np.interp(at, parts(line), x) for x in line.T])
 
 
 def _directions(line: Floats, at: Floats) -> Floats:
-    """Unit vectors along a line, by differences between these parts."""
+    """Returns unit vectors along a line, by differences between these
+    parts."""
     steps = np.diff(_resampled(line, at), axis=0)
     return steps / np.linalg.norm(steps, axis=1)[:, None]
 
@@ -218,14 +221,14 @@ def _turned(blade: Blade, azimuth: float, base: Floats) -> Any:
 
 
 def _midrib(mesh: Mesh, group: str) -> Floats:
-    """The midrib of a leaf of the program: its faces lie in pairs, left and
-    right of it, from base to tip."""
+    """Returns the midrib of a leaf of the program: its faces lie in pairs,
+    left and right of it, from base to tip."""
     left = mesh.corners[[name == group for name in mesh.groups]][::2]
     return np.vstack([left[:, 1], left[-1:, 2]])
 
 
 def _dense(mesh: Mesh, group: str, steps: int = 24) -> Floats:
-    """Points on the faces of a leaf, some 2 mm apart."""
+    """Returns points on the faces of a leaf, some 2 mm apart."""
     a, b, c, d = (
         mesh.corners[[name == group for name in mesh.groups]]
     ).transpose(1, 0, 2)[:, :, None, None]

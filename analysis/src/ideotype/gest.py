@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Stands for generators and ensembles of the gest-api standard, such as
-those of libEnsemble, Xopt and Optimas.
+"""Stands for generators and ensembles of the gest-api standard, such as those
+of libEnsemble, Xopt and Optimas.
 
 https://github.com/campa-consortium/gest-api"""
 
@@ -19,7 +19,7 @@ _SENSES = {"maximise": "MAXIMIZE", "minimise": "MINIMIZE"}
 
 
 def vocs(stand: Stand) -> VOCS:
-    """The free genes of a stand as variables, in their units, and the
+    """Returns the free genes of a stand as variables, in their units, and the
     objectives of its campaign."""
     genes = stand.genes[stand.free]
     return VOCS(
@@ -33,11 +33,12 @@ def vocs(stand: Stand) -> VOCS:
 
 
 class Evaluator:
-    """Evaluates one point at a time: values of free genes by name in,
-    objectives by name out."""
+    """An evaluator of one point at a time: it takes values of free genes by
+    name and returns objectives by name."""
 
     def __init__(self, stand: Stand, **options: Any) -> None:
-        """options: of Stand.evaluate, such as tolerance and seed."""
+        """Keeps the stand. options: those of Stand.evaluate, such as tolerance
+        and seed."""
         self._stand = stand
         self._options = options
         self._names = list(stand.genes.name[stand.free])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`ideotype weather FILE... --to weather.csv`: makes of weather files of many
+"""`ideotype weather FILE... --to weather.csv` makes of weather files of many
 formats the one that the program reads, and checks it."""
 
 from __future__ import annotations
@@ -74,7 +74,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 1
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of readers, for programmers
+            # These warnings of readers are meant for programmers.
+            warnings.simplefilter("ignore")
             print(_convert(options, tell))
     except Error as error:
         tell(error)

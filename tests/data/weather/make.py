@@ -71,7 +71,8 @@ def make_nsrdb(table):
 
 
 def make_power(table, name, clock, light):
-    """light maps names of columns to columns of the table."""
+    """Writes a file of NASA POWER. light maps names of columns to columns of
+    the table."""
     unit, factor = ("W/m^2", 1) if clock == "UTC" else ("MJ/hr", 0.0036)
     shift = pd.Timedelta(hours=-OFFSET if clock == "UTC" else 0)
     begin = table.index - pd.Timedelta("30min") + shift
@@ -108,7 +109,7 @@ def write_expected(table):
     sun = pvlib.solarposition.get_solarposition(
         table.index, LATITUDE, LONGITUDE, altitude=273
     )
-    # pvlib's Erbs has another solar constant than the project.
+    # Erbs of pvlib has another solar constant than the project.
     scale = 1366.1 / 1361.1
     day = pd.Series(table.index.day_of_year, index=table.index)
     erbs = pvlib.irradiance.erbs(scale * table.ghi, sun.zenith, day)["dhi"]
@@ -129,7 +130,8 @@ def write_expected(table):
 
 
 def same(table, read):
-    """The same numbers, whatever pvlib calls the hours."""
+    """Asserts that a reader finds the same numbers, whatever pvlib calls the
+    hours."""
     for name in ("ghi", "dni", "dhi", "temp_air", "relative_humidity"):
         assert abs(read[name].to_numpy() - table[name].to_numpy()).max() < 1e-9
 

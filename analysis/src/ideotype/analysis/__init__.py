@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reads the histories of ideotype: see FORMAT.md for what they hold."""
+"""Reads the histories of ideotype; FORMAT.md says what they hold."""
 
 from .case import Case
 from .estimate import Estimate

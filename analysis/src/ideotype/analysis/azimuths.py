@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where the leaves of plants point, as numbers and from above."""
+"""Draws where the leaves of plants point, and returns it as numbers."""
 
 from __future__ import annotations
 
@@ -24,14 +24,15 @@ _RANK_LABEL: dict[str, Any] = {
     "ha": "center",
     "va": "center",
     "fontsize": 7,
-    "zorder": 1.9,  # above the circles, below the plants
+    "zorder": 1.9,  # Lies above the circles and below the plants.
     "bbox": {"facecolor": "white", "edgecolor": "none", "pad": 0.5},
 }
 
 
 def azimuths(case: Case, genomes: NDArray) -> NDArray[np.float64]:
-    """Of the leaves of plants, lowest first [plants, leaves], in [0, 360)
-    [deg]: every trait that acts on azimuths does, whether it is bred or not.
+    """Returns the azimuths of the leaves of plants, lowest first [plants,
+    leaves], in [0, 360) [deg]: all traits that act on azimuths act, whether
+    they are bred or not.
 
     Raises HistoryError if none does."""
     baseline = case.resolved.get("plant", {}).get("baseline", {})
@@ -63,7 +64,7 @@ def _act(effect: str, values: NDArray, numbers: NDArray) -> NDArray:
 
 
 def _by_leaf(case: Case, trait: str, genomes: NDArray, leaves: int) -> NDArray:
-    """A trait's number for each leaf."""
+    """Returns a trait's number for each leaf."""
     numbers = genomes[:, case.genes.columns(trait)]
     if case.genes.kind(trait) == "profile":
         return curve(numbers, np.linspace(0, 1, leaves))
@@ -71,8 +72,8 @@ def _by_leaf(case: Case, trait: str, genomes: NDArray, leaves: int) -> NDArray:
 
 
 def draw_azimuths(case: Case) -> Figure:
-    """Leaf azimuths from above, the lowest leaf innermost: the fittest
-    plants, their circular mean and deviation, and the baseline."""
+    """Draws leaf azimuths from above, the lowest leaf innermost: those of the
+    fittest plants, their circular mean and deviation, and the baseline."""
     plants = azimuths(case, case.top(COUNT).genome)
     leaves = np.arange(plants.shape[1]) + 1
     figure = style.new_figure(7.0, 6.4)
@@ -102,7 +103,7 @@ def draw_azimuths(case: Case) -> Figure:
 
 
 def _draw_arcs(axes: Axes, values: NDArray, leaves: NDArray) -> None:
-    """Circular mean and deviation by leaf, just outside the points."""
+    """Draws circular mean and deviation by leaf, just outside the points."""
     mean, deviation = circular_mean_and_deviation(values)
     for center, width, leaf in zip(mean, deviation, leaves):
         arc = np.deg2rad(np.linspace(center - width, center + width, 60))
@@ -114,8 +115,8 @@ def _draw_arcs(axes: Axes, values: NDArray, leaves: NDArray) -> None:
 
 
 def _draw_compass(axes: Axes, case: Case) -> None:
-    """North, the row, and which way azimuths count, for a view from above
-    with azimuth 0 at the top. Takes the axes for itself."""
+    """Draws north, the row, and the direction in which azimuths count, for a
+    view from above with azimuth 0 at the top. Takes the axes for itself."""
     axes.set_axis_off()
     axes.set_aspect("equal")
     axes.set_anchor("N")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a report is made of."""
+"""The blocks that a report is made of."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Drawing:
 
     name: str
     question: str
-    """That it answers: its title."""
+    """The title, which is the question that the figure answers."""
     caption: str
     make: Callable[[], Figure]
 
@@ -32,19 +32,19 @@ class Picture:
     question: str
     caption: str
     data: str
-    """WebP, base64."""
+    """The picture as WebP in base64."""
 
 
 @dataclass(frozen=True)
 class Note:
-    """A plain sentence."""
+    """A plain sentence on the page."""
 
     text: str
 
 
 @dataclass(frozen=True)
 class Table:
-    """Cells are texts; the first column is a heading."""
+    """A table whose cells are texts and whose first column is a heading."""
 
     header: Sequence[str]
     rows: Sequence[Sequence[str]]
@@ -61,7 +61,7 @@ class Listing:
 
 @dataclass(frozen=True)
 class Viewer:
-    """The 3D view; the scene is JSON."""
+    """The 3D view; its scene is JSON."""
 
     scene: str
     caption: str

@@ -24,14 +24,14 @@ _TAKEN = ("stalk_fraction", "soil_fraction")
 
 
 class Case:
-    """The replicates of one case: the same light, field and genes, other
-    random numbers. What is asked for once is remembered, so that all figures
-    show the same moment of a run."""
+    """The replicates of one case, which share light, field and genes and
+    differ in random numbers. It remembers what it was once asked for, so that
+    all figures show one moment of a run."""
 
     def __init__(
         self, name: str, histories: Sequence[History], light: str = ""
     ) -> None:
-        """`light` is what cross-evaluations call the case, by default as
+        """`light` is the name of the case in cross-evaluations, by default
         `name`."""
         self.name = name
         self.light = light or name
@@ -46,7 +46,7 @@ class Case:
 
     @property
     def is_sensitivity(self) -> bool:
-        """Whether it is a sensitivity study and no search."""
+        """Whether the case is a sensitivity study and no search."""
         return self.histories[0].is_sensitivity
 
     @cached_property
@@ -61,32 +61,34 @@ class Case:
             _ = self._known, self._latest, self.fronts
 
     def is_over(self, axis: str) -> bool:
-        """Whether each plant is evaluated in all of the "site"s, "day"s,
-        "climate"s or "spacing"s of its campaign: what the case has of one is
-        then that of the first."""
+        """Returns whether each plant is evaluated in all of the "site"s,
+        "day"s, "climate"s or "spacing"s of its campaign; what the case has of
+        one is then that of the first."""
         return axis in self.resolved.get("objective", {}).get("over", ())
 
     @property
     def pairs(self) -> tuple[Pair, ...]:
-        """Baseline and best of each seed that has both."""
+        """The baseline and the best plant of each seed that has both."""
         return tuple(pair for _, pair in self._known)
 
     @cached_property
     def fronts(self) -> tuple[tuple[History, Front], ...]:
-        """Of several objectives, that of each seed which has one yet."""
+        """The front of each seed that has one yet, where there are several
+        objectives."""
         found = ((h, h.front()) for h in self.histories)
         return tuple((h, front) for h, front in found if front is not None)
 
     def member_title(self, seed: int, index: int) -> str:
-        """What a member of the front of one of `fronts` is called in every
-        figure, table and view: "plant 3", of several seeds also of which."""
+        """Returns the name in every figure, table and view of a member of the
+        front of one of `fronts`: "plant 3", where there are several seeds with
+        the seed."""
         _, front = self.fronts[seed]
         of = f" of seed {seed + 1}" if len(self.histories) > 1 else ""
         return f"plant {front.number(index)}{of}"
 
     @property
     def is_final(self) -> bool:
-        """All seeds have their final evaluations."""
+        """Whether all seeds have their final evaluations."""
         return len(self.pairs) == len(self.histories) and all(
             pair.is_final for pair in self.pairs
         )
@@ -104,7 +106,7 @@ class Case:
 
     @property
     def best_pair(self) -> Pair:
-        """Baseline and best of that history."""
+        """The baseline and the best plant of that history."""
         return self._winner[1]
 
     @property
@@ -114,7 +116,7 @@ class Case:
 
     @property
     def baseline(self) -> Evaluation:
-        """The unbred plant, as evaluated beside the best."""
+        """The unbred plant, as it was evaluated beside the best."""
         return self.best_pair.baseline
 
     def need_pairs(self) -> None:
@@ -124,14 +126,15 @@ class Case:
 
     @cached_property
     def _latest(self) -> tuple[Rows, NDArray[np.int64]]:
-        """Last complete generations, and the number of each row's history."""
+        """The last complete generations, and the number of each row's
+        history."""
         parts = [history.latest().done for history in self.histories]
         seed = np.repeat(np.arange(len(parts)), [len(p) for p in parts])
         return join(parts), seed
 
     def top(self, count: int) -> Rows:
-        """The fittest plants of the last complete generations of all seeds
-        together, best first.
+        """Returns the fittest plants of the last complete generations of all
+        seeds together, best first.
 
         Raises HistoryError if there is none."""
         rows = self._latest[0].top(count)
@@ -140,34 +143,35 @@ class Case:
         return rows
 
     def seeds_of_top(self, count: int) -> int:
-        """From how many seeds those plants come."""
+        """Returns the number of seeds that those plants come from."""
         rows, seed = self._latest
         return len(set(seed[rows.ranking(count)]))
 
     def gains(self) -> list[Estimate]:
-        """best - baseline of each seed, in the unit of the objective."""
+        """Returns the best plant less the baseline by seed, in the unit of the
+        objective."""
         return [pair.difference for pair in self.pairs]
 
     def gain(self) -> Interval:
-        """Mean over seeds of best - baseline."""
+        """Returns the mean over seeds of the gain."""
         self.need_pairs()
         return interval(self.gains())
 
     def relative_gain(self) -> Interval:
-        """Mean over seeds of the gain [%]."""
+        """Returns the mean over seeds of the gain [%]."""
         self.need_pairs()
         return interval([pair.gain for pair in self.pairs])
 
     def gain_per_leaf_area(self) -> Interval:
-        """Mean over seeds of the gain in PAR per leaf area [%].
+        """Returns the mean over seeds of the gain in PAR per leaf area [%].
 
         Raises HistoryError if it is not known."""
         self.need_pairs()
         return interval([pair.gain_per_leaf_area for pair in self.pairs])
 
     def mean(self, who: str, name: str | None = None) -> Interval:
-        """Mean over seeds of a column of "baseline" or "best", by default of
-        the objective.
+        """Returns the mean over seeds of a column of "baseline" or "best", by
+        default of the objective.
 
         Raises HistoryError if it is not known."""
         self.need_pairs()
@@ -177,9 +181,9 @@ class Case:
         )
 
     def light_by_organ(self, who: str) -> dict[str, Interval]:
-        """What each organ but leaves of "baseline" or "best" absorbs over the
-        incident PAR; stalks, sheaths and all others together where the
-        history does not tell them apart."""
+        """Returns what each organ but leaves of "baseline" or "best" absorbs
+        over the incident PAR; stalks, sheaths and all others are together
+        where the history does not tell them apart."""
         self.need_pairs()
         plants = [getattr(pair, who) for pair in self.pairs]
         try:
@@ -197,12 +201,12 @@ class Case:
         }
 
     def headroom(self) -> Estimate:
-        """How much more the leaves of the best plant could absorb if other
-        organs and soil took nothing: incident (1 - reflected) - absorbed. Reflected
-        light is lost to any canopy of these leaves.
+        """Returns how much more the leaves of the best plant could absorb if
+        other organs and soil took nothing: incident (1 - reflected) -
+        absorbed. Reflected light is lost to any canopy of these leaves.
 
-        The light is shared out in every randomisation, so that the figure is
-        what other organs and soil take, and its standard error at most the sum of
+        Each randomisation shares all its light out, so that the figure is what
+        other organs and soil take, and its standard error at most the sum of
         theirs; absorbed and reflected light have larger ones, which cancel.
 
         Raises HistoryError if there is no such ceiling, or a quantity is
@@ -211,7 +215,7 @@ class Case:
         if best.row.goals[0].name != "absorbed_par":
             raise HistoryError("the objective is not absorbed PAR alone")
         if self.is_isolated:
-            raise HistoryError("a plot alone is lit from its sides too")
+            raise HistoryError("an isolated plot is lit from its sides too")
         if best.row.with_axis("scenario"):
             raise HistoryError("the objective is taken over scenarios")
         names = ("incident", "reflected_fraction", *_TAKEN)
@@ -223,7 +227,7 @@ class Case:
         )
 
     def is_saturated(self) -> bool:
-        """The best is within its standard error of the ceiling: nearly all
-        light is absorbed, and breeding can't gain more."""
+        """Returns whether the best plant is within its standard error of the
+        ceiling: nearly all light is absorbed, and breeding can't gain more."""
         error = self.best.objective.standard_error
         return self.headroom().mean <= max(error, _SMALL)

@@ -26,7 +26,8 @@ from .shape import draw_plant_traits, draw_profiles, draw_traits
 
 
 class CaseFigure(NamedTuple):
-    """What draws it, the question that it answers, and its caption."""
+    """A function that draws a figure, the question that the figure answers,
+    and its caption."""
 
     draw: Callable[[Case], Figure]
     question: str
@@ -39,9 +40,9 @@ CASE_FIGURES: dict[str, CaseFigure] = {
     "convergence": CaseFigure(
         draw_convergence,
         "Has the search come to its end?",
-        "Error bars and the grey band are standard errors, coloured bands the "
-        "range of seeds or, of a single seed, the standard deviation of the "
-        "population.",
+        "Error bars and the grey band are standard errors. Coloured bands are "
+        "the range of seeds or, with a single seed, the standard deviation of "
+        "the population.",
     ),
     "traits": CaseFigure(
         draw_traits,
@@ -53,8 +54,8 @@ CASE_FIGURES: dict[str, CaseFigure] = {
         draw_profiles,
         "How do traits of the fittest plants change from leaf to leaf?",
         "Bred profiles over leaf position of the ten fittest plants. Points "
-        "are what is bred; factors [1] multiply the baseline's measures, "
-        "other numbers are added to them or take their place.",
+        "are bred numbers; factors [1] multiply the baseline's measures, other "
+        "numbers are added to them or take their place.",
     ),
     "plant_traits": CaseFigure(
         draw_plant_traits,
@@ -65,19 +66,21 @@ CASE_FIGURES: dict[str, CaseFigure] = {
     "azimuths": CaseFigure(
         draw_azimuths,
         "Where do the leaves of the fittest plants point?",
-        "From above. Arcs are the circular standard deviation.",
+        "Plants are seen from above. Arcs are the circular standard "
+        "deviation.",
     ),
     "hours": CaseFigure(
         draw_hours,
         "When do the leaves absorb light?",
-        "PAR by hour, of several days the mean. Error bars are standard "
-        "errors; those of the difference take baseline and best as "
+        "PAR by hour; several days are shown by their mean. Error bars are "
+        "standard errors; those of the difference take baseline and best as "
         "independent.",
     ),
     "sunlit": CaseFigure(
         draw_sunlit,
         "How much of the leaf area does the sun shine on?",
-        f"Sunlit over all leaf area, by hour; of several days the mean. {_BARS}",
+        "Sunlit over all leaf area, by hour; several days are shown by their "
+        f"mean. {_BARS}",
     ),
     "assimilation": CaseFigure(
         draw_assimilation,
@@ -110,32 +113,34 @@ CASE_FIGURES: dict[str, CaseFigure] = {
     "correlation": CaseFigure(
         draw_correlation,
         "Which traits go together?",
-        "Spearman's rank correlation over all "
-        "evaluated plants, less the means of their seeds, circular ones as "
-        "cosine and sine; what evolution fixes together correlates too.",
+        "Spearman's rank correlation over all evaluated plants, less the means "
+        "of their seeds, with circular traits as cosine and sine. Traits that "
+        "evolution fixes together correlate too.",
     ),
 }
-"""By name, in the order of the page."""
+"""The figures by name, in the order of the page."""
 
 _FRONT_FIGURES: dict[str, CaseFigure] = {
     "front": CaseFigure(
         draw_front,
         "What does more of one objective cost in the other?",
-        "Front: plants that no other of their seed betters in all objectives, "
-        "evaluated again, and those that fell off it then; error bars are "
-        "standard errors.",
+        "The front has plants that no other of their seed betters in all "
+        "objectives. They were evaluated again, and some fell off it then. "
+        f"{_BARS}",
     ),
     "hypervolume": CaseFigure(
         draw_hypervolume,
         "Does the front still grow?",
-        "Hypervolume: what the front of each generation dominates, of what is "
-        "better than the reference of its seed; bands are standard errors.",
+        "The hypervolume is the part that the front of each generation "
+        "dominates of all that is better than the reference of its seed. "
+        "Bands are standard errors.",
     ),
 }
 
 
 def figures_of(case: Case) -> dict[str, CaseFigure]:
-    """Those of a case, and of several objectives first those of its front."""
+    """Returns the figures of a case, which begin with those of its front where
+    there are several objectives."""
     first = case.histories[0]
     fronts = dict(_FRONT_FIGURES)
     if first.generations().hypervolume is None:

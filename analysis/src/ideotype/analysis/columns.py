@@ -14,17 +14,17 @@ from .file import HistoryError, text
 from .rows import Status
 
 _OLD = "local clock"
-"""Until version 0.2.0 hours of a season were those of the weather file under
-this name."""
+"""The name until version 0.2.0 of the hours of a season, which were those of
+the weather file."""
 
 
 class Column(NamedTuple):
-    """An array; texts are Python's."""
+    """An array; its texts are Python's."""
 
     axes: tuple[str, ...]
     values: NDArray
     about: dict[str, str]
-    """units, and long_name, where the file tells them."""
+    """The units and the long_name, where the file tells them."""
 
 
 class Columns(dict[str, Column]):
@@ -46,9 +46,9 @@ def columns(
     *,
     all_rows: bool = False,
 ) -> Columns:
-    """Reads a group. Of /evaluations and /final some rows, and unless
-    `all_rows` only those whose outcome is recorded; hours are those of the
-    clock of the site.
+    """Reads a group. /evaluations and /final give some rows, and unless
+    `all_rows` is set only those whose outcome is recorded; hours are those of
+    the clock of the site.
 
     Raises HistoryError."""
     names = data.names(group)
@@ -56,7 +56,7 @@ def columns(
     row = ""
     kept: Any = slice(None)
     if "status" in names:
-        # FORMAT.md: the status decides, so it is read before all else.
+        # The status is read before all else, since it decides (FORMAT.md).
         status = data.read(f"{group}/status", first, last)
         (row,) = data.axes(f"{group}/status")
         if not all_rows:
@@ -82,8 +82,8 @@ def columns(
 
 
 def _clock(data: Datasets, meaning: str) -> tuple[str, float]:
-    """Returns how the hours of a history are called, and the shift of those of
-    an old one to the clock of the site [h]."""
+    """Returns the name of the hours of a history, and the shift of those of an
+    old one to the clock of the site [h]."""
     if meaning and meaning != _OLD:
         return meaning, 0.0
     try:
@@ -114,7 +114,7 @@ def _clock(data: Datasets, meaning: str) -> tuple[str, float]:
 
 
 def _clock_name(utc_offset: float) -> str:
-    """ "UTC-5" or "UTC+5:30"."""
+    """Returns the name of a clock, such as "UTC-5" or "UTC+5:30"."""
     hours, minutes = divmod(round(abs(utc_offset) * 60), 60)
     if not hours and not minutes:
         return "UTC"

@@ -95,7 +95,7 @@ def _guard(
                 run(options, study)
                 return 3 if study.damaged else 0
         finally:
-            # A full disk is to be told of here, and not when Python ends.
+            # A full disk is reported here, and not when Python ends.
             sys.stdout.flush()
     except BrokenPipeError:
         # Whoever read our output has seen enough.
@@ -108,23 +108,27 @@ def _guard(
 
 
 def _drop_output() -> None:
-    """What cannot be written Python would try to write again at its end."""
+    """Drops what cannot be written, which Python would try to write again at
+    its end."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _summarize(_: argparse.Namespace, study: Study) -> None:
-    # Here, so that wrong command lines need not wait for the plotting library.
+    # The import stands here, so that wrong command lines need not wait for the
+    # plotting library.
     from .tables import gains, markdown
 
     print(printable_lines(markdown(gains(study.cases(), cross=None))))
 
 
 def _report(options: argparse.Namespace, study: Study) -> None:
-    # Here, so that wrong command lines need not wait for the plotting library.
+    # The import stands here, so that wrong command lines need not wait for the
+    # plotting library.
     from .cross import read_cross
     from .report import write_report
 
-    # Processes use all cores; more threads in each would be in their way.
+    # Processes use all cores; more threads in each process would slow the
+    # others.
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     cross = read_cross(options.cross) if options.cross else None
     written = write_report(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Cases against each other: gains, energy."""
+"""Compares cases with each other: gains, energy."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .file import HistoryError
 from .interval import Interval, meaning
 
 ELITE = "elite"
-"""What the elite plant is called in a cross-evaluation."""
+"""The name of the elite plant in a cross-evaluation."""
 
 _PARTS = {
     "leaves": (style.MEAN, ""),
@@ -26,13 +26,14 @@ _PARTS = {
     "soil": ("#CC79A7", ".."),
     "reflected": ("#56B4E9", "\\\\"),
 }
-"""Where light goes: colour and hatch."""
+"""The parts of the light: colour and hatch."""
 
 _ORGANS = {"stalk": "stalks", "sheath": "sheaths"}
 
 
 def known_cases(cases: Sequence[Case]) -> list[Case]:
-    """Those with baseline and best. Raises HistoryError if there is none."""
+    """Returns the cases with baseline and best. Raises HistoryError if there
+    is none."""
     known = [case for case in cases if case.pairs]
     if not known:
         raise HistoryError("baseline and best are not evaluated yet")
@@ -40,13 +41,15 @@ def known_cases(cases: Sequence[Case]) -> list[Case]:
 
 
 def intervals_of(cases: Sequence[Case]) -> str:
-    """What the intervals of cases hold, by how many seeds they have."""
+    """Tells the meaning of the intervals of cases, which have these numbers of
+    seeds."""
     return meaning(len(case.pairs) for case in cases if case.pairs)
 
 
 def draw_gains(cases: Sequence[Case], cross: Cross | None = None) -> Figure:
-    """Best minus baseline, and minus the elite plant where a cross-evaluation
-    has it, in % by case: mean of seeds with its interval, and the seeds."""
+    """Draws by case best minus baseline, and minus the elite plant where a
+    cross-evaluation has it, in %: mean of seeds with its interval, and the
+    seeds."""
     known = known_cases(cases)
     figure = style.new_figure(style.WIDTH, 1.4 + 0.42 * len(known))
     axes = figure.add_subplot()
@@ -82,7 +85,7 @@ def draw_gains(cases: Sequence[Case], cross: Cross | None = None) -> Figure:
 
 
 def _with_leaf_area(case: Case) -> str:
-    """The case's name, and how far a gain is one of more leaves."""
+    """Returns the case's name, and how far a gain is one of more leaves."""
     try:
         lais = [case.mean(who, "lai").mean for who in ("baseline", "best")]
     except HistoryError:
@@ -101,9 +104,9 @@ def _draw_interval(
 
 
 def draw_energy(cases: Sequence[Case]) -> Figure:
-    """Where the incident PAR goes, baseline and best of each case, with the
-    interval of each part. Plots alone have a panel of their own: light from
-    their sides adds to what falls on their ground."""
+    """Draws where the incident PAR goes, for baseline and best of each case,
+    with the interval of each part. Isolated plots have a panel of their own:
+    light from their sides adds to what falls on their ground."""
     known = known_cases(cases)
     panels = [
         [case for case in known if case.is_isolated is alone]
@@ -133,9 +136,9 @@ def draw_energy(cases: Sequence[Case]) -> Figure:
 
 
 def shares(case: Case, who: str) -> dict[str, Interval]:
-    """Parts of the incident PAR in the order of the figure; organs other than
-    leaves, stalks and sheaths together, with at most the sum of their
-    errors."""
+    """Returns parts of the incident PAR in the order of the figure; organs
+    other than leaves, stalks and sheaths are together, with at most the sum of
+    their errors."""
     found = {"leaves": case.mean(who, "absorbed_fraction")}
     for organ, share in case.light_by_organ(who).items():
         part = _ORGANS.get(organ, "other organs")
@@ -166,7 +169,9 @@ def _draw_balance(axes: Axes, known: Sequence[Case]) -> None:
     axes.set_yticks(ticks, labels)
     axes.set_ylim(len(known) - 0.4, -0.4)
     if known[0].is_isolated:
-        axes.set_xlabel("PAR in a plot alone, over the incident on its ground")
+        axes.set_xlabel(
+            "PAR in an isolated plot, over the incident on its ground"
+        )
     else:
         axes.set_xlim(0, 1.02)
         axes.set_xlabel("part of the incident PAR")

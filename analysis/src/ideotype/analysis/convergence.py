@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The objective over all generations."""
+"""Draws the objective over all generations."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from .style import label_light
 
 
 def draw_convergence(case: Case) -> Figure:
-    """The first objective by generation, numbered from 0 as in the file,
-    against the baseline, and the best evaluated again. Of one seed: best with
-    standard error, mean with the spread of the population. Of several: means
-    over seeds, with the range of seeds as a band."""
+    """Draws the first objective by generation, numbered from 0 as in the file,
+    against the baseline, and the best evaluated again. A single seed has its
+    best with standard error, and its mean with the spread of the population;
+    several seeds have means over seeds, with the range of seeds as a band."""
     runs = [history.generations() for history in case.histories]
     runs = [run for run in runs if len(run)]
     if not runs:
@@ -69,7 +69,7 @@ def _draw_seeds(axes: Axes, runs: list[Generations]) -> None:
         ("best", style.BEST, "best of its generation (not evaluated again)"),
         ("mean", style.MEAN, "mean of the population"),
     ):
-        # NaN where a seed has not come so far.
+        # The table has NaN where a seed has not come so far.
         table = pandas.DataFrame(
             [[*getattr(run, what).values] for run in runs]
         )
@@ -124,7 +124,8 @@ def _draw_pairs(axes: Axes, case: Case, end: int) -> None:
 
 
 def _set_ticks(axes: Axes, count: int, has_final: bool) -> None:
-    """Whole generations, and "final" after them for the final evaluation."""
+    """Sets ticks at whole generations, and at "final" after them for the final
+    evaluation."""
     ticks = MaxNLocator(8, integer=True).tick_values(0, max(count - 1, 1))
     room = 0.07 * count if has_final else 0
     shown = [int(t) for t in ticks if 0 <= t <= min(count - 1, count - room)]

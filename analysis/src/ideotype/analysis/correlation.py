@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which traits go together."""
+"""Draws which traits go together."""
 
 from __future__ import annotations
 
@@ -14,9 +14,10 @@ from .rows import join
 
 
 def columns_of(case: Case) -> pandas.DataFrame:
-    """Returns the free genes that vary, of all evaluated plants: by the number of the
-    gene and its wave, in their unit, or of circular ones cos and sin, less the
-    mean of their seed, so that differences between seeds correlate nothing.
+    """Returns the free genes that vary, of all evaluated plants, by the number
+    of the gene and its wave. They are in their unit, or cos and sin of
+    circular ones, less the mean of their seed, so that differences between
+    seeds do not correlate traits.
 
     Raises HistoryError if no plant is evaluated."""
     parts = [history.evaluations().done for history in case.histories]
@@ -26,7 +27,8 @@ def columns_of(case: Case) -> pandas.DataFrame:
     columns = {}
     for i in np.flatnonzero(genes.is_free).tolist():
         if genes.is_circular[i]:
-            # The bounds are one point of the circle: their distance is a turn.
+            # The bounds are one point of the circle: the distance between them
+            # is a turn.
             turn = 2 * np.pi / (genes.upper[i] - genes.lower[i])
             columns[i, "cos"] = np.cos(turn * genome[:, i])
             columns[i, "sin"] = np.sin(turn * genome[:, i])
@@ -41,8 +43,8 @@ def columns_of(case: Case) -> pandas.DataFrame:
 
 
 def draw_correlation(case: Case) -> Figure:
-    """Spearman's rank correlation between the free traits of all evaluated
-    plants; circular ones as cosine and sine."""
+    """Draws Spearman's rank correlation between the free traits of all
+    evaluated plants; circular ones are there as cosine and sine."""
     columns = columns_of(case)
     names = [
         f"{wave} {case.genes.traits[gene]}".strip().replace("_", " ")
@@ -63,7 +65,8 @@ def draw_correlation(case: Case) -> Figure:
     ends = [*starts[1:], len(kinds)]
     middles = [(a + b - 1) / 2 for a, b in zip(starts, ends)]
     numbers = [case.genes.number(gene) for gene, _ in table]
-    # A trait of the plant is a block of one, which has its name in small.
+    # A trait of the plant is a block of one, which has its name in small
+    # print.
     labels = [kinds[start] if numbers[start] else "" for start in starts]
     ranks = [str(number or kind) for number, kind in zip(numbers, kinds)]
     for axis in (axes.xaxis, axes.yaxis):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Cross-evaluation: every plant under the light of every case."""
+"""Cross-evaluations, which put every plant under the light of every case."""
 
 from __future__ import annotations
 
@@ -22,8 +22,9 @@ from .interval import Interval, interval, meaning
 
 @dataclass(frozen=True)
 class Cross:
-    """Mean and standard error are [plants, cases], in the unit of the
-    objective; NaN where a plant was not evaluated."""
+    """A table of plants and cases. Mean and standard error are [plants,
+    cases], in the unit of the objective; NaN where a plant was not
+    evaluated."""
 
     plants: tuple[str, ...]
     cases: tuple[str, ...]
@@ -31,7 +32,8 @@ class Cross:
     standard_error: NDArray[np.float64]
 
     def estimate(self, plant: str, case: str) -> Estimate | None:
-        """None if there is no such figure."""
+        """Returns the figure of a plant under a case, None if there is
+        none."""
         if plant not in self.plants or case not in self.cases:
             return None
         at = self.plants.index(plant), self.cases.index(case)
@@ -40,9 +42,9 @@ class Cross:
         return Estimate(float(self.mean[at]), float(self.standard_error[at]))
 
     def seeds_together(self) -> list[tuple[str, list[Interval | None]]]:
-        """Plants by name, "ames_all" for the best of ames_all_r1, ames_all_r2
-        and so on, with their means under each case; None where none of them
-        was evaluated."""
+        """Returns plants by name, "ames_all" for the best of ames_all_r1,
+        ames_all_r2 and so on, with their means under each case; None where
+        none of them was evaluated."""
         members: dict[str, list[str]] = {}
         for plant in self.plants:
             name = re.sub(r"[_-]r\d+$", "", plant)
@@ -54,18 +56,18 @@ class Cross:
                 known = [self.estimate(plant, case) for plant in plants]
                 found = [figure for figure in known if figure]
                 row.append(interval(found) if found else None)
-            # Of a single one the name with its seed tells more.
+            # A single plant keeps the name with its seed, which tells more.
             table.append((name if len(plants) > 1 else plants[0], row))
         return table
 
     def intervals(self) -> str:
-        """What those of seeds_together() hold."""
+        """Tells the meaning of the intervals of seeds_together()."""
         table = self.seeds_together()
         return meaning(x.seeds for _, row in table for x in row if x)
 
     def relative_gain(self, case: Case, plant: str) -> Interval | None:
-        """Gain [%] of the best of a case's seeds over a plant under the same
-        light; None if the plant was not evaluated there."""
+        """Returns the gain [%] of the best of a case's seeds over a plant
+        under the same light; None if the plant was not evaluated there."""
         known = [
             self.estimate(plant, name) for name in (case.name, case.light)
         ]
@@ -78,9 +80,9 @@ class Cross:
 
 def read_cross(path: str | Path) -> Cross:
     """Reads JSON {"plants": [names], "cases": [names], "mean": [[...]],
-    "standard_error": [[...]]}, a row per plant; or CSV with the
-    columns plant, case, mean, standard_error: those that `ideotype compare`
-    writes, of which the first quantity counts, are the same.
+    "standard_error": [[...]]}, a row per plant; or CSV with the columns plant,
+    case, mean, standard_error. `ideotype compare` writes both, and its first
+    quantity counts.
 
     Raises FileNotFoundError, or HistoryError if it is something else."""
     path = Path(path)
@@ -124,8 +126,8 @@ def _from_csv(path: Path) -> Cross:
 
 
 def draw_cross(cross: Cross) -> Figure:
-    """Each plant under each case, the seeds of a case put together, in % of
-    the best there; below it half of its interval."""
+    """Draws each plant under each case, the seeds of a case put together, in %
+    of the best there; half of its interval is below it."""
     table = cross.seeds_together()
     mean, error = (
         np.array(

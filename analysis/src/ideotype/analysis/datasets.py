@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reading from the open file, always what it holds at that moment."""
+"""Reads from the open file what it holds at that moment."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .file import HistoryError, open_file, text
 
 
 class Datasets:
-    """Datasets and root attributes of a history by their names."""
+    """The datasets and root attributes of a history by their names."""
 
     def __init__(self, path: str | Path) -> None:
         self.path = Path(path)
@@ -23,7 +23,7 @@ class Datasets:
         self._axes: dict[str, dict[str, tuple[str, ...]]] = {}
 
     def __reduce__(self) -> tuple[type[Datasets], tuple[Path]]:
-        """Another process opens the file for itself."""
+        """Lets another process open the file for itself."""
         return type(self), (self.path,)
 
     def close(self) -> None:
@@ -31,7 +31,7 @@ class Datasets:
         self._file.close()
 
     def attributes(self) -> dict[str, str | int | float]:
-        """Root attributes: texts and single numbers."""
+        """Returns the root attributes: texts and single numbers."""
         found: dict[str, str | int | float] = {}
         with self._reading("attributes"):
             for name, value in self._file.attrs.items():
@@ -42,16 +42,17 @@ class Datasets:
         return found
 
     def names(self, group: str) -> list[str]:
-        """The datasets of a group, its scales included."""
+        """Returns the names of the datasets of a group, its scales
+        included."""
         with self._reading(group):
             return list(self._file[group])
 
     def axes(self, name: str) -> tuple[str, ...]:
-        """Names of a dataset's dimensions, which are those of the scales
-        beside it; of a scale its own."""
+        """Returns the names of a dataset's dimensions, which are those of the
+        scales beside it; a scale has its own."""
         group, _, dataset = name.rpartition("/")
         if group not in self._axes:
-            # They never change, and to look them up takes a while.
+            # They never change, and it takes a while to look them up.
             self._axes[group] = self._axes_of(group)
         try:
             return self._axes[group][dataset]
@@ -59,7 +60,8 @@ class Datasets:
             raise HistoryError(f"{self.path}: has no {name}") from error
 
     def about(self, name: str) -> dict[str, str]:
-        """A dataset's unit, as "units", and description, as "long_name"."""
+        """Returns a dataset's unit, as "units", and description, as
+        "long_name"."""
         with self._reading(name):
             known = self._dataset(name).attrs
             return {
@@ -71,23 +73,24 @@ class Datasets:
     def read(
         self, name: str, first: int = 0, last: int | None = None
     ) -> NDArray:
-        """A dataset, or some of its rows.
+        """Returns a dataset, or some of its rows.
 
         Raises HistoryError."""
         with self._reading(name):
             dataset = self._dataset(name)
-            # A live file changes, what was seen of it does not.
+            # A live file changes, what was once seen in it does not.
             dataset.refresh()
             values = dataset[slice(first, last) if dataset.shape else ...]
-            # As the program takes them; numpy knows no truth but 1.
+            # Any byte but 0 is true, as for the program; numpy takes 1 alone
+            # for true.
             return values.view("i1") != 0 if values.dtype == bool else values
 
     def texts(self, name: str) -> tuple[str, ...]:
-        """A dataset of strings."""
+        """Returns a dataset of strings."""
         return tuple(text(entry) for entry in self.read(name).ravel())
 
     def attribute_bytes(self, name: str) -> bytes:
-        """The value of a root attribute as it stands in the file."""
+        """Returns the value of a root attribute as it stands in the file."""
         with self._reading(f"attribute {name}"):
             attribute = h5py.h5a.open(self._file.id, name.encode())
             value = np.empty(attribute.shape, attribute.dtype)
@@ -130,8 +133,8 @@ class Datasets:
 
     @contextmanager
     def _reading(self, name: str) -> Iterator[None]:
-        """Whatever h5py raises in here, which in a damaged file is any
-        exception, becomes a HistoryError."""
+        """Turns whatever h5py raises in here, which in a damaged file is any
+        exception, into a HistoryError."""
         try:
             yield
         except HistoryError:

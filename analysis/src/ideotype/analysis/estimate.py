@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 MOL_PER_MJ_PAR = 4.57
-"""Photons per energy of sunlight in the PAR band [mol MJ-1] (McCree 1972,
+"""The photons per energy of sunlight in the PAR band [mol MJ-1] (McCree 1972,
 doi:10.1016/0002-1571(72)90045-3)."""
 
 DAILY_ENERGY = "MJ m-2 day-1"
@@ -27,11 +27,11 @@ class Estimate:
     draws: NDArray[np.float64] = field(
         default_factory=lambda: np.empty(0), compare=False, repr=False
     )
-    """In independent randomisations, which another figure may share; empty
-    if they are not known."""
+    """The figure in independent randomisations, which another figure may
+    share; empty if they are not known."""
 
     def scaled(self, factor: float, unit: str) -> Estimate:
-        """The same in another unit, for an exact factor."""
+        """Returns the figure in another unit, for an exact factor."""
         return Estimate(
             factor * self.mean,
             abs(factor) * self.standard_error,
@@ -40,7 +40,8 @@ class Estimate:
         )
 
     def number(self) -> str:
-        """Mean and error without the unit; the error decides the digits."""
+        """Returns mean and error without the unit; the error decides the
+        digits."""
         if math.isfinite(self.standard_error) and self.standard_error > 0:
             digits = 1 - math.floor(math.log10(self.standard_error))
             digits = min(max(digits, 0), 9)
@@ -55,14 +56,14 @@ class Estimate:
 
 
 def difference(a: Estimate, b: Estimate) -> Estimate:
-    """a - b. The standard error is that of their randomisations one by one
-    where both have them, else that of independent figures."""
+    """Returns a - b. The standard error is that of their randomisations one by
+    one where both have them, else that of independent figures."""
     return Estimate(a.mean - b.mean, _error(a, b, 1.0), a.unit)
 
 
 def relative_gain(best: Estimate, baseline: Estimate) -> Estimate:
-    """100 (best / baseline - 1) [%], with a standard error to first order,
-    paired as in difference()."""
+    """Returns 100 (best / baseline - 1) [%], with a standard error to first
+    order, paired as in difference()."""
     if baseline.mean == 0:
         return Estimate(math.nan, math.nan, "%")
     ratio = best.mean / baseline.mean
@@ -71,7 +72,7 @@ def relative_gain(best: Estimate, baseline: Estimate) -> Estimate:
 
 
 def _error(a: Estimate, b: Estimate, factor: float) -> float:
-    """Standard error of a - factor b."""
+    """Returns the standard error of a - factor b."""
     if (count := len(a.draws)) > 1 and count == len(b.draws):
         scatter = np.std(a.draws - factor * b.draws, ddof=1)
         return float(scatter) / math.sqrt(count)

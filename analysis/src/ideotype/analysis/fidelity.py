@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Speed for accuracy: what `ideotype fidelity` has measured."""
+"""Draws what `ideotype fidelity` has measured: speed against accuracy."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ from . import style
 
 
 def draw_fidelity(found: dict[str, Any]) -> Figure:
-    """Error against cost: each key alone, and combinations of keys."""
+    """Draws error against cost of each key alone, and of combinations of
+    keys."""
     figure = style.new_figure(style.WIDTH, 3.4)
     panels = figure.subplots(1, 2, sharex=True, sharey=True)
     groups = {

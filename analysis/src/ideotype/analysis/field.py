@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plants in their field, as one sees them at eye height and from above."""
+"""Draws plants in their field, as one sees them at eye height and from
+above."""
 
 from __future__ import annotations
 
@@ -22,21 +23,22 @@ from .file import HistoryError
 from .stand import leaf_light
 
 EYE = 1.6
-"""Height of the eyes above the soil [m]."""
+"""The height of the eyes above the soil [m]."""
 
 _ROWS, _PLANTS = 7, 8
 _LENGTH = 1.3
-"""Of rows, as far as that takes at most twice as many plants [m]."""
+"""The length of rows [m], as far as that takes at most twice as many
+plants."""
 _STEPS_BACK = 2.5
-"""From the first plants of the rows to the eyes [m]."""
+"""The distance from the first plants of the rows to the eyes [m]."""
 _WIDTH = 700
-"""Of a painted field [pixels]."""
+"""The width of a painted field [pixels]."""
 _IN_VIEW = 1.9
-"""Height of plants that are seen whole from there [m]."""
+"""The height of plants that are seen whole from there [m]."""
 _NEAREST = 0.25
-"""What is nearer to the eyes is not drawn [m]."""
+"""The distance from the eyes below which nothing is drawn [m]."""
 _LIGHT = np.array([-0.35, -0.45, 0.82])
-"""Towards the light that shades leaves; of length 1."""
+"""The direction, of length 1, towards the light that shades leaves."""
 _SKY = LinearSegmentedColormap.from_list("sky", ["#F4F7FA", "#9CC3E6"])
 _SOIL = LinearSegmentedColormap.from_list("soil", ["#8F7459", "#C9B79C"])
 
@@ -46,13 +48,14 @@ class Field:
     """Plants that stand in rows along y."""
 
     corners: NDArray[np.float64]
-    """[faces, 4, 3] in metres; triangles repeat a corner."""
+    """The corners of faces [faces, 4, 3] in metres; triangles repeat a
+    corner."""
     colors: NDArray[np.float64]
-    """[faces, 3]"""
+    """The colours of faces [faces, 3]."""
     rows: tuple[float, ...]
-    """Where they are across [m]."""
+    """The places of the rows across the field [m]."""
     length: float
-    """Of the rows [m]."""
+    """The length of the rows [m]."""
 
 
 def plant_field(
@@ -63,8 +66,8 @@ def plant_field(
     jitter: float,
     size: tuple[int, int],
 ) -> Field:
-    """So many rows and plants of each, each turned at random by up to
-    `jitter` [deg]; `colors` are those of the mesh's faces."""
+    """Returns a field of so many rows and plants of each, each plant turned at
+    random by up to `jitter` [deg]; `colors` are those of the mesh's faces."""
     x, y, z = mesh.corners.transpose(2, 0, 1)
     rows = tuple(row * (i - (size[0] - 1) / 2) for i in range(size[0]))
     places = [(at, plant * j) for at in rows for j in range(size[1])]
@@ -82,25 +85,27 @@ def plant_field(
 def lit(
     colors: NDArray[np.float64], corners: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """The colours of faces, darker where these look away from the light."""
+    """Returns the colours of faces, darker where these look away from the
+    light."""
     return shaded(colors, corners, _LIGHT, 0.72)
 
 
 @dataclass(frozen=True)
 class View:
-    """Faces on a plane, of which the last hide what is before them."""
+    """Faces on a plane, of which later ones hide earlier ones."""
 
     outlines: NDArray[np.float64]
-    """[faces, 4, 2]"""
+    """The corners of faces on the plane [faces, 4, 2]."""
     colors: NDArray[np.float64]
     limits: tuple[float, float, float, float]
-    """Left, right, bottom, top."""
+    """The limits of the plane: left, right, bottom, top."""
     horizon: float = np.inf
-    """Below it is soil."""
+    """The height on the plane below which there is soil."""
 
 
 def at_eye_height(field: Field) -> View:
-    """As someone sees the field who stands before its rows, farther from tall plants."""
+    """Returns the field as someone sees it who stands before its rows, farther
+    from tall plants."""
     back = _STEPS_BACK * max(1, field.corners[..., 2].max() / _IN_VIEW)
     eye = np.array([-0.27 * field.rows[-1] - 0.35, -back, EYE])
     middle = np.array([0.15, 0.6 * field.length, 0.62 * EYE])
@@ -120,7 +125,8 @@ def at_eye_height(field: Field) -> View:
 
 
 def from_above(field: Field) -> View:
-    """A part in the middle, whose edges plants reach across."""
+    """Returns a part in the middle of the field, whose edges plants reach
+    across."""
     order = np.argsort(field.corners[..., 2].mean(axis=1))
     middle = field.length / 2
     half = max(min(middle, field.rows[-1] / 1.5), 0.3)
@@ -131,7 +137,7 @@ def from_above(field: Field) -> View:
 
 
 def show(axes: Axes, view: View) -> None:
-    """Paints it: thousands of faces would fill a PDF."""
+    """Shows a painted view: thousands of faces would fill a PDF."""
     left, right, bottom, top = view.limits
     axes.set_facecolor(_SOIL(0.3))
     ramp = np.linspace(0, 1, 128)[:, None]
@@ -153,7 +159,8 @@ def show(axes: Axes, view: View) -> None:
 
 
 def _painted(view: View) -> NDArray[np.uint8]:
-    """[pixels, pixels, 4]; clear where no face is."""
+    """Returns the pixels of a view [pixels, pixels, 4]; they are clear where
+    no face is."""
     left, right, bottom, top = view.limits
     low, high = view.outlines.min(axis=1), view.outlines.max(axis=1)
     seen = (high > (left, bottom)).all(axis=1)
@@ -179,8 +186,8 @@ def _painted(view: View) -> NDArray[np.uint8]:
 def face_colors(
     mesh: Mesh, values: Sequence[float | None], brightest: float
 ) -> NDArray[np.float64]:
-    """[faces, 3]: viridis of 0 to `brightest`; of faces without a value the
-    colour of their organ."""
+    """Returns colours [faces, 3]: viridis of 0 to `brightest`, and for faces
+    without a value the colour of their organ."""
     shades = colormaps["viridis"]
     return np.array(
         [
@@ -195,7 +202,7 @@ def face_colors(
 def add_key(
     figure: Figure, panels: Sequence[Axes], brightest: float, label: str
 ) -> None:
-    """The scale of face_colors()."""
+    """Adds the scale of face_colors()."""
     scale = ScalarMappable(Normalize(0, brightest), colormaps["viridis"])
     figure.colorbar(
         scale, ax=panels, location="bottom", aspect=40, shrink=0.8, label=label
@@ -203,8 +210,8 @@ def add_key(
 
 
 def draw_field(case: Case, baseline: Mesh, best: Mesh) -> Figure:
-    """Fields of baseline and best plant; leaves have the colour of the PAR
-    that they absorb per area of leaf.
+    """Draws fields of baseline and best plant; leaves have the colour of the
+    PAR that they absorb per area of leaf.
 
     Raises HistoryError if the history does not tell it, or how far plants
     are apart."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Opening the HDF5 file in any state that its writer can leave it in."""
+"""Opens the HDF5 file in any state in which its writer can leave it."""
 
 from __future__ import annotations
 
@@ -22,41 +22,44 @@ MAJOR_VERSION = 2
 _SIGNATURE = b"\x89HDF\r\n\x1a\n"
 _SUPERBLOCK_SIZE = 48
 _CHECKED = 44
-"""Its bytes before its checksum."""
+"""The bytes of a superblock before its checksum."""
 _LOOKS = 10
 _OPEN_FOR_WRITING = 0x01
 
 
 class HistoryError(Error):
-    """A history can't be used; the message is meant for the user."""
+    """An error for a history that can't be used; the message is meant for the
+    user."""
 
 
 class NotAHistory(HistoryError):
-    """The file is something else, or damaged."""
+    """An error for a file that is something else, or damaged."""
 
 
 class UnsupportedVersion(HistoryError):
-    """The file has another major format version."""
+    """An error for a file of another major format version."""
 
 
 class Writer(Enum):
-    """What is known of the process that writes a history."""
+    """The state of the process that writes a history, as far as it is
+    known."""
 
     WRITING = "being written"
     CLOSED = "closed"
     GONE = "not closed"
-    """Killed, or alive where its lock can't be seen from here."""
+    """The writer was killed, or is alive where its lock can't be seen from
+    here."""
 
 
 class _Unmarked(io.FileIO):
-    """A file as it stands, but for the marks of a writer that has it open, or
-    was killed: HDF5 reads it as one that is closed.
+    """A file as it stands, but for the marks of a writer that has it open or
+    was killed, so that HDF5 reads it as a closed file.
 
-    With the marks it reads in SWMR mode alone, where it takes a wrong
+    HDF5 reads a file with the marks in SWMR mode alone. It then takes a wrong
     checksum for a write that is under way, and reads again a hundred times
-    with sleeps that double: for days, and deaf to interrupts. What describes
-    the data of a history never changes (FORMAT.md), so that it is damaged
-    where its checksum is wrong."""
+    with sleeps that double: for days, and deaf to interrupts. The parts that
+    describe the data of a history never change (FORMAT.md), so that it is
+    damaged where their checksum is wrong."""
 
     def __init__(self, path: Path) -> None:
         super().__init__(path)
@@ -80,8 +83,8 @@ class _Unmarked(io.FileIO):
 
 
 def open_file(path: str | Path) -> h5py.File:
-    """Opens a history to read, without ever changing it: one that is closed,
-    one that is being written, and one whose writer was killed.
+    """Opens a history to read, without ever changing it: it may be closed,
+    being written, or left by a writer that was killed.
 
     Raises FileNotFoundError or PermissionError, HistoryError."""
     path = Path(path)
@@ -103,14 +106,15 @@ def open_file(path: str | Path) -> h5py.File:
 
 
 def text(value: object) -> str:
-    """A string of HDF5 as a Python string."""
+    """Returns a string of HDF5 as a Python string."""
     if isinstance(value, bytes):
         return value.rstrip(b"\0").decode("utf-8", errors="replace")
     return str(value)
 
 
 def writer_of(path: str | Path) -> Writer:
-    """Whether a process writes the file, as far as this machine can tell."""
+    """Returns whether a process writes the file, as far as this machine can
+    tell."""
     if not _superblock(Path(path)).is_marked:
         return Writer.CLOSED
     return Writer.WRITING if _is_locked(Path(path)) else Writer.GONE
@@ -124,29 +128,29 @@ class _Superblock:
 
     @property
     def has_marks(self) -> bool:
-        """Only those of version 3 have, and addresses of 8 bytes are the only
-        ones that the writer's HDF5 makes."""
+        """Whether the file has marks: only version 3 has them, and the
+        writer's HDF5 makes addresses of 8 bytes alone."""
         return self.data[8] == 3 and self.data[9] == 8
 
     @property
     def is_whole(self) -> bool:
-        """Whether it has its checksum."""
+        """Whether the superblock has its checksum."""
         return self._checksum(self.data) == self.data[_CHECKED:]
 
     @property
     def is_marked(self) -> bool:
-        """A process has the file open to write, or was killed then."""
+        """Whether a process has the file open to write, or was killed then."""
         return self.has_marks and bool(self.data[11] & _OPEN_FOR_WRITING)
 
     @property
     def length(self) -> int:
-        """Of the file [bytes]; 0 if it does not say."""
+        """The length of the file [bytes]; 0 if it does not say."""
         if not self.has_marks:
             return 0
         return struct.unpack_from("<Q", self.data, 28)[0]
 
     def unmarked(self) -> bytes:
-        """It without marks."""
+        """Returns the superblock without marks."""
         if not self.is_marked:
             return self.data
         start = self.data[:11] + b"\0" + self.data[12:]
@@ -158,8 +162,8 @@ class _Superblock:
 
 
 def lookup3(data: bytes) -> int:
-    """The checksum of HDF5's metadata (Bob Jenkins 2006, lookup3.c, the
-    function hashlittle)."""
+    """Returns the checksum of HDF5's metadata (Bob Jenkins 2006, lookup3.c,
+    the function hashlittle)."""
 
     def turned(x: int, bits: int) -> int:
         return (x << bits | x >> 32 - bits) & 0xFFFFFFFF
@@ -185,7 +189,8 @@ def lookup3(data: bytes) -> int:
 
 
 def _superblock(path: Path) -> _Superblock:
-    """Raises NotAHistory if it is not one, or not whole."""
+    """Returns the superblock of a file. Raises NotAHistory if there is none,
+    or it is not whole."""
     with path.open("rb") as file:
         block = _Superblock(file.read(_SUPERBLOCK_SIZE))
         if block.data[:8] != _SIGNATURE:
@@ -194,7 +199,8 @@ def _superblock(path: Path) -> _Superblock:
             raise NotAHistory(
                 f"{path}: cut short, only {len(block.data)} bytes left"
             )
-        # A writer that sets or takes away its mark may be in between.
+        # A writer that sets or takes away its mark may be in the middle of
+        # that.
         for _ in range(_LOOKS):
             if not block.has_marks or block.is_whole:
                 return block
@@ -208,7 +214,7 @@ def _superblock(path: Path) -> _Superblock:
 
 
 def _check_length(path: Path) -> None:
-    """Refuses a file that was cut short: the program makes it of its full
+    """Refuses a file that was cut short: the program makes it in its full
     length."""
     missing = _superblock(path).length - path.stat().st_size
     if missing > 0:
@@ -244,16 +250,16 @@ def _check_format(file: h5py.File, path: Path) -> None:
 
 
 def _is_locked(path: Path) -> bool:
-    """Whether a writer holds its lock on the file, on any machine if the file
-    system has locks. Looks only: a lock of our own, however short, could stop
-    a writer that starts."""
+    """Returns whether a writer holds its lock on the file, on any machine if
+    the file system has locks. Looks only: a lock of our own, however short,
+    could stop a writer that starts."""
     try:
         import fcntl
 
         look, write, none = fcntl.F_OFD_GETLK, fcntl.F_WRLCK, fcntl.F_UNLCK
-    except (ImportError, AttributeError):  # on other systems than Linux
+    except (ImportError, AttributeError):  # Only Linux has this lock.
         return False
-    form = "hhqqi4x"  # struct flock
+    form = "hhqqi4x"  # The form of struct flock.
     whole = struct.pack(form, write, os.SEEK_SET, 0, 0, 0)
     try:
         with path.open("rb") as file:

@@ -18,18 +18,18 @@ _PLACE = {
     **dict.fromkeys(("latitude", "longitude"), "deg"),
     **dict.fromkeys(("row_spacing", "plant_spacing"), "m"),
 }
-"""Root attributes that become columns, as far as a history has them, and
+"""Root attributes that become columns, as far as a history has them, with
 their units."""
 
 
 def frame_of(histories: Sequence[History]) -> pandas.DataFrame:
-    """One row per complete evaluation. Columns: campaign, case, site, day,
-    spacing, trait_set, replicate, latitude, longitude, row_spacing and
+    """Returns one row per complete evaluation. Columns: campaign, case, site,
+    day, spacing, trait_set, replicate, latitude, longitude, row_spacing and
     plant_spacing, row, generation, slot, status, origin, seconds, worker,
-    violation, then quantities by their names, of those with an axis one column
-    for each label, such as "absorbed_by_leaf 3", each with its standard error
-    as <name>_standard_error, and genes. Histories without a column have NaN
-    there; the unit of a column is .attrs["units"][column]."""
+    violation, then quantities by their names (a quantity with an axis has one
+    column for each label, such as "absorbed_by_leaf 3"), each with its
+    standard error as <name>_standard_error, and genes. Histories without a
+    column have NaN there; the unit of a column is .attrs["units"][column]."""
     tables = [_columns(history) for history in histories]
     parts = (
         pandas.DataFrame({name: values for name, (values, _) in table.items()})

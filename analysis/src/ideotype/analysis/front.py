@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Fronts: plants that no other betters in all objectives."""
+"""Fronts, which are plants that no other betters in all objectives."""
 
 from __future__ import annotations
 
@@ -16,9 +16,10 @@ from .rows import Evaluation, Rows
 def non_dominated(
     objectives: ArrayLike, signs: ArrayLike, violation: ArrayLike = 0.0
 ) -> NDArray[np.bool_]:
-    """Which rows of [rows, objectives] no other dominates: is as good in all
-    and better in one. `signs` are 1 where larger is better, else -1. A row
-    that violates constraints is dominated by all that do so less."""
+    """Returns which rows of [rows, objectives] no other dominates: a row
+    dominates another if it is as good in all objectives and better in one.
+    `signs` are 1 where larger is better, else -1. A row that violates
+    constraints is dominated by all that violate them less."""
     values = real(objectives, "objectives") * real(signs, "signs")
     violation = np.broadcast_to(real(violation, "violation"), len(values))
     one, other = values[:, None], values[None]
@@ -30,19 +31,20 @@ def non_dominated(
 
 @dataclass(frozen=True)
 class Front:
-    """What a search for several objectives has found."""
+    """The plants that a search for several objectives has found."""
 
     members: Rows
     """The finalists but the baseline, or before they are evaluated the front
     of the last generation."""
     is_kept: NDArray[np.bool_]
-    """Which of them no other dominates; the others have fallen off, since
-    they owed their place to noise."""
+    """Whether no other member dominates a member; the others have fallen off,
+    since they owed their place to noise."""
     baseline: Evaluation
 
     @property
     def is_final(self) -> bool:
-        """Evaluated again at the end, with fresh random numbers."""
+        """Whether the members were evaluated again at the end, with fresh
+        random numbers."""
         return self.baseline.is_final
 
     @property
@@ -51,24 +53,24 @@ class Front:
         return self.members.take(self.is_kept)
 
     def one(self, index: int) -> Evaluation:
-        """A member."""
+        """Returns one member."""
         return self.members.one(index, self.is_final)
 
     def number(self, index: int) -> int:
-        """What a member is called: its row in /final, or its place in a front
-        that is not evaluated again."""
+        """Returns the number that names a member: its row in /final, or its
+        place in a front that is not evaluated again."""
         return int(self.members.row[index]) if self.is_final else index + 1
 
     def pair(self, index: int) -> Pair:
-        """The baseline and a member."""
+        """Returns the baseline and a member."""
         return Pair(self.baseline, self.one(index))
 
 
 def front_of(rows: Rows, baseline: Evaluation) -> Front | None:
-    """Of bred rows: finalists if the baseline is one, or a generation whose
-    front is to be found. None if none is done."""
+    """Returns the front of bred rows: finalists if the baseline is one, or a
+    generation whose front is to be found. None if no row is done."""
     done = rows.done
-    signs = [goal.sign for goal in done.goals]
+    signs = [objective.sign for objective in done.goals]
     is_kept = non_dominated(done.objectives, signs, done.violation)
     if not baseline.is_final:
         done = done.take(is_kept)

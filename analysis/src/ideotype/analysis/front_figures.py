@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures of several objectives: the front, and how it grew."""
+"""Draws figures of several objectives: the front, and how it grew."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ from .file import HistoryError
 from .rows import Rows
 
 _MARKERS = "os^vP"
-"""Of seeds, as in front.js."""
+"""The markers of seeds, as in front.js."""
 
 
 def draw_front(case: Case) -> Figure:
-    """Each two objectives against each other: the fronts of all seeds with
-    standard errors, the baseline, and the last generation as it was evaluated
-    then, as far as it lies within the axes."""
+    """Draws each two objectives against each other: the fronts of all seeds
+    with standard errors, the baseline, and the last generation as it was
+    evaluated then, as far as it lies within the axes."""
     if not case.fronts:
         raise HistoryError("no front is evaluated yet")
-    goals = case.histories[0].objectives
-    pairs = [*combinations(range(len(goals)), 2)]
+    objectives = case.histories[0].objectives
+    pairs = [*combinations(range(len(objectives)), 2)]
     columns = min(len(pairs), 2)
     rows = -(-len(pairs) // columns)
     space = " " if columns == 1 else "\n"
@@ -41,8 +41,8 @@ def draw_front(case: Case) -> Figure:
         up, across = pair
         _draw_pair(axes, case, [across, up])
         x, y = (
-            f"{style.axis_label(goals[k].name, goals[k].unit)},{space}"
-            f"{goals[k].sense}d"
+            f"{style.axis_label(objectives[k].name, objectives[k].unit)},{space}"
+            f"{objectives[k].sense}d"
             for k in (across, up)
         )
         axes.set_xlabel(x, fontsize=8)
@@ -92,8 +92,8 @@ def _draw_rows(
 
 
 def draw_hypervolume(case: Case) -> Figure:
-    """What the front dominates, by generation: a line for each seed, with its
-    standard error as a band."""
+    """Draws the hypervolume that the front dominates, by generation: a line
+    for each seed, with its standard error as a band."""
     runs = [history.generations().hypervolume for history in case.histories]
     known = [
         (seed, run)

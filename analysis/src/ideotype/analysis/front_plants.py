@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The plants along a front, side by side."""
+"""Draws the plants along a front, side by side."""
 
 from __future__ import annotations
 
@@ -23,16 +23,17 @@ from .rows import Evaluation
 _MOST = 5
 _TURN = np.deg2rad(30)
 _LIGHT = np.array([-0.3, 0.6, 0.74])
-"""Right, up and towards the viewer; of length 1."""
+"""The direction of the light, of length 1: right, up and towards the
+viewer."""
 
 
 def draw_front_plants(
     case: Case, baseline: Mesh, members: Sequence[Mesh]
 ) -> Figure:
-    """The baseline and up to five plants of the front, at equal steps in the
-    order of the first objective, from the side at one scale, with all
-    objectives and their standard errors. Plants have the numbers that they have
-    everywhere.
+    """Draws the baseline and up to five plants of the front, at equal steps in
+    the order of the first objective, from the side at one scale, with all
+    objectives and their standard errors. Plants have the numbers that they
+    have everywhere.
 
     Raises HistoryError if there is no front."""
     plants = [
@@ -59,8 +60,8 @@ def draw_front_plants(
         np.abs(_side(mesh.vertices)[:, 0]).max() for _, mesh, _ in shown
     )
     size = 1.9 * columns
-    goals = case.best.row.goals
-    words = 0.25 + 0.16 * len(goals)
+    objectives = case.best.row.goals
+    words = 0.25 + 0.16 * len(objectives)
     height = size / columns * top / (2 * reach) + words
     figure = style.new_figure(size, 0.5 + rows * height)
     panels = figure.subplots(rows, columns, squeeze=False)
@@ -71,13 +72,18 @@ def draw_front_plants(
         axes.set_title(f"{name}\n{told}", fontsize=8)
     for axes in chain(*panels):
         axes.set_axis_off()
-    of = (style.axis_label(goal.name, goal.unit) for goal in goals)
+    of = (
+        style.axis_label(objective.name, objective.unit)
+        for objective in objectives
+    )
     figure.suptitle("\n".join([case.name, *of]), fontsize=10)
     return figure
 
 
 def _objectives(plant: Evaluation) -> list[str]:
-    return [_text(plant.estimate(goal.name)) for goal in plant.row.goals]
+    return [
+        _text(plant.estimate(objective.name)) for objective in plant.row.goals
+    ]
 
 
 def _text(of: Estimate) -> str:
@@ -87,8 +93,8 @@ def _text(of: Estimate) -> str:
 
 
 def _side(points: NDArray) -> NDArray[np.float64]:
-    """Points [..., 3] as right, up and towards the viewer, who looks 30 deg
-    past the row."""
+    """Returns points [..., 3] as right, up and towards the viewer, who looks
+    30 deg past the row."""
     x, y, z = np.moveaxis(points, -1, 0)
     c, s = np.cos(_TURN), np.sin(_TURN)
     return np.stack([c * x + s * y, z, s * x - c * y], axis=-1)

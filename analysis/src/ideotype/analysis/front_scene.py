@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the page knows of fronts: a chart to choose plants from, and the
+"""The data of fronts for the page: a chart to choose plants from, and the
 numbers beside each."""
 
 from __future__ import annotations
@@ -15,15 +15,15 @@ from .style import axis_label, short, unit_label, words
 from .tables import UNKNOWN
 
 _ERROR = "±\u00a0"
-"""Never apart from its number."""
+"""The sign before an error, which a line never parts from its number."""
 
 _BOOKKEEPING = ("balance_error", "paths", "capped")
-"""Scalar quantities that say nothing of a plant."""
+"""Scalar quantities that say nothing about a plant."""
 
 
 def front_scene(case: Case) -> dict[str, Any]:
-    """The front of a case that has one, for front.js. Its members are the
-    plants after the baseline."""
+    """Returns the front of a case that has one, for front.js. Its members are
+    the plants after the baseline."""
     first = case.fronts[0][1]
     names = _quantities(first.baseline)
     return {
@@ -32,11 +32,11 @@ def front_scene(case: Case) -> dict[str, Any]:
         "seeds": len(case.histories),
         "axes": [
             {
-                "name": words(goal.name),
-                "label": axis_label(goal.name, goal.unit),
-                "sense": goal.sense,
+                "name": words(objective.name),
+                "label": axis_label(objective.name, objective.unit),
+                "sense": objective.sense,
             }
-            for goal in first.members.goals
+            for objective in first.members.goals
         ],
         "baseline": _objectives(first.baseline),
         "others": [
@@ -63,14 +63,14 @@ def front_scene(case: Case) -> dict[str, Any]:
 
 
 def _first(case: Case) -> int:
-    """The member that is shown first: the best in the first objective, as
-    elsewhere in the page."""
+    """Returns the member that is shown first: the best in the first objective,
+    as elsewhere in the page."""
     members = join([front.members for _, front in case.fronts])
     return int(members.ranking(1)[0])
 
 
 def told(case: Case) -> str:
-    """How many members of the fronts of all seeds are still in them."""
+    """Tells how many members of the fronts of all seeds are still in them."""
     fronts = [front for _, front in case.fronts]
     count = sum(len(front.members) for front in fronts)
     if not all(front.is_final for front in fronts):
@@ -91,13 +91,14 @@ def told(case: Case) -> str:
 
 
 def _quantities(plant: Evaluation) -> list[str]:
-    """Objectives, then all other quantities of a plant that are one number."""
-    goals = [goal.name for goal in plant.row.goals]
+    """Returns objectives, then all other quantities of a plant that are one
+    number."""
+    objectives = [objective.name for objective in plant.row.goals]
     others = plant.row.quantities.values()
-    return goals + [
+    return objectives + [
         each.name
         for each in others
-        if each.axis is None and each.name not in (*goals, *_BOOKKEEPING)
+        if each.axis is None and each.name not in (*objectives, *_BOOKKEEPING)
     ]
 
 
@@ -107,13 +108,14 @@ def _titled(name: str, of: Estimate) -> str:
 
 
 def _objectives(plant: Evaluation) -> list[list[float]]:
-    """Value and standard error of each."""
-    found = (plant.estimate(goal.name) for goal in plant.row.goals)
+    """Returns value and standard error of each objective."""
+    found = (plant.estimate(objective.name) for objective in plant.row.goals)
     return [[short(x.mean), short(x.standard_error)] for x in found]
 
 
 def _numbers(pair: Pair, names: list[str]) -> list[list[str]]:
-    """Of each quantity: baseline, plant, by how many % it is higher."""
+    """Returns for each quantity baseline, plant, and by how many % the plant
+    is higher."""
     return [
         [
             _text(pair.baseline.estimate(name)),
@@ -125,7 +127,8 @@ def _numbers(pair: Pair, names: list[str]) -> list[list[str]]:
 
 
 def _scenarios(pair: Pair) -> list[dict[str, Any]]:
-    """The same in each scenario that an objective is taken over."""
+    """Returns baseline, plant and gain in each scenario that an objective is
+    taken over."""
     return [
         {
             "title": _titled(quantity.name, Estimate(0, 0, quantity.unit)),
@@ -156,7 +159,7 @@ def _text(of: Estimate) -> str:
 
 
 def _gain(gain: Estimate) -> str:
-    """ "+1.50 ± 0.06"."""
+    """Returns a gain as "+1.50 ± 0.06"."""
     if not math.isfinite(gain.mean):
         return UNKNOWN
     text = f"{gain.mean:+.2f} {_ERROR}{gain.standard_error:.2f}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures as files, and small enough for a page."""
+"""Draws figures as files, and small enough for a page."""
 
 from __future__ import annotations
 
@@ -24,18 +24,19 @@ from .style import RC, pixels
 from .workers import Map
 
 _BYTES = 5_000_000
-"""Of all pictures in a page: in base64, and with plants, less than 8 MB."""
+"""The bytes of all pictures in a page: in base64, and with plants, less than 8
+MB."""
 
 _SIZES = (
     *((33_000, 0.7, 80), (25_000, 0.6, 75), (18_500, 0.5, 65)),
     *((15_500, 0.5, 40), (0, 0.4, 30)),
 )
-"""Bytes that a picture in the page takes on average, its pixels over those of
-the file, and quality; the first is sharp when enlarged, the last, of 10 kB,
-still legible."""
+"""The bytes that a picture in the page takes on average, its pixels over those
+of the file, and its quality. The first is sharp when enlarged; the last, of 10
+kB, is still legible."""
 
 _FILE_BYTES = 150_000
-"""Of a PNG file, for documents."""
+"""The bytes of a PNG file, which is for documents."""
 
 _COLORS = 256
 
@@ -48,8 +49,8 @@ def draw_all(
     has_pdf: bool,
 ) -> list[Path]:
     """Puts pictures in the place of drawings, and returns their files, PNG
-    and, if wanted, PDF. `run` is map() or does the same; each section is told
-    before its figures."""
+    and, if wanted, PDF. `run` is map() or does as it does; each section is
+    told before its figures."""
     folder.mkdir(parents=True, exist_ok=True)
     drawings = [b for s in sections for b in s.blocks if _is_drawing(b)]
     most = _BYTES / max(len(drawings), 1)
@@ -75,8 +76,8 @@ def _is_drawing(block: Block) -> TypeGuard[Drawing]:
 
 
 def draw(folder: Path, most: float, has_pdf: bool, drawing: Drawing) -> Block:
-    """The picture, of about so many bytes in the page, and its files; or
-    where the data are missing, a sentence that says so."""
+    """Returns the picture, of about so many bytes in the page, and its files;
+    or where the data are missing, a sentence that says so."""
     name = file_name(drawing.name)
     with matplotlib.rc_context(RC):
         try:
@@ -87,7 +88,7 @@ def draw(folder: Path, most: float, has_pdf: bool, drawing: Drawing) -> Block:
         figure.set_dpi(RC["savefig.dpi"])
         image = Image.fromarray(pixels(figure)).convert("RGB")
         if has_pdf:
-            # Laid out once is enough, and the same in both files; savefig()
+            # The figure is laid out once, and both files are alike; savefig()
             # would draw it once more to lay it out.
             figure.set_layout_engine("none")
             FigureCanvasPdf(figure).print_pdf(  # type: ignore[no-untyped-call]
@@ -99,8 +100,8 @@ def draw(folder: Path, most: float, has_pdf: bool, drawing: Drawing) -> Block:
 
 
 def _entitle(figure: Figure, question: str) -> tuple[Text, float]:
-    """The question above what the figure tells of itself, and which part of
-    the title's height it takes."""
+    """Puts the question above what the figure tells of itself, and returns its
+    text and the part of the title's height that it takes."""
     lines = textwrap.wrap(question, round(12 * figure.get_figwidth()))
     every = [*lines, *filter(None, figure.get_suptitle().split("\n"))]
     title = figure.suptitle("\n".join(every), fontsize=10)
@@ -110,7 +111,8 @@ def _entitle(figure: Figure, question: str) -> tuple[Text, float]:
 def _below(
     image: Image.Image, figure: Figure, title: Text, part: float
 ) -> Image.Image:
-    """Without the lines of the question, which the page tells."""
+    """Returns the image without the lines of the question, which the page
+    tells."""
     box, whole = title.get_window_extent(), figure.bbox.height
     top = whole - box.y1 + part * box.height
     rows = round(top / whole * image.height)
@@ -118,11 +120,12 @@ def _below(
 
 
 def _png(image: Image.Image) -> bytes:
-    """The content of a file: with all colours and pixels if there is room,
-    else with 256 good colours and, of very large figures, fewer pixels."""
+    """Returns the content of a file: with all colours and pixels if there is
+    room, else with 256 good colours and, if the figure is very large, fewer
+    pixels."""
     data = _encoded(image, "PNG")
     while len(data) > _FILE_BYTES:
-        # By far the fastest way; figures have few colours that matter.
+        # This way is by far the fastest; figures have few colours that matter.
         few = image.quantize(_COLORS, Image.Quantize.FASTOCTREE)
         data = _encoded(few, "PNG")
         # Bytes fall more slowly than pixels do.
@@ -139,18 +142,18 @@ def _encoded(image: Image.Image, kind: str, **options: Any) -> bytes:
 
 def _scaled(image: Image.Image, scale: float) -> Image.Image:
     size = round(scale * image.width), round(scale * image.height)
-    # Nearly as sharp as the best, in half its time.
+    # This is nearly as sharp as the best filter, in half its time.
     return image.resize(size, Image.Resampling.HAMMING)
 
 
 def file_name(name: str) -> str:
-    """Letters, digits, - and _ of a name; the rest becomes _."""
+    """Returns letters, digits, - and _ of a name; the rest becomes _."""
     return re.sub(r"[^\w-]+", "_", name)
 
 
 def _small(image: Image.Image, most: float) -> str:
-    """For the page: a format made for it, and as many pixels as pictures have
-    that take at most so many bytes on average."""
+    """Returns a picture for the page: in a format made for it, with as many
+    pixels as pictures have that take at most so many bytes on average."""
     scale, quality = next(size for least, *size in _SIZES if least <= most)
     data = _encoded(_scaled(image, scale), "WEBP", quality=quality)
     return base64.b64encode(data).decode("ascii")

@@ -7,7 +7,6 @@ import tomllib
 from dataclasses import fields
 from functools import cached_property
 from pathlib import Path
-from types import TracebackType
 from typing import Any, Self
 
 import numpy as np
@@ -37,8 +36,8 @@ def open_history(path: str | Path) -> History:
 
 
 class History:
-    """A context manager. Every call looks at the file again, so that calling
-    again follows a run; complete rows never change."""
+    """A history as a context manager. Every call looks at the file again, so
+    that calling again follows a run; complete rows never change."""
 
     def __init__(self, path: str | Path) -> None:
         self.path = Path(path)
@@ -58,9 +57,9 @@ class History:
                 genes["is_circular"].values.astype(bool),
                 genes["is_free"].values.astype(bool),
             )
-            goals = columns(data, "objectives")
+            objectives = columns(data, "objectives")
             names = ("objective", "unit", "sense")
-            rows = zip(*(goals[name].values.tolist() for name in names))
+            rows = zip(*(objectives[name].values.tolist() for name in names))
             self.objectives = tuple(Objective(*row) for row in rows)
             self.verify()
         except BaseException as error:
@@ -82,12 +81,7 @@ class History:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def close(self) -> None:
@@ -95,8 +89,8 @@ class History:
         self.datasets.close()
 
     def evaluations(self, generation: int | None = None) -> Rows:
-        """Complete evaluations, done or failed: all, or of one generation,
-        which need not be committed."""
+        """Returns complete evaluations, done or failed: all, or those of one
+        generation, which need not be committed."""
         if generation is None:
             return self._read("evaluations")
         if generation < 0:
@@ -106,8 +100,8 @@ class History:
         return self._read("evaluations", first, first + count)
 
     def unchecked(self) -> int:
-        """Complete evaluations of generations that are not, and so have no
-        checksum."""
+        """Counts complete evaluations of generations that are not complete,
+        and so have no checksum."""
         committed = self.datasets.read("generations/committed").astype(bool)
         count = self.datasets.read("generations/count")
         status = self.datasets.read("evaluations/status")
@@ -116,11 +110,11 @@ class History:
         return int(np.count_nonzero(status[first:] >= Status.DONE))
 
     def finalists(self) -> Rows:
-        """Complete final evaluations; slot 0 is the baseline."""
+        """Returns complete final evaluations; slot 0 is the baseline."""
         return self._read("final")
 
     def generations(self) -> Generations:
-        """Summaries of the committed generations."""
+        """Returns summaries of the committed generations."""
         found = columns(self.datasets, "generations")
         committed = found["committed"].values.astype(bool)
         count = len(committed) if committed.all() else int(committed.argmin())
@@ -152,8 +146,8 @@ class History:
         )
 
     def baseline(self) -> Evaluation | None:
-        """The unbred plant: its final evaluation if the finals are complete,
-        else its latest in the run; None if there is none yet."""
+        """Returns the unbred plant: its final evaluation if the finals are
+        complete, else its latest in the run; None if there is none yet."""
         if (pair := self._final_pair()) is not None:
             return pair.baseline
         done = self.evaluations().done
@@ -161,16 +155,17 @@ class History:
         return done.one(int(found[-1]), False) if len(found) else None
 
     def best(self) -> Evaluation | None:
-        """The fittest finalist but the baseline if the finals are complete.
-        Else, provisionally, the fittest of the last committed generation, or
-        of all rows before the first; None if nothing is done yet."""
+        """Returns the fittest finalist but the baseline if the finals are
+        complete. Otherwise it is, provisionally, the fittest of the last
+        committed generation, or of all rows before the first; None if nothing
+        is done yet."""
         if (pair := self._final_pair()) is not None:
             return pair.best
         top = self.latest().top(1)
         return top.one(0, False) if len(top) else None
 
     def comparison(self) -> Pair | None:
-        """Baseline and best, if both are known."""
+        """Returns baseline and best, if both are known."""
         if (pair := self._final_pair()) is not None:
             return pair
         baseline, best = self.baseline(), self.best()
@@ -179,11 +174,11 @@ class History:
         return Pair(baseline, best)
 
     def front(self) -> Front | None:
-        """Of several objectives, the finalists but the baseline if the finals
-        are complete, and which of them no other dominates. Else,
-        provisionally, the front of the last committed generation, or of all
-        rows before the first. None if there is one objective, or nothing is
-        done yet."""
+        """Returns for several objectives the finalists but the baseline if the
+        finals are complete, and which of them no other dominates. Otherwise it
+        is, provisionally, the front of the last committed generation, or of
+        all rows before the first. None if there is one objective, or nothing
+        is done yet."""
         if len(self.objectives) < 2:
             return None
         if (done := self._finals()) is not None:
@@ -192,19 +187,20 @@ class History:
         return front_of(self.latest(), baseline) if baseline else None
 
     def latest(self) -> Rows:
-        """The last committed generation, or all complete rows before the
-        first commit."""
+        """Returns the last committed generation, or all complete rows before
+        the first commit."""
         count = len(self.generations())
         return self.evaluations(count - 1 if count else None)
 
     @property
     def is_sensitivity(self) -> bool:
-        """Whether the rows are those of a sensitivity study, of which no
-        plant is the best."""
+        """Whether the rows are those of a sensitivity study, in which no plant
+        is the best."""
         return "sensitivity" in self.resolved
 
     def state(self) -> State:
-        """Whether the case is running, stopped, interrupted or finished."""
+        """Returns whether the case is running, stopped, interrupted or
+        finished."""
         finished = bool(self.datasets.read("state/finished"))
         return State(
             writer_of(self.path),
@@ -214,18 +210,18 @@ class History:
         )
 
     def sessions(self) -> list[Session]:
-        """The starts of the program, oldest first."""
+        """Returns the starts of the program, oldest first."""
         found = columns(self.datasets, "sessions")
         rows = zip(*(found[name].values.tolist() for name in _SESSION))
         return [each for row in rows if (each := Session(*row)).started]
 
     def messages(self) -> list[str]:
-        """What the user should know, oldest first."""
+        """Returns messages that the user should know, oldest first."""
         return [line for line in self.datasets.texts("messages/text") if line]
 
     def campaign(self, form: str = "source") -> str:
-        """The campaign file, "source" as the user wrote it or "resolved"
-        with every default."""
+        """Returns the campaign file, "source" as the user wrote it or
+        "resolved" with every default."""
         return self.datasets.texts(f"campaign/{form}")[0]
 
     @cached_property
@@ -239,7 +235,7 @@ class History:
 
     @property
     def is_isolated(self) -> bool:
-        """Whether the plants are a plot alone, lit from all sides, and not a
+        """Whether the plants are an isolated plot, lit from all sides, and no
         stand without end."""
         return self.resolved.get("field", {}).get("boundary") == "isolated"
 
@@ -268,8 +264,8 @@ class History:
         return rows_of(found, starts, self.genes, self.objectives)
 
     def _finals(self) -> Rows | None:
-        """The finalists that are done, the baseline first, once it is and
-        none of the others is pending."""
+        """Returns the finalists that are done, the baseline first, once it is
+        done and none of the others is pending."""
         status = self.datasets.read("final/status")
         if not len(status) or status[0] != Status.DONE:
             return None
@@ -278,7 +274,8 @@ class History:
         return self.finalists().done
 
     def _final_pair(self) -> Pair | None:
-        """The finalists' verdict, once none of them is pending."""
+        """Returns baseline and best among the finalists, once none of them is
+        pending."""
         if (done := self._finals()) is None:
             return None
         bred = done.take(done.slot > 0).top(1)

@@ -1,13 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a sensitivity study found: Sobol' indices, or elementary effects by
-Morris, by SALib from its rows, of which the noise is taken off."""
+"""The results of a sensitivity study: Sobol' indices, or elementary effects by
+Morris, which SALib computes from its rows and from which the noise of rows is
+taken off."""
 
 from __future__ import annotations
 
-import argparse
-import json
-import sys
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -16,11 +13,10 @@ import pandas
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from .._errors import did_you_mean, printable_lines
 from . import style
 from .case import Case
 from .file import HistoryError
-from .history import History, open_history
+from .history import History
 
 _SOBOL = ("first", "total")
 _MORRIS = ("mu_star", "sigma")
@@ -32,7 +28,7 @@ _LABELS = {
     "mu_star": "mean size μ*",
     "sigma": "standard deviation σ",
 }
-_NORMAL = 1.959963984540054
+NORMAL = 1.959963984540054
 """Half the width of an interval of 95 % in standard errors."""
 _DRAWS = {"num_resamples": 500, "seed": 1}
 
@@ -41,22 +37,25 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Indices:
-    """How a quantity depends on the factors of a study; NaN is not known."""
+    """The dependence of a quantity on the factors of a study; NaN is not
+    known."""
 
     quantity: str
     unit: str
     factors: tuple[str, ...]
     mean: float
     standard_deviation: float
-    """Without that of noise."""
+    """The standard deviation without that of noise."""
     noise: float
-    """Standard deviation of noise."""
+    """The standard deviation of noise."""
     samples: int
-    """Of which no row failed."""
+    """The number of samples in which no row failed."""
     index: dict[str, Floats]
-    """first and total by factor; or mu, mu_star, sigma, mu_star_of_noise."""
+    """The indices by name and factor: first and total; or mu, mu_star, sigma
+    and mu_star_of_noise."""
     standard_error: dict[str, Floats]
-    """By bootstrap over samples: of first and total, or of mu_star."""
+    """The standard errors by bootstrap over samples: of first and total, or of
+    mu_star."""
 
     @property
     def main(self) -> Floats:
@@ -71,14 +70,17 @@ class _Design(NamedTuple):
     levels: int
     factors: tuple[str, ...]
     problem: dict[str, Any]
-    """As SALib has it: a variable for each free gene, a group for each factor."""
+    """The problem as SALib has it: a variable for each free gene, a group for
+    each factor."""
     points: Floats
-    """[samples, rows of a sample, free genes], 0 to 1 in their ranges."""
+    """The points [samples, rows of a sample, free genes], 0 to 1 in their
+    ranges."""
 
 
 def indices_of(history: History) -> dict[str, Indices]:
     """Computes the indices of all quantities that are single numbers, by name;
-    none if the history is of no sensitivity study, or that is not finished yet.
+    none if the history is not that of a sensitivity study, or the study is not
+    finished yet.
 
     Raises HistoryError if SALib is not installed."""
     if not history.is_sensitivity or not history.state().finished:
@@ -92,7 +94,7 @@ def indices_of(history: History) -> dict[str, Indices]:
         ) from error
     rows = history.evaluations()
     design = _design(history, rows.genome)
-    names = [goal.name for goal in history.objectives]
+    names = [objective.name for objective in history.objectives]
     names += [name for name, q in rows.quantities.items() if q.axis is None]
     found = {}
     for name in dict.fromkeys(names):
@@ -168,11 +170,12 @@ def _analyse(
 def _sobol(
     design: _Design, y: Floats, noise: Floats
 ) -> tuple[dict[str, Floats], dict[str, Floats]]:
-    """First order by Saltelli et al. 2010 (doi:10.1016/j.cpc.2009.09.018) and
-    total by Jansen 1999 (doi:10.1016/S0010-4655(98)00154-4), and their standard
-    errors. Rows have independent noise, whose variance is in the variance of
-    the rows and in the squared differences of a total index, but not in the
-    products of a first."""
+    """Computes indices of first order by Saltelli et al. 2010
+    (doi:10.1016/j.cpc.2009.09.018) and total ones by Jansen 1999
+    (doi:10.1016/S0010-4655(98)00154-4), and their standard errors. Rows have
+    independent noise, whose variance is in the variance of the rows and in the
+    squared differences of a total index, but not in the products of a
+    first."""
     from SALib.analyze import sobol
 
     found = sobol.analyze(
@@ -185,16 +188,16 @@ def _sobol(
         "first": scale * found["S1"],
         "total": scale * (found["ST"] - of_pairs),
     }, {
-        "first": scale * found["S1_conf"] / _NORMAL,
-        "total": scale * found["ST_conf"] / _NORMAL,
+        "first": scale * found["S1_conf"] / NORMAL,
+        "total": scale * found["ST_conf"] / NORMAL,
     }
 
 
 def _morris(
     design: _Design, points: Floats, y: Floats, noise: Floats
 ) -> tuple[dict[str, Floats], dict[str, Floats]]:
-    """Elementary effects over the whole range of a factor (Morris 1991,
-    doi:10.1080/00401706.1991.10484804, Campolongo et al. 2007,
+    """Computes elementary effects over the whole range of a factor (Morris
+    1991, doi:10.1080/00401706.1991.10484804, Campolongo et al. 2007,
     doi:10.1016/j.envsoft.2006.10.004), and the standard error of mu_star; the
     variance of noise is taken off that of effects."""
     from SALib.analyze import morris
@@ -227,13 +230,13 @@ def _morris(
         )
     index = dict(zip(("mu", "sigma", _OF_NOISE), np.array(rows).T))
     index["mu_star"] = np.asarray(found["mu_star"], float)
-    error = np.asarray(found["mu_star_conf"], float) / _NORMAL
+    error = np.asarray(found["mu_star_conf"], float) / NORMAL
     return index, {"mu_star": error}
 
 
 def draw_indices(case: Case) -> Figure:
-    """Bars of the factors that matter most to the first objective, with
-    95 % intervals, of the first seed.
+    """Draws bars of the factors that matter most to the first objective, with
+    95 % intervals, for the first seed.
 
     Raises HistoryError if the study is not finished, or tells nothing."""
     history = case.histories[0]
@@ -254,7 +257,7 @@ def draw_indices(case: Case) -> Figure:
         for of in (found.index, found.standard_error)
     )
     bars.plot.barh(
-        ax=axes, xerr=_NORMAL * errors, width=0.8, capsize=2,
+        ax=axes, xerr=NORMAL * errors, width=0.8, capsize=2,
         color=[style.series(i)[0] for i in range(len(shown))],
     )  # fmt: skip
     if shown == _MORRIS:
@@ -280,122 +283,3 @@ def draw_indices(case: Case) -> Figure:
         fontsize=10,
     )
     return figure
-
-
-def main(arguments: Sequence[str] | None = None) -> int:
-    """Prints the indices of a history and returns the exit code: 0, or 1 if
-    there are none."""
-    parser = argparse.ArgumentParser(
-        prog="ideotype indices",
-        description="Tells what the objectives of a finished sensitivity study "
-        "depend on, the factors that matter most first, with 95 % intervals.",
-    )
-    add = parser.add_argument
-    add("file", help="history of `ideotype sensitivity`")
-    add(
-        "--quantity", action="append", default=[],
-        help="print the indices of this quantity too, such as lai",
-    )  # fmt: skip
-    add("--json", action="store_true", help="print all quantities as JSON")
-    options = parser.parse_args(arguments)
-    try:
-        with open_history(options.file) as history:
-            print(printable_lines(_told(history, options)))
-    except (HistoryError, OSError) as error:
-        print(printable_lines(f"ideotype: {error}"), file=sys.stderr)
-        return 1
-    return 0
-
-
-def _told(history: History, options: argparse.Namespace) -> str:
-    found = indices_of(history)
-    if not found:
-        raise HistoryError(
-            f"{history.path}: "
-            + (
-                "the sensitivity study is not finished yet; go on with "
-                "ideotype sensitivity CAMPAIGN --resume"
-                if history.is_sensitivity
-                else "is of no sensitivity study; ideotype sensitivity "
-                "CAMPAIGN writes one"
-            )
-        )
-    case = str(history.attributes["case"])
-    if options.json:
-        table = {name: _to_json(each) for name, each in found.items()}
-        return json.dumps({"case": case, "quantities": table}, indent=2)
-    names = [goal.name for goal in history.objectives] + options.quantity
-    for name in options.quantity:
-        if name not in found:
-            raise HistoryError(
-                f"--quantity: there is no '{name}'"
-                + did_you_mean(name, list(found))
-            )
-    text = "\n\n".join(f"{case}  {_to_text(found[name])}" for name in names)
-    known = found[names[0]].samples
-    samples = history.resolved["sensitivity"]["samples"]
-    if known < samples:
-        text += (
-            f"\n{samples - known} of {samples} samples have rows that failed; "
-            "the indices are from the others"
-        )
-    return text
-
-
-def _to_json(found: Indices) -> dict[str, Any]:
-    def number(x: float) -> float | None:
-        return float(x) if np.isfinite(x) else None
-
-    def of_factor(k: int) -> dict[str, Any]:
-        return {
-            name: {
-                "mean": number(values[k]),
-                "standard_error": number(found.standard_error[name][k]),
-            }
-            for name, values in found.index.items()
-        }
-
-    return {
-        "unit": found.unit,
-        "mean": number(found.mean),
-        "standard_deviation": number(found.standard_deviation),
-        "noise_standard_deviation": number(found.noise),
-        "samples": found.samples,
-        "factors": {x: of_factor(k) for k, x in enumerate(found.factors)},
-    }
-
-
-def _to_text(found: Indices) -> str:
-    head = (
-        f"{found.quantity} [{found.unit}]: mean {found.mean:.6g}, standard "
-        f"deviation {found.standard_deviation:.3g} (without that of noise, "
-        f"{found.noise:.2g}); {found.samples} samples, 95 % intervals"
-    )
-    rows = [("factor", *found.index)]
-    for k in np.argsort(-np.nan_to_num(found.main), kind="stable"):
-        cells = (
-            _with_interval(values[k], found.standard_error[name][k])
-            for name, values in found.index.items()
-        )
-        rows.append((found.factors[k], *cells))
-    lines = (
-        f"  {factor:<32}" + "".join(f"{cell:>28}" for cell in cells)
-        for factor, *cells in rows
-    )
-    return "\n".join([head, *lines])
-
-
-def _with_interval(value: float, error: float) -> str:
-    if not np.isfinite(value):
-        return "-"
-    if not np.isfinite(error):
-        return f"{value:.4g}"
-    half = _NORMAL * error
-    digits = 4 if half <= 0 else int(1 - np.floor(np.log10(half)))
-    digits = min(max(digits, 0), 4)
-    low, high = value - half, value + half
-    return f"{value:.{digits}f} ({low:.{digits}f} .. {high:.{digits}f})"
-
-
-if __name__ == "__main__":
-    sys.exit(main())

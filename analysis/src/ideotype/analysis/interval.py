@@ -17,19 +17,19 @@ ONE_SEED = (
     "one seed: the interval holds the noise of the light, not that of the "
     "search"
 )
-"""What is told wherever the interval of a single seed is."""
+"""The note that stands wherever the interval of a single seed is."""
 
 
 def meaning(seeds: Iterable[int]) -> str:
-    """What intervals of so many seeds each hold."""
+    """Tells the meaning of intervals that have so many seeds each."""
     counts = set(seeds)
     several = ["95 % confidence interval over seeds"] * bool(counts - {1})
     return "; ".join([*several, *[ONE_SEED] * (1 in counts)])
 
 
 def student(degrees_of_freedom: int) -> float:
-    """The two-sided 95 % quantile of Student's t."""
-    # Here, since it takes as long to load as all else together.
+    """Returns the two-sided 95 % quantile of Student's t."""
+    # The import stands here, since it takes as long as all else together.
     from scipy.special import stdtrit
 
     return float(stdtrit(degrees_of_freedom, 0.975))
@@ -42,12 +42,12 @@ class Interval:
 
     mean: float
     half_width: float
-    """NaN if it is not known."""
+    """Half the width of the interval; NaN if it is not known."""
     unit: str
     seeds: int
 
     def number(self) -> str:
-        """ "1.50 ± 0.06", without the unit."""
+        """Returns "1.50 ± 0.06", without the unit."""
         if not math.isfinite(self.half_width):
             return f"{self.mean:.4g}, error unknown"
         digits = 2
@@ -58,14 +58,16 @@ class Interval:
         return f"{self.mean:.{digits}f} ± {self.half_width:.{digits}f}"
 
     def __str__(self) -> str:
-        """ "1.50 ± 0.06 %", and of a single seed what that does not hold."""
+        """Returns "1.50 ± 0.06 %", and for a single seed what that does not
+        hold."""
         unit = "" if self.unit == "1" else f" {self.unit}"
         known = f" ({ONE_SEED})" if self.seeds == 1 else ""
         return f"{self.number()}{unit}{known}"
 
     def plus(self, other: Interval) -> Interval:
-        """Both together, of the same seeds and unit; the half-width is the
-        most that it can be, since they need not be independent."""
+        """Returns the sum of both, which have the same seeds and unit; the
+        half-width is the most that it can be, since they need not be
+        independent."""
         half_width = self.half_width + other.half_width
         return Interval(
             self.mean + other.mean, half_width, self.unit, self.seeds
@@ -73,9 +75,10 @@ class Interval:
 
 
 def interval(figures: Sequence[Estimate]) -> Interval:
-    """The 95 % confidence interval of the mean of independent seeds: Student's
-    t over their scatter, or the normal one of their standard errors where that
-    is wider, as it is for a single seed and for seeds that agree by chance."""
+    """Returns the 95 % confidence interval of the mean of independent seeds:
+    Student's t over their scatter, or the normal one of their standard errors
+    where that is wider, as it is for a single seed and for seeds that agree by
+    chance."""
     if not figures:
         raise ValueError("no figure to average")
     means = np.array([figure.mean for figure in figures])

@@ -19,12 +19,12 @@ def open_arrays(
     *,
     all_rows: bool = False,
 ) -> xarray.Dataset:
-    """A group of a history, "evaluations", "final", "generations", "genes" and
-    so on, in memory: arrays by name, whose dimensions have names and labels.
-    Works on finished, live and killed files. Of /evaluations and /final only
-    the rows whose outcome is recorded; all of them with `all_rows`. The
-    attribute `unchecked_rows` of /evaluations counts those of a generation
-    that is not complete and so has no checksum.
+    """Reads a group of a history, "evaluations", "final", "generations",
+    "genes" and so on, into memory: arrays by name, whose dimensions have names
+    and labels. Finished, live and killed files can be read. /evaluations and
+    /final give only the rows whose outcome is recorded, with `all_rows` all of
+    them. The attribute `unchecked_rows` of /evaluations counts those of a
+    generation that is not complete and so has no checksum.
 
     Raises as open_history(), KeyError if there is no such group."""
     with open_history(Path(path)) as history:

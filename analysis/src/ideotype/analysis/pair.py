@@ -13,22 +13,23 @@ from .rows import Evaluation
 
 @dataclass(frozen=True)
 class Pair:
-    """Baseline and best of one history, evaluated in the same way."""
+    """The baseline and the best plant of one history, evaluated in the same
+    way."""
 
     baseline: Evaluation
     best: Evaluation
 
     @property
     def is_final(self) -> bool:
-        """Both evaluated again at the end. If not, the best is the best of
-        many noisy figures and too high on average."""
+        """Whether both were evaluated again at the end. If not, the best is
+        the best of many noisy figures and too high on average."""
         return self.baseline.is_final and self.best.is_final
 
     @property
     def is_paired(self) -> bool:
-        """Both in the same randomisations, which the history has kept: the
-        errors of differences are then those of the randomisations one by
-        one, and else take both as independent."""
+        """Whether both have the same randomisations, which the history has
+        kept: the errors of differences are then those of the randomisations
+        one by one; otherwise both are taken as independent."""
         baseline, best = self.baseline.row, self.best.row
         return (
             baseline.generation[0] == best.generation[0]
@@ -39,20 +40,20 @@ class Pair:
 
     @property
     def difference(self) -> Estimate:
-        """best - baseline in the first objective, in its unit."""
+        """The best less the baseline in the first objective, in its unit."""
         return difference(
             *self._both(self.best.objective, self.baseline.objective)
         )
 
     @property
     def gain(self) -> Estimate:
-        """By how much the first objective is higher [%]."""
+        """The gain in the first objective [%]."""
         return self.gain_in(self.best.row.goals[0].name)
 
     def gain_in(self, name: str) -> Estimate:
-        """By how much a quantity without axes or an objective is higher [%].
-        The error is paired for objectives, and takes both as independent for
-        all else.
+        """Returns by how much a quantity without axes or an objective is
+        higher [%]. The error is paired for objectives, and takes both as
+        independent for all else.
 
         Raises HistoryError if the history does not tell it."""
         best, baseline = self.best.estimate(name), self.baseline.estimate(name)
@@ -60,7 +61,7 @@ class Pair:
 
     @property
     def gain_per_leaf_area(self) -> Estimate:
-        """By how much more PAR a unit of leaf area absorbs [%].
+        """The gain in PAR that a unit of leaf area absorbs [%].
 
         Raises HistoryError if the history does not tell it."""
         best, baseline = self.best.per_leaf_area, self.baseline.per_leaf_area

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Cases against each other by where they are: latitude and spacing, as curves
-and as maps over two of these."""
+"""Compares cases by where they are: latitude and spacing, as curves and as
+maps over two of these."""
 
 from __future__ import annotations
 
@@ -43,12 +43,12 @@ _AXES: tuple[tuple[str, str, _Number], ...] = (
     ("spacing", "distance of plants [m]", _plants),
     ("spacing", "distance of rows [m]", _rows),
 )
-"""The axis of campaigns that each belongs to, its label, and where a case
+"""The axis of campaigns to which each belongs, its label, and where a case
 is."""
 
 
 def _elsewhere(case: Case, *axes: str) -> str:
-    """The case's place on all other axes; the trait set comes last."""
+    """Returns the case's place on all other axes; the trait set comes last."""
     names = ("site", "day", "spacing", "trait_set")
     words = (
         case.attributes.get(name, "") for name in names if name not in axes
@@ -60,14 +60,15 @@ def _elsewhere(case: Case, *axes: str) -> str:
 
 
 def draw_latitudes(cases: Sequence[Case]) -> Figure:
-    """Absorbed PAR and gain against latitude, a line for each combination of
-    the other axes, and points for combinations at a latitude that no line
-    shows. Raises HistoryError unless there are two latitudes."""
+    """Draws absorbed PAR and gain against latitude, a line for each
+    combination of the other axes, and points for combinations at a latitude
+    that no line shows. Raises HistoryError unless there are two latitudes."""
     return _draw_against(cases, *_AXES[1])
 
 
 def draw_spacings(cases: Sequence[Case]) -> Figure:
-    """The same against plants per area, a line for each distance of rows."""
+    """Draws absorbed PAR and gain against plants per area, a line for each
+    distance of rows."""
     return _draw_against(cases, *_AXES[0])
 
 
@@ -128,8 +129,8 @@ def _draw_against(
 
 
 def _by_rows(name: str, members: Sequence[Case]) -> dict[str, list[Case]]:
-    """A line for each distance of rows, unless plants of a row are always as
-    far apart."""
+    """Returns cases by their lines: one for each distance of rows, unless
+    plants of a row are always as far apart."""
     lines: dict[str, list[Case]] = {}
     for case in sorted(members, key=_rows):
         lines.setdefault(f"{name}, rows {_rows(case):.4g} m", []).append(case)
@@ -144,8 +145,8 @@ def _draw_line(
 
 
 def draw_gain_map(cases: Sequence[Case]) -> Figure:
-    """The gain over the baseline [%], a map for each combination of the other
-    axes.
+    """Draws the gain over the baseline [%], a map for each combination of the
+    other axes.
 
     Raises HistoryError unless cases differ in two numbers."""
     known = known_cases(cases)
@@ -160,9 +161,9 @@ def draw_gain_map(cases: Sequence[Case]) -> Figure:
 
 
 def draw_set_map(cases: Sequence[Case], sets: tuple[str, str]) -> Figure:
-    """By how much the best plant of one of two trait sets is better than that
-    of the other [%], with the line where both are equal; the error takes both
-    as independent.
+    """Draws by how much the best plant of one of two trait sets is better than
+    that of the other [%], with the line where both are equal; the error takes
+    both as independent.
 
     Raises HistoryError unless cases of both differ in two numbers."""
     first, second = sets
@@ -187,7 +188,7 @@ def draw_set_map(cases: Sequence[Case], sets: tuple[str, str]) -> Figure:
 
 
 def two_sets(cases: Sequence[Case]) -> tuple[str, str] | None:
-    """The trait sets of cases, if there are just two."""
+    """Returns the trait sets of cases, if there are just two."""
     names = dict.fromkeys(
         str(case.attributes.get("trait_set", "")) for case in cases
     )
@@ -196,7 +197,8 @@ def two_sets(cases: Sequence[Case]) -> tuple[str, str] | None:
 
 
 def _over(case: Case, other: Case) -> Interval:
-    """Of the best plants; of a minimised objective how much lower."""
+    """Returns how much more the best plants have; for a minimised objective
+    how much less."""
     mine, theirs = case.mean("best"), other.mean("best")
     found = relative_gain(
         *(Estimate(x.mean, x.half_width, x.unit) for x in (mine, theirs))
@@ -209,8 +211,8 @@ def _over(case: Case, other: Case) -> Interval:
 def _maps(
     known: Sequence[Case],
 ) -> tuple[tuple[str, str], dict[str, dict[_Place, Case]]]:
-    """Labels of the two axes, and cases by their place on these, for each
-    combination of all others."""
+    """Returns labels of the two axes, and cases by their place on these, for
+    each combination of all others."""
     for i, (axis, label, place) in enumerate(_AXES):
         for other, other_label, other_place in _AXES[i + 1 :]:
             shown = [
@@ -239,7 +241,8 @@ def _maps(
 
 
 def _is_area(places: Mapping[_Place, Case]) -> bool:
-    """At least two by two, more than half of which there is."""
+    """Returns whether there are at least two by two places, more than half of
+    which have a case."""
     across, up = ({at[k] for at in places} for k in (0, 1))
     return min(len(across), len(up)) > 1 and 2 * len(places) > len(
         across
@@ -271,7 +274,7 @@ def _draw(
         image = axes.imshow(
             table, cmap="PuOr_r", norm=norm, origin="lower", aspect="auto"
         )
-        # The line of no difference, between the middles of cells.
+        # The line of no difference runs between the middles of cells.
         if has_line and np.nanmin(table) < 0 < np.nanmax(table):
             axes.contour(table, [0.0], colors=style.BASELINE, linewidths=2)
         axes.set_xticks(range(len(across)), [f"{x:g}" for x in across])

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where and when the leaves absorb and assimilate: by hour, day, leaf rank and
-height; and how much of them the sun shines on."""
+"""Draws where and when the leaves absorb and assimilate: by hour, day, leaf
+rank and height; and how much of them the sun shines on."""
 
 from __future__ import annotations
 
@@ -40,9 +40,9 @@ _SIZE = {"markersize": 4}
 
 
 def draw_hours(case: Case) -> Figure:
-    """PAR absorbed by leaves at each hour, and best minus baseline. The error
-    of the difference takes both as independent. Parts of the light have a
-    panel each if the history tells them apart."""
+    """Draws PAR absorbed by leaves at each hour, and best minus baseline. The
+    error of the difference takes both as independent. Parts of the light have
+    a panel each if the history tells them apart."""
     figure = _draw_courses(case, "hour")
     span = "season" if case.best.row.with_axis("day") else "day"
     kind = "" if case.best_pair.is_final else "provisional "
@@ -55,7 +55,7 @@ def draw_hours(case: Case) -> Figure:
 
 
 def draw_days(case: Case) -> Figure:
-    """What is known by day of a season, as draw_hours() does.
+    """Draws what is known by day of a season, as draw_hours() does by hour.
 
     Raises HistoryError if there is nothing by day."""
     figure = _draw_courses(case, "day")
@@ -88,7 +88,7 @@ def _draw_courses(case: Case, axis: str) -> Figure:
 
 
 def draw_sunlit(case: Case) -> Figure:
-    """Sunlit over all leaf area by hour [%], baseline and best.
+    """Draws sunlit over all leaf area by hour [%], for baseline and best.
 
     Raises HistoryError if the history does not tell it."""
     case.need_pairs()
@@ -132,8 +132,8 @@ def _instants(found: Profile) -> NDArray:
 
 
 def draw_leaves(case: Case) -> Figure:
-    """What is known by leaf rank, such as absorbed PAR: baseline and best
-    with standard errors, a panel each."""
+    """Draws what is known by leaf rank, such as absorbed PAR: baseline and
+    best with standard errors, a panel each."""
     figure, panels = _draw_along(case, _names(case, "leaf", "leaf rank"))
     leaf = cast(Axis, case.best.row.with_axis("leaf")[0].axis)
     for axes in panels:
@@ -143,8 +143,8 @@ def draw_leaves(case: Case) -> Figure:
 
 
 def draw_layers(case: Case) -> Figure:
-    """What is known by height above the soil, as by leaf rank; points are at
-    the middle of their layers."""
+    """Draws what is known by height above the soil, as by leaf rank; points
+    are at the middle of their layers."""
     figure, panels = _draw_along(case, _names(case, "layer", "height layer"))
     for axes in panels:
         axes.set_ylim(bottom=0)
@@ -153,7 +153,7 @@ def draw_layers(case: Case) -> Figure:
 
 
 def _draw_along(case: Case, names: list[str]) -> tuple[Figure, NDArray]:
-    """Labels upwards, values to the right."""
+    """Draws labels upwards and values to the right."""
     figure, panels = _panels(case, len(names))
     for axes, name in zip(panels, names):
         for who, looks in _PLANTS.items():
@@ -166,8 +166,8 @@ def _draw_along(case: Case, names: list[str]) -> tuple[Figure, NDArray]:
 
 
 def draw_parts(case: Case) -> Figure:
-    """Light that leaves absorb by origin, face of the leaf, or whatever else
-    has words for labels and the objective's unit."""
+    """Draws light that leaves absorb by origin, face of the leaf, or whatever
+    else has words for labels and the objective's unit."""
     case.need_pairs()
     unit = case.best.objective.unit
     names = [
@@ -200,8 +200,8 @@ def draw_parts(case: Case) -> Figure:
 
 
 def draw_assimilation(case: Case) -> Figure:
-    """Gross assimilation by hour above, gross and net by leaf rank below, as
-    far as the history tells them; baseline and best.
+    """Draws gross assimilation by hour above, gross and net by leaf rank
+    below, as far as the history tells them, for baseline and best.
 
     Raises HistoryError if it tells none."""
     case.need_pairs()

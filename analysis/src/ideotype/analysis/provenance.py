@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where the figures of a report come from."""
+"""Tells where the figures of a report come from."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ _PROVENANCE = (
     ("created", "created"),
 )
 _DIGITS = 12
-"""Shown of a hash."""
+"""The number of digits of a hash that are shown."""
 
 
 def provenance(cases: Sequence[Case]) -> list[Block]:
-    """Where the figures come from: a row per history, the commands, and the
-    campaigns with all defaults."""
+    """Tells where the figures come from: a row per history, the commands, and
+    the campaigns with all defaults."""
     histories = [h for case in cases for h in case.histories]
     header = (
         "file",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is known of plants: values with units, axes and standard errors."""
+"""Quantities of plants: values with units, axes and standard errors."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Axis:
     """Numbers or words."""
     units: str = "1"
     meaning: str = ""
-    """In words; "" where the name says it."""
+    """The meaning in words; "" where the name says it."""
 
     def __eq__(self, other: object) -> bool:
         return (
@@ -38,7 +38,7 @@ class Axis:
 
 @dataclass(frozen=True)
 class Quantity:
-    """[rows], or [rows, axis]; NaN where it is not known."""
+    """Values [rows], or [rows, axis]; NaN where they are not known."""
 
     name: str
     unit: str
@@ -47,7 +47,7 @@ class Quantity:
     axis: Axis | None = None
 
     def take(self, index: NDArray) -> Quantity:
-        """The rows of a mask or of row numbers."""
+        """Returns the rows of a mask or of row numbers."""
         values, error = self.values[index], self.standard_error[index]
         return Quantity(self.name, self.unit, values, error, self.axis)
 
@@ -62,17 +62,17 @@ class Profile:
     values: Floats
     standard_error: Floats
     meaning: str = ""
-    """Of the labels."""
+    """The meaning of the labels."""
 
     def estimates(self) -> list[Estimate]:
-        """Of each label."""
+        """Returns the figure of each label."""
         pairs = zip(self.values, self.standard_error)
         return [
             Estimate(float(x), float(error), self.unit) for x, error in pairs
         ]
 
     def over(self, whole: float) -> dict[str, Estimate]:
-        """Each label's part of an exact whole in the same unit."""
+        """Returns each label's part of an exact whole in the same unit."""
         return {
             str(label): part.scaled(1 / whole, "1")
             for label, part in zip(self.labels, self.estimates())
@@ -81,14 +81,14 @@ class Profile:
 
 @dataclass(frozen=True)
 class Objective:
-    """What evolution looks at."""
+    """A quantity that evolution looks at."""
 
     name: str
     unit: str
     sense: str
-    """maximise or minimise"""
+    """The sense of the search: maximise or minimise."""
 
     @property
     def sign(self) -> int:
-        """1 where larger is better, else -1."""
+        """The sign of a better value: 1 where larger is better, else -1."""
         return -1 if self.sense == "minimise" else 1

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The report: one page that needs nothing else, and figures as files."""
+"""Writes the report: one page that needs nothing else, and figures as
+files."""
 
 from __future__ import annotations
 
@@ -45,20 +46,20 @@ _ALONG = (
     "errors."
 )
 _VIEW = (
-    "Baseline (left) and {} (right). Leaves are coloured by what they "
-    "absorb over the day; sheaths are dull green, stalks and other organs grey, "
-    "neighbours pale and all turned alike. Numbers are ± standard errors. Lines "
-    "on the ground are the rows. "
+    "The baseline is on the left and the {} on the right. Leaves are coloured "
+    "by what they absorb over the day; sheaths are dull green, stalks and other "
+    "organs grey, neighbours pale and all turned alike. Numbers are ± standard "
+    "errors. Lines on the ground are the rows. "
     "Drag (on a touch screen sideways) or use the arrow keys to turn; pinch, "
-    "Ctrl and the wheel, or + and - to zoom; Home to start again."
+    "Ctrl and the wheel, or + and - zoom; Home starts again."
 )
 _FRONT = (
-    "Front: plants that no other betters in all objectives, evaluated again, "
-    "with standard errors. Choose one with a click, a tap or the arrow keys: it "
-    "is shown beside the baseline, with its numbers ± standard errors. By how "
-    "much they are higher has paired errors in objectives; in all else it takes "
-    "both plants as independent. Of the last generation, pale, only what lies "
-    "within the axes is drawn. "
+    "The front has plants that no other betters in all objectives, evaluated "
+    "again, with standard errors. Choose one with a click, a tap or the arrow "
+    "keys: it is shown beside the baseline, with its numbers ± standard errors. "
+    "Differences from the baseline have paired errors in objectives, and take "
+    "both plants as independent in all else. The last generation is pale, and "
+    "drawn as far as it lies within the axes. "
 )
 _READING = (
     "All figures use the palette of Okabe and Ito and the maps viridis and "
@@ -72,7 +73,7 @@ _READING = (
 
 @dataclass(frozen=True)
 class Written:
-    """What a report left on the disk."""
+    """The files that a report left on the disk."""
 
     page: Path
     figures: list[Path] = field(default_factory=list)
@@ -174,7 +175,7 @@ def _overview(
     section.draw(
         "energy",
         "Where does the light go?",
-        f"Parts of the incident PAR; error bars: {intervals_of(cases)}.",
+        f"Parts of the incident PAR. Error bars: {intervals_of(cases)}.",
         partial(draw_energy, cases),
     )
     section.blocks += tables.organs(cases)
@@ -209,7 +210,8 @@ def _places(cases: Sequence[Case], cross: Cross | None) -> Section:
             "set_map",
             f"Where is the best plant of {sets[0]} better than that of "
             f"{sets[1]}?",
-            "Line: no difference. Both are taken as independent. " + cells,
+            "There is no difference on the line. Both are taken as independent. "
+            + cells,
             partial(draw_set_map, cases, sets),
         )
     if cross is None:
@@ -232,7 +234,7 @@ def _view(shapes: list[tuple[Case, Plants | None]]) -> Section:
     section = Section((front + "plants in three dimensions").capitalize())
     if shapes:
         caption = (
-            _FRONT + _VIEW.format("the plant that is chosen, or the best")
+            _FRONT + _VIEW.format("plant that is chosen, or the best")
             if has_front
             else _VIEW.format("best plant")
         )
@@ -243,7 +245,7 @@ def _view(shapes: list[tuple[Case, Plants | None]]) -> Section:
 
 
 def _plants(case: Case) -> Plants | Note:
-    """The shapes of baseline and best, or why they are not known."""
+    """Returns the shapes of baseline and best, or why they are not known."""
     try:
         return build_plants(case)
     except Error as reason:

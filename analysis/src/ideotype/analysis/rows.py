@@ -19,7 +19,7 @@ from .quantity import Floats, Integers, Objective, Profile, Quantity
 
 
 class Status(IntEnum):
-    """How far an evaluation has come, as in the file."""
+    """The progress of an evaluation, as in the file."""
 
     EMPTY = 0
     PROPOSED = 1
@@ -28,7 +28,7 @@ class Status(IntEnum):
 
 
 class Origin(IntEnum):
-    """Where a genome came from, as in the file."""
+    """The origin of a genome, as in the file."""
 
     NONE = 0
     BASELINE = 1
@@ -48,26 +48,26 @@ class Rows:
     goals: tuple[Objective, ...]
     quantities: dict[str, Quantity]
     row: Integers
-    """In /evaluations, or of finalists in /final."""
+    """The row in /evaluations, or of finalists in /final."""
     generation: Integers
-    """-1 for finalists."""
+    """The generation, -1 for finalists."""
     slot: Integers
-    """In the generation; of finalists as `row`."""
+    """The slot in the generation, which finalists have as `row`."""
     status: Integers
     origin: Integers
     parents: Integers
-    """[rows, 2], rows of /evaluations; -1: none."""
+    """The rows of /evaluations of both parents [rows, 2]; -1: none."""
     genome: Floats
-    """[rows, genes]"""
+    """The genomes [rows, genes]."""
     objectives: Floats
-    """[rows, goals]"""
+    """The objectives [rows, objectives]."""
     objectives_standard_error: Floats
     randomisations: Floats
-    """Of objectives, [rows, goals, randomisations]; the last is 0 where the
-    file has none. Rows of one generation, and all finalists, share random
-    numbers in the same randomisation."""
+    """The objectives by randomisation [rows, objectives, randomisations]; the
+    last is 0 where the file has none. Rows of one generation, and all
+    finalists, share random numbers in the same randomisation."""
     violation: Floats
-    """0 where all constraints are kept."""
+    """The violation, 0 where all constraints are kept."""
     attempt: Integers
     seconds: Floats
     worker: Integers
@@ -79,10 +79,12 @@ class Rows:
     def __getitem__(self, name: str) -> Quantity:
         if name in self.quantities:
             return self.quantities[name]
-        for k, goal in enumerate(self.goals):
-            if name == goal.name:
+        for k, objective in enumerate(self.goals):
+            if name == objective.name:
                 error = self.objectives_standard_error[:, k]
-                return Quantity(name, goal.unit, self.objectives[:, k], error)
+                return Quantity(
+                    name, objective.unit, self.objectives[:, k], error
+                )
         if name in self.genes.names:
             i = self.genes.names.index(name)
             values = self.genome[:, i]
@@ -95,35 +97,36 @@ class Rows:
 
     @property
     def names(self) -> list[str]:
-        """Of quantities, objectives and genes."""
-        goals = (goal.name for goal in self.goals)
-        return [*self.quantities, *goals, *self.genes.names]
+        """The names of quantities, objectives and genes."""
+        names = (objective.name for objective in self.goals)
+        return [*self.quantities, *names, *self.genes.names]
 
     def with_axis(self, axis: str) -> list[Quantity]:
-        """The quantities that have it."""
+        """Returns the quantities that have this axis."""
         found = self.quantities.values()
         return [q for q in found if q.axis and q.axis.name == axis]
 
     def take(self, index: NDArray) -> Rows:
-        """The rows of a mask or of row numbers."""
+        """Returns the rows of a mask or of row numbers."""
         quantities = {n: q.take(index) for n, q in self.quantities.items()}
         arrays = {name: getattr(self, name)[index] for name in _ARRAYS}
         return replace(self, quantities=quantities, **arrays)
 
     @property
     def done(self) -> Rows:
-        """Without the failed ones."""
+        """The rows without the failed ones."""
         return self.take(self.status == Status.DONE)
 
     @property
     def failed(self) -> Rows:
-        """Only the failed ones; their message says why."""
+        """The failed rows alone; their message says why."""
         return self.take(self.status == Status.FAILED)
 
     def ranking(self, count: int) -> Integers:
-        """Row numbers of the best with different genomes, best first; of
-        equal genomes the best. Rows that violate constraints come last, the
-        less they do the earlier. Fewer if there are not as many."""
+        """Returns row numbers of the best with different genomes, best first;
+        equal genomes are there by the best of them. Rows that violate
+        constraints come last, the less they do the earlier. There are fewer if
+        there are not as many."""
         done = np.flatnonzero(self.status == Status.DONE)
         worse = -self.goals[0].sign * self.objectives[done, 0]
         violation = self.violation[done]
@@ -133,11 +136,11 @@ class Rows:
         return order[np.sort(first)[:count]]
 
     def top(self, count: int) -> Rows:
-        """The rows of ranking()."""
+        """Returns the rows of ranking()."""
         return self.take(self.ranking(count))
 
     def one(self, index: int, is_final: bool) -> Evaluation:
-        """A single row; negative numbers count from the end."""
+        """Returns a single row; negative numbers count from the end."""
         return Evaluation(self.take(np.array([index])), is_final)
 
 
@@ -145,8 +148,8 @@ _ARRAYS = [f.name for f in fields(Rows)][3:]
 
 
 def join(parts: Sequence[Rows]) -> Rows:
-    """Rows of several histories, one after the other, with the quantities
-    and the number of randomisations that all of them have.
+    """Returns rows of several histories, one after the other, with the
+    quantities and the number of randomisations that all of them have.
 
     Raises HistoryError if their genes or objectives differ."""
     first = parts[0]
@@ -186,11 +189,11 @@ def join(parts: Sequence[Rows]) -> Rows:
 
 @dataclass(frozen=True)
 class Evaluation:
-    """One row."""
+    """One row of evaluations."""
 
     row: Rows
     is_final: bool
-    """Evaluated again at the end, with fresh random numbers."""
+    """Whether it was evaluated again at the end, with fresh random numbers."""
 
     @property
     def objective(self) -> Estimate:
@@ -206,12 +209,12 @@ class Evaluation:
         )
 
     def estimate(self, name: str) -> Estimate:
-        """An objective with its randomisations, quantity without axes, or
-        gene by name.
+        """Returns by name an objective with its randomisations, a quantity
+        without axes, or a gene.
 
         Raises HistoryError if there is none."""
-        for k, goal in enumerate(self.row.goals):
-            if name == goal.name:
+        for k, objective in enumerate(self.row.goals):
+            if name == objective.name:
                 return self._goal(k)
         try:
             found = self.row[name]
@@ -226,21 +229,21 @@ class Evaluation:
 
     @property
     def per_leaf_area(self) -> Estimate:
-        """Absorbed PAR per one-sided leaf area, with randomisations if the
+        """The absorbed PAR per one-sided leaf area, with randomisations if the
         objective has them for the same light: the leaf area is exact.
 
         Raises HistoryError if the history does not tell it."""
-        name, goal = "absorbed_par_per_leaf_area", self.row.goals[0].name
-        if goal == name:
+        name, objective = "absorbed_par_per_leaf_area", self.row.goals[0].name
+        if objective == name:
             return self.objective
         found = self.estimate(name)
-        if goal != "absorbed_par" or self.row.with_axis("scenario"):
+        if objective != "absorbed_par" or self.row.with_axis("scenario"):
             return found
         scale = found.mean / self.objective.mean
         return replace(found, draws=scale * self.objective.draws)
 
     def profile(self, name: str) -> Profile:
-        """A quantity along its axis.
+        """Returns a quantity along its axis.
 
         Raises HistoryError if there is none."""
         found = self.row.quantities.get(name)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Columns of a history as its evaluations."""
+"""Turns columns of a history into its evaluations."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from .quantity import Axis, Integers, Objective, Quantity
 from .rows import Rows
 
 _FINAL = -1
-"""Stands for the generation of a finalist."""
+"""The number in the place of the generation of a finalist."""
 _ERROR = "_standard_error"
 _NO_QUANTITIES = {
     *("status", "genome", "origin", "parents", "violation"),
     *("objectives", "objectives_by_randomisation", "checksum"),
     *("attempt", "seconds", "worker", "message"),
 }
-"""Columns of rows that are something else."""
+"""Columns of rows that are no quantities."""
 
 
 def rows_of(
@@ -45,7 +45,7 @@ def rows_of(
             _, labels, told = found[axes[1]]
             meaning = told.get("long_name", "")
             axis = Axis(axes[1], labels, told.get("units", ""), meaning)
-        # Exact ones have no error of their own.
+        # Exact quantities have no error of their own.
         is_exact = name + _ERROR not in found
         error = 0 * values if is_exact else found[name + _ERROR].values
         return Quantity(name, about.get("units", ""), values, error, axis)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the 3D view shows: baseline and best plants, or all members of a front,
-and what their leaves absorb."""
+"""The data of the 3D view: baseline and best plants, or all members of a
+front, and what their leaves absorb."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ from .stand import leaf_light, places, row_direction
 from .style import organ_color, short, unit_label
 
 _LARGEST = 2**15 - 1
-"""Of a coordinate in the page: a step is a tenth of a millimetre in a plant
-of three metres."""
+"""The largest coordinate in the page: a step is a tenth of a millimetre in a
+plant of three metres."""
 
 _NEIGHBOURS = 3
-"""Shown before and behind a plant in its row."""
+"""The number of plants that are shown before and behind a plant in its row."""
 
 
 @dataclass(frozen=True)
@@ -39,13 +39,13 @@ class Plants:
     baseline: Mesh
     best: Mesh
     members: tuple[Mesh, ...] = ()
-    """Of the fronts of all seeds."""
+    """The members of the fronts of all seeds."""
 
 
 def build_plants(case: Case) -> Plants:
-    """Raises HistoryError if nothing is evaluated yet, Error if there is no
-    compiled module, which knows the shapes of plants, or it cannot use a
-    history."""
+    """Builds the plants of a case. Raises HistoryError if nothing is evaluated
+    yet, Error if there is no compiled module, which knows the shapes of
+    plants, or it cannot use a history."""
     pair = [case.baseline.row.genome[0], case.best.row.genome[0]]
     baseline, best = _shapes(case.best_history, pair)
     members = (
@@ -59,14 +59,15 @@ def build_plants(case: Case) -> Plants:
 def _shapes(
     history: History, genomes: Iterable[NDArray[np.float64]]
 ) -> list[Mesh]:
-    """Which are the same with every instruction set."""
+    """Returns the shapes of genomes, which every instruction set gives
+    alike."""
     stand = ideotype.Stand.from_history(history.path, same_isa=False)
     return [stand.mesh(genome) for genome in genomes]
 
 
 def scene_of(shown: Sequence[tuple[Case, Plants | None]]) -> str:
-    """JSON for viewer.js, safe inside a script element. Of a case without
-    plants only the front is shown."""
+    """Returns JSON for viewer.js, safe inside a script element. A case without
+    plants shows its front alone."""
     shapes: list[dict[str, Any]] = []
     cases = [_case(case, plants, shapes) for case, plants in shown]
     scene = {"shapes": shapes, "cases": cases}
@@ -82,7 +83,7 @@ def _case(
         return scene
     pairs = [(case.baseline, plants.baseline)]
     if front:
-        # the numbers are in the tables
+        # The numbers are in the tables.
         titles = [
             "baseline",
             *(member["title"] for member in front["members"]),
@@ -112,7 +113,8 @@ def _case(
 
 
 def _mesh(mesh: Mesh, shapes: list[dict[str, Any]]) -> dict[str, Any]:
-    """What plants share is kept once, in `shapes`."""
+    """Returns a mesh for the page; parts that plants share are kept once, in
+    `shapes`."""
     names = list(dict.fromkeys(mesh.groups))
     shape = {
         "faces": mesh.faces,
@@ -126,22 +128,23 @@ def _mesh(mesh: Mesh, shapes: list[dict[str, Any]]) -> dict[str, Any]:
 
 
 def packed(vertices: NDArray[np.float64]) -> dict[str, Any]:
-    """Coordinates as whole steps [m] of 16 bits, for unpack() of the page."""
+    """Returns coordinates as whole steps [m] of 16 bits, for unpack() of the
+    page."""
     step = float(np.abs(vertices).max()) / _LARGEST
     points = np.round(vertices / step).astype("<i2").tobytes()
     return {"step": step, "points": base64.b64encode(points).decode("ascii")}
 
 
 def _rgb(group: str) -> list[int]:
-    """Of a group whose light is not shown."""
+    """Returns the colour of a group whose light is not shown."""
     return [round(255 * part) for part in to_rgb(organ_color(group))]
 
 
 def _quantities(
     case: Case, pairs: Sequence[tuple[Evaluation, Mesh]]
 ) -> list[dict[str, Any]]:
-    """Absorbed PAR of each group of each plant; None for a group that is no
-    leaf."""
+    """Returns absorbed PAR of each group of each plant; None for a group that
+    is no leaf."""
     told = case.baseline.row.quantities.get("absorbed_by_leaf")
     unit = unit_label(told.unit if told else "1")
     areas: dict[str, float | None] = {f"by each leaf [{unit} of ground]": None}

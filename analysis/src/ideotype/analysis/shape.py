@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the fittest plants look like: their bred traits."""
+"""Draws the bred traits of the fittest plants."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from .file import HistoryError
 from .genes import Kind, curve
 
 COUNT = 10
-"""How many plants are shown."""
+"""The number of plants that are shown."""
 
 _ACROSS = 4
-"""Panels beside each other."""
+"""The number of panels beside each other."""
 
 _BASELINE_MARKER: dict[str, Any] = {
     "marker": "D",
@@ -44,7 +44,7 @@ _WHAT: dict[Kind, str] = {
 
 
 def draw_traits(case: Case) -> Figure:
-    """Each bred trait by leaf rank: the fittest plants, their mean and
+    """Draws each bred trait by leaf rank: the fittest plants, their mean and
     standard deviation, the baseline, and the bounds."""
     traits = _bred(case, "leaf")
     leaves = case.genes.leaves[case.genes.columns(traits[0])]
@@ -59,8 +59,8 @@ def draw_traits(case: Case) -> Figure:
 
 
 def draw_profiles(case: Case) -> Figure:
-    """Each bred trait that is a smooth curve over leaf position: its points
-    as in draw_traits(), and the curves of the fittest plants and of the
+    """Draws each bred trait that is a smooth curve over leaf position: its
+    points as in draw_traits(), and the curves of the fittest plants and of the
     baseline."""
     traits = _bred(case, "profile")
     figure, panels = _panels(traits, 4.4)
@@ -80,7 +80,7 @@ def draw_profiles(case: Case) -> Figure:
 
 
 def draw_plant_traits(case: Case) -> Figure:
-    """Each bred trait of the whole plant, as in draw_traits()."""
+    """Draws each bred trait of the whole plant, as in draw_traits()."""
     traits = _bred(case, "plant")
     figure = style.new_figure(style.WIDTH, 1.2 + 0.8 * len(traits))
     panels = figure.subplots(len(traits), 1, squeeze=False)[:, 0]
@@ -98,7 +98,8 @@ def _bred(case: Case, kind: Kind) -> list[str]:
 
 
 def _panels(traits: list[str], height: float) -> tuple[Figure, list[Axes]]:
-    """One for each trait, of this height [inches]."""
+    """Returns a figure with a panel for each trait, of this height
+    [inches]."""
     across = min(len(traits), _ACROSS)
     down = -(-len(traits) // across)
     figure = style.new_figure(style.WIDTH, 0.6 + height * down)
@@ -133,9 +134,9 @@ def draw_plants(
     place: NDArray,
     size: float | None = None,
 ) -> None:
-    """Draws the fittest plants, the baseline, and of several seeds the best of
-    each, which show whether seeds agree: numbers(genomes), [plants, places],
-    against the places."""
+    """Draws the fittest plants, the baseline, and where there are several
+    seeds the best of each, which show whether seeds agree: numbers(genomes),
+    [plants, places], against the places."""
     for values, color in _colored(numbers(case.top(COUNT).genome)):
         axes.plot(
             values, place, "o", color=color, markersize=size, alpha=0.8,
@@ -151,12 +152,12 @@ def draw_plants(
 
 
 def _colored(values: NDArray) -> list[tuple[NDArray, NDArray]]:
-    """The numbers and the colour of each plant, the fittest last."""
+    """Returns the numbers and the colour of each plant, the fittest last."""
     return [*zip(values, style.ranked_colors(len(values)))][::-1]
 
 
 def _draw_trait(axes: Axes, case: Case, trait: str, place: NDArray) -> None:
-    """A trait's genes, each at its place upwards."""
+    """Draws a trait's genes, each at its place upwards."""
     genes = case.genes
     columns = genes.columns(trait)
     is_circular = bool(genes.is_circular[columns].all())
@@ -169,7 +170,7 @@ def _draw_trait(axes: Axes, case: Case, trait: str, place: NDArray) -> None:
     draw_plants(axes, case, lambda genomes: genomes[:, columns], place, 3)
     shown = case.top(COUNT).genome[:, columns]
     _draw_mean(axes, shown, place - 0.28 * step, is_circular)
-    # of the bounds, and of deviations that reach past them
+    # The limits hold the bounds, and deviations that reach past them.
     left, right = axes.dataLim.intervalx
     margin = 0.04 * (right - left)
     axes.set_xlim(left - margin, right + margin)
@@ -181,7 +182,7 @@ def _draw_trait(axes: Axes, case: Case, trait: str, place: NDArray) -> None:
 def _draw_mean(
     axes: Axes, values: NDArray, y: NDArray, is_circular: bool
 ) -> None:
-    """Mean and standard deviation of each gene."""
+    """Draws mean and standard deviation of each gene."""
     if is_circular:
         mean, deviation = circular_mean_and_deviation(values)
         # A bar that leaves on one side of the circle comes in on the other.
@@ -203,9 +204,10 @@ def _draw_mean(
 def circular_mean_and_deviation(degrees: NDArray) -> tuple[NDArray, NDArray]:
     """Returns the circular mean, in [0, 360), and standard deviation, at most
     180, of each column [deg]."""
-    # Here, since it takes as long to load as all else together.
+    # The import stands here, since it takes as long as all else together.
     from scipy.stats import circmean, circstd
 
     deviation = circstd(degrees, high=360, axis=0)
-    mean = circmean(degrees, high=360, axis=0) % 360  # 360 is 0
+    # 360 deg are 0 deg.
+    mean = circmean(degrees, high=360, axis=0) % 360
     return mean, np.minimum(deviation, 180.0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How the plants of a case stand, and what their leaves absorb."""
+"""Tells how the plants of a case stand, and what their leaves absorb."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from .rows import Evaluation
 
 
 def row_direction(case: Case) -> float | None:
-    """Of the case's rows [deg], clockwise from north; azimuth 0 points there.
-    None if the history does not say it."""
+    """Returns the direction of the case's rows [deg], clockwise from north;
+    azimuth 0 points there. None if the history does not say it."""
     name = case.attributes.get("spacing")
     for spacing in case.resolved.get("spacing", []):
         if spacing.get("name") == name and "row_direction" in spacing:
@@ -23,10 +23,11 @@ def row_direction(case: Case) -> float | None:
 
 
 def places(case: Case, plants: int = 1) -> list[NDArray[np.float64]]:
-    """Of a plant, which comes first, and of its neighbours [m]: across the
-    rows and along them, in one row on each side and so many plants before
-    and behind. A plot alone has no more than its own; a history that does
-    not say its distances, or is of several, has the plant only."""
+    """Returns the places [m] of a plant, which comes first, and of its
+    neighbours: across the rows and along them, in one row on each side and so
+    many plants before and behind. An isolated plot has no more than its own
+    plants; a history that does not say its distances, or has several, has the
+    plant only."""
     if case.is_over("spacing"):
         return [np.zeros(2)]
     row = float(case.attributes.get("row_spacing", 0))
@@ -49,9 +50,9 @@ def leaf_light(
     plant: Evaluation, mesh: Mesh, ground: float | None = None
 ) -> dict[str, float | None]:
     """Returns the light that each group of the plant's mesh absorbs, as the
-    history tells it per area of ground, or per area of leaf on so much ground of the
-    plant [m2]; None of groups that are no leaves, and of all where the history
-    does not tell leaves apart."""
+    history tells it per area of ground, or per area of leaf on so much ground
+    of the plant [m2]; None for groups that are no leaves, and for all where
+    the history does not tell leaves apart."""
     found: dict[str, float | None] = dict.fromkeys(mesh.groups)
     try:
         told = plant.profile("absorbed_by_leaf")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What becomes of a case, and what is kept of its generations."""
+"""The state of a case, and what is kept of its generations."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from .quantity import Quantity
 
 @dataclass(frozen=True)
 class State:
-    """Where a case stands."""
+    """The state of a case."""
 
     writer: Writer
     finished: bool
     reason: str
-    """Why it finished, such as "generations"."""
+    """The reason why it finished, such as "generations"."""
     wall_time: float
-    """Of all sessions, as far as they reported [s]."""
+    """The time of all sessions, as far as they reported [s]."""
 
     def __str__(self) -> str:
         if self.finished:
@@ -41,7 +41,7 @@ class Session:
     """One start of the program on this history."""
 
     started: str
-    """UTC, ISO 8601."""
+    """The time when it started, UTC in ISO 8601."""
     host: str
     command: str
     ranks: int
@@ -57,24 +57,26 @@ class Generations:
 
     first_row: NDArray[np.int64]
     count: NDArray[np.int64]
-    """Rows of a generation, which stand one after the other."""
+    """The number of rows of a generation, which stand one after the other."""
     best_row: NDArray[np.int64]
-    """-1: none."""
+    """The row of the best; -1: none."""
     best: Quantity
     mean: Quantity
-    """Over the rows that keep all constraints, once there is one; its
+    """The mean over the rows that keep all constraints, once there is one; its
     standard error is not stored."""
     spread: Quantity
-    """Standard deviation over the same rows."""
+    """The standard deviation over the same rows."""
     diversity: Quantity
-    """Mean over the free genes of standard deviation over range."""
+    """The mean over the free genes of standard deviation over range."""
     failures: NDArray[np.int64]
     evaluations: NDArray[np.int64]
-    """Rows evaluated, not copied from one with the same genome."""
+    """The number of rows that were evaluated, and not copied from one with the
+    same genome."""
     wall_time: Quantity
-    """Since the case began, all sessions [s]."""
+    """The time since the case began, in all sessions [s]."""
     hypervolume: Quantity | None = None
-    """What the front dominates; only of several objectives."""
+    """The hypervolume that the front dominates, for several objectives
+    only."""
 
     def __len__(self) -> int:
         return len(self.best_row)

@@ -10,7 +10,6 @@ from collections import Counter
 from collections.abc import Iterator
 from contextlib import ExitStack
 from pathlib import Path
-from types import TracebackType
 from typing import TYPE_CHECKING, Self
 
 from .case import Case
@@ -25,7 +24,7 @@ Place = str | os.PathLike[str]
 
 def open_study(*places: Place, skip_damaged: bool = False) -> Study:
     """Opens histories: files, folders (looked through to any depth) and glob
-    patterns, in the order of their names and each only once. All that is in
+    patterns, in the order of their names and each only once. Everything in
     them is read and compared with its checksums.
 
     Raises FileNotFoundError or HistoryError, naming what can't be used and
@@ -35,7 +34,7 @@ def open_study(*places: Place, skip_damaged: bool = False) -> Study:
 
 
 def find_histories(*places: Place) -> list[Path]:
-    """The files that places stand for. Raises as open_study."""
+    """Returns the files that places stand for. Raises as open_study."""
     if not places:
         raise HistoryError("no file, folder or pattern is given")
     found: dict[Path, Path] = {}
@@ -66,12 +65,12 @@ def _histories_of(place: Place) -> list[Path]:
 
 
 class Study:
-    """A context manager, and a sequence of its histories."""
+    """Several histories as a sequence and a context manager."""
 
     def __init__(self, paths: list[Path], skip_damaged: bool = False) -> None:
         self._histories: list[History] = []
         self.damaged: list[Exception] = []
-        """Why histories were left out."""
+        """The reasons why histories were left out."""
         with ExitStack() as stack:
             for path in paths:
                 try:
@@ -93,12 +92,7 @@ class Study:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def close(self) -> None:
@@ -115,9 +109,9 @@ class Study:
         return self._histories[index]
 
     def cases(self) -> list[Case]:
-        """Replicates put together, in the order of the files. What differs in
-        campaign, objectives or optimizer is another case, and names say by
-        which of them where they need to."""
+        """Returns replicates put together, in the order of the files.
+        Histories that differ in campaign, objectives or optimizer are other
+        cases, and names say by which of them where they need to."""
         members: dict[_Identity, list[History]] = {}
         for history in self._histories:
             members.setdefault(_identity(history), []).append(history)
@@ -133,23 +127,25 @@ class Study:
         ]
 
     def frame(self) -> pandas.DataFrame:
-        """All complete evaluations of all histories, one a row; the unit of
-        a column is .attrs["units"][column]."""
+        """Returns all complete evaluations of all histories, one a row; the
+        unit of a column is .attrs["units"][column]."""
         from .frame import frame_of
 
         return frame_of(self._histories)
 
 
 _Identity = tuple[str, str, str, str]
-"""Campaign, name, objectives, optimizer."""
+"""The parts that tell cases apart: campaign, name, objectives, optimizer."""
 
 
 def _identity(history: History) -> _Identity:
-    goals = (f"{'less ' * (g.sign < 0)}{g.name}" for g in history.objectives)
+    objectives = (
+        f"{'less ' * (g.sign < 0)}{g.name}" for g in history.objectives
+    )
     return (
         str(history.attributes.get("campaign", "")),
         name_without_replicate(history),
-        ", ".join(goals),
+        ", ".join(objectives),
         history.resolved.get("search", {}).get("optimizer", "ga"),
     )
 
@@ -166,6 +162,6 @@ def _called(key: _Identity, keys: list[_Identity]) -> str:
 
 
 def name_without_replicate(history: History) -> str:
-    """ "ames_0807_762x152_all" of "ames_0807_762x152_all_r2"."""
+    """Returns "ames_0807_762x152_all" for "ames_0807_762x152_all_r2"."""
     name = str(history.attributes.get("case", history.path.stem))
     return re.sub(r"[_-]r\d+$", "", name)

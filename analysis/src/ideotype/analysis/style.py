@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How all figures look. Colours are those of Okabe and Ito, and viridis:
-both can be told apart by the colour-blind."""
+"""The style of all figures. Colours are those of Okabe and Ito, and viridis:
+the colour-blind can tell both apart."""
 
 from __future__ import annotations
 
@@ -24,7 +24,8 @@ ANEW = "#D55E00"
 QUIET = "#8C8C8C"
 
 WIDTH = 7.2
-"""Of a figure that fills a printed page, without loss of size [inches]."""
+"""The width of a figure that fills a printed page without being scaled
+[inches]."""
 
 _SERIES_COLORS = (
     *("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"),
@@ -50,32 +51,34 @@ RC: dict[Any, Any] = {
 }
 
 _PHOTONS = {DAILY_ENERGY: "mol m-2 day-1", "W m-2": "µmol m-2 s-1"}
-"""Unit of photons for each unit of light, which is per area of ground, or of
-leaf where the name says so; the factor is that of mol and MJ."""
+"""The unit of photons for each unit of light, which is per area of ground, or
+of leaf where the name says so; the factor is that of mol and MJ."""
 
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def say(figure: Figure, text: str) -> None:
-    """Above all panels; the question is put above it later."""
+    """Writes a text above all panels; the question is put above it later."""
     lines = fill(text, round(12 * figure.get_figwidth()))
     figure.suptitle(lines, fontsize=10)
 
 
 def new_figure(width: float, height: float) -> Figure:
-    """An empty figure [inches]; it belongs to no window and no global list."""
+    """Returns an empty figure [inches], which belongs to no window and no
+    global list."""
     return Figure(figsize=(width, height), layout="constrained")
 
 
 def pixels(figure: Figure) -> NDArray[np.uint8]:
-    """The figure painted, [height, width, 4]."""
+    """Returns the figure painted, [height, width, 4]."""
     canvas = FigureCanvasAgg(figure)
     canvas.draw()  # type: ignore[no-untyped-call]
     return np.array(canvas.buffer_rgba())  # type: ignore[no-untyped-call]
 
 
 def unit_label(unit: str) -> str:
-    """A unit as it is printed: "MJ m-2" has a raised -2, "deg" is "°"."""
+    """Returns a unit as it is printed: "MJ m-2" has a raised -2, "deg" is
+    "°"."""
     raised = re.sub(
         r"(?<=[A-Za-z])-?\d+", lambda m: m[0].translate(_SUPERSCRIPT), unit
     )
@@ -83,7 +86,8 @@ def unit_label(unit: str) -> str:
 
 
 def axis_label(name: str, unit: str) -> str:
-    """ "absorbed PAR [MJ m⁻² day⁻¹ of ground]" of a column's name and unit."""
+    """Returns "absorbed PAR [MJ m⁻² day⁻¹ of ground]" for a column's name and
+    unit."""
     if unit == "1":
         return words(name)
     is_light = unit in _PHOTONS
@@ -119,20 +123,20 @@ def _to_energy(photons: ArrayLike) -> NDArray[np.float64]:
 
 
 def words(name: str) -> str:
-    """ "absorbed PAR" of "absorbed_par"."""
+    """Returns "absorbed PAR" for "absorbed_par"."""
     spaced = name.replace("_", " ")
     spaced = re.sub(r"\b(par|lai)\b", lambda m: m[0].upper(), spaced)
     return re.sub(r"\bfapar\b", "fAPAR", spaced)
 
 
 def short(value: float) -> float:
-    """A number of as many digits as a drawing in the page needs."""
+    """Returns a number with as many digits as a drawing in the page needs."""
     return float(f"{value:.7g}")
 
 
 def series(index: int) -> tuple[str, str]:
-    """Colour and marker of a line among several; the marker tells apart
-    lines whose colours repeat."""
+    """Returns colour and marker of a line among several; the marker tells
+    apart lines whose colours repeat."""
     return (
         _SERIES_COLORS[index % len(_SERIES_COLORS)],
         _SERIES_MARKERS[index % len(_SERIES_MARKERS)],
@@ -140,12 +144,12 @@ def series(index: int) -> tuple[str, str]:
 
 
 def organ_color(group: str) -> str:
-    """Of a group of a mesh that is no leaf: a muted green for sheaths and
-    what is as green, grey for the rest."""
+    """Returns the colour of a group of a mesh that is no leaf: a muted green
+    for sheaths and what is as green, grey for the rest."""
     return "#7E9470" if group.startswith("sheath") else "#969696"
 
 
 def ranked_colors(count: int) -> NDArray[np.float64]:
-    """Colours from the fittest, dark, to the least fit, bright; the palest
-    end of viridis does not show on white."""
+    """Returns colours from the fittest, dark, to the least fit, bright; the
+    palest end of viridis does not show on white."""
     return colormaps["viridis"](np.linspace(0.0, 0.9, max(count, 1)))

@@ -18,7 +18,7 @@ from .interval import Interval, interval
 from .style import axis_label, unit_label
 
 UNKNOWN = "–"
-"""In a cell without a figure."""
+"""The text of a cell without a figure."""
 
 _GAINS = (
     *("case", "seeds", "baseline", "best", "gain", "gain [%]"),
@@ -28,7 +28,7 @@ _GAINS = (
 
 
 def gains(cases: Sequence[Case], cross: Cross | None) -> list[Block]:
-    """What each case gains, and what should be known about it."""
+    """Tells what each case gains, and what should be known about it."""
     rows = [_gain_row(case, cross) for case in cases]
     blocks: list[Block] = [
         Table(
@@ -48,7 +48,7 @@ def _held(cases: Sequence[Case]) -> str:
 
 
 def markdown(blocks: Sequence[Block]) -> str:
-    """Tables and notes as text that is legible as it is."""
+    """Returns tables and notes as text that is legible as it is."""
     return "\n\n".join(
         block.text if isinstance(block, Note) else _markdown_table(block)
         for block in blocks
@@ -94,12 +94,12 @@ def _gain_row(case: Case, cross: Cross | None) -> list[str]:
 
 
 def _bare(figure: Interval) -> str:
-    # kept on one line by the browser
+    # The browser keeps this on one line.
     return figure.number().replace(" ", "\u00a0")
 
 
 def _known(cell: Callable[[], str]) -> str:
-    """A cell, unless the history lacks what it needs."""
+    """Returns a cell, unless the history lacks what it needs."""
     try:
         return cell()
     except HistoryError:
@@ -108,7 +108,7 @@ def _known(cell: Callable[[], str]) -> str:
 
 def _lai(case: Case, who: str) -> str:
     lai = case.mean(who, "lai")
-    # Exact for a single plant: seeds give it a scatter, nothing else.
+    # It is exact for a single plant: seeds give it a scatter, nothing else.
     return _bare(lai) if lai.half_width > 1e-9 else f"{lai.mean:.2f}"
 
 
@@ -157,8 +157,8 @@ def _case_remarks(case: Case, cross: Cross | None) -> Iterator[str]:
         return
     if case.fronts:
         yield (
-            "Of several objectives the gain is that of the first, and the best "
-            "plant the one of the front that has most of it"
+            "With several objectives the gain is that in the first, and the "
+            "best plant is the one of the front that has most of it"
         )
     if not all(pair.is_paired for pair in case.pairs):
         yield (
@@ -178,8 +178,8 @@ def _case_remarks(case: Case, cross: Cross | None) -> Iterator[str]:
     ):
         yield (
             "The gain over the elite plant is not known, since the "
-            "cross-evaluation does not have it under these cases (of a name "
-            "in several campaigns it needs to say which, CAMPAIGN: CASE)"
+            "cross-evaluation does not have it under these cases (it needs to "
+            "say CAMPAIGN: CASE where several campaigns have a case of a name)"
         )
     if not case.fronts:
         yield _spread_of_searches([pair.gain.mean for pair in case.pairs])
@@ -199,7 +199,8 @@ def _case_remarks(case: Case, cross: Cross | None) -> Iterator[str]:
 
 
 def _spread_of_searches(gains: Sequence[float]) -> str:
-    """How far the optimum may be: docs/optimisers.md tells how good a bound this is."""
+    """Tells how far the optimum may be; docs/optimisers.md says how good a
+    bound this is."""
     if len(gains) < 3:
         return (
             "Three searches (replicates = 3) would tell how far the best "
@@ -214,7 +215,8 @@ def _spread_of_searches(gains: Sequence[float]) -> str:
 
 
 def _among(case: Case, who: str) -> str:
-    """How far a plant of a case is from measured lines and which is nearest."""
+    """Tells how far a plant of a case is from measured lines and which is
+    nearest."""
     plant = getattr(case, who)
 
     def number(name: str) -> float:
@@ -233,7 +235,7 @@ def _among(case: Case, who: str) -> str:
 
 
 def organs(cases: Sequence[Case]) -> list[Table]:
-    """What organs other than leaves take, where histories tell it."""
+    """Tells what organs other than leaves take, where histories have it."""
     plants = [
         (f"{case.name} {who}", case.light_by_organ(who))
         for case in cases
@@ -258,17 +260,19 @@ def organs(cases: Sequence[Case]) -> list[Table]:
 
 
 def scenarios(cases: Sequence[Case]) -> list[Table]:
-    """Each objective in every scenario that it is taken over."""
+    """Returns each objective in every scenario that it is taken over."""
     found: dict[str, list[list[str]]] = {}
     for case in cases:
-        goals = case.best.row.with_axis("scenario") if case.pairs else []
-        for goal in goals:
-            rows = found.setdefault(axis_label(goal.name, goal.unit), [])
+        objectives = case.best.row.with_axis("scenario") if case.pairs else []
+        for objective in objectives:
+            rows = found.setdefault(
+                axis_label(objective.name, objective.unit), []
+            )
             baseline, best = (
-                zip(*(p.profile(goal.name).estimates() for p in plants))
+                zip(*(p.profile(objective.name).estimates() for p in plants))
                 for plants in zip(*((p.baseline, p.best) for p in case.pairs))
             )
-            labels = case.best.profile(goal.name).labels
+            labels = case.best.profile(objective.name).labels
             for label, was, now in zip(labels, baseline, best):
                 gains = [*map(relative_gain, now, was)]
                 cells = [_bare(interval(each)) for each in (was, now, gains)]
@@ -293,7 +297,7 @@ def _percent(share: Interval | None) -> str:
 
 
 def balance(cases: Sequence[Case]) -> Note:
-    """How well the energy balance closes."""
+    """Tells how well the energy balance closes."""
     errors = [
         abs(pair_member.estimate("balance_error").mean)
         for case in cases

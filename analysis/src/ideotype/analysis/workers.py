@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Work for all cores."""
+"""Shares work among all cores."""
 
 from __future__ import annotations
 
@@ -11,16 +11,17 @@ from contextlib import contextmanager
 from typing import Any
 
 _TOGETHER = 8
-"""Arguments that a process gets at once, which share what they have in
-common, such as an open history; fewer where that would leave others idle."""
+"""The number of arguments that a process gets at once, which share what they
+have in common, such as an open history; it gets fewer where others would be
+idle."""
 
 Map = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
 
 
 @contextmanager
 def workers(count: int) -> Iterator[Map]:
-    """A map() by so many processes, whose results come in the order of their
-    arguments; of a single one map() itself.
+    """Returns a map() by so many processes, whose results come in the order of
+    their arguments; for a single one it is map() itself.
 
     Raises OSError if a process is killed."""
     if count < 2:

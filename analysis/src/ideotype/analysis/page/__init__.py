@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The HTML of a report: everything inline, nothing loaded."""
+"""The HTML of a report, which holds everything and loads nothing."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _VIEWER = ("raster.js", "drawing.js", "front.js", "viewer.js")
 
 
 def render(title: str, subtitle: str, sections: Sequence[Section]) -> str:
-    """One page; all texts are escaped."""
+    """Returns one page; all texts are escaped."""
     environment = Environment(
         autoescape=True,
         undefined=StrictUndefined,

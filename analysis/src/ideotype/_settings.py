@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Settings of a campaign, as Python gives them, as words of a command line."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+import tomli_w
+
+from ._arrays import unmasked
+
+Settings = Mapping[str, Any] | Iterable[str]
+"""Keys of a campaign that replace what its file says: {"light.paths": 1024} or
+["light.paths=1024"]. Tables are dictionaries."""
+
+
+def words_of(settings: Settings) -> list[str]:
+    """Returns settings as `--set` takes them."""
+    if isinstance(settings, str):
+        return [settings]
+    if isinstance(settings, Mapping):
+        return [f"{key}={_toml(value)}" for key, value in settings.items()]
+    return list(settings)
+
+
+def _toml(value: Any) -> str:
+    """Returns a value as TOML on one line."""
+    if isinstance(value, Mapping):
+        pairs = (f"{key} = {_toml(each)}" for key, each in value.items())
+        return f"{{{', '.join(pairs)}}}"
+    if isinstance(value, (list, tuple, np.ndarray)):
+        return f"[{', '.join(map(_toml, unmasked(value, 'a setting')))}]"
+    plain = value.item() if isinstance(value, np.generic) else value
+    return tomli_w.dumps({"x": plain}).partition("=")[2].strip()

@@ -46,7 +46,7 @@ inline Campaign sample(const std::string& top = "",
     return parse_campaign(sample_text(top, more, bounds), "sample.toml");
 }
 
-//! What is wrong with the text of a campaign; "" if nothing is.
+//! Returns what is wrong with the text of a campaign; "" if nothing is.
 inline std::string problem_of(const std::string& text) {
     try {
         parse_campaign(text, "sample.toml");

@@ -38,7 +38,7 @@ class MeasuredPlants : public ::testing::Test {
         return read_crop(written(text), &other_).baseline;
     }
 
-    //! What is wrong, without the folder.
+    //! Returns what is wrong, without the folder.
     std::string problems_of(const std::string& text) {
         try {
             read(text);

@@ -73,7 +73,7 @@ TEST_F(TwoLeaves, ProfilesAreKnownByRandomisation) {
             for (const auto& [estimated, values] : profile) {
                 const Estimate again = estimate(values);
                 EXPECT_NEAR(again.mean, estimated.mean, 1e-12) << name;
-                // That of a report knows what paths can tell.
+                // The error in a report contains what paths can tell.
                 EXPECT_LE(again.standard_error,
                           estimated.standard_error * (1 + 1e-12))
                     << name;

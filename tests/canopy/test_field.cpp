@@ -135,7 +135,7 @@ TEST(Field, ACutPlotEndsAtItsEdge) {
     const Mesh plant = build_plant(sample, {});
     const Field field = drawn(sample, plot, {1, 0, 0});
     EXPECT_NEAR(field.cell.ground_area, 4 * 2 * 0.762 * 0.1524, 1e-12);
-    // What is cut off its plants, its neighbours hang over the edge.
+    // Plants lose as much at the edge as their neighbours hang over it.
     EXPECT_NEAR(plant_area(field.mesh).leaves / (8 * plant_area(plant).leaves),
                 1, .2);
     const double half_a_face = 0.1;

@@ -92,14 +92,15 @@ std::vector<Declaration> assimilation_quantities() {
           "CO2 that leaves take up per ground area"},
          [](const Report& r) { return carbon(r); }},
         {{"net_assimilation", rate,
-          "the same less what they respire while there is light"},
+          "gross assimilation less the respiration of leaves while there is "
+          "light"},
          [](const Report& r) { return net(r); }},
         {{"net_assimilation_per_leaf_area", rate,
           "net assimilation per one-sided leaf area"},
          [](const Report& r) { return net(r, 1 / r.lai); }},
         {{"carbon_balance", rate,
-          "gross assimilation less what leaves respire day and night and the "
-          "carbon that they are built of"},
+          "gross assimilation less the respiration of leaves by day and night "
+          "and the carbon that builds them"},
          [](const Report& r) { return balance(r); }},
         {{"gross_co2", "g m-2 day-1", "gross assimilation"},
          [](const Report& r) { return carbon(r, 0, grams_of_co2); }},
@@ -109,7 +110,7 @@ std::vector<Declaration> assimilation_quantities() {
          [](const Report& r) { return balance(r, tonnes * r.days); }},
         {{"respiration",
           rate,
-          "of leaves, day and night",
+          "respiration of leaves by day and night",
           {},
           Certainty::exact},
          [](const Report& r) {
@@ -117,8 +118,8 @@ std::vector<Declaration> assimilation_quantities() {
              return certain(r, sum.in_light + sum.at_night);
          }},
         {{"sunlit_lai", "m2 m-2",
-          "leaf area index that the sun shines on, a mean over the time with "
-          "any light"},
+          "leaf area index that the sun shines on, mean over the time with "
+          "light"},
          sunlit_lai},
         {{"sunlit_lai_by_hour",
           "m2 m-2",

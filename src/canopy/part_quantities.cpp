@@ -280,23 +280,24 @@ std::vector<Declaration> part_quantities() {
          have_assimilation},
         {{"net_assimilation_by_component",
           rate,
-          "gross assimilation less what leaves respire while there is light",
+          "gross assimilation less the respiration of leaves while there is "
+          "light",
           {"component"}},
          assimilation(loss_in_light),
          false,
          have_assimilation},
         {{"carbon_balance_by_component",
           rate,
-          "gross assimilation less what leaves respire day and night and the "
-          "carbon that they are built of",
+          "gross assimilation less the respiration of leaves by day and night "
+          "and the carbon that builds them",
           {"component"}},
          assimilation(loss_of_carbon),
          false,
          have_assimilation},
         {{"invasion", "1",
-          "how much more the mean plant of the first component has than that "
-          "of the second, relative to how much that is: net assimilation, or "
-          "absorbed light where leaves do not assimilate"},
+          "excess of the mean plant of the first component over that of the "
+          "second, relative to the latter: of net assimilation, or of absorbed "
+          "light where leaves do not assimilate"},
          TakeNumber(invasion),
          false,
          are_two},

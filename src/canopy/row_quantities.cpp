@@ -154,12 +154,12 @@ std::vector<Declaration> row_quantities() {
     };
     add_assimilation("gross_assimilation", "CO2 that leaves take up", no_loss);
     add_assimilation("net_assimilation",
-                     "CO2 that leaves take up less what they respire while "
-                     "there is light",
+                     "gross assimilation less the respiration of leaves "
+                     "while there is light",
                      loss_in_light);
     add_assimilation("carbon_balance",
-                     "CO2 that leaves take up less what they respire day and "
-                     "night and the carbon that they are built of",
+                     "gross assimilation less the respiration of leaves by day "
+                     "and night and the carbon that builds them",
                      loss_of_carbon);
     return all;
 }

@@ -156,8 +156,8 @@ BandTallies simulate(const Subject& subject, const Workload& work,
                      int randomisations, const Randomness& randomness) {
     const RayScene& scene = subject.scene;
     const std::vector<Source>& sources = subject.light().sources;
-    const Counted counted{scene, subject.groups, subject.layers, subject.pieces,
-                          object_numbers(subject.groups)};
+    const Counted counted{scene, subject.groups, subject.layers,
+                          subject.pieces};
     IDEOTYPE_EXPECT(randomisations > 0 && subject.layers.count > 0);
     IDEOTYPE_EXPECT(work.first_hits.size() == sources.size());
     for (const Band& band : subject.bands)
@@ -185,10 +185,9 @@ BandTallies simulate(const Subject& subject, const Workload& work,
         for (Tally& tally : tallies[b]) {
             if (bands[b].has_leaf_light)
                 tally.leaf_light.resize(sources.size());
-            if (counted.objects.count > 0)
-                tally.objects.assign(
-                    sources.size(),
-                    std::vector<double>(2 * counted.objects.count));
+            if (counted.parts.count() > 0)
+                tally.parts.assign(sources.size(),
+                                   std::vector<double>(counted.parts.count()));
         }
     if (sources.empty()) return tallies;
     // Randomisations are simulated so many at a time as memory is reasonable

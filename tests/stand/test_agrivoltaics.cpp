@@ -74,7 +74,7 @@ TEST(Agrivoltaics, PanelsTakeLightAndAreNoLeaves) {
     // of 5 %.
     const ObjectReport& object = below.objects.front();
     EXPECT_NEAR(object.area_index, 1.5 / 3.048, 1e-12);
-    const std::vector<SideLight>& sides = below.par().objects;
+    const std::vector<PartLight>& sides = below.par().objects;
     EXPECT_NEAR(
         (sides[0].day.mean + sides[1].day.mean) * object.area_index * .95,
         shaded.objects.mean, 1e-9 * shaded.incident);
@@ -87,7 +87,7 @@ TEST(Agrivoltaics, HoursOfPanelsSumToTheirDay) {
     const CanopyReport report = light_of_field({panel});
     const LightSeries series =
         light_of(campaign_with({panel}), cases(campaign_with({panel})).front());
-    for (const SideLight& side : report.par().objects) {
+    for (const PartLight& side : report.par().objects) {
         double sum = 0;
         for (std::size_t h = 0; h < side.hours.size(); ++h)
             sum += side.hours[h].mean * series.steps[h].seconds;

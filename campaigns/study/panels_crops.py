@@ -244,7 +244,7 @@ def bred(options: Options) -> None:
             for a, b in zip(own, other, strict=True)
         ]
         print(
-            f"\nIn {place}, bred there over bred elsewhere: "
+            f"\n{place.capitalize()}, bred there over bred elsewhere: "
             f"{tell(mean_over_seeds(gains), 1)} % "
             f"(by seed {', '.join(f'{x:+.1f}' for x, _ in gains)})"
         )

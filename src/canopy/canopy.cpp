@@ -131,7 +131,7 @@ class Reporter {
             report.layers_by_randomisation.push_back(tally.layers);
         }
         report.light = ideotype::report(tallies, band.light);
-        report.objects = light_on_objects(band.optics, report.light.objects);
+        report.objects = light_on_objects(band.optics, report.light.parts);
         report.parts = parts_of(tallies);
         if (has_faces) report.faces = per_area(report.light.groups);
         if (!(report.light.balance_error < balance_tolerance))
@@ -208,8 +208,9 @@ class Reporter {
     }
 
     //! Returns what falls on sides of objects, per area, from what they absorb.
-    std::vector<SideLight> light_on_objects(
-        const Optics& optics, std::vector<SideLight> absorbed) const {
+    std::vector<PartLight> light_on_objects(
+        const Optics& optics, std::vector<PartLight> absorbed) const {
+        absorbed.resize(2 * scene_.objects.size());
         for (std::size_t side = 0; side < absorbed.size(); ++side) {
             const std::uint32_t material =
                 scene_.objects[side / 2].mesh.groups.front().material;
@@ -217,7 +218,7 @@ class Reporter {
                 result_.objects[side / 2].area_index *
                 (1 - optics.of(material).face(side % 2 == 0).scattered());
             const double factor = kept > 0 ? 1 / kept : 0;
-            SideLight& light = absorbed[side];
+            PartLight& light = absorbed[side];
             light.day = scaled(light.day, factor);
             for (double& x : light.by_randomisation) x *= factor;
             for (Estimate& x : light.hours) x = scaled(x, factor);

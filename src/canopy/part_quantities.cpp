@@ -232,6 +232,20 @@ std::vector<Declaration> part_quantities() {
          }),
          false,
          has_parts},
+        {{"absorbed_light_by_hour",
+          "W m-2",
+          "light that leaves absorb at each instant",
+          {"component", "band", "hour"}},
+         [](const Report& r) {
+             Values values;
+             for (std::size_t c = 0; c < r.components.size(); ++c)
+                 for (const BandReport& band : r.bands)
+                     for (std::size_t h = 0; h < band.light.steps.size(); ++h)
+                         values.push_back(band.leaves_at(c, h));
+             return values;
+         },
+         false,
+         has_parts},
         {{"intercepted_fraction",
           "1",
           "light that leaves and other organs absorb over incident light",

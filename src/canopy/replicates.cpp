@@ -37,10 +37,10 @@ std::vector<double> mean_of(const std::vector<std::vector<double>>& all) {
 Tally mean_of(const std::vector<Tally>& tallies) {
     const auto n = static_cast<double>(tallies.size());
     Tally mean = mean_of_parts(tallies, &Tally::groups, &Tally::layers);
-    for (std::size_t s = 0; s < mean.objects.size(); ++s) {
+    for (std::size_t s = 0; s < mean.parts.size(); ++s) {
         for (std::size_t i = 1; i < tallies.size(); ++i)
-            add(mean.objects[s], tallies[i].objects[s]);
-        scale(mean.objects[s], 1 / n);
+            add(mean.parts[s], tallies[i].parts[s]);
+        scale(mean.parts[s], 1 / n);
     }
     for (std::size_t i = 1; i < tallies.size(); ++i) {
         const Tally& more = tallies[i];

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ideotype/light/backward.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
 
 #include "directions.hpp"
 #include "ideotype/core/contract.hpp"
-#include "ideotype/core/error.hpp"
 #include "travel.hpp"
 
 namespace ideotype {
@@ -46,10 +46,9 @@ BackwardLight::BackwardLight(const RayScene& scene,
       optics_(optics),
       soil_{optics.soil_albedo, 0} {
     for (const Source& source : sources)
-        if (source.pose != 0)
-            throw Error(
-                "light is followed back among what stands alone, and panels "
-                "track the sun; let them stand");
+        if (std::find(poses_.begin(), poses_.end(), source.pose) ==
+            poses_.end())
+            poses_.push_back(source.pose);
 }
 
 double BackwardLight::beam(const LeafPoint& point, std::size_t source) const {
@@ -72,22 +71,26 @@ void BackwardLight::add_diffuse(const LeafPoint& point, RandomStream& random,
                                 std::vector<double>& light) const {
     IDEOTYPE_EXPECT(light.size() == sources_.size());
     if (point.is_hidden) return;
-    for (const double side : {1., -1.})
-        follow(scene_.placed(point.position), side * point.normal,
-               weight(point, side > 0), random, light);
+    for (const std::uint32_t pose : poses_)
+        for (const double side : {1., -1.})
+            follow(scene_.placed(point.position), side * point.normal,
+                   weight(point, side > 0), pose, random, light);
 }
 
 void BackwardLight::add_level(const glm::dvec3& place, RandomStream& random,
                               std::vector<double>& light) const {
     IDEOTYPE_EXPECT(light.size() == sources_.size());
     static constexpr glm::dvec3 up{0, 0, 1};
-    // A place without a surface lets through all of a beam.
-    add_beams(scene_.placed(place), up, {1, 0}, 1, light);
-    follow(scene_.placed(place), up, 1, random, light);
+    for (const std::uint32_t pose : poses_) {
+        // A place without a surface lets through all of a beam.
+        add_beams(scene_.placed(place), up, {1, 0}, 1, pose, light);
+        follow(scene_.placed(place), up, 1, pose, random, light);
+    }
 }
 
 void BackwardLight::follow(glm::dvec3 position, glm::dvec3 normal,
-                           double weight, RandomStream& random,
+                           double weight, std::uint32_t pose,
+                           RandomStream& random,
                            std::vector<double>& light) const {
     // Directions follow Lambert's law and paths end with the right odds: all
     // that a path finds has the same weight.
@@ -95,10 +98,10 @@ void BackwardLight::follow(glm::dvec3 position, glm::dvec3 normal,
         const double u = random.uniform();
         const glm::dvec3 d = lambertian(normal, u, random.uniform());
         const Hit hit =
-            travel(scene_, scene_.offset_origin(position, normal), d);
+            travel(scene_, scene_.offset_origin(position, normal), d, pose);
         if (hit.group == Hit::sky) {
             for (std::size_t s = 0; s < sources_.size(); ++s)
-                if (!sources_[s].direction)
+                if (!sources_[s].direction && sources_[s].pose == pose)
                     light[s] +=
                         weight * sources_[s].sky.relative_brightness(-d);
             return;
@@ -107,7 +110,7 @@ void BackwardLight::follow(glm::dvec3 position, glm::dvec3 normal,
         if (met.scattered() == 0) return;
         position = hit.position;
         normal = on_side_of(-d, hit.normal);
-        add_beams(position, normal, met, weight, light);
+        add_beams(position, normal, met, weight, pose, light);
         const double choice = random.uniform();
         if (choice >= met.scattered()) return;
         if (choice >= met.reflectance) normal = -normal;
@@ -117,15 +120,16 @@ void BackwardLight::follow(glm::dvec3 position, glm::dvec3 normal,
 void BackwardLight::add_beams(const glm::dvec3& position,
                               const glm::dvec3& normal,
                               const Lambertian& surface, double weight,
+                              std::uint32_t pose,
                               std::vector<double>& light) const {
     for (std::size_t s = 0; s < sources_.size(); ++s) {
-        if (!sources_[s].direction) continue;
+        if (!sources_[s].direction || sources_[s].pose != pose) continue;
         const glm::dvec3 sun = -not_level(*sources_[s].direction);
         const double cosine = glm::dot(normal, sun);
         const double part =
             cosine > 0 ? surface.reflectance : surface.transmittance;
-        if (part > 0 && sees_sky(scene_, position, on_side_of(sun, normal), sun,
-                                 sources_[s].pose))
+        if (part > 0 &&
+            sees_sky(scene_, position, on_side_of(sun, normal), sun, pose))
             light[s] += weight * part * std::abs(cosine) / sun.z;
     }
 }

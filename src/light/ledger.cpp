@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ledger.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "ideotype/core/contract.hpp"
@@ -14,14 +15,15 @@ void SparseSums::drain(std::vector<LeafLight::Part>& parts) {
     places_.clear();
 }
 
-ObjectNumbers object_numbers(const std::vector<Group>& groups) {
-    ObjectNumbers found;
+PartNumbers::PartNumbers(const std::vector<Group>& groups) {
+    std::uint32_t all = 0;
     for (const Group& group : groups) {
-        if (!group.id.is_object()) continue;
-        if (found.count == 0) found.first = group.id.component;
-        found.count = group.id.component - found.first + 1;
+        const SurfaceId& id = group.id;
+        all = std::max(all, id.component + 1);
+        if (!id.is_object())
+            components = std::max(components, id.component + 1);
     }
-    return found;
+    objects = all - components;
 }
 
 Ledger::Ledger(const Counted& counted, std::uint32_t source, bool is_beam,
@@ -29,7 +31,7 @@ Ledger::Ledger(const Counted& counted, std::uint32_t source, bool is_beam,
     : counted_(counted), tally_(tally), budget_(tally.sources[source]) {
     IDEOTYPE_EXPECT(tally.groups.size() == counted.groups.size());
     IDEOTYPE_EXPECT(counted.pieces <= counted.groups.size());
-    if (counted.objects.count > 0) objects_ = &tally.objects[source];
+    if (counted.parts.count() > 0) parts_ = &tally.parts[source];
     if (tally.leaf_light.empty()) return;
     leaf_light_ = &tally.leaf_light[source];
     leaf_sums.diffuse.resize(tally.sources.size());
@@ -81,11 +83,12 @@ void Ledger::keep(std::uint32_t group, double height, bool is_adaxial,
             return;
         }
         part_.objects += energy;
-        (*objects_)[2 * (id.component - counted_.objects.first) +
-                    (is_adaxial ? 0 : 1)] += energy;
+        (*parts_)[counted_.parts.side(id, is_adaxial)] += energy;
         return;
     }
     part_.leaves += energy;
+    if (counted_.parts.components > 1)
+        (*parts_)[counted_.parts.leaves(id)] += energy;
     if (direct) part_.unscattered += energy;
     tally_.layers[counted_.layers.at(height)] += energy;
     (is_adaxial ? tally_.adaxial : tally_.abaxial) += energy;

@@ -36,12 +36,23 @@ struct LeafSums {
     std::vector<SparseSums> diffuse;  //!< sums by source
 };
 
-//! Numbers of fixed objects, which follow those of components.
-struct ObjectNumbers {
-    std::uint32_t first = 0, count = 0;
-};
+//! Numbers of the parts whose light is counted for each source, see
+//! Tally::parts.
+struct PartNumbers {
+    explicit PartNumbers(const std::vector<Group>& groups);
 
-ObjectNumbers object_numbers(const std::vector<Group>& groups);
+    std::uint32_t side(const SurfaceId& object, bool is_adaxial) const {
+        return 2 * (object.component - components) + (is_adaxial ? 0 : 1);
+    }
+    std::uint32_t leaves(const SurfaceId& id) const {
+        return 2 * objects + id.component;
+    }
+    std::uint32_t count() const {
+        return 2 * objects + (components > 1 ? components : 0);
+    }
+
+    std::uint32_t components = 0, objects = 0;
+};
 
 //! The scene, groups, layers and pieces that light is counted by.
 struct Counted {
@@ -49,7 +60,7 @@ struct Counted {
     const std::vector<Group>& groups;
     const Layers& layers;
     std::size_t pieces = 0;  //!< leading groups whose light is told by place
-    ObjectNumbers objects{};
+    PartNumbers parts{groups};
 };
 
 //! Counts where light of one source goes in one randomisation. Many small parts
@@ -79,8 +90,8 @@ class Ledger {
     const Counted& counted_;
     Tally& tally_;
     Budget& budget_;
-    std::vector<double>* objects_ = nullptr;  //!< if there are any
-    LeafLight* leaf_light_ = nullptr;         //!< if asked for
+    std::vector<double>* parts_ = nullptr;  //!< if there are any
+    LeafLight* leaf_light_ = nullptr;       //!< if asked for
     SparseSums* beam_ = nullptr;
     SparseSums* diffuse_ = nullptr;
     Budget part_;

@@ -121,35 +121,36 @@ struct Part {
     double incident = 0;
 };
 
-//! Returns what each side of fixed objects absorbs.
+//! Returns the light of Tally::parts.
 //! @param hours the light of each hour
-std::vector<SideLight> light_of_objects(const std::vector<Tally>& tallies,
-                                        const Resolution& resolution,
-                                        const std::vector<Part>& hours) {
-    std::vector<SideLight> result;
-    if (tallies.front().objects.empty()) return result;
-    const std::size_t sources = tallies.front().objects.size();
-    const auto of_side = [&](std::size_t side,
+std::vector<PartLight> light_of_parts(const std::vector<Tally>& tallies,
+                                      const Resolution& resolution,
+                                      const std::vector<Part>& hours) {
+    std::vector<PartLight> result;
+    if (tallies.front().parts.empty()) return result;
+    const std::size_t sources = tallies.front().parts.size();
+    const double of_path = std::max(resolution.objects, resolution.leaves);
+    const auto of_part = [&](std::size_t part,
                              const std::vector<double>& weights,
                              std::vector<double>& values) {
         double step = 0;
         for (std::size_t s = 0; s < sources; ++s)
-            step = std::max(step, resolution.objects * weights[s] *
-                                      resolution.path_energy[s]);
+            step = std::max(step,
+                            of_path * weights[s] * resolution.path_energy[s]);
         values.assign(tallies.size(), 0);
         for (std::size_t r = 0; r < tallies.size(); ++r)
             for (std::size_t s = 0; s < sources; ++s)
-                values[r] += weights[s] * tallies[r].objects[s][side];
+                values[r] += weights[s] * tallies[r].parts[s][part];
         return at_least(estimate(values), step / count(tallies));
     };
-    for (std::size_t side = 0; side < tallies.front().objects.front().size();
-         ++side) {
-        SideLight& light = result.emplace_back();
+    for (std::size_t part = 0; part < tallies.front().parts.front().size();
+         ++part) {
+        PartLight& light = result.emplace_back();
         light.day =
-            of_side(side, std::vector(sources, 1.0), light.by_randomisation);
+            of_part(part, std::vector(sources, 1.0), light.by_randomisation);
         std::vector<double> values;
         for (const Part& hour : hours)
-            light.hours.push_back(of_side(side, hour.weights, values));
+            light.hours.push_back(of_part(part, hour.weights, values));
     }
     return result;
 }
@@ -203,7 +204,7 @@ DayReport report(const std::vector<Tally>& tallies,
                                                 part.weights, part.incident),
                                 std::nullopt});
     }
-    result.objects = light_of_objects(tallies, resolution, parts);
+    result.parts = light_of_parts(tallies, resolution, parts);
     if (series.days > 1)
         for (const std::vector<std::size_t>& steps : series.steps_of_dates()) {
             Part part(sources.size());

@@ -156,8 +156,8 @@ BandTallies simulate(const Subject& subject, const Workload& work,
                      int randomisations, const Randomness& randomness) {
     const RayScene& scene = subject.scene;
     const std::vector<Source>& sources = subject.light().sources;
-    const Counted counted{scene, subject.groups, subject.layers, subject.pieces,
-                          object_numbers(subject.groups)};
+    const Counted counted{scene, subject.groups, subject.layers,
+                          subject.pieces};
     IDEOTYPE_EXPECT(randomisations > 0 && subject.layers.count > 0);
     IDEOTYPE_EXPECT(work.first_hits.size() == sources.size());
     for (const Band& band : subject.bands)
@@ -181,9 +181,9 @@ BandTallies simulate(const Subject& subject, const Workload& work,
                     std::vector<double>(subject.groups.size()),
                     std::vector<double>(subject.layers.count)};
         if (band.has_leaf_light) empty.leaf_light.resize(sources.size());
-        if (counted.objects.count > 0)
-            empty.objects.assign(
-                sources.size(), std::vector<double>(2 * counted.objects.count));
+        if (counted.parts.count() > 0)
+            empty.parts.assign(sources.size(),
+                               std::vector<double>(counted.parts.count()));
         tallies.emplace_back(static_cast<std::size_t>(randomisations), empty);
     }
     if (sources.empty()) return tallies;

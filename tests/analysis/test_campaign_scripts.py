@@ -75,6 +75,39 @@ def test_light_of_strips_agrees_with_reports_by_sign(tmp_path: Path) -> None:
     assert agreement and float(agreement[1]) > 0.99, compared
 
 
+def test_crops_below_panels_lose_light_and_leave_some_land(
+    tmp_path: Path,
+) -> None:
+    figure = tmp_path / "front.png"
+    words = ("--rough", "--seeds", 1, "--generations", 1, "--figure", figure)
+    told = run("panels.py", tmp_path, *words)
+    assert figure.stat().st_size > 10_000
+    known = re.search(
+        r"(?m)^\| 3 \| [\d.]+ \| [\d.]+ \| \S+ to \S+ \| (\S+) \|", told
+    )
+    assert known and 0.1 < float(known[1]) < 1, told
+    assert len(re.findall(r"(?m)^\| (uniform|clear) \|", told)) == 2
+    # Measured at Foulum, with the sun above 27 deg.
+    front = re.search(r"(?m)^\| 15:45 \| 43 \| 906: (\S+) \|", told)
+    assert front and abs(float(front[1])) < 5, told
+    shade = re.findall(r"(?m)^(?:\| [\d.]+ m ){3}\| ([\d.]+) \| (\S+) ±", told)
+    assert len(shade) == 2, told
+    for part, net in shade:
+        assert 10 < float(part) < 30 and float(net) < 0, told
+    assert len(
+        re.findall(r"(?m)^\| (baseline|below modules|the open) \|", told)
+    )
+    most = re.search(r"best pitch .* is (\S+) m of (\S+) to (\S+) m", told)
+    assert most and most[1] == most[2], told
+    row = r"(?m)^\| [\d.]+ \| [\d.]+ \| [^|]+\| [\d.]+ \| (\S+) \| (\S+) \| (\S+) ±"
+    ratios = re.findall(row, told)
+    assert ratios, told
+    for crop, power, both in ratios:
+        assert float(both) == pytest.approx(
+            float(crop) + float(power), abs=0.011
+        )
+
+
 def test_searches_are_compared_by_their_gains(tmp_path: Path) -> None:
     words = [
         tmp_path,

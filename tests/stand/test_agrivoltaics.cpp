@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <set>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "ideotype/canopy/quantities.hpp"
+#include "ideotype/canopy/sensors.hpp"
 #include "ideotype/core/error.hpp"
 #include "stand/stand.hpp"
 #include "temporary_folder.hpp"
@@ -72,7 +74,7 @@ TEST(Agrivoltaics, PanelsTakeLightAndAreNoLeaves) {
     // of 5 %.
     const ObjectReport& object = below.objects.front();
     EXPECT_NEAR(object.area_index, 1.5 / 3.048, 1e-12);
-    const std::vector<SideLight>& sides = below.par().objects;
+    const std::vector<PartLight>& sides = below.par().objects;
     EXPECT_NEAR(
         (sides[0].day.mean + sides[1].day.mean) * object.area_index * .95,
         shaded.objects.mean, 1e-9 * shaded.incident);
@@ -85,7 +87,7 @@ TEST(Agrivoltaics, HoursOfPanelsSumToTheirDay) {
     const CanopyReport report = light_of_field({panel});
     const LightSeries series =
         light_of(campaign_with({panel}), cases(campaign_with({panel})).front());
-    for (const SideLight& side : report.par().objects) {
+    for (const PartLight& side : report.par().objects) {
         double sum = 0;
         for (std::size_t h = 0; h < side.hours.size(); ++h)
             sum += side.hours[h].mean * series.steps[h].seconds;
@@ -146,6 +148,50 @@ TEST(Agrivoltaics, PanelsThatTrackStandAsTheirAngleTells) {
     EXPECT_EQ(angles.size(), 3u);
     EXPECT_LT(*angles.begin(), -20);
     EXPECT_GT(*angles.rbegin(), 20);
+}
+
+//! Paths that are followed back, and sensors, meet panels as they stand at each
+//! instant.
+TEST(Agrivoltaics, LightIsFollowedBackBelowPanelsThatTrack) {
+    const Settings tracked{
+        "day=[{date=2025-08-07, start=09:00:00, end=17:00:00, "
+        "step_minutes=240}]",
+        "spacing.row_direction=0",
+        "spacing.plant=0.762",
+        "light.tolerance=0",
+        "objective.maximise=gross_assimilation",
+        "panel=[{pitch=3.048, height=4, width=1.5, azimuth=90, "
+        "tracks=true}]"};
+    const Campaign campaign = campaign_with(tracked);
+    const Case chosen = cases(campaign).front();
+    const Device device(Device::supported_isas().back());
+    CanopyRequest request =
+        request_of(sampling_of(Task{}, campaign, chosen), campaign,
+                   scene_of(campaign, chosen), {campaign.crop.baseline});
+    request.details.exact = true;
+    request.accuracy = {1024, 16};
+    const CanopyReport exact = evaluate(request, device);
+    const CanopyReport pieces = light_of_field(tracked);
+    ASSERT_EQ(exact.assimilation->hours.size(), 3u);
+    for (std::size_t h = 0; h < 3; ++h) {
+        const Estimate &a = exact.assimilation->hours[h],
+                       &b = pieces.assimilation->hours[h];
+        EXPECT_NEAR(
+            a.mean, b.mean,
+            .005 * b.mean + 4 * std::hypot(a.standard_error, b.standard_error))
+            << h;
+        EXPECT_LT(a.standard_error, .01 * a.mean) << h;
+    }
+    // Just above the ground, sensors at all places have the light on it.
+    const Sensor level{1e-3, std::numeric_limits<double>::quiet_NaN()};
+    const auto found =
+        light_on_sensors(request, device, std::span(&level, 1), 512);
+    for (std::size_t h = 0; h < 3; ++h) {
+        const StepReport& step = pieces.par().light.steps[h];
+        const double factor = .9 * step.budget.incident;
+        expect_equal(scaled(step.budget.soil, 1 / factor), found[0][h]);
+        EXPECT_LT(found[0][h].standard_error, .05 * found[0][h].mean) << h;
+    }
 }
 
 TEST(Agrivoltaics, GapsBetweenModulesLetLightThrough) {

@@ -478,6 +478,16 @@ TEST_F(Mixtures, MeasureWhatTheyDeclareInTheSameOrder) {
     EXPECT_NEAR((numbers[light].mean + numbers[light + 2].mean) /
                     number("absorbed_par", report).mean,
                 1, 1e-12);
+    // What each component absorbs at each instant makes up its day.
+    const LightSeries series = light_of(campaign, chosen);
+    const std::size_t hours = measured.offset("absorbed_light_by_hour");
+    for (std::size_t i = 0; i < 4; ++i) {
+        double day = 0;
+        for (std::size_t h = 0; h < series.steps.size(); ++h)
+            day += series.steps[h].seconds * 1e-6 *
+                   numbers[hours + i * series.steps.size() + h].mean;
+        EXPECT_NEAR(day / numbers[light + i].mean, 1, 1e-12) << i;
+    }
     EXPECT_EQ(numbers[measured.offset("lai_by_component")].mean,
               report.components[0].lai);
 }

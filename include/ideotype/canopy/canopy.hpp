@@ -60,7 +60,7 @@ struct BandReport {
         layers_by_randomisation;
     //! The light that falls on fixed objects, per area of a side that absorbs
     //! some: of each object the adaxial side, then the abaxial one.
-    std::vector<SideLight> objects;
+    std::vector<PartLight> objects;
     //! Parts for each component, then each fixed object, if there are several.
     std::vector<PartReport> parts;
     //! Light that leaves of each row absorb, where rows are told apart
@@ -77,6 +77,14 @@ struct BandReport {
     PartReport part(std::size_t number) const {
         return parts.empty() ? PartReport{light.day.leaves, light.day.plants}
                              : parts[number];
+    }
+
+    //! The light that leaves of a component absorb at an hour of
+    //! LightSeries::hours() [W m-2].
+    Estimate leaves_at(std::size_t component, std::size_t hour) const {
+        const std::size_t part = objects.size() + component;
+        return part < light.parts.size() ? light.parts[part].hours[hour]
+                                         : light.steps[hour].budget.leaves;
     }
 };
 

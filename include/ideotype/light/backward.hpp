@@ -19,7 +19,7 @@ bool is_lit(const RayScene& scene, const LeafPoint& point,
 //! Finds the light at points of leaves, by paths that are followed from there
 //! back to its sources. This needs no field of light, but a path for every
 //! point. It shares the scene with all that follows light forwards, and nothing
-//! else. A path is of all sources, so that nothing may move between them.
+//! else. A path is of all sources for which what moves has one pose.
 class BackwardLight {
   public:
     //! Keeps its arguments.
@@ -59,15 +59,17 @@ class BackwardLight {
 
     //! Follows one path from a face, on the side of a normal.
     void follow(glm::dvec3 position, glm::dvec3 normal, double weight,
-                RandomStream& random, std::vector<double>& light) const;
+                std::uint32_t pose, RandomStream& random,
+                std::vector<double>& light) const;
     //! Adds the light of beams that a surface sends on to the side of a normal.
     void add_beams(const glm::dvec3& position, const glm::dvec3& normal,
-                   const Lambertian& surface, double weight,
+                   const Lambertian& surface, double weight, std::uint32_t pose,
                    std::vector<double>& light) const;
 
     const RayScene& scene_;
     const std::vector<Group>& groups_;
     const std::vector<Source>& sources_;
+    std::vector<std::uint32_t> poses_;  //!< of sources
     Optics optics_;
     Lambertian soil_;
 };

@@ -43,8 +43,9 @@ struct StepReport {
     std::optional<Estimate> sunlit;
 };
 
-//! The light that one side of a fixed object absorbs, or that falls on it.
-struct SideLight {
+//! The light that a part absorbs, such as one side of a fixed object, or that
+//! falls on it.
+struct PartLight {
     Estimate day;  //!< [J m-2 day-1]
     std::vector<double> by_randomisation;
     std::vector<Estimate> hours;  //!< LightSeries::hours() [W m-2]
@@ -59,9 +60,8 @@ struct DayReport {
     Estimate adaxial, abaxial;  //!< light of the faces of leaves [J m-2 day-1]
     std::vector<StepReport> steps;  //!< LightSeries::hours()
     double utc_offset = 0;          //!< offset of the clock of the hours [h]
-    //! The light that fixed objects absorb per area of ground: of each the
-    //! adaxial side, then the abaxial one.
-    std::vector<SideLight> objects;
+    //! The light of Tally::parts per area of ground.
+    std::vector<PartLight> parts;
     //! The light that leaves absorb on each of several days [J m-2 day-1].
     std::vector<Estimate> dates;
     //! The largest relative difference between incident light and the sum of

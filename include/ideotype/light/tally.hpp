@@ -70,9 +70,9 @@ struct Tally {
     //! is that from which the corners of a face are seen counter-clockwise.
     double adaxial = 0;
     double abaxial = 0;
-    //! Light that fixed objects absorb, by source: of each object the adaxial
-    //! side, then the abaxial one.
-    std::vector<std::vector<double>> objects{};
+    //! Light that parts absorb, by source: the adaxial and the abaxial side of
+    //! each fixed object, then leaves of each component if there are several.
+    std::vector<std::vector<double>> parts{};
     std::uint64_t rays = 0;  //!< number of rays to first hits
     //! Number of rays of light that was scattered.
     std::uint64_t next_rays = 0;

@@ -1,0 +1,340 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Which maize suits rows of photovoltaic modules, and what does that cost to know?
+
+panels.py FOLDER [--only PART] [--generations N] [--seeds N] [--figure FILE.png] [--rough]
+
+layouts   The 54 layouts of tutorial 18 of bifacial_radiance, each with maize on a clear day, the
+          light of maize known to 1 %: time on two cores, and error.
+cost      What a day with modules that track costs, over one with fixed ones, at an equal error of
+          the light that leaves absorb; evaluations of both in pairs.
+measured  Modules at Foulum, Denmark (measured/README.md), from their measured light.
+trial     What maize loses in a season below modules that track, 6.1 m up, which shade 20 to
+          25 %, as in the trial at Purdue (Sanchez et al. 2024, SSRN 4807752), where it lost 7.7 % of
+          its yield. Pitch and width are not told there: several are computed. The season is that
+          of Bondville, 130 km away. Intervals are 95 % of randomisations.
+bred      A plant that is bred below the modules of agrivoltaic.toml and one that is bred without
+          modules, each evaluated in both places, and maize bred by NSGA-II for crop and light on
+          modules together with their height and the distance between rows.
+
+What is in FOLDER already is not bred again. --figure draws the front of `bred`. --rough is for tests.
+IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+import time
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+from panels_crops import Options, bred, jackknife, trial
+from pvlib import solarposition
+from shared import (
+    CAMPAIGNS,
+    MAIZE,
+    Estimate,
+    Numbers,
+    guard,
+    parser_of_searches,
+    print_table,
+)  # fmt: skip
+
+from ideotype import Stand
+
+QUICK = CAMPAIGNS / "ames_quick.toml"
+MEASURED = Path(__file__).parent / "measured" / "foulum_modules.csv"
+FOULUM = (56.497, 9.584)
+"""Latitude and longitude [deg]."""
+HALF = pd.Timedelta("150s")
+"""Of a spell of measurements."""
+PAR = 0.45
+"""Of solar radiation."""
+FEET = 0.3048  # [m]
+
+
+# Layouts and cost.
+
+
+def layout(clearance: float, gap: float, tilt: float, between: float) -> Any:
+    """The settings of a layout with modules of 1.64 x 1 m that lie across, in a
+    cell of one module, with maize along its rows."""
+    length, width = 1.64, 1.0
+    pitch = width * math.cos(math.radians(tilt)) + between
+    rows, plants = (2 if pitch < 2 else 3), round((length + gap) / 0.16)
+    panel = {
+        "pitch": pitch,
+        "height": clearance + width / 2 * math.sin(math.radians(tilt)),
+        "width": width,
+        "tilt": tilt,
+        "azimuth": 180,
+        "module_length": length,
+        "gap": gap,
+    }
+    return {
+        "spacing": [
+            {
+                "row": pitch / rows,
+                "plant": (length + gap) / plants,
+                "row_direction": 90,
+            }
+        ],
+        "field.rows": rows,
+        "field.plants": plants,
+        "panel": [panel],
+    }
+
+
+def layouts(options: Options) -> None:
+    every = [
+        layout(clearance * FEET, gap * FEET, tilt, between * FEET)
+        for clearance, gap, tilt, between in itertools.product(
+            (6, 8, 10), (2, 3, 4), (18, 10), (2, 3, 4)
+        )
+    ]
+    if options.rough:
+        every = every[::18]
+
+    def light_of(settings: Any, tolerance: float, draw: int) -> Estimate:
+        more = {"light.tolerance": tolerance, "light.paths": 1 << 20}
+        stand = Stand.from_campaign(QUICK, settings={**settings, **more})
+        found = stand.evaluate(
+            stand.baseline, ["absorbed_par"], generation=draw, threads=1
+        )
+        return (
+            float(found.absorbed_par[0]),
+            float(found.absorbed_par_standard_error[0]),
+        )
+
+    def all_of(tolerance: float, draw: int) -> tuple[Numbers, Sequence[float]]:
+        before = time.perf_counter(), time.process_time()
+        with ThreadPoolExecutor(2) as pool:
+            found = list(
+                pool.map(lambda x: light_of(x, tolerance, draw), every)
+            )
+        after = time.perf_counter(), time.process_time()
+        return np.array(found), np.subtract(after, before).tolist()
+
+    found, seconds = all_of(0.01, 0)
+    exact, _ = all_of(0.02 if options.rough else 0.003, 1)
+    told = found[:, 1] / found[:, 0]
+    off = found[:, 0] / exact[:, 0] - 1
+    print_table(
+        [
+            "layouts",
+            "time on two cores [s]",
+            "of processors [s]",
+            "light of maize [MJ m-2 day-1]",
+            "standard error, rms [%]",
+            "largest [%]",
+            "from another field at .3 %, rms [%]",
+        ],
+        [
+            [
+                str(len(every)),
+                *(f"{x:.1f}" for x in seconds),
+                f"{found[:, 0].min():.2f} to {found[:, 0].max():.2f}",
+                f"{100 * np.sqrt((told**2).mean()):.2f}",
+                f"{100 * told.max():.2f}",
+                f"{100 * np.sqrt((off**2).mean()):.2f}",
+            ]
+        ],
+    )
+
+
+def cost(options: Options) -> None:
+    panel = {"pitch": 6.096, "height": 4, "width": 2.4, "offset": 3.048}
+    kinds = {
+        "fixed": {**panel, "tilt": 25, "azimuth": 180},
+        "tracked": {**panel, "azimuth": 180, "tracks": True},
+    }
+    pairs = 4 if options.rough else 40
+    rows = []
+    for sky in ("uniform", "clear"):
+        stands = {
+            name: Stand.from_campaign(
+                QUICK,
+                settings={
+                    "field.rows": 8, "light.sky": sky, "panel": [each]
+                },
+            )
+            for name, each in kinds.items()
+        }  # fmt: skip
+        taken: dict[str, list[tuple[float, float]]] = {x: [] for x in stands}
+        for draw, (name, stand) in itertools.product(
+            range(-1, pairs), stands.items()
+        ):
+            before = time.process_time()
+            found = stand.evaluate(
+                stand.baseline, ["absorbed_par"],
+                generation=max(draw, 0), threads=1,
+            )  # fmt: skip
+            seconds = time.process_time() - before
+            error = found.absorbed_par_standard_error / found.absorbed_par
+            if draw >= 0:
+                taken[name].append((seconds, float(error[0]) ** 2))
+
+        def ratio(fixed: Numbers, tracked: Numbers) -> float:
+            return float(np.prod(tracked.mean(0) / fixed.mean(0)))
+
+        both = [np.array(x) for x in taken.values()]
+        mean, error = jackknife(ratio, *both)
+        rows.append(
+            [
+                sky,
+                *(f"{1e3 * x[:, 0].mean():.0f}" for x in both),
+                *(f"{100 * math.sqrt(x[:, 1].mean()):.2f}" for x in both),
+                f"{mean:.2f} ± {error:.2f}",
+            ]
+        )
+    print_table(
+        [
+            "sky",
+            "fixed day [ms]",
+            "tracked [ms]",
+            "error, fixed [%]",
+            "tracked [%]",
+            f"cost at an equal error, {pairs} pairs",
+        ],
+        rows,
+    )
+
+
+# Modules that were measured.
+
+
+def measured(options: Options) -> None:
+    told = pd.read_csv(MEASURED)
+    edge = 1.14 * math.sin(math.radians(25))
+    tilted = {
+        "name": "tilted", "azimuth": 184, "tilt": 25, "pitch": 12,
+        "width": 2.28, "height": 0.8 + edge,
+    }  # fmt: skip
+    upright = {"azimuth": 276, "tilt": 90, "pitch": 11, "width": 1.1}
+    arrays = {
+        "tilted": [tilted],
+        "vertical": [
+            {**upright, "name": "low", "height": 0.75},
+            {**upright, "name": "high", "height": 2.05},
+        ],
+    }
+    rows = []
+    for reading in told[:: 8 if options.rough else 1].to_dict("records"):
+        row = [str(reading["time"])]
+        for name, panels in arrays.items():
+            elevation, front, back = sides(options, reading, panels)
+            names = (
+                ("west", "east") if name == "vertical" else ("front", "back")
+            )
+            if name == "tilted":
+                row.append(f"{elevation:.0f}")
+            for side, found in zip(names, (front, back), strict=True):
+                value = float(reading[f"{name}_{side}"])
+                row.append(f"{value:.0f}: {100 * (found / value - 1):+.1f}")
+        rows.append(row)
+    print_table(
+        [
+            "time",
+            "sun [deg]",
+            "tilted front [W m-2: %]",
+            "tilted back",
+            "upright west",
+            "upright east",
+        ],
+        rows,
+    )
+
+
+def sides(
+    options: Options, reading: Mapping[str, Any], panels: Sequence[Any]
+) -> tuple[float, float, float]:
+    """Height of the sun [deg], and light on the front and the back of modules
+    in the 5 minutes of a reading [W m-2]."""
+    # Light of other times is made up, and looked at by nobody.
+    end = pd.Timestamp(f"2026-05-10 {reading['time']}", tz="Etc/GMT-2")
+    ends = pd.date_range("2026-05-10", periods=288, freq="5min", tz=end.tz)
+    suns = solarposition.get_solarposition(ends - HALF, *FOULUM)
+    weather = pd.DataFrame({"time": ends.strftime("%Y-%m-%d %H:%M")})
+    sines = np.sin(np.radians(suns.elevation.clip(0))).to_numpy()
+    weather["global"] = 1000 * sines
+    weather["diffuse"] = 150 * sines
+    place = ends.get_loc(end)
+    for name in ("global", "diffuse"):
+        weather.loc[place, name] = float(reading[name])
+    path = options.folder / "foulum.csv"
+    weather.to_csv(path, index=False)
+    pitch, facing = panels[0]["pitch"], panels[0]["azimuth"]
+    day = pd.Timestamp(2026, 5, 10).date()
+    stand = Stand(
+        {
+            "name": "foulum",
+            "seed": 1,
+            "site": [
+                {
+                    "name": "foulum",
+                    "latitude": FOULUM[0],
+                    "longitude": FOULUM[1],
+                    "utc_offset": 2,
+                }
+            ],
+            "climate": [
+                {
+                    "file": str(path), "from": day, "to": day,
+                    "time": ["time"], "stamp": "end",
+                    "global": ["global", "W m-2"],
+                    "diffuse": ["diffuse", "W m-2"],
+                }
+            ],
+            # So far from plant to plant that modules stand over soil.
+            "spacing": [
+                {
+                    "row": pitch / 2,
+                    "plant": 10,
+                    "row_direction": facing - 90,
+                }
+            ],
+            "field": {"rows": 2, "plants": 1},
+            "plant": {"baseline": str(MAIZE)},
+            "optics": {"soil_albedo": float(reading["albedo"])},
+            "panel": panels,
+            "objective": {"maximise": "absorbed_par"},
+            "light": {"paths": 1 << 17, "randomisations": 16},
+        }
+    )  # fmt: skip
+    found = stand.evaluate(stand.baseline).isel(plant=0)
+    middle = end - HALF
+    hour = middle.hour + middle.minute / 60 + middle.second / 3600
+    light = found.object_light_by_hour.sel(hour=hour, method="nearest")
+    front, back = (light.mean("object") / PAR).values.tolist()
+    return float(suns.elevation.iloc[place]), front, back
+
+
+PARTS: Mapping[str, Callable[[Options], None]] = {
+    "layouts": layouts,
+    "cost": cost,
+    "measured": measured,
+    "trial": trial,
+    "bred": bred,
+}
+
+
+def main() -> None:
+    parser = parser_of_searches(__doc__, generations=20, seeds=3)
+    parser.add_argument("--only", choices=PARTS)
+    parser.add_argument("--figure", type=Path)
+    words = vars(parser.parse_args())
+    only = words.pop("only")
+    for name in [only] if only else PARTS:
+        before = time.perf_counter()
+        PARTS[name](Options(**words))
+        seconds = time.perf_counter() - before
+        print(f"\n{name}: {seconds / 60:.1f} min\n", flush=True)
+
+
+if __name__ == "__main__":
+    guard(main)

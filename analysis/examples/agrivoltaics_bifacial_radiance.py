@@ -19,7 +19,7 @@ SCENE = {
     "nMods": 20,
     "nRows": 7,
 }
-#: Of [[panel]]: rows that track the sun, as set1axis() and makeScene1axis() have them.
+#: Rows of a [[panel]] that track the sun, as set1axis() and makeScene1axis() have them.
 TRACKED = {
     "gcr": 0.4,
     "hub_height": 4.0,

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Which maize suits rows of photovoltaic modules, and what does that cost to know?
+"""Asks which maize suits rows of photovoltaic modules, and what it costs to know.
 
 panels.py FOLDER [--only PART] [--generations N] [--seeds N] [--figure FILE.png] [--rough]
 
@@ -52,9 +52,9 @@ MEASURED = Path(__file__).parent / "measured" / "foulum_modules.csv"
 FOULUM = (56.497, 9.584)
 """Latitude and longitude [deg]."""
 HALF = pd.Timedelta("150s")
-"""Of a spell of measurements."""
+"""Half the length of a spell of measurements."""
 PAR = 0.45
-"""Of solar radiation."""
+"""The share of PAR in solar radiation."""
 FEET = 0.3048  # [m]
 
 

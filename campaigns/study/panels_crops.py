@@ -37,7 +37,7 @@ from ideotype import Error, Stand, open_history
 from ideotype.analysis.style import BASELINE, BEST, MEAN, new_figure
 
 PURDUE_HEIGHT = 6.1
-"""Of modules that track in the trial [m]."""
+"""Height of modules that track in the trial [m]."""
 
 
 @dataclass(frozen=True)
@@ -180,7 +180,7 @@ def tell_gain(x: Estimate) -> str:
 
 
 def less(open_: Numbers, below: Numbers, *of_baseline: Numbers) -> float:
-    """How much less a plant loses than the baseline [%]."""
+    """Returns how much less a plant loses than the baseline [%]."""
     before, after = of_baseline
     return 100 * float(
         below.mean() / open_.mean() - after.mean() / before.mean()
@@ -258,8 +258,8 @@ def tell(x: Estimate, digits: int = 3) -> str:
 
 
 def electricity(found: Any) -> float:
-    """Of a day per area of ground [kWh m-2], with pvlib, air of 25 deg C and no
-    wind to speak of."""
+    """Returns the energy of a day per area of ground [kWh m-2], with pvlib, air of
+    25 deg C and almost no wind."""
     light = found.object_light_by_hour.sel(object="panel").sum("band")
     front, back = (light.sel(object_side=side) for side in ("front", "back"))
     used = (front + 0.75 * back).values

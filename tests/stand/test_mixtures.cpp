@@ -478,7 +478,7 @@ TEST_F(Mixtures, MeasureWhatTheyDeclareInTheSameOrder) {
     EXPECT_NEAR((numbers[light].mean + numbers[light + 2].mean) /
                     number("absorbed_par", report).mean,
                 1, 1e-12);
-    // What each component absorbs at each instant makes up its day.
+    // The light of each component at all instants makes up its day.
     const LightSeries series = light_of(campaign, chosen);
     const std::size_t hours = measured.offset("absorbed_light_by_hour");
     for (std::size_t i = 0; i < 4; ++i) {

@@ -6,9 +6,7 @@
 #include "choose_row.hpp"
 #include "ideotype/light/device.hpp"
 #include "light_output.hpp"
-#include "parts_output.hpp"
 #include "run/progress.hpp"
-#include "run/summary.hpp"
 #include "stand/stand.hpp"
 #include "verbs.hpp"
 
@@ -87,18 +85,6 @@ Json to_json(const Study& study) {
     return json;
 }
 
-void print_study(const Study& study) {
-    fmt::print("case {}, {:.0f} ms\n", study.scenario.name,
-               study.seconds * 1e3);
-    print_light(study.report, Span::day);
-    print_parts(study.report);
-    fmt::print("\nleaves absorb {}\n",
-               format_daily(scaled(study.report.par().light.day.leaves, 1e-6)));
-    for (const auto& [quantity, estimate] : study.objectives)
-        fmt::print("objective: {} {}\n", quantity.name,
-                   with_unit(format(estimate), quantity.unit));
-}
-
 //! Evaluates plants in each scenario of a case.
 std::vector<Study> studies(const Task& task, const Campaign& campaign,
                            const Case& chosen, const Plants& plants,
@@ -129,7 +115,7 @@ Json to_json(const std::vector<Study>& all) {
 void print_studies(const std::vector<Study>& all) {
     for (const Study& study : all) {
         if (&study != &all.front()) fmt::print("\n");
-        print_study(study);
+        print_outline(to_json(study));
     }
 }
 

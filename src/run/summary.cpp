@@ -7,19 +7,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "ideotype/core/units.hpp"
 #include "progress.hpp"
 #include "search/order.hpp"
 #include "search/summary.hpp"
 
 namespace ideotype {
-
-std::string format_daily(Estimate mj_per_m2) {
-    return fmt::format(
-        "{} MJ m-2 day-1 = {} mol m-2 day-1 = {} MWh acre-1 day-1",
-        format(mj_per_m2), format(scaled(mj_per_m2, mol_per_mj_par)),
-        format(scaled(mj_per_m2, mwh_per_acre_per_mj_per_m2)));
-}
 
 std::size_t best_finalist(const History& history,
                           const std::vector<Row>& finalists) {

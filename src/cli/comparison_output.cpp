@@ -107,44 +107,12 @@ std::string value_text(const Comparison& all, std::size_t p, std::size_t c,
     return x ? format(*x) : "-";
 }
 
-constexpr auto number_line = "  {:<36} {:>24}{}\n";
-constexpr auto profile_line = "  {:>6} {:>24}{}\n";
-constexpr auto profile_end = " {:>24} {:>44}";
-
 void print_number(const Comparison& all, std::size_t c, std::size_t f) {
     for (std::size_t p = 0; p < all.plants.size(); ++p)
-        fmt::print(number_line, all.plants[p].name, value_text(all, p, c, f),
-                   p == 0
-                       ? ""
-                       : fmt::format(" {:>44}", difference_text(all, p, c, f)));
-}
-
-//! A profile of a plant beside that of the first.
-void print_profile(const Comparison& all, std::size_t p, std::size_t c,
-                   const std::vector<std::size_t>& figures) {
-    const std::vector<Figure>& known = all.figures();
-    const Quantity& quantity = known[figures.front()].quantity;
-    fmt::print("\n{}\n", title(quantity));
-    fmt::print(
-        profile_line, quantity.axes.front() == "layer" ? "z [m]" : "leaf",
-        all.plants[0].name,
-        p == 0 ? ""
-               : fmt::format(profile_end, all.plants[p].name, "difference"));
-    const auto is_dark = [&](std::size_t plant, std::size_t f) {
-        const std::optional<Estimate> x = all.value(plant, c, f);
-        return !x || (x->mean == 0 && x->standard_error == 0);
-    };
-    // The highest first, as it stands in the field.
-    for (std::size_t i = figures.size(); i-- > 0;) {
-        const std::size_t f = figures[i];
-        if (is_dark(0, f) && is_dark(p, f)) continue;
-        fmt::print(profile_line,
-                   fmt::format("{:.6g}", coordinate(all, known[f])),
-                   value_text(all, 0, c, f),
-                   p == 0 ? ""
-                          : fmt::format(profile_end, value_text(all, p, c, f),
-                                        difference_text(all, p, c, f)));
-    }
+        fmt::print(
+            "  {:<36} {:>24}{}\n", all.plants[p].name, value_text(all, p, c, f),
+            p == 0 ? ""
+                   : fmt::format(" {:>44}", difference_text(all, p, c, f)));
 }
 
 }  // namespace
@@ -239,10 +207,6 @@ void print(const Comparison& all) {
             fmt::print("\n{}\n", title(figures[f].quantity));
             print_number(all, c, f);
         }
-        for (const auto& [name, places] : profiles(all))
-            for (std::size_t p = has_differences ? 1 : 0; p < all.plants.size();
-                 ++p)
-                print_profile(all, p, c, places);
     }
 }
 

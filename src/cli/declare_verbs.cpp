@@ -88,8 +88,10 @@ void declare_compare(CLI::App& verb, CompareOptions& options) {
                     "relative standard error of the light that leaves absorb, "
                     "in the place of the campaign's [final]")
         ->check(CLI::Range(1e-5, 0.05));
-    verb.add_option("--csv", options.csv_path,
-                    "also write all figures to this new file, one per line");
+    verb.add_option(
+        "--csv", options.csv_path,
+        "also write all figures, those by leaf and layer too, to this new "
+        "file, one per line");
     add_threads(verb, options.threads);
     add_json(verb, options.is_json);
 }
@@ -211,8 +213,7 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
         light_in_mesh);
     add("compare",
         "plants in the same light: how each differs from the first, with "
-        "paired standard errors, in all and by leaf and layer; on all cores, "
-        "or under mpirun or srun",
+        "paired standard errors; on all cores",
         "maize.toml field.csv --under campaigns/ames_quick.toml",
         declare_compare, compare);
     add("serve",

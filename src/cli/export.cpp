@@ -189,10 +189,7 @@ ExitCode export_plant(const ExportOptions& options) {
                                 ".obj, .vtp, .csv or .toml",
                                 options.to),
                     ExitCode::usage);
-    if (std::filesystem::exists(options.to))
-        throw Error(fmt::format("{}: exists already and is not overwritten",
-                                options.to),
-                    ExitCode::refused);
+    require_new(options.to);
     if (extension == ".csv")
         write_csv(options.to, plants[component]);
     else if (extension == ".toml")

@@ -45,8 +45,9 @@ CaseResult result_of(const History& history);
 std::string to_text(const CaseResult& result, const std::string& path,
                     const std::string& state);
 
-//! Tells lines about the finalists that do not fit into the line of a result:
-//! each member of a front, or how much light is left to gain.
-std::string remarks(const History& history, const Campaign& campaign);
+//! Returns a line that tells how much light is left to gain at most where plain
+//! absorption in an endless stand is searched for, which has a ceiling; else
+//! "".
+std::string left_to_gain(const History& history, const Campaign& campaign);
 
 }  // namespace ideotype

@@ -31,43 +31,36 @@ double coordinate(const Comparison& all, const Figure& figure) {
                : all.layers.thickness * (place + 0.5);
 }
 
-//! Adds matrices of means and standard errors.
-//! @param figure of a plant in a case, as {mean, standard_error} of Json
-template <class Figure>
-void add_matrices(Json& json, const Comparison& all, const Figure& figure) {
-    for (std::size_t p = 0; p < all.plants.size(); ++p) {
-        Json means = Json::array(), errors = Json::array();
-        for (std::size_t c = 0; c < all.cases.size(); ++c) {
-            const auto [mean, error] = figure(p, c);
-            means.push_back(mean);
-            errors.push_back(error);
+//! Adds matrices of means and standard errors of figures, with lists of them if
+//! they are of a profile.
+//! @param take Comparison::value or Comparison::difference
+template <class Take>
+void add_matrices(Json& json, const Comparison& all,
+                  const std::vector<std::size_t>& figures, bool is_list,
+                  Take take) {
+    for (const auto& [name, member] :
+         {std::pair{"mean", &Estimate::mean},
+          {"standard_error", &Estimate::standard_error}})
+        for (std::size_t p = 0; p < all.plants.size(); ++p) {
+            Json row = Json::array();
+            for (std::size_t c = 0; c < all.cases.size(); ++c) {
+                Json list = Json::array();
+                for (const std::size_t f : figures) {
+                    const std::optional<Estimate> x = (all.*take)(p, c, f);
+                    list.push_back(x ? Json((*x).*member) : Json());
+                }
+                row.push_back(is_list ? list : list.front());
+            }
+            json[name].push_back(std::move(row));
         }
-        json["mean"].push_back(means);
-        json["standard_error"].push_back(errors);
-    }
 }
 
-//! Adds values and differences, as lists if there are several figures.
+//! Adds values and differences.
 void add_figures(Json& json, const Comparison& all,
                  const std::vector<std::size_t>& figures, bool is_list) {
-    const auto of = [&](const auto& take) {
-        return [&, take](std::size_t p, std::size_t c) {
-            std::pair<Json, Json> lists{Json::array(), Json::array()};
-            for (const std::size_t f : figures) {
-                const std::optional<Estimate> x = take(p, c, f);
-                lists.first.push_back(x ? Json(x->mean) : Json());
-                lists.second.push_back(x ? Json(x->standard_error) : Json());
-            }
-            if (is_list) return lists;
-            return std::pair(lists.first.front(), lists.second.front());
-        };
-    };
-    add_matrices(json, all, of([&](auto p, auto c, auto f) {
-                     return all.value(p, c, f);
-                 }));
-    add_matrices(json["difference"], all, of([&](auto p, auto c, auto f) {
-                     return all.difference(p, c, f);
-                 }));
+    add_matrices(json, all, figures, is_list, &Comparison::value);
+    add_matrices(json["difference"], all, figures, is_list,
+                 &Comparison::difference);
 }
 
 //! A text as an entry of CSV.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <bit>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -31,13 +33,11 @@ std::vector<Measured> objectives_of(const CanopyReport& report,
 }
 
 bool same_bits(const std::vector<Estimate>& a, const std::vector<Estimate>& b) {
-    const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
-    if (a.size() != b.size()) return false;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        if (bits(a[i].mean) != bits(b[i].mean) ||
-            bits(a[i].standard_error) != bits(b[i].standard_error))
-            return false;
-    return true;
+    const auto bits = [](const Estimate& x) {
+        return std::pair(std::bit_cast<std::uint64_t>(x.mean),
+                         std::bit_cast<std::uint64_t>(x.standard_error));
+    };
+    return std::ranges::equal(a, b, {}, bits, bits);
 }
 
 //! Returns whether all that is stored of a row is found again. An older format

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "options.hpp"
+#include "run/way_on.hpp"
 #include "stand/mesh_options.hpp"
 #include "verbs.hpp"
 
@@ -195,13 +196,13 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
         "evolve the cases of a campaign on the cores of this machine, or on a "
         "cluster (under mpirun or srun)",
         "campaigns/quickstart.toml --resume", declare_run, start_run)
-        .words = words;
+        .command = quoted(words);
     add("sensitivity",
         "evaluate the design of a sensitivity study, by Sobol' or Morris, of "
         "the traits and of numeric keys of a campaign; runs, stops and is "
         "resumed as run, and ideotype indices tells what was found",
         "campaigns/ames_quick.toml", declare_sensitivity, start_run)
-        .words = words;
+        .command = quoted(words);
     add("status", "how far histories have come, also while they are written",
         "results", declare_status, status);
     add("evaluate",

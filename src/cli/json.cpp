@@ -37,7 +37,8 @@ std::string text_of(const Json& value) {
     return value.is_null() ? "-" : to_line(value);
 }
 
-//! Prints members that are no objects, those of one name below each other.
+}  // namespace
+
 void print_table(const Json& rows, std::size_t indent) {
     std::vector<std::string> names;
     for (const Json& row : rows)
@@ -58,8 +59,6 @@ void print_table(const Json& rows, std::size_t indent) {
     for (const std::string& line : lines)
         fmt::print("{:{}}{}\n", "", indent, line);
 }
-
-}  // namespace
 
 void print_outline(const Json& json, std::size_t indent) {
     constexpr std::size_t width = 36;

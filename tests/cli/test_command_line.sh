@@ -33,7 +33,7 @@ expect 0 "$ideotype" check campaigns/verbs.toml
 says "LAI 3.44"
 says "^advice    plants are all alike; "
 says "^next: ideotype run campaigns/verbs.toml$"
-says "Ames  *42 N 93.6 W  *0807  *UTC-5  *06:19  *13:20  *64.2 deg  *20:20  *0.2 %  *+1.24 h"
+says "Ames  *42 N 93.6 W  *0807  *1  *64.2 deg  *0.2 %  *+1.24 h  *UTC-5  *06:19  *13:20  *20:20"
 sed -e 's/^start = .*/start = 01:00:00/' -e 's/^end = .*/end = 05:00:00/' \
     campaigns/verbs.toml >campaigns/dark.toml
 for verb in check run evaluate; do

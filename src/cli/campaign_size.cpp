@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "ideotype/climate/light_series.hpp"
+#include "ideotype/core/clock.hpp"
 #include "ideotype/light/device.hpp"
 #include "run/evaluator.hpp"
 #include "run/progress.hpp"
@@ -20,6 +24,60 @@ namespace {
 
 //! For which the cost is told.
 constexpr std::array<int, 4> shown_workers{1, 2, 16, 128};
+
+std::string clock(std::optional<double> hour) {
+    return hour ? clock_time(*hour) : "-";
+}
+
+//! The mean of what is known by day, weighted by light.
+std::string by_day(const LightSeries& series,
+                   std::optional<double> TimeStep::*value, double factor,
+                   const std::string& unit) {
+    double sum = 0, light = 0;
+    for (const TimeStep& step : series.steps) {
+        const double par = step.par.beam + step.par.diffuse;
+        if (!(step.*value)) return "-";
+        sum += par * *(step.*value);
+        light += par;
+    }
+    return fmt::format("{:.1f} {}", factor * sum / light, unit);
+}
+
+//! Tells the sun of the middle date of a day or climate at its site, and what
+//! light a climate has or a day leaves out.
+Json sky_of(const Campaign& campaign, const Case& chosen,
+            const LightSeries& series) {
+    const bool is_climate = !campaign.climates.empty();
+    const Site& site = chosen.site;
+    const std::vector<Date> dates =
+        is_climate ? series.dates() : chosen.day.dates;
+    const Daylight sun = daylight(site, dates[dates.size() / 2]);
+    Json row{{"site", site.name},
+             {"place", fmt::format("{} {} {} {}", std::abs(site.latitude),
+                                   site.latitude < 0 ? 'S' : 'N',
+                                   std::abs(site.longitude),
+                                   site.longitude < 0 ? 'W' : 'E')},
+             {is_climate ? "period" : "day", chosen.day_name},
+             {"days", dates.size()}};
+    if (is_climate) {
+        row["PAR per day"] =
+            fmt::format("{:.2f} MJ m-2", series.incident() / 1e6);
+        row["diffuse"] =
+            fmt::format("{:.0f} %", 100 * series.diffuse() / series.incident());
+        row["temperature"] = by_day(series, &TimeStep::temperature, 1, "C");
+        row["humidity"] = by_day(series, &TimeStep::humidity, 100, "%");
+    } else {
+        row["elevation"] = fmt::format("{:.1f} deg", sun.elevation);
+        row["left out"] =
+            fmt::format("{:.1f} %", 100 * share_left_out(site, chosen.day));
+        row["clock ahead"] = fmt::format("{:+.2f} h", clock_ahead(site));
+    }
+    row["clock"] = clock_name(site.utc_offset);
+    row["sunrise"] = clock(sun.sunrise);
+    row["noon"] = clock(sun.noon);
+    row["sunset"] = clock(sun.sunset);
+    return row;
+}
 
 }  // namespace
 
@@ -41,17 +99,7 @@ CampaignCost::CampaignCost(const Campaign& campaign, const Case& chosen)
         }
         return least;
     };
-    // A tolerance may change from generation to generation.
-    constexpr int samples = 5;
-    for (int i = 0; i < samples; ++i) {
-        Task task;
-        task.generation =
-            static_cast<std::uint32_t>(i * (generations - 1) / (samples - 1));
-        usual += measure(2, task) / samples;
-        if (samples * usual < long_time || i > 0) continue;
-        usual *= samples;
-        break;
-    }
+    usual = measure(3, {});
     Task last;
     last.is_final = true;
     final = measure(1, last);
@@ -116,6 +164,7 @@ Stands stands_of(const Campaign& campaign, double leaf_area) {
             all.steps.add(static_cast<double>(light.steps.size()));
             all.par.add(light.incident());
             all.diffuse.add(light.diffuse() / light.incident());
+            all.sky.push_back(sky_of(campaign, each, light));
         }
     return all;
 }

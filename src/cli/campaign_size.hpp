@@ -32,8 +32,7 @@ struct CampaignCost {
     //! Tells the time of one case and of all by the number of workers.
     std::string table(std::size_t cases) const;
 
-    //! An evaluation here on one core, on average over the generations, and a
-    //! final one [s].
+    //! An evaluation here on one core, and a final one [s].
     double usual = 0, final = 0;
     int population, generations, finalists;
 };
@@ -67,6 +66,7 @@ struct Stands {
     Extent period_x, period_y;   //!< [m]
     Extent lai;                  //!< of the baseline and other components
     Extent steps, par, diffuse;  //!< number, [J m-2 day-1], part of it
+    Json sky;  //!< a row for each site and day or climate: sun and light
 };
 
 //! Computes the ranges of a campaign.

@@ -13,7 +13,6 @@
 #include "run/progress.hpp"
 #include "run/provenance.hpp"
 #include "run/run.hpp"
-#include "run/sky_table.hpp"
 #include "run/way_on.hpp"
 #include "stand/across_scenarios.hpp"
 #include "stand/sampling.hpp"
@@ -227,7 +226,12 @@ void print(const CheckOptions& options, const Campaign& campaign,
                                  found.light.days),
                stands.par.text("{:.3f}", 1e6),
                stands.diffuse.text("{:.0f}", 0.01));
-    fmt::print("{}", sky_table(campaign));
+    fmt::print("{}\n", campaign.climates.empty() ? "sun" : "climate");
+    print_table(stands.sky, 10);
+    if (!campaign.climates.empty())
+        fmt::print(
+            "          temperature and humidity are weighted by light; "
+            "sunrise, noon and sunset are those of the middle date\n");
     if (found.excess > 0)
         fmt::print(
             "          the plant fails the [constraints] by {:.3g} of their "

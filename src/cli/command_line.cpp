@@ -70,13 +70,12 @@ Error unknown_word(const CLI::App& verb) {
 void require_shared_work(const CLI::App& verb, const Launch& launch) {
     const std::string& name = verb.get_name();
     if (launch.size == 1 || name == "run" || name == "sensitivity" ||
-        name == "serve" || name == "compare")
+        name == "serve")
         return;
     throw Error(
         fmt::format("{}: {} copies of this were started, which would all do "
                     "the same work; start it without mpirun or srun (run, "
-                    "sensitivity, serve and compare share their work between "
-                    "ranks)",
+                    "sensitivity and serve share their work between ranks)",
                     name, launch.size),
         ExitCode::usage);
 }

@@ -3,12 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <map>
+#include <mutex>
+#include <thread>
+#include <unistd.h>
 
 #include <fmt/format.h>
 
 #include "choose_row.hpp"
 #include "ideotype/canopy/quantities.hpp"
+#include "ideotype/core/host.hpp"
+#include "output_file.hpp"
 
 namespace ideotype {
 
@@ -27,14 +33,13 @@ Sampling sampling_in(const Campaign& under, const Case& chosen,
 ComparedPlant read_compared(const std::string& path, const Campaign& under) {
     if (!is_history(path)) {
         const Plant plant = read_crop(path, &under.crop.baseline).baseline;
-        return {plant.name, {plant}, {}, {}};
+        return {plant.name, {plant}, {}};
     }
     RowChoice best;
     best.is_best = true;
     const ChosenRow found = choose_row(path, best);
     return {found.campaign.name + "/" + found.chosen.name,
             grow(found.campaign, found.row.candidate.genome),
-            {},
             {}};
 }
 
@@ -102,18 +107,12 @@ std::vector<Figure> figures_of(const QuantitySet& measured,
 }
 
 void choose_figures(Comparison& all) {
-    const Case& first = all.cases.front().chosen;
     for (ComparedPlant& each : all.plants) {
         Scene scene = all.cases.front().scene;
         set_plant(scene.components.front(), each.plants.front());
         each.figures = figures_of(
             canopy_quantities(scene, all.layers, details_of(all.under)),
             all.under);
-        for (const Figure& figure : each.figures)
-            each.schema.objectives.push_back(
-                {figure.quantity.name, figure.quantity.unit});
-        each.schema.randomisations = static_cast<std::size_t>(
-            sampling_in(all.under, first, all.tolerance).accuracy.replicates());
     }
 }
 
@@ -153,6 +152,8 @@ std::optional<Estimate> Comparison::relative_gain(std::size_t plant,
         randomisations_of(outcomes[plant][chosen], figure));
 }
 
+namespace {
+
 Comparison read_comparison(const CompareOptions& options) {
     std::vector<std::string> settings = options.settings;
     if (options.seed) settings.push_back(fmt::format("seed={}", *options.seed));
@@ -170,6 +171,8 @@ Comparison read_comparison(const CompareOptions& options) {
     return all;
 }
 
+//! Evaluates a plant in a case; all plants of a case share their random
+//! numbers.
 Outcome evaluate(const Comparison& comparison, std::size_t plant,
                  std::size_t chosen, const Device& device) {
     const ComparedPlant& compared = comparison.plants.at(plant);
@@ -196,6 +199,65 @@ Outcome evaluate(const Comparison& comparison, std::size_t plant,
                                       values.begin(), values.end());
     }
     return outcome;
+}
+
+//! Evaluates all plants in all cases.
+//! @throws Error that names the first that cannot be evaluated.
+void fill(Comparison& all, int threads) {
+    const bool is_watched = columns_of(STDERR_FILENO) > 0;
+    std::size_t next = 0, done = 0;
+    std::exception_ptr failure;
+    std::mutex mutex;  // of all three
+    const auto take = [&]() -> std::optional<std::size_t> {
+        const std::lock_guard lock(mutex);
+        return failure || next == all.size() ? std::nullopt
+                                             : std::optional(next++);
+    };
+    const auto work = [&] {
+        try {
+            const Device device(Device::supported_isas().back());
+            while (const auto item = take()) {
+                const std::size_t plant = *item % all.plants.size();
+                const std::size_t chosen = *item / all.plants.size();
+                try {
+                    all.outcomes[plant][chosen] =
+                        evaluate(all, plant, chosen, device);
+                } catch (const Error& error) {
+                    throw Error(
+                        fmt::format("{} in {}: {}", all.plants[plant].name,
+                                    all.cases[chosen].name, error.what()));
+                }
+                const std::lock_guard lock(mutex);
+                ++done;
+                if (is_watched)
+                    fmt::print(stderr, "\r\x1b[K{} of {} evaluated", done,
+                               all.size());
+            }
+        } catch (...) {
+            const std::lock_guard lock(mutex);
+            if (!failure) failure = std::current_exception();
+        }
+    };
+    {
+        std::vector<std::jthread> workers;
+        for (int i = 0; i < threads; ++i) workers.emplace_back(work);
+    }
+    if (is_watched) fmt::print(stderr, "\r\x1b[K");
+    if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace
+
+ExitCode compare(const CompareOptions& options) {
+    if (!options.csv_path.empty()) require_new(options.csv_path);
+    Comparison comparison = read_comparison(options);
+    fill(comparison, options.threads.value_or(available_cores()));
+    if (!options.csv_path.empty()) write_csv(options.csv_path, comparison);
+    if (options.is_json)
+        fmt::print("{}\n", to_text(to_json(comparison)));
+    else
+        print(comparison);
+    return ExitCode::ok;
 }
 
 }  // namespace ideotype

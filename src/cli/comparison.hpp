@@ -29,8 +29,6 @@ struct ComparedPlant {
     std::string name;
     Plants plants;  //!< of a crop file one
     std::vector<Figure> figures;
-    OutcomeSchema schema;  //!< each figure is an objective, so that all have
-                           //!< values by randomisation
 };
 
 //! A case, or one of its scenarios, without its replicates, which have the same
@@ -48,7 +46,9 @@ struct Comparison {
     std::vector<ComparedPlant> plants;
     std::vector<ComparedCase> cases;
     Layers layers;  //!< up to the highest leaf of any plant
-    std::vector<std::vector<Outcome>> outcomes;  //!< by plant, then by case
+    //! Outcomes by plant, then by case. Each figure is an objective, so that
+    //! all have values by randomisation.
+    std::vector<std::vector<Outcome>> outcomes;
 
     std::size_t size() const { return plants.size() * cases.size(); }
 
@@ -70,14 +70,6 @@ struct Comparison {
                                           std::size_t figure) const;
 };
 
-//! Reads the plants and the campaign; nothing is evaluated yet.
-//! @throws Error and InputError of what cannot be read.
-Comparison read_comparison(const CompareOptions& options);
-
-//! One evaluation. All plants of a case share their random numbers.
-Outcome evaluate(const Comparison& comparison, std::size_t plant,
-                 std::size_t chosen, const Device& device);
-
 //! Matrices with a row per plant and a column per case: of the first objective
 //! `mean`, `standard_error`, `difference` and `by_randomisation`, the same of
 //! all single numbers in `quantities`, and lists of them in `profiles`; null
@@ -88,7 +80,7 @@ Json to_json(const Comparison& comparison);
 //! @throws Error if the file cannot be written.
 void write_csv(const std::string& path, const Comparison& comparison);
 
-//! Tables: the first objective in all cases, then all that is measured.
+//! Tables of single numbers: the first objective in all cases, then the others.
 void print(const Comparison& comparison);
 
 }  // namespace ideotype

@@ -31,43 +31,36 @@ double coordinate(const Comparison& all, const Figure& figure) {
                : all.layers.thickness * (place + 0.5);
 }
 
-//! Adds matrices of means and standard errors.
-//! @param figure of a plant in a case, as {mean, standard_error} of Json
-template <class Figure>
-void add_matrices(Json& json, const Comparison& all, const Figure& figure) {
-    for (std::size_t p = 0; p < all.plants.size(); ++p) {
-        Json means = Json::array(), errors = Json::array();
-        for (std::size_t c = 0; c < all.cases.size(); ++c) {
-            const auto [mean, error] = figure(p, c);
-            means.push_back(mean);
-            errors.push_back(error);
+//! Adds matrices of means and standard errors of figures, with lists of them if
+//! they are of a profile.
+//! @param take Comparison::value or Comparison::difference
+template <class Take>
+void add_matrices(Json& json, const Comparison& all,
+                  const std::vector<std::size_t>& figures, bool is_list,
+                  Take take) {
+    for (const auto& [name, member] :
+         {std::pair{"mean", &Estimate::mean},
+          {"standard_error", &Estimate::standard_error}})
+        for (std::size_t p = 0; p < all.plants.size(); ++p) {
+            Json row = Json::array();
+            for (std::size_t c = 0; c < all.cases.size(); ++c) {
+                Json list = Json::array();
+                for (const std::size_t f : figures) {
+                    const std::optional<Estimate> x = (all.*take)(p, c, f);
+                    list.push_back(x ? Json((*x).*member) : Json());
+                }
+                row.push_back(is_list ? list : list.front());
+            }
+            json[name].push_back(std::move(row));
         }
-        json["mean"].push_back(means);
-        json["standard_error"].push_back(errors);
-    }
 }
 
-//! Adds values and differences, as lists if there are several figures.
+//! Adds values and differences.
 void add_figures(Json& json, const Comparison& all,
                  const std::vector<std::size_t>& figures, bool is_list) {
-    const auto of = [&](const auto& take) {
-        return [&, take](std::size_t p, std::size_t c) {
-            std::pair<Json, Json> lists{Json::array(), Json::array()};
-            for (const std::size_t f : figures) {
-                const std::optional<Estimate> x = take(p, c, f);
-                lists.first.push_back(x ? Json(x->mean) : Json());
-                lists.second.push_back(x ? Json(x->standard_error) : Json());
-            }
-            if (is_list) return lists;
-            return std::pair(lists.first.front(), lists.second.front());
-        };
-    };
-    add_matrices(json, all, of([&](auto p, auto c, auto f) {
-                     return all.value(p, c, f);
-                 }));
-    add_matrices(json["difference"], all, of([&](auto p, auto c, auto f) {
-                     return all.difference(p, c, f);
-                 }));
+    add_matrices(json, all, figures, is_list, &Comparison::value);
+    add_matrices(json["difference"], all, figures, is_list,
+                 &Comparison::difference);
 }
 
 //! A text as an entry of CSV.
@@ -107,44 +100,12 @@ std::string value_text(const Comparison& all, std::size_t p, std::size_t c,
     return x ? format(*x) : "-";
 }
 
-constexpr auto number_line = "  {:<36} {:>24}{}\n";
-constexpr auto profile_line = "  {:>6} {:>24}{}\n";
-constexpr auto profile_end = " {:>24} {:>44}";
-
 void print_number(const Comparison& all, std::size_t c, std::size_t f) {
     for (std::size_t p = 0; p < all.plants.size(); ++p)
-        fmt::print(number_line, all.plants[p].name, value_text(all, p, c, f),
-                   p == 0
-                       ? ""
-                       : fmt::format(" {:>44}", difference_text(all, p, c, f)));
-}
-
-//! A profile of a plant beside that of the first.
-void print_profile(const Comparison& all, std::size_t p, std::size_t c,
-                   const std::vector<std::size_t>& figures) {
-    const std::vector<Figure>& known = all.figures();
-    const Quantity& quantity = known[figures.front()].quantity;
-    fmt::print("\n{}\n", title(quantity));
-    fmt::print(
-        profile_line, quantity.axes.front() == "layer" ? "z [m]" : "leaf",
-        all.plants[0].name,
-        p == 0 ? ""
-               : fmt::format(profile_end, all.plants[p].name, "difference"));
-    const auto is_dark = [&](std::size_t plant, std::size_t f) {
-        const std::optional<Estimate> x = all.value(plant, c, f);
-        return !x || (x->mean == 0 && x->standard_error == 0);
-    };
-    // The highest first, as it stands in the field.
-    for (std::size_t i = figures.size(); i-- > 0;) {
-        const std::size_t f = figures[i];
-        if (is_dark(0, f) && is_dark(p, f)) continue;
-        fmt::print(profile_line,
-                   fmt::format("{:.6g}", coordinate(all, known[f])),
-                   value_text(all, 0, c, f),
-                   p == 0 ? ""
-                          : fmt::format(profile_end, value_text(all, p, c, f),
-                                        difference_text(all, p, c, f)));
-    }
+        fmt::print(
+            "  {:<36} {:>24}{}\n", all.plants[p].name, value_text(all, p, c, f),
+            p == 0 ? ""
+                   : fmt::format(" {:>44}", difference_text(all, p, c, f)));
 }
 
 }  // namespace
@@ -239,10 +200,6 @@ void print(const Comparison& all) {
             fmt::print("\n{}\n", title(figures[f].quantity));
             print_number(all, c, f);
         }
-        for (const auto& [name, places] : profiles(all))
-            for (std::size_t p = has_differences ? 1 : 0; p < all.plants.size();
-                 ++p)
-                print_profile(all, p, c, places);
     }
 }
 

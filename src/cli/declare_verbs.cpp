@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "options.hpp"
+#include "run/way_on.hpp"
 #include "stand/mesh_options.hpp"
 #include "verbs.hpp"
 
@@ -88,8 +89,10 @@ void declare_compare(CLI::App& verb, CompareOptions& options) {
                     "relative standard error of the light that leaves absorb, "
                     "in the place of the campaign's [final]")
         ->check(CLI::Range(1e-5, 0.05));
-    verb.add_option("--csv", options.csv_path,
-                    "also write all figures to this new file, one per line");
+    verb.add_option(
+        "--csv", options.csv_path,
+        "also write all figures, those by leaf and layer too, to this new "
+        "file, one per line");
     add_threads(verb, options.threads);
     add_json(verb, options.is_json);
 }
@@ -193,13 +196,13 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
         "evolve the cases of a campaign on the cores of this machine, or on a "
         "cluster (under mpirun or srun)",
         "campaigns/quickstart.toml --resume", declare_run, start_run)
-        .words = words;
+        .command = quoted(words);
     add("sensitivity",
         "evaluate the design of a sensitivity study, by Sobol' or Morris, of "
         "the traits and of numeric keys of a campaign; runs, stops and is "
         "resumed as run, and ideotype indices tells what was found",
         "campaigns/ames_quick.toml", declare_sensitivity, start_run)
-        .words = words;
+        .command = quoted(words);
     add("status", "how far histories have come, also while they are written",
         "results", declare_status, status);
     add("evaluate",
@@ -211,8 +214,7 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
         light_in_mesh);
     add("compare",
         "plants in the same light: how each differs from the first, with "
-        "paired standard errors, in all and by leaf and layer; on all cores, "
-        "or under mpirun or srun",
+        "paired standard errors; on all cores",
         "maize.toml field.csv --under campaigns/ames_quick.toml",
         declare_compare, compare);
     add("serve",

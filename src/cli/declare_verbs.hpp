@@ -19,19 +19,13 @@ namespace ideotype {
 void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
                    std::function<int()>& action);
 
-//! The verb `run` as typed.
-struct RunCommand {
-    std::vector<std::string> words;  //!< of the command line
-    RunOptions options;
-};
+void declare_run(CLI::App& verb, RunOptions& options);
 
-void declare_run(CLI::App& verb, RunCommand& command);
+//! Declares the verb `sensitivity`, which evaluates the design of a study.
+void declare_sensitivity(CLI::App& verb, RunOptions& options);
 
 //! Collective over the ranks that a launcher has started, if any.
-ExitCode start_run(const RunCommand& command);
-
-//! The verb `sensitivity`, which evaluates the design of a study.
-void declare_sensitivity(CLI::App& verb, RunCommand& command);
+ExitCode start_run(const RunOptions& options);
 
 //! Adds the verbs that the Python package answers to the help of the program.
 void declare_python_verbs(CLI::App& app);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <bit>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "choose_row.hpp"
 #include "ideotype/light/device.hpp"
 #include "light_output.hpp"
-#include "parts_output.hpp"
 #include "run/progress.hpp"
-#include "run/summary.hpp"
 #include "stand/stand.hpp"
 #include "verbs.hpp"
 
@@ -33,13 +33,11 @@ std::vector<Measured> objectives_of(const CanopyReport& report,
 }
 
 bool same_bits(const std::vector<Estimate>& a, const std::vector<Estimate>& b) {
-    const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
-    if (a.size() != b.size()) return false;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        if (bits(a[i].mean) != bits(b[i].mean) ||
-            bits(a[i].standard_error) != bits(b[i].standard_error))
-            return false;
-    return true;
+    const auto bits = [](const Estimate& x) {
+        return std::pair(std::bit_cast<std::uint64_t>(x.mean),
+                         std::bit_cast<std::uint64_t>(x.standard_error));
+    };
+    return std::ranges::equal(a, b, {}, bits, bits);
 }
 
 //! Returns whether all that is stored of a row is found again. An older format
@@ -87,18 +85,6 @@ Json to_json(const Study& study) {
     return json;
 }
 
-void print_study(const Study& study) {
-    fmt::print("case {}, {:.0f} ms\n", study.scenario.name,
-               study.seconds * 1e3);
-    print_light(study.report, Span::day);
-    print_parts(study.report);
-    fmt::print("\nleaves absorb {}\n",
-               format_daily(scaled(study.report.par().light.day.leaves, 1e-6)));
-    for (const auto& [quantity, estimate] : study.objectives)
-        fmt::print("objective: {} {}\n", quantity.name,
-                   with_unit(format(estimate), quantity.unit));
-}
-
 //! Evaluates plants in each scenario of a case.
 std::vector<Study> studies(const Task& task, const Campaign& campaign,
                            const Case& chosen, const Plants& plants,
@@ -129,7 +115,7 @@ Json to_json(const std::vector<Study>& all) {
 void print_studies(const std::vector<Study>& all) {
     for (const Study& study : all) {
         if (&study != &all.front()) fmt::print("\n");
-        print_study(study);
+        print_outline(to_json(study));
     }
 }
 

@@ -103,21 +103,19 @@ void stand_still(Shape& shape, std::vector<Estimate>& light,
             pose = source.pose;
         }
     Mesh& mesh = shape.mesh;
-    std::size_t kept = 0;
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-        const std::uint32_t own = mesh.groups[mesh.face_group[f]].pose;
-        if (own != 0 && own != pose) continue;
-        mesh.faces[kept] = mesh.faces[f];
-        mesh.face_group[kept] = mesh.face_group[f];
-        if (!shape.face_plant.empty())
-            shape.face_plant[kept] = shape.face_plant[f];
-        if (!light.empty()) light[kept] = light[f];
-        ++kept;
+    std::vector<bool> moves_away;
+    for (const std::uint32_t group : mesh.face_group) {
+        const std::uint32_t own = mesh.groups[group].pose;
+        moves_away.push_back(own != 0 && own != pose);
     }
-    mesh.faces.resize(kept);
-    mesh.face_group.resize(kept);
-    if (!shape.face_plant.empty()) shape.face_plant.resize(kept);
-    if (!light.empty()) light.resize(kept);
+    const auto thin = [&](auto& values) {
+        std::size_t f = 0;
+        std::erase_if(values, [&](const auto&) { return moves_away[f++]; });
+    };
+    thin(mesh.faces);
+    thin(mesh.face_group);
+    thin(shape.face_plant);
+    thin(light);
 }
 
 //! The surfaces of a plant or its field, with the light on them or without.
@@ -189,10 +187,7 @@ ExitCode export_plant(const ExportOptions& options) {
                                 ".obj, .vtp, .csv or .toml",
                                 options.to),
                     ExitCode::usage);
-    if (std::filesystem::exists(options.to))
-        throw Error(fmt::format("{}: exists already and is not overwritten",
-                                options.to),
-                    ExitCode::refused);
+    require_new(options.to);
     if (extension == ".csv")
         write_csv(options.to, plants[component]);
     else if (extension == ".toml")

@@ -95,9 +95,7 @@ ExitCode export_generations(const ExportOptions& options) {
     if (std::filesystem::path(options.to).extension() != ".csv")
         throw Error(options.to + ": generations are written as .csv",
                     ExitCode::usage);
-    if (std::filesystem::exists(options.to))
-        throw Error(options.to + ": exists already and is not overwritten",
-                    ExitCode::refused);
+    require_new(options.to);
     const History history = History::salvage(options.path);
     const std::uint32_t count = history.next_generation();
     if (count == 0)

@@ -23,6 +23,14 @@ inline std::string to_text(const Json& json) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
+//! Prints an object for people: a line for each number, below the name of an
+//! object what is in it, and a list of objects as a table.
+void print_outline(const Json& json, std::size_t indent = 0);
+
+//! Prints a list of objects as a table: members that are no objects, those of
+//! one name below each other.
+void print_table(const Json& rows, std::size_t indent);
+
 //! Text without spaces and ends of lines.
 inline std::string to_line(const Json& json) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);

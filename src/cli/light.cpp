@@ -7,7 +7,6 @@
 
 #include "light_output.hpp"
 #include "run/progress.hpp"
-#include "scene_output.hpp"
 #include "stand/mesh_study.hpp"
 #include "verbs.hpp"
 
@@ -106,21 +105,6 @@ Json to_json(const MeshReport& report, const MeshOptions& options,
     return json;
 }
 
-void print_report(const MeshReport& report, const MeshOptions& options,
-                  double seconds) {
-    fmt::print("{}, {}, {}\n{:.4g} m2 of ground, {} paths, {:.2g} s\n",
-               options.path, boundary_name(options), light_name(options),
-               report.canopy.ground_area, report.canopy.paths, seconds);
-    if (!options.scene.empty())
-        return print_scene(report.canopy, span_of(options));
-    fmt::print(
-        "reflectance and transmittance: leaf {} {}, stalk {} {}, soil {} 0\n",
-        options.optics.leaf.reflectance, options.optics.leaf.transmittance,
-        options.optics.stalk.reflectance, options.optics.stalk.transmittance,
-        options.soil_albedo);
-    print_light(report.canopy, span_of(options));
-}
-
 }  // namespace
 
 ExitCode light_in_mesh(const MeshOptions& options) {
@@ -131,10 +115,11 @@ ExitCode light_in_mesh(const MeshOptions& options) {
         fmt::print(stderr, "ideotype: warning: {}: {}\n", options.path,
                    warning);
     if (report.canopy.is_capped) warn_of_tolerance(report, options.tolerance);
+    const Json json = to_json(report, options, seconds);
     if (options.is_json)
-        fmt::print("{}\n", to_text(to_json(report, options, seconds)));
+        fmt::print("{}\n", to_text(json));
     else
-        print_report(report, options, seconds);
+        print_outline(json);
     return ExitCode::ok;
 }
 

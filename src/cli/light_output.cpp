@@ -8,11 +8,12 @@
 
 #include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/clock.hpp"
-#include "run/progress.hpp"
-#include "run/summary.hpp"
 
 namespace ideotype {
 
+namespace {
+
+//! A single light shines for a second: assimilation is told in umol.
 double assimilation_scale(Span span) {
     return span == Span::single ? 1e6 : 1;
 }
@@ -20,8 +21,6 @@ double assimilation_scale(Span span) {
 const char* assimilation_unit(Span span) {
     return span == Span::single ? "umol m-2 s-1" : "mol m-2 day-1";
 }
-
-namespace {
 
 bool has_stalks(const CanopyReport& report) {
     return std::any_of(report.groups.begin(), report.groups.end(),
@@ -61,106 +60,8 @@ Json to_json(const BudgetEstimate& budget, const CanopyReport& report,
     return json;
 }
 
-//! A table of day's totals: fractions, and of days also energy.
-class Totals {
-  public:
-    Totals(double incident, Span span) : incident_(incident), span_(span) {}
-
-    void head(const std::string& name) const {
-        if (span_ == Span::day)
-            fmt::print("\n{:<20} {:>24} {:>24}\n", name, "MJ m-2 day-1",
-                       "fraction of incident");
-        else
-            fmt::print("\n{:<20} {:>24}\n", name, "fraction of incident");
-    }
-
-    void line(const std::string& name, Estimate x) const {
-        const std::string part = format(fraction_of(x, incident_));
-        if (span_ == Span::day)
-            fmt::print("{:<20} {:>24} {:>24}\n", name, format(scaled(x, 1e-6)),
-                       part);
-        else
-            fmt::print("{:<20} {:>24}\n", name, part);
-    }
-
-  private:
-    double incident_;
-    Span span_;
-};
-
-void print_budget(const CanopyReport& report, const Totals& totals) {
-    const DayReport& light = report.par().light;
-    const BudgetEstimate& day = light.day;
-    totals.head(fmt::format("LAI {:.4g}", report.lai));
-    totals.line("incident", {day.incident, 0});
-    if (report.boundary == Boundary::isolated)
-        totals.line("entered", day.entered);
-    totals.line("leaf", day.leaves);
-    totals.line("  of the sun", day.leaves_beam);
-    totals.line("  of the sky", day.leaves_sky);
-    totals.line("  scattered", day.leaves_scattered);
-    totals.line("  upper faces", light.adaxial);
-    totals.line("  lower faces", light.abaxial);
-    if (has_stalks(report)) totals.line("stalk", day.stalks);
-    totals.line("soil", day.soil);
-    totals.line("reflected", day.reflected);
-    fmt::print("{:<20} {:.1e}\n", "balance error", light.balance_error);
-    if (report.boundary == Boundary::isolated)
-        fmt::print(
-            "\nThe plot stands alone: light enters from all sides, and the "
-            "balance closes over\nwhat comes in through the bounding box of "
-            "its surfaces. Fractions are of what the\nground area of {:.4g} m2 "
-            "receives, so an edge-lit plot can absorb more than 1.\n",
-            report.ground_area);
-}
-
 Estimate lowered(Estimate gross, double loss) {
     return {gross.mean - loss, gross.standard_error};
-}
-
-void print_assimilation(const CanopyReport& report, Span span) {
-    const AssimilationReport& all = *report.assimilation;
-    const double scale = assimilation_scale(span);
-    const auto line = [&](const std::string& name, Estimate gross,
-                          double loss) {
-        fmt::print("{:<20} {:>24} {:>24}\n", name, format(scaled(gross, scale)),
-                   format(scaled(lowered(gross, loss), scale)));
-    };
-    fmt::print("\n{:<20} {:>24} {:>24}\n",
-               fmt::format("CO2 [{}]", assimilation_unit(span)),
-               "gross assimilation", "net");
-    line("leaf", all.gross, all.net_loss());
-    for (std::size_t g = 0; g < report.groups.size(); ++g)
-        if (report.groups[g].id.is_leaf())
-            line("  " + group_name(report, g), all.groups[g],
-                 all.respiration[g].in_light);
-    if (!report.light_classes) return;
-    const auto& [sunlit, shaded] = *report.light_classes;
-    fmt::print("\n{:<20} {:>24} {:>24}\n", "absorbed PPFD", "sunlit leaf area",
-               "shaded [m2 m-2]");
-    for (std::size_t c = 0; c < ppfd_classes; ++c)
-        fmt::print("{:<20} {:>24} {:>24}\n",
-                   fmt::format("from {} umol m-2 s-1", class_begin(c)),
-                   format(sunlit[c]), format(shaded[c]));
-}
-
-void print_hours(const CanopyReport& report) {
-    fmt::print("\nhours are on the clock of the site, {}",
-               clock_name(report.par().light.utc_offset));
-    fmt::print("\n{:<5} {:>8} {:>20} {:>20} {:>20} {:>20} {:>20}\n", "hour",
-               "W m-2", "leaf", "  of the sun", "soil", "reflected",
-               "sunlit leaf area");
-    for (const StepReport& step : report.par().light.steps) {
-        const BudgetEstimate& budget = step.budget;
-        const auto part = [&](Estimate x) {
-            return format(fraction_of(x, budget.incident));
-        };
-        fmt::print("{:<5} {:>8.2f} {:>20} {:>20} {:>20} {:>20} {:>20}\n",
-                   clock_time(step.hour), budget.incident, part(budget.leaves),
-                   part(budget.leaves_beam), part(budget.soil),
-                   part(budget.reflected),
-                   has_sun(step) ? format(*step.sunlit) : "-");
-    }
 }
 
 //! Leaf area by the light that it absorbs.
@@ -223,8 +124,9 @@ Json to_json(const CanopyReport& report, Span span) {
     const auto part = [&](Estimate x) {
         return to_json(fraction_of(x, light.day.incident));
     };
-    Json json =
-        to_json(light.day, report, span == Span::day ? "J m-2 day-1" : "1");
+    Json json{{"lai", report.lai}, {"ground_area_m2", report.ground_area}};
+    json.update(
+        to_json(light.day, report, span == Span::day ? "J m-2 day-1" : "1"));
     json["leaf_by_face"] = {{"upper", part(light.adaxial)},
                             {"lower", part(light.abaxial)}};
     json["leaf_by_layer"] = Json::array();
@@ -246,8 +148,6 @@ Json to_json(const CanopyReport& report, Span span) {
             "bounding box of the plot, down to the soil: the balance closes "
             "over what entered through it, from all sides; fractions of what "
             "the ground area receives may exceed 1";
-    json["lai"] = report.lai;
-    json["ground_area_m2"] = report.ground_area;
     json["balance_error"] = light.balance_error;
     if (span == Span::day) json["clock"] = clock_name(light.utc_offset);
     for (const StepReport& step : light.steps) {
@@ -265,28 +165,150 @@ Json to_json(const CanopyReport& report, Span span) {
     return json;
 }
 
-void print_light(const CanopyReport& report, Span span) {
-    const DayReport& light = report.par().light;
-    if (!(light.day.incident > 0))
-        fmt::print("\nThe sun stays below the horizon.\n");
-    const Totals totals(light.day.incident, span);
-    print_budget(report, totals);
-    if (report.assimilation) print_assimilation(report, span);
-    totals.head("organ");
+namespace {
+
+//! A number of each band, which `take` finds, as a fraction of its light.
+template <class Take>
+Json by_band(const CanopyReport& report, const Take& take) {
+    Json json = Json::object();
+    for (const BandReport& band : report.bands)
+        json[band.name] =
+            to_json(fraction_of(take(band), band.light.day.incident));
+    return json;
+}
+
+Json components_json(const CanopyReport& report, Span span) {
+    std::vector<ComponentAssimilation> assimilation;
+    if (report.assimilation)
+        assimilation = by_component(*report.assimilation, report.groups,
+                                    report.components.size());
+    Json json = Json::object();
+    for (std::size_t c = 0; c < report.components.size(); ++c) {
+        const ComponentReport& component = report.components[c];
+        Json one = by_band(
+            report, [&](const BandReport& band) { return band.part(c).all; });
+        one["lai"] = component.lai;
+        one["plant_area_index"] = component.plant_area_index;
+        if (component.assimilates) {
+            const auto part = [&](Estimate x) {
+                Json rate = to_json(scaled(x, assimilation_scale(span)));
+                rate["unit"] = assimilation_unit(span);
+                return rate;
+            };
+            const auto& [gross, respiration, building] = assimilation[c];
+            one["assimilation"] = {
+                {"gross", part(gross)},
+                {"net", part(lowered(gross, respiration.in_light))}};
+        }
+        json[component.name] = std::move(one);
+    }
+    return json;
+}
+
+}  // namespace
+
+Json scene_json(const CanopyReport& report, Span span) {
+    Json json;
+    json["bands"] = Json::array();
+    for (const BandReport& band : report.bands)
+        json["bands"].push_back(
+            {{"name", band.name},
+             {"incident", band.light.day.incident},
+             {"incident_unit", span == Span::day ? "J m-2 day-1" : "1"},
+             {"balance_error", band.light.balance_error}});
+    json["unit"] = "fraction of incident";
+    json["components"] = components_json(report, span);
+    // Names differ; to look each up among the others takes too long.
+    Json groups = Json::object();
     for (std::size_t g = 0; g < report.groups.size(); ++g)
-        totals.line(group_name(report, g), light.groups[g]);
-    totals.head("height, leaves");
-    for (std::size_t l = light.layers.size(); l-- > 0;)
-        totals.line(
-            fmt::format("{:.2f} - {:.2f} m",
-                        report.layers.thickness * static_cast<double>(l),
-                        report.layers.thickness * static_cast<double>(l + 1)),
-            light.layers[l]);
-    if (span == Span::day)
-        print_hours(report);
-    else if (has_sun(light.steps.front()))
-        fmt::print("\n{:<20} {:>24}\n", "sunlit leaf area",
-                   format(*light.steps.front().sunlit));
+        groups.get_ref<Json::object_t&>().emplace_back(
+            report.groups[g].name, by_band(report, [&](const BandReport& band) {
+                return band.light.groups[g];
+            }));
+    json["groups"] = std::move(groups);
+    json["soil"] = by_band(
+        report, [](const BandReport& band) { return band.light.day.soil; });
+    json["reflected"] = by_band(report, [](const BandReport& band) {
+        return band.light.day.reflected;
+    });
+    json["lai"] = report.lai;
+    json["ground_area_m2"] = report.ground_area;
+    return json;
+}
+
+namespace {
+
+//! A component or row with figures per area of some ground.
+struct Part {
+    std::string name;
+    double lai;
+    Estimate light;
+    std::optional<Estimate> net;
+};
+
+std::vector<Part> components_of(const CanopyReport& report) {
+    std::vector<Part> parts;
+    const auto light = measure_parts("absorbed_par", report);
+    for (const ComponentReport& each : report.components)
+        parts.push_back(
+            {each.name, each.lai, light[parts.size()].estimate, {}});
+    if (!report.assimilation) return parts;
+    const auto net = measure_parts("net_assimilation", report);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        parts[i].net = net[i].estimate;
+    return parts;
+}
+
+std::vector<Part> rows_of(const CanopyReport& report) {
+    std::vector<Part> parts;
+    const auto lai = measure_profile("lai_by_row", report);
+    const auto light = measure_profile("absorbed_light_by_row", report);
+    for (const RowReport& row : report.rows) {
+        const std::size_t i = parts.size();
+        parts.push_back({fmt::format("{} {}, {:.3g} m",
+                                     report.components[row.component].name,
+                                     i + 1, row.position),
+                         lai[i].estimate.mean,
+                         light[i * report.bands.size()].estimate,
+                         {}});
+    }
+    if (!report.assimilation) return parts;
+    const auto net = measure_profile("net_assimilation_by_row", report);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        parts[i].net = net[i].estimate;
+    return parts;
+}
+
+Json to_json(const Part& part) {
+    const auto number = [](const Estimate& x, const char* unit) {
+        Json json = to_json(x);
+        json["unit"] = unit;
+        return json;
+    };
+    Json json{{"lai", part.lai},
+              {"absorbed_par", number(part.light, "MJ m-2 day-1")}};
+    if (part.net) json["net_assimilation"] = number(*part.net, "mol m-2 day-1");
+    return json;
+}
+
+}  // namespace
+
+Json parts_json(const CanopyReport& report) {
+    Json json = Json::object();
+    if (report.components.size() > 1)
+        for (const Part& each : components_of(report))
+            json["components"][each.name] = to_json(each);
+    if (report.rows.empty()) return json;
+    const std::vector<Part> rows = rows_of(report);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const RowReport& row = report.rows[i];
+        Json one{{"component", report.components[row.component].name},
+                 {"position_m", row.position},
+                 {"width_m", row.width}};
+        one.update(to_json(rows[i]));
+        json["rows"].push_back(std::move(one));
+    }
+    return json;
 }
 
 }  // namespace ideotype

@@ -16,11 +16,14 @@ enum class Span { day, single };
 //! day. All of it has the standard error of `gross`.
 Json to_json(const CanopyReport& report, Span span);
 
-//! Prints the same as tables.
-void print_light(const CanopyReport& report, Span span);
+//! Tells what became of the light of each waveband, in fractions: by component,
+//! by group, on the soil and back to the sky; and `assimilation` of components
+//! whose leaves assimilate.
+Json scene_json(const CanopyReport& report, Span span);
 
-//! Assimilation of a single light, which shines for a second, is told in umol.
-double assimilation_scale(Span span);
-const char* assimilation_unit(Span span);
+//! Tells leaf area, absorbed PAR and net assimilation on a mean day:
+//! `components` per area of all ground, where there are several, and `rows` per
+//! area of the ground that is nearest to each, where they are told apart.
+Json parts_json(const CanopyReport& report);
 
 }  // namespace ideotype

@@ -11,6 +11,12 @@ namespace ideotype {
 
 namespace fs = std::filesystem;
 
+void require_new(const std::string& path) {
+    if (fs::exists(path))
+        throw Error(path + ": exists already and is not overwritten",
+                    ExitCode::refused);
+}
+
 OutputFile::OutputFile(const std::string& path) : path_(path), target_(path) {
     std::error_code unknown;
     if (fs::exists(path, unknown)) target_ = fs::canonical(path, unknown);

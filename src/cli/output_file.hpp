@@ -10,6 +10,9 @@
 
 namespace ideotype {
 
+//! @throws Error (refused) if there is something at this path.
+void require_new(const std::string& path);
+
 //! A file that has its name once it is complete: until then it is written
 //! aside, and removed if that fails. What is no plain file, such as a pipe, is
 //! written directly.

@@ -5,7 +5,6 @@
 #include "declare_verbs.hpp"
 #include "ideotype/core/clock.hpp"
 #include "options.hpp"
-#include "run/way_on.hpp"
 #include "verbs.hpp"
 
 namespace ideotype {
@@ -23,8 +22,7 @@ double to_seconds(const std::string& text) {
 
 }  // namespace
 
-void declare_run(CLI::App& verb, RunCommand& command) {
-    RunOptions& options = command.options;
+void declare_run(CLI::App& verb, RunOptions& options) {
     add_campaign(verb, options.campaign_path, options.settings);
     verb.add_option("--start", options.start,
                     "plant file, or history with its best plant, that CMA-ES "
@@ -54,15 +52,13 @@ void declare_run(CLI::App& verb, RunCommand& command) {
         "1h30m, 01:30:00");
 }
 
-void declare_sensitivity(CLI::App& verb, RunCommand& command) {
-    command.options.read = read_study;
-    command.options.out = "results/sensitivity";
-    declare_run(verb, command);
+void declare_sensitivity(CLI::App& verb, RunOptions& options) {
+    options.read = read_study;
+    options.out = "results/sensitivity";
+    declare_run(verb, options);
 }
 
-ExitCode start_run(const RunCommand& command) {
-    RunOptions options = command.options;
-    options.command = quoted(command.words);
+ExitCode start_run(const RunOptions& options) {
     StopFlag stop;
     const Session session = start_session();
     return on_ranks(session, Log(options.level),

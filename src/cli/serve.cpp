@@ -5,14 +5,15 @@
 
 #include <fmt/format.h>
 
+#include "genome_request.hpp"
 #include "ideotype/core/routine.hpp"
 #include "lines.hpp"
+#include "parallel/dispatcher.hpp"
 #include "ranks.hpp"
-#include "request_evaluator.hpp"
 #include "run/machines.hpp"
 #include "run/progress.hpp"
 #include "run/run.hpp"
-#include "run/sky_table.hpp"
+#include "stand/stand.hpp"
 #include "verbs.hpp"
 
 namespace ideotype {
@@ -25,6 +26,76 @@ constexpr double attention = 1e-3;
 
 //! Between looks at what else may have come while there is no work [s].
 constexpr double patience = 0.25;
+
+//! In the place of a number that was not given.
+constexpr double none = -1;
+
+//! Numbers behind the genes: tolerance, and the seed in halves, since not every
+//! one is a double.
+constexpr std::size_t extra = 3;
+
+double take_last(Genome& genome) {
+    const double last = genome.back();
+    genome.pop_back();
+    return last;
+}
+
+SamplingRequest take_sampling(const Task& task, Genome& genome) {
+    if (genome.size() < extra)
+        throw Error("too few numbers; all ranks must run the same ideotype");
+    SamplingRequest sampling{task.generation, task.is_final};
+    const double lower = take_last(genome), upper = take_last(genome);
+    const double tolerance = take_last(genome);
+    if (upper != none)
+        sampling.seed = static_cast<std::uint64_t>(upper) << 32 |
+                        static_cast<std::uint64_t>(lower);
+    if (tolerance != none) sampling.tolerance = tolerance;
+    return sampling;
+}
+
+//! Returns a request as it travels: what its task does not say of the sampling
+//! stands behind the genes.
+Work to_work(const GenomeRequest& request) {
+    Work work{{}, request.genome};
+    work.task.generation = request.sampling.generation;
+    work.task.slot = static_cast<std::uint32_t>(request.line);
+    work.task.is_final = request.sampling.is_final;
+    work.genome.push_back(request.sampling.tolerance.value_or(none));
+    const std::uint64_t seed = request.sampling.seed.value_or(0);
+    work.genome.push_back(
+        request.sampling.seed ? static_cast<double>(seed >> 32) : none);
+    work.genome.push_back(static_cast<double>(seed & 0xffffffffu));
+    return work;
+}
+
+//! Evaluates genomes that are sent. The case must outlive it.
+class RequestEvaluator : public Evaluator {
+  public:
+    //! @throws Error if the processor lacks the instruction set.
+    RequestEvaluator(const ServedCase& served, const std::string& isa)
+        : served_(served),
+          stand_(served.campaign, served.chosen),
+          device_(isa) {}
+
+    const OutcomeSchema& schema(const Task&) const override {
+        return served_.schema;
+    }
+
+    Outcome evaluate(const Task& task, const Genome& genome) override {
+        Genome plain = genome;
+        const SamplingRequest sampling = take_sampling(task, plain);
+        Outcome outcome = stand_.evaluate(
+            grow(served_.campaign, plain),
+            sampling_of(sampling, served_.campaign, served_.chosen), device_);
+        outcome.randomisations.clear();
+        return outcome;
+    }
+
+  private:
+    const ServedCase& served_;
+    Stand stand_;
+    Device device_;
+};
 
 //! Answers requests until the input ends. No more of them are read than there
 //! are workers.
@@ -142,43 +213,21 @@ class Service : public Director {
     std::optional<Routine<bool>> service_;
 };
 
-//! The facts that all ranks need before they evaluate.
-struct Shared {
-    std::string isa;
-    std::string resolved;
-};
-
-//! Rank 0 reads the campaign; if it cannot, the others get nothing.
-Shared share(const ServeOptions& options, const Session& session,
-             const Log& log) {
-    const std::vector<Machine> machines =
-        gather_machines(session, this_machine());
-    Shared shared;
-    std::exception_ptr failure;
-    if (session.rank() == 0) try {
-            require_same_program(machines);
-            const Campaign campaign =
-                read_campaign(options.campaign_path, options.settings);
-            print_warnings(campaign, log);
-            // Looks whether there is this case.
-            const ServedCase served(campaign, options.case_index,
-                                    options.campaign_path);
-            shared = {choose_isa(machines, std::nullopt, ""),
-                      campaign.resolved};
-        } catch (...) {
-            failure = std::current_exception();
-        }
-    shared.isa = session.broadcast(shared.isa);
-    if (failure) std::rethrow_exception(failure);
-    if (shared.isa.empty()) return shared;
-    shared.resolved = session.broadcast(shared.resolved);
-    return shared;
-}
-
 //! Collective over all ranks.
 ExitCode serve_on(const Session& session, const ServeOptions& options,
                   const StopFlag& stop, const Log& log) {
-    const auto [isa, resolved] = share(options, session, log);
+    const std::vector<Machine> machines =
+        gather_machines(session, this_machine());
+    const auto [isa, resolved] = agree(session, [&]() -> Start {
+        require_same_program(machines);
+        const Campaign read =
+            read_campaign(options.campaign_path, options.settings);
+        print_warnings(read, log);
+        // Looks whether there is this case.
+        const ServedCase served(read, options.case_index,
+                                options.campaign_path);
+        return {choose_isa(machines, std::nullopt, ""), read.resolved};
+    });
     if (isa.empty()) return ExitCode::ok;  // rank 0 tells why
     const Campaign campaign = parse_campaign(resolved, options.campaign_path);
     const ServedCase served(campaign, options.case_index,

@@ -69,7 +69,7 @@ struct CompareOptions {
     std::optional<std::uint64_t> seed;  //!< in the place of the campaign's
     std::optional<double> tolerance;    //!< relative standard error
     std::string csv_path;               //!< new file with all figures; "": none
-    std::optional<int> threads;         //!< see threads_per_rank()
+    std::optional<int> threads;         //!< not given: one for each core
     bool is_json = false;
 };
 ExitCode compare(const CompareOptions& options);

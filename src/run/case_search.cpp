@@ -85,7 +85,7 @@ bool CaseSearch::is_over(std::uint32_t generation) const {
     const auto most =
         static_cast<std::uint32_t>(evolution_.campaign.stop.generations);
     return generation >= most ||
-           (reason_ && optimizer.needs(generation, 0) >= reason_row_) ||
+           (reason_ && optimizer.needs(generation) >= reason_row_) ||
            !history_.has_room(generation, optimizer.size(generation));
 }
 
@@ -96,9 +96,7 @@ std::uint32_t CaseSearch::first_open() const {
 //! Proposes until something waits, as far as that is possible now.
 void CaseSearch::extend() {
     while (waiting_.empty() && (is_proposing() || begin_generation())) {
-        const std::size_t before = open_.back().rows.size();
         propose();
-        if (open_.back().rows.size() == before) return;
         // Those that an earlier session evaluated may allow more.
         learn();
     }
@@ -113,12 +111,10 @@ void CaseSearch::propose() {
         first_open() + static_cast<std::uint32_t>(open_.size()) - 1;
     std::vector<Candidate> candidates;
     for (std::size_t i = last.rows.size();
-         i < last.size && candidates.size() < most; ++i) {
-        const auto slot = static_cast<std::uint32_t>(i);
-        if (known_rows_ < evolution_.optimizer.needs(generation, slot)) break;
-        candidates.push_back(evolution_.optimizer.propose(generation, slot));
-    }
-    if (!candidates.empty()) add(candidates);
+         i < last.size && candidates.size() < most; ++i)
+        candidates.push_back(evolution_.optimizer.propose(
+            generation, static_cast<std::uint32_t>(i)));
+    add(candidates);
 }
 
 //! Returns whether a generation has begun and has rows that are not proposed.
@@ -131,7 +127,7 @@ bool CaseSearch::begin_generation() {
     Optimizer& optimizer = evolution_.optimizer;
     const auto generation =
         first_open() + static_cast<std::uint32_t>(open_.size());
-    if (known_rows_ < optimizer.needs(generation, 0) || is_over(generation))
+    if (known_rows_ < optimizer.needs(generation) || is_over(generation))
         return false;
     open_.emplace_back().size = optimizer.size(generation);
     return true;

@@ -35,18 +35,14 @@ Machine this_machine() {
     return {host_name(), program_facts(), Device::supported_isas()};
 }
 
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Machine, host, program, isas)
+
 std::string to_text(const Machine& machine) {
-    const nlohmann::json json{{"host", machine.host},
-                              {"program", machine.program},
-                              {"isas", machine.isas}};
-    return json.dump();
+    return nlohmann::json(machine).dump();
 }
 
 Machine machine_of(const std::string& text) {
-    const auto json = nlohmann::json::parse(text);
-    return {json.at("host").get<std::string>(),
-            json.at("program").get<ProgramFacts>(),
-            json.at("isas").get<std::vector<std::string>>()};
+    return nlohmann::json::parse(text).get<Machine>();
 }
 
 std::vector<Machine> gather_machines(const Session& session,

@@ -13,7 +13,6 @@
 #include "machines.hpp"
 #include "masters.hpp"
 #include "provenance.hpp"
-#include "sky_table.hpp"
 #include "summary.hpp"
 #include "sweep.hpp"
 #include "way_on.hpp"
@@ -29,12 +28,6 @@ std::vector<Case> chosen_cases(const RunOptions& options,
     if (!options.case_index) return cases(campaign);
     return {case_at(campaign, *options.case_index, options.campaign_path)};
 }
-
-//! The facts that rank 0 tells the others before the work begins.
-struct Start {
-    std::string isa;
-    std::string resolved;
-};
 
 //! The instruction set that histories to be resumed were begun with, so that
 //! results go on bit for bit; none if there are none. Refuses what would
@@ -194,6 +187,26 @@ Campaign read_with_start(const RunOptions& options) {
 
 }  // namespace
 
+void print_warnings(const Campaign& campaign, const Log& log) {
+    for (const Problem& warning : campaign.warnings)
+        log.write(LogLevel::warning, to_string(warning));
+}
+
+Start agree(const Session& session, const std::function<Start()>& make) {
+    Start start;
+    std::exception_ptr failure;
+    if (session.rank() == 0) try {
+            start = make();
+        } catch (...) {
+            failure = std::current_exception();
+        }
+    // An empty text tells the others to leave.
+    start.isa = session.broadcast(start.isa);
+    if (failure) std::rethrow_exception(failure);
+    if (!start.isa.empty()) start.resolved = session.broadcast(start.resolved);
+    return start;
+}
+
 AnswerRules answer_rules(const Campaign& campaign) {
     return {campaign.answer_limits.deadline, campaign.answer_limits.attempts,
             final_effort(campaign)};
@@ -205,20 +218,13 @@ ExitCode run(const RunOptions& options, const Session& session, StopFlag& stop,
     const std::vector<Machine> machines = gather_machines(session, own);
     const int threads = threads_per_rank(session, options.threads);
     std::optional<Campaign> campaign;
-    Start start;
-    // Rank 0 alone looks at files. An empty text tells the others to leave.
-    std::exception_ptr failure;
-    if (session.rank() == 0) try {
-            campaign = read_with_start(options);
-            print_warnings(*campaign, Log(options.level));
-            start = prepare(options, *campaign, machines);
-        } catch (...) {
-            failure = std::current_exception();
-        }
-    const std::string isa = session.broadcast(failure ? "" : start.isa);
-    if (failure) std::rethrow_exception(failure);
+    // Rank 0 alone looks at files.
+    const auto [isa, resolved] = agree(session, [&] {
+        campaign = read_with_start(options);
+        print_warnings(*campaign, Log(options.level));
+        return prepare(options, *campaign, machines);
+    });
     if (isa.empty()) return ExitCode::ok;
-    const std::string resolved = session.broadcast(start.resolved);
     if (!campaign) campaign = parse_campaign(resolved, options.campaign_path);
 
     std::deque<CanopyEvaluator> own_evaluators;

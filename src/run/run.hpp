@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -17,6 +18,19 @@ namespace ideotype {
 //! Where `run` keeps the history of a case.
 std::string path_of(const std::string& out, const Campaign& campaign,
                     const Case& chosen);
+
+//! Tells what may be wrong with a campaign.
+void print_warnings(const Campaign& campaign, const Log& log);
+
+//! The facts that rank 0 tells the others before the work begins.
+struct Start {
+    std::string isa;       //!< instruction set
+    std::string resolved;  //!< campaign
+};
+
+//! Lets rank 0 prepare the work of all ranks. What it throws is thrown there;
+//! the others then get no instruction set, and leave. Collective.
+Start agree(const Session& session, const std::function<Start()>& make);
 
 //! Returns how long a campaign waits for answers.
 AnswerRules answer_rules(const Campaign& campaign);

@@ -5,21 +5,11 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include "ideotype/core/units.hpp"
 #include "progress.hpp"
 #include "search/order.hpp"
-#include "search/summary.hpp"
 
 namespace ideotype {
-
-std::string format_daily(Estimate mj_per_m2) {
-    return fmt::format(
-        "{} MJ m-2 day-1 = {} mol m-2 day-1 = {} MWh acre-1 day-1",
-        format(mj_per_m2), format(scaled(mj_per_m2, mol_per_mj_par)),
-        format(scaled(mj_per_m2, mwh_per_acre_per_mj_per_m2)));
-}
 
 std::size_t best_finalist(const History& history,
                           const std::vector<Row>& finalists) {
@@ -77,90 +67,6 @@ std::string doubt_of(const std::string& what, double lai) {
                      "{} {}; limit [constraints] lai, or breed for "
                      "carbon_balance, in which leaf area has its price",
                      what, doubt);
-}
-
-//! Plain absorption in an endless stand has a ceiling: a word of warning.
-std::string left_to_gain(const History& history, const Campaign& campaign,
-                         const Row& best) {
-    if (aims(campaign).front().name != "absorbed_par" ||
-        !component_weights(campaign).empty() || !campaign.over.empty() ||
-        campaign.field.boundary != Boundary::periodic)
-        return "";
-    const Estimate stalks = quantity(history, best, "stalk_fraction");
-    const Estimate soil = quantity(history, best, "soil_fraction");
-    const Estimate left{stalks.mean + soil.mean,
-                        std::hypot(stalks.standard_error, soil.standard_error)};
-    const bool is_saturated =
-        left.mean <=
-        quantity(history, best, "absorbed_fraction").standard_error;
-    return fmt::format(
-        "\nat most {} of the incident light is left to gain{}", format(left),
-        is_saturated ? ", within the standard error: leaves cannot take more, "
-                       "and what evolved beyond is luck; see [objective] and "
-                       "[constraints]"
-                     : ", which other organs and soil take");
-}
-
-//! Tells how far a plant is from measured lines and which is the nearest, or
-//! "".
-std::string among_lines(const History& history, const Campaign& campaign,
-                        const Row& row) {
-    const auto& lines = campaign.feasibility.lines;
-    if (!lines) return "";
-    const auto number = [&](const char* name) {
-        return quantity(history, row, name).mean;
-    };
-    std::string text = fmt::format("{:.2f} from the mean of measured lines",
-                                   number("distance_from_lines"));
-    if (number("nearest_line") >= 1)
-        text += fmt::format(
-            " and {:.2f} from the nearest, {}", number("distance_from_line"),
-            lines->lines
-                .at(static_cast<std::size_t>(number("nearest_line")) - 1)
-                .name);
-    return text;
-}
-
-//! Every member of a front with its row in /final, which is its number
-//! everywhere; which of them another dominates when all have been evaluated
-//! again is told.
-std::string front(const History& history, const Campaign& campaign,
-                  const std::vector<Row>& finalists) {
-    std::vector<Sense> senses;
-    std::string text = "\n  plant";
-    for (const Objective& each : history.header().schema.objectives) {
-        senses.push_back(each.sense);
-        text += fmt::format("  {:>28}", title_of(each.name, each.unit));
-    }
-    Population members;
-    for (const auto& [candidate, outcome, attempt] : finalists)
-        members.push_back({candidate, outcome.status, outcome.objectives,
-                           outcome.violation, outcome.randomisations});
-    members.erase(members.begin());  // the baseline
-    const std::vector<std::size_t> level = fronts(members, senses);
-    std::size_t left = 0;
-    for (std::size_t i = 0; i < members.size(); ++i) {
-        text += fmt::format("\n  {:>5}", i + 1);
-        for (const Estimate& each : members[i].objectives)
-            text += fmt::format("  {:>28}", format(each));
-        const bool is_in_front =
-            level[i] == 0 && members[i].status == Status::done;
-        if (is_in_front)
-            ++left;
-        else
-            text += "  not in the front any more";
-        if (campaign.feasibility.lines)
-            text += "  " + among_lines(history, campaign, finalists[i + 1]);
-    }
-    text += fmt::format("\n  {} of {} are still in the front", left,
-                        members.size());
-    std::vector<double> reference = campaign.search.reference;
-    if (reference.empty()) reference = worst_of(history.generation(0), senses);
-    if (!reference.empty())
-        text += fmt::format("\n  hypervolume {}, relative to {:.6g}",
-                            format(hypervolume(members, reference, senses)),
-                            fmt::join(reference, ", "));
-    return text;
 }
 
 //! Adds what the finalists tell.
@@ -245,19 +151,29 @@ std::string to_text(const CaseResult& result, const std::string& path,
     return line + (result.doubt.empty() ? "" : "; " + result.doubt);
 }
 
-std::string remarks(const History& history, const Campaign& campaign) {
+std::string left_to_gain(const History& history, const Campaign& campaign) {
     const std::vector<Row> finalists = history.finalists();
-    const auto& objectives = history.header().schema.objectives;
     const std::size_t best = best_finalist(history, finalists);
-    if (best == 0) return "";
-    if (objectives.size() > 1) return front(history, campaign, finalists);
-    std::string text = left_to_gain(history, campaign, finalists[best]);
-    if (campaign.feasibility.lines)
-        text += fmt::format(
-            "\nstandard deviations: the bred plant is {}; the baseline {}",
-            among_lines(history, campaign, finalists[best]),
-            among_lines(history, campaign, finalists[0]));
-    return text;
+    if (best == 0 || aims(campaign).size() > 1 ||
+        aims(campaign).front().name != "absorbed_par" ||
+        !component_weights(campaign).empty() || !campaign.over.empty() ||
+        campaign.field.boundary != Boundary::periodic)
+        return "";
+    const auto part = [&](const char* name) {
+        return quantity(history, finalists[best], name);
+    };
+    const Estimate stalks = part("stalk_fraction"),
+                   soil = part("soil_fraction");
+    const Estimate left{stalks.mean + soil.mean,
+                        std::hypot(stalks.standard_error, soil.standard_error)};
+    const bool is_saturated =
+        left.mean <= part("absorbed_fraction").standard_error;
+    return fmt::format(
+        "\nat most {} of the incident light is left to gain{}", format(left),
+        is_saturated ? ", within the standard error: leaves cannot take more, "
+                       "and what evolved beyond is luck; see [objective] and "
+                       "[constraints]"
+                     : ", which other organs and soil take");
 }
 
 }  // namespace ideotype

@@ -15,10 +15,6 @@ inline constexpr const char* one_seed =
     "one seed: the interval holds the noise of the light, not that of the "
     "search";
 
-//! Daily energy per ground area in the three units of the field:
-//! "x MJ m-2 day-1 = y mol m-2 day-1 = z MWh acre-1 day-1".
-std::string format_daily(Estimate mj_per_m2);
-
 //! Slot in /final of the best finalist other than the baseline in slot 0, or
 //! 0 if nothing but the baseline has been evaluated.
 std::size_t best_finalist(const History& history,
@@ -49,8 +45,9 @@ CaseResult result_of(const History& history);
 std::string to_text(const CaseResult& result, const std::string& path,
                     const std::string& state);
 
-//! Tells lines about the finalists that do not fit into the line of a result:
-//! each member of a front, or how much light is left to gain.
-std::string remarks(const History& history, const Campaign& campaign);
+//! Returns a line that tells how much light is left to gain at most where plain
+//! absorption in an endless stand is searched for, which has a ceiling; else
+//! "".
+std::string left_to_gain(const History& history, const Campaign& campaign);
 
 }  // namespace ideotype

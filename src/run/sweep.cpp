@@ -91,8 +91,8 @@ Routine<Ending> Sweep::evolve_guarded(const Case& chosen) {
         if (ending == Ending::finished) ++finished_;
     } catch (const InUseError& error) {
         note_in_use(chosen, error);
-    } catch (const std::exception&) {
-        note_failure(chosen);
+    } catch (const std::exception& error) {
+        note_failure(chosen, error);
     }
     co_return Ending::drained;
 }
@@ -126,7 +126,7 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
     progress_.print_result(was_finished
                                ? to_text(result, path, "finished before")
                                : to_text(result, path, "finished") +
-                                     remarks(history, campaign_));
+                                     left_to_gain(history, campaign_));
     co_return Ending::finished;
 }
 
@@ -161,7 +161,7 @@ History Sweep::resume_history(const Case& chosen,
 
 //! Another job works on this case: no failure, and nothing to do here.
 void Sweep::note_in_use(const Case& chosen, const InUseError& error) {
-    if (chosen_.size() == 1) return note_failure(chosen);
+    if (chosen_.size() == 1) return note_failure(chosen, error);
     in_use_.push_back(chosen.name);
     progress_.end(chosen);
     progress_.print(
@@ -171,28 +171,19 @@ void Sweep::note_in_use(const Case& chosen, const InUseError& error) {
 
 //! Keeps the exception that is being handled. What is no matter of one case,
 //! such as a full disk, stops the others too.
-void Sweep::note_failure(const Case& chosen) {
-    const std::exception_ptr cause = std::current_exception();
-    failures_.push_back({chosen.name, cause});
+void Sweep::note_failure(const Case& chosen, const std::exception& error) {
+    failures_.push_back(
+        {chosen.name, reason_of(error), std::current_exception()});
     progress_.end(chosen);
-    try {
-        std::rethrow_exception(cause);
-    } catch (const CaseError& error) {
-        print_failure(chosen, error);
-    } catch (const Error& error) {
-        print_failure(chosen, error);
-        if (error.exit_code() != ExitCode::refused) stop_.request();
-    } catch (const std::exception& error) {
-        print_failure(chosen, error);
-        stop_.request();
-    }
-}
-
-void Sweep::print_failure(const Case& chosen, const std::exception& error) {
     if (chosen_.size() > 1)
         progress_.print(
             fmt::format("{}  failed: {}", chosen.name, reason_of(error)),
             LogLevel::error);
+    const auto* own = dynamic_cast<const Error*>(&error);
+    const bool is_of_case =
+        dynamic_cast<const CaseError*>(&error) != nullptr ||
+        (own != nullptr && own->exit_code() == ExitCode::refused);
+    if (!is_of_case) stop_.request();
 }
 
 //! @throws Error (refused) if there was nothing to do at all.
@@ -213,11 +204,8 @@ void Sweep::report_failures() const {
     std::string message =
         fmt::format("{} of {} cases failed, {} finished:", failures_.size(),
                     chosen_.size(), finished_);
-    for (const Failure& failure : failures_) try {
-            std::rethrow_exception(failure.cause);
-        } catch (const std::exception& error) {
-            message += fmt::format("\n{}: {}", failure.name, reason_of(error));
-        }
+    for (const Failure& each : failures_)
+        message += fmt::format("\n{}: {}", each.name, each.reason);
     throw Error(fmt::format("{}\nwhen the causes are gone, go on with\n  {}",
                             message, way_on(options_.command, ranks_)));
 }

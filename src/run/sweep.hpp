@@ -33,7 +33,7 @@ class Sweep : public Director {
 
   private:
     struct Failure {
-        std::string name;
+        std::string name, reason;
         std::exception_ptr cause;
     };
 
@@ -43,8 +43,7 @@ class Sweep : public Director {
     History resume_history(const Case& chosen, const std::string& path) const;
     void note_in_use(const Case& chosen, const InUseError& error);
     void report_in_use();
-    void note_failure(const Case& chosen);
-    void print_failure(const Case& chosen, const std::exception& error);
+    void note_failure(const Case& chosen, const std::exception& error);
     void report_failures() const;
 
     const RunOptions& options_;

@@ -38,8 +38,7 @@ class RandomSearch : public Optimizer {
 
     //! Tells that two generations may be under way, so that nobody waits for
     //! the last plants of one.
-    std::uint64_t needs(std::uint32_t generation,
-                        std::uint32_t) const override {
+    std::uint64_t needs(std::uint32_t generation) const override {
         return (std::max(generation, 1u) - 1) * population_;
     }
 
@@ -120,8 +119,7 @@ class Streams : public Optimizer {
         return stream_of(generation).search->size(turn_of(generation));
     }
 
-    std::uint64_t needs(std::uint32_t generation,
-                        std::uint32_t) const override {
+    std::uint64_t needs(std::uint32_t generation) const override {
         const auto turns = static_cast<std::uint32_t>(streams_.size());
         if (generation < turns) return 0;
         if (generation - turns < ends_.size()) return ends_[generation - turns];
@@ -260,8 +258,7 @@ std::size_t GenerationalOptimizer::size(std::uint32_t generation) const {
     return next_size();
 }
 
-std::uint64_t GenerationalOptimizer::needs(std::uint32_t generation,
-                                           std::uint32_t) const {
+std::uint64_t GenerationalOptimizer::needs(std::uint32_t generation) const {
     return generation == generation_
                ? static_cast<std::uint64_t>(row_)
                : std::numeric_limits<std::uint64_t>::max();

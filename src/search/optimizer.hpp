@@ -33,10 +33,9 @@ class Optimizer {
     //! never 0.
     virtual std::size_t size(std::uint32_t generation) const = 0;
 
-    //! Returns how many rows must be known before this slot can be proposed;
+    //! Returns how many rows must be known before a generation can be proposed;
     //! more than there can be as long as that is not known itself.
-    virtual std::uint64_t needs(std::uint32_t generation,
-                                std::uint32_t slot) const = 0;
+    virtual std::uint64_t needs(std::uint32_t generation) const = 0;
 
     //! Returns the candidate of this slot. Candidates are proposed in the order
     //! of rows.
@@ -68,8 +67,7 @@ class GenerationalOptimizer : public Optimizer {
     void tell(Population evaluated);
 
     std::size_t size(std::uint32_t generation) const override;
-    std::uint64_t needs(std::uint32_t generation,
-                        std::uint32_t slot) const override;
+    std::uint64_t needs(std::uint32_t generation) const override;
     Candidate propose(std::uint32_t generation, std::uint32_t slot) override;
     void learn(Individual row) override;
 

@@ -118,8 +118,7 @@ std::size_t SensitivityDesign::size(std::uint32_t generation) const {
            std::min<std::size_t>(samples_per_generation, samples() - before);
 }
 
-std::uint64_t SensitivityDesign::needs(std::uint32_t generation,
-                                       std::uint32_t) const {
+std::uint64_t SensitivityDesign::needs(std::uint32_t generation) const {
     constexpr std::uint64_t under_way = 1000;
     const std::uint64_t before =
         std::uint64_t{generation} * samples_per_generation * rows_per_sample();

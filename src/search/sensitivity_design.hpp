@@ -51,8 +51,7 @@ class SensitivityDesign : public Optimizer {
 
     std::size_t size(std::uint32_t generation) const override;
     //! Returns so few rows that nobody waits: a thousand may be under way.
-    std::uint64_t needs(std::uint32_t generation,
-                        std::uint32_t slot) const override;
+    std::uint64_t needs(std::uint32_t generation) const override;
     Candidate propose(std::uint32_t generation, std::uint32_t slot) override;
     void learn(Individual) override {}
     //! Returns nothing, since no plant is better than others.

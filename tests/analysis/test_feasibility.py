@@ -24,21 +24,15 @@ def test_bred_plants_name_their_nearest_line(
     if fronts:
         settings += ["objective.minimise=lai", "search.optimizer=nsga2"]
     words = [word for each in settings for word in ("--set", each)]
-    told = output_of(
-        "run", CAMPAIGNS / "ames_quick.toml", *words, "--out", tmp_path
-    )
+    output_of("run", CAMPAIGNS / "ames_quick.toml", *words, "--out", tmp_path)
+    assert summary([str(tmp_path)]) == 0
+    shown = capsys.readouterr().out
     distances = re.findall(
         r"(\d\.\d\d) from the mean of measured lines and (\d\.\d\d) from the "
         "nearest, B73",
-        told,
+        shown,
     )
     assert len(distances) == 2 or fronts
     assert distances
     assert fronts or all(0 < float(mean) < 2.5 for mean, _ in distances)
-    assert summary([str(tmp_path)]) == 0
-    shown = capsys.readouterr().out
-    for plant in distances if not fronts else []:
-        assert (
-            "{} from the mean of measured lines and {}".format(*plant) in shown
-        )
     assert "the bred plant is" in shown

@@ -24,11 +24,11 @@ for key in leaf_by_origin beam scattered leaf_by_face leaf_by_layer \
     sunlit_leaf_area; do
     grep -q "\"$key\"" out.log || fail "no $key in: $(cat out.log)"
 done
-light 0 "1.026 m2" "$reference/maize1.obj" --field 3 3 .76 .15 \
+light 0 "ground_area_m2  *1.026$" "$reference/maize1.obj" --field 3 3 .76 .15 \
     --jitter 10 --sun 40 90
 
 plot=("$reference/maize1.obj" --boundary isolated --sun 40 90)
-light 0 "can absorb more than 1" "${plot[@]}" --ground-area .114
+light 0 "may exceed 1" "${plot[@]}" --ground-area .114
 light 0 '"entered"' "${plot[@]}" --ground-area .114 --json
 light 2 "--ground-area" "${plot[@]}"
 
@@ -47,7 +47,7 @@ light 2 "mesh is required" --period 1 1
 
 light 2 "--stalk-reflectance and --stalk-transmittance exceed 1" "${maize[@]}" \
     --sun 60 180 --stalk-reflectance .9 --stalk-transmittance .2
-light 0 "stalk 0.31 0.12" "${maize[@]}" --sun 60 180 --tolerance .1
+light 0 "^    reflectance  *0.31$" "${maize[@]}" --sun 60 180 --tolerance .1
 light 0 '"unit": "fraction of incident"' "${maize[@]}" --sun 60 180 --json \
     --tolerance .1
 light 0 '"incident_unit": "W m-2"' "${maize[@]}" --site 42 -93.6 -5 \

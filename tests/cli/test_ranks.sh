@@ -36,18 +36,7 @@ if (same_results "$(history_of alone same)" "$(history_of other same)") \
     fail "another seed gave the same results"
 fi
 
-# Ranks share the plants and cases of a comparison, to the same bits; what
-# cannot be shared is refused, once.
-sed -i 's/seed = 8/seed = 8\nreplicates = 2/; /^\[spacing\]/i [[site]]\nname = "north"\nlatitude = 50.0\nlongitude = -93.6\nutc_offset = -5' campaigns/same.toml
-sed -i 's/^\[site\]/[[site]]/' campaigns/same.toml
-cross=(compare "$(history_of alone same)" campaigns/plants/*.toml
-    --under campaigns/same.toml --json)
-"$ideotype" "${cross[@]}" >cross.json
-[ "$(grep -c north cross.json)" -eq 1 ] || fail "not two cases: $(cat cross.json)"
-for ranks in 2 5; do
-    mpirun -n $ranks "$ideotype" "${cross[@]}" >cross$ranks.json
-    cmp cross.json cross$ranks.json || fail "$ranks ranks compare otherwise"
-done
+# What cannot be shared is refused, once.
 
 # $1 what it says, the rest a command
 refused_once() {
@@ -58,25 +47,18 @@ refused_once() {
         fail "'${*:2}' is not refused once: $(cat refused.log)"
 }
 write_campaign one 8 3
-refused_once "one plant in one case" \
-    compare campaigns/one.toml --under campaigns/one.toml
 for verb in check evaluate; do
     refused_once "$verb: 3 copies" $verb campaigns/one.toml
 done
 refused_once "status: 3 copies" status alone
-code=0
-mpirun -n 3 "$ideotype" compare missing.toml --under campaigns/same.toml \
-    >missing.log 2>&1 || code=$?
-[ $code -eq 1 ] || fail "a missing plant ended with $code: $(cat missing.log)"
-[ "$(grep -c "ideotype: .*missing.toml" missing.log)" -eq 1 ] ||
-    fail "not told once: $(cat missing.log)"
+refused_once "compare: 3 copies" \
+    compare campaigns/one.toml --under campaigns/one.toml
 
 # Ranks that another MPI's launcher starts do not find each other, which is told
 # once; here its variables take the place of that launcher.
 foreign=PMI
 ! is_mpich || foreign=OMPI_COMM_WORLD
-for verb in "run campaigns/one.toml --out apart" "serve campaigns/one.toml" \
-    "compare campaigns/one.toml --under campaigns/same.toml"; do
+for verb in "run campaigns/one.toml --out apart" "serve campaigns/one.toml"; do
     # shellcheck disable=SC2086  # words
     expect 2 env ${foreign}_RANK=0 ${foreign}_SIZE=2 "$ideotype" $verb
     says "^ideotype: 2 ranks were started, but do not find each other"

@@ -36,11 +36,5 @@ TEST(Format, DurationsReadLikeAClock) {
     EXPECT_EQ(format_duration(3725), "1:02:05");
 }
 
-TEST(Format, DailyEnergyComesInThreeUnits) {
-    EXPECT_EQ(format_daily({10, 0.5}),
-              "10.00 +- 0.50 MJ m-2 day-1 = 45.7 +- 2.3 mol m-2 day-1 = "
-              "11.24 +- 0.56 MWh acre-1 day-1");
-}
-
 }  // namespace
 }  // namespace ideotype

@@ -31,7 +31,7 @@ class Summary : public testing::Test {
         record(history, 1, best, best_lai);
         history.finish("generations");
         return to_text(result_of(history), "a.h5", "finished") +
-               remarks(history, campaign_);
+               left_to_gain(history, campaign_);
     }
 
   private:

@@ -86,9 +86,8 @@ class Master : public Director, public Watcher {
         std::size_t size(std::uint32_t generation) const override {
             return fast_->size(generation);
         }
-        std::uint64_t needs(std::uint32_t generation,
-                            std::uint32_t slot) const override {
-            return fast_->needs(generation, slot);
+        std::uint64_t needs(std::uint32_t generation) const override {
+            return fast_->needs(generation);
         }
         Candidate propose(std::uint32_t generation,
                           std::uint32_t slot) override {

@@ -296,7 +296,7 @@ TEST(Streams, WaitForTheirOwnGenerationsAlone) {
     for (std::uint32_t row = 0; row < 96; ++row) {
         const std::uint32_t generation = row / 8, slot = row % 8;
         EXPECT_EQ(whole->size(generation), 8U);
-        EXPECT_EQ(whole->needs(generation, slot),
+        EXPECT_EQ(whole->needs(generation),
                   generation < 3 ? 0 : 8 * (generation - 2));
         const Candidate candidate = whole->propose(generation, slot);
         rows.push_back(evaluated({candidate}, sphere)[0]);
@@ -323,8 +323,7 @@ TEST(RandomSearch, OffersTheBestOfAllGenerations) {
         settings, SearchSpace{genes(3), Genome(3, 2), {Sense::minimise}}, 2);
     std::vector<double> values;
     for (std::uint32_t row = 0; row < 80; ++row) {
-        EXPECT_EQ(search->needs(row / 8, row % 8),
-                  row < 16 ? 0 : row / 8 * 8 - 8);
+        EXPECT_EQ(search->needs(row / 8), row < 16 ? 0 : row / 8 * 8 - 8);
         const Population one =
             evaluated({search->propose(row / 8, row % 8)}, sphere);
         values.push_back(one[0].objectives[0].mean);

@@ -70,7 +70,7 @@ TEST(Sensitivity, ItProposesItsRowsInTheirOrder) {
         EXPECT_LE(static_cast<int>(design.size(g)),
                   generation_size(settings, angles().genes));
         for (std::uint32_t slot = 0; slot < design.size(g); ++slot, ++rows) {
-            EXPECT_EQ(design.needs(g, slot), 0U);
+            EXPECT_EQ(design.needs(g), 0U);
             EXPECT_EQ(
                 design.propose(g, slot).genome,
                 design.row(static_cast<std::uint32_t>(rows / 6), rows % 6));

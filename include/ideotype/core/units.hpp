@@ -9,12 +9,6 @@ inline constexpr double degree = std::numbers::pi / 180.0;  //!< [rad]
 
 inline constexpr double joule_per_megajoule = 1e6;
 
-//! The square metres of an international acre [m2].
-inline constexpr double acre = 4046.8564224;
-
-//! The MWh acre-1 of one MJ m-2 (1 MWh = 3600 MJ).
-inline constexpr double mwh_per_acre_per_mj_per_m2 = acre / 3600.0;
-
 //! The photons per energy of sunlight in the PAR band [mol MJ-1] (McCree 1972,
 //! doi:10.1016/0002-1571(72)90045-3).
 inline constexpr double mol_per_mj_par = 4.57;

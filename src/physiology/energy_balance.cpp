@@ -14,6 +14,8 @@ namespace ideotype {
 namespace {
 
 constexpr double kelvin = 273.15;
+//! No leaf is colder [deg C]; saturated_vapour() has a pole below.
+constexpr double coldest = -200;
 constexpr double stefan_boltzmann = 5.670374419e-8;  //!< [W m-2 K-4]
 constexpr double gas = 8.314462618e-3;               //!< [kPa m3 mol-1 K-1]
 constexpr double heat_capacity = 29.3;               //!< of air [J mol-1 K-1]
@@ -88,7 +90,8 @@ class Behind {
             return 1.6 *
                    (1 + stomata_.slope /
                             std::sqrt(std::max(saturated_ - surface, 0.05)));
-        return stomata_.slope * std::clamp(surface / saturated_, 1e-100, 1.);
+        return std::max(stomata_.slope * std::min(surface / saturated_, 1.),
+                        1e-100);
     }
 
     AtTemperature response_;
@@ -228,7 +231,7 @@ class Energy {
             return 2 * heat_capacity * (x - around_.temperature) +
                    latent(x, vapour_over_heat * faces_);
         };
-        return std::min(root(cooling, -200, around_.temperature, 1e-9),
+        return std::min(root(cooling, coldest, around_.temperature, 1e-9),
                         radiative());
     }
 
@@ -244,7 +247,8 @@ class Energy {
     static double cube(double x) { return x * x * x; }
 
     double radiative() const {
-        return std::sqrt(std::sqrt(absorbed_ / emission_)) - kelvin;
+        return std::max(std::sqrt(std::sqrt(absorbed_ / emission_)) - kelvin,
+                        coldest);
     }
 
     const LeafSurroundings& around_;

@@ -5,7 +5,9 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "campaign/air.hpp"
 #include "ideotype/climate/light_series.hpp"
 #include "ideotype/core/clock.hpp"
 
@@ -71,6 +73,31 @@ std::string by_day(const LightSeries& series,
     return fmt::format("{:.1f} {}", factor * sum / light, unit);
 }
 
+//! What the air has besides, of a case whose weather tells any of it.
+std::string air_of(const Campaign& campaign, const Case& one,
+                   LightSeries series) {
+    const LightSeries without;
+    const TimeStep& first = series.steps.front();
+    if (!first.wind && !first.pressure && !first.longwave &&
+        series.co2 == without.co2)
+        return "";
+    const std::vector<std::string> estimated =
+        estimate_air(series, one.site, campaign.par_fraction);
+    const auto mean = [&](std::optional<double> TimeStep::*value) {
+        double sum = 0;
+        for (const TimeStep& step : series.steps) sum += *(step.*value);
+        return sum / static_cast<double>(series.steps.size());
+    };
+    return fmt::format(
+        "          {} at {}: wind {:.1f} m/s at {:g} m, pressure {:.1f} kPa, "
+        "longwave radiation {:.0f} W m-2, CO2 {:g} umol mol-1{}\n",
+        one.day_name, one.site.name, mean(&TimeStep::wind), series.wind_height,
+        mean(&TimeStep::pressure), mean(&TimeStep::longwave), series.co2,
+        estimated.empty() ? ""
+                          : fmt::format(" (not in the file and estimated: {})",
+                                        fmt::join(estimated, ", ")));
+}
+
 std::string table_of_climates(const Campaign& campaign) {
     constexpr auto row =
         "{:<9} {:<12} {:<16} {:<10} {:>4} {:>11} {:>8} {:>11} {:>8} {:<8} "
@@ -80,6 +107,7 @@ std::string table_of_climates(const Campaign& campaign) {
         fmt::format(row, "climate", "site", "place", "period", "days",
                     "PAR per day", "diffuse", "temperature", "humidity",
                     "clock", "sunrise", "noon", "sunset");
+    std::string air;
     for (const Case& one : cases(campaign))
         for (const Case& each : scenarios(one)) {
             const Site& site = each.site;
@@ -88,6 +116,7 @@ std::string table_of_climates(const Campaign& campaign) {
                             place(site), each.day_name);
             if (text.find(start) != std::string::npos) continue;
             const LightSeries series = light_of(campaign, each);
+            air += air_of(campaign, each, series);
             const Daylight sun = daylight(site, middle(series.dates()));
             text += fmt::format(
                 row, "", site.name, place(site), each.day_name, series.days,
@@ -101,7 +130,8 @@ std::string table_of_climates(const Campaign& campaign) {
         }
     return text +
            "          temperature and humidity are weighted by light; "
-           "sunrise, noon and sunset are those of the middle date\n";
+           "sunrise, noon and sunset are those of the middle date\n" +
+           air;
 }
 
 }  // namespace

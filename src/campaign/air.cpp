@@ -61,8 +61,11 @@ std::vector<std::string> estimate_air(LightSeries& series, const Site& site,
         }))
         names.emplace_back("pressure");
     double clearness = 1;
-    for (auto step = series.steps.rbegin(); step != series.steps.rend(); ++step)
-        clearness = clearness_of(*step, site, par_fraction).value_or(clearness);
+    for (const TimeStep& step : series.steps)
+        if (const auto first = clearness_of(step, site, par_fraction)) {
+            clearness = *first;
+            break;
+        }
     if (fill(series, &TimeStep::longwave, [&](const TimeStep& step) {
             const Air air;
             const double t = step.temperature.value_or(air.temperature);

@@ -39,6 +39,8 @@ struct Climate {
     Period period;
     std::string stamp;  //!< "": that of the format
     ColumnMap columns;
+    std::optional<double> wind_height;  //!< above the ground [m]
+    std::optional<double> co2;          //!< of the air [umol mol-1]
 };
 
 //! The weather of a site in a climate, as it was read.
@@ -54,6 +56,9 @@ struct SiteWeather {
     //! Near infrared on a horizontal plane, in that order [W m-2]; nothing in
     //! campaigns that do not follow it.
     std::vector<double> nir_beam, nir_diffuse;
+    //! If the file tells them, in that order: wind [m s-1], pressure [kPa] and
+    //! longwave radiation of the sky [W m-2].
+    std::vector<double> wind, pressure, longwave;
 };
 
 //! A campaign as it is read.

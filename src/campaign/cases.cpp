@@ -66,7 +66,10 @@ LightSeries to_series(const SiteWeather& weather, const Site& here) {
                                     at(weather.temperature, i),
                                     at(weather.humidity, i),
                                     {at(weather.nir_beam, i).value_or(0),
-                                     at(weather.nir_diffuse, i).value_or(0)}});
+                                     at(weather.nir_diffuse, i).value_or(0)},
+                                    at(weather.wind, i),
+                                    at(weather.pressure, i),
+                                    at(weather.longwave, i)});
         }
     return series;
 }
@@ -140,8 +143,16 @@ LightSeries light_of(const Campaign& campaign, const Case& chosen) {
         return clear_days(chosen.site, chosen.day, campaign.par_fraction);
     for (const SiteWeather& weather : campaign.weathers)
         if (weather.site == chosen.site.name &&
-            weather.climate == chosen.day_name)
-            return to_series(weather, chosen.site);
+            weather.climate == chosen.day_name) {
+            LightSeries series = to_series(weather, chosen.site);
+            for (const auto& [name, climate] : campaign.climates)
+                if (name == chosen.day_name) {
+                    series.wind_height =
+                        climate.wind_height.value_or(series.wind_height);
+                    series.co2 = climate.co2.value_or(series.co2);
+                }
+            return series;
+        }
     throw Error("there is no weather of case " + chosen.name);
 }
 

@@ -149,7 +149,18 @@ Section climate_section(Named<Climate>& named) {
          column("temperature", columns.temperature, "C",
                 "column and unit: of the air"),
          column("humidity", columns.humidity, "%",
-                "column and unit: relative humidity of the air")}};
+                "column and unit: relative humidity of the air"),
+         column("wind", columns.wind, "m/s", "column and unit: wind speed"),
+         number("wind_height", climate.wind_height, "10",
+                "of the wind, above the ground")
+             .within(0.5, 200, "m"),
+         column("pressure", columns.pressure, "kPa",
+                "column and unit: of the air"),
+         column("longwave", columns.longwave, "W/m2",
+                "column and unit: longwave radiation of the sky on a "
+                "horizontal plane"),
+         number("co2", climate.co2, "400", "of the air")
+             .within(50, 5000, "umol mol-1")}};
 }
 
 Section weather_section(SiteWeather& weather) {
@@ -192,7 +203,12 @@ Section weather_section(SiteWeather& weather) {
                      "near infrared of the sun on a horizontal plane, if it is "
                      "followed"),
              numbers("nir_diffuse", weather.nir_diffuse, "W m-2",
-                     "near infrared of the sky, if it is followed")}};
+                     "near infrared of the sky, if it is followed"),
+             numbers("wind", weather.wind, "m s-1", "speed, if it is known"),
+             numbers("pressure", weather.pressure, "kPa",
+                     "of the air, if it is known"),
+             numbers("longwave", weather.longwave, "W m-2",
+                     "longwave radiation of the sky, if it is known")}};
 }
 
 Section spacing_section(Named<Spacing>& spacing) {

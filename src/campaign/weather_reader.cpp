@@ -32,7 +32,8 @@ bool check_climate(Climate& climate, Report& report) {
     }
     for (std::optional<Column>* column :
          {&columns.global, &columns.beam_normal, &columns.diffuse,
-          &columns.diffuse_fraction, &columns.temperature, &columns.humidity}) {
+          &columns.diffuse_fraction, &columns.temperature, &columns.humidity,
+          &columns.wind, &columns.pressure, &columns.longwave}) {
         if (!report.usable({column})) return false;
         if (!*column || !columns.time.empty()) continue;
         report.add(column,
@@ -65,6 +66,9 @@ SiteWeather to_site_weather(const LightSeries& series, bool has_nir) {
         result.diffuse.push_back(step.par.diffuse);
         if (step.temperature) result.temperature.push_back(*step.temperature);
         if (step.humidity) result.humidity.push_back(*step.humidity);
+        if (step.wind) result.wind.push_back(*step.wind);
+        if (step.pressure) result.pressure.push_back(*step.pressure);
+        if (step.longwave) result.longwave.push_back(*step.longwave);
         if (!has_nir) continue;
         result.nir_beam.push_back(step.nir.beam);
         result.nir_diffuse.push_back(step.nir.diffuse);
@@ -102,6 +106,9 @@ void check_weather(const SiteWeather& weather, Report& report) {
     of_steps("diffuse", weather.diffuse, steps, 0);
     of_steps("temperature", weather.temperature, 0, -273);
     of_steps("humidity", weather.humidity, 0, 0);
+    of_steps("wind", weather.wind, 0, 0);
+    of_steps("pressure", weather.pressure, 0, 1);
+    of_steps("longwave", weather.longwave, 0, 0);
     // There are both or neither.
     of_steps("nir_beam", weather.nir_beam,
              weather.nir_diffuse.empty() ? 0 : steps, 0);

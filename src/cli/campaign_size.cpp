@@ -10,7 +10,9 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "campaign/air.hpp"
 #include "ideotype/climate/light_series.hpp"
 #include "ideotype/core/clock.hpp"
 #include "ideotype/light/device.hpp"
@@ -22,14 +24,14 @@ namespace ideotype {
 
 namespace {
 
-//! For which the cost is told.
+//! Numbers of workers for which the cost is told.
 constexpr std::array<int, 4> shown_workers{1, 2, 16, 128};
 
 std::string clock(std::optional<double> hour) {
     return hour ? clock_time(*hour) : "-";
 }
 
-//! The mean of what is known by day, weighted by light.
+//! Returns the mean of a value by day, weighted by light.
 std::string by_day(const LightSeries& series,
                    std::optional<double> TimeStep::*value, double factor,
                    const std::string& unit) {
@@ -41,6 +43,29 @@ std::string by_day(const LightSeries& series,
         light += par;
     }
     return fmt::format("{:.1f} {}", factor * sum / light, unit);
+}
+
+//! Adds what a climate whose weather tells any of it, or an estimate, has of
+//! wind, pressure, longwave radiation and CO2.
+void add_air(Json& row, const Campaign& campaign, const Site& site,
+             LightSeries series) {
+    const TimeStep& first = series.steps.front();
+    if (!first.wind && !first.pressure && !first.longwave &&
+        series.co2 == LightSeries{}.co2)
+        return;
+    const std::vector<std::string> estimated =
+        estimate_air(series, site, campaign.par_fraction);
+    const auto mean = [&](std::optional<double> TimeStep::*value) {
+        double sum = 0;
+        for (const TimeStep& step : series.steps) sum += *(step.*value);
+        return sum / static_cast<double>(series.steps.size());
+    };
+    row["wind"] = fmt::format("{:.1f} m/s at {:g} m", mean(&TimeStep::wind),
+                              series.wind_height);
+    row["pressure"] = fmt::format("{:.1f} kPa", mean(&TimeStep::pressure));
+    row["longwave"] = fmt::format("{:.0f} W m-2", mean(&TimeStep::longwave));
+    row["CO2"] = fmt::format("{:g} umol mol-1", series.co2);
+    row["estimated"] = fmt::format("{}", fmt::join(estimated, ", "));
 }
 
 //! Tells the sun of the middle date of a day or climate at its site, and what
@@ -66,6 +91,7 @@ Json sky_of(const Campaign& campaign, const Case& chosen,
             fmt::format("{:.0f} %", 100 * series.diffuse() / series.incident());
         row["temperature"] = by_day(series, &TimeStep::temperature, 1, "C");
         row["humidity"] = by_day(series, &TimeStep::humidity, 100, "%");
+        add_air(row, campaign, site, series);
     } else {
         row["elevation"] = fmt::format("{:.1f} deg", sun.elevation);
         row["left out"] =

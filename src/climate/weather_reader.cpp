@@ -111,10 +111,14 @@ Weather parse_weather(const std::string& text, const WeatherRequest& request) {
     WeatherTable table = read_table(lines, request, findings);
     read_values(table, lines, request.par_fraction, findings);
     std::vector<WeatherStep> steps = all_steps(table, findings);
-    interpolate(steps, &WeatherValues::temperature, "temperature", table.step,
-                findings);
-    interpolate(steps, &WeatherValues::humidity, "humidity", table.step,
-                findings);
+    using Values = WeatherValues;
+    for (const auto& [member, name] :
+         {std::pair{&Values::temperature, "temperature"},
+          std::pair{&Values::humidity, "humidity"},
+          std::pair{&Values::wind, "wind"},
+          std::pair{&Values::pressure, "pressure"},
+          std::pair{&Values::longwave, "longwave radiation"}})
+        interpolate(steps, member, name, table.step, findings);
     findings.stop_if_any();
     Site site = request.site;
     site.utc_offset = table.utc_offset;
@@ -139,7 +143,8 @@ Weather parse_weather(const std::string& text, const WeatherRequest& request) {
                 : request.par_fraction;
         series.steps.push_back({hour_at(step.middle), seconds, step.sun, par,
                                 date, step.values.temperature, humidity,
-                                beyond(par, share)});
+                                beyond(par, share), step.values.wind,
+                                step.values.pressure, step.values.longwave});
     }
     series.days = static_cast<int>(series.dates().size());
     return {std::move(series), findings.warnings()};

@@ -35,6 +35,9 @@ ColumnMap native_columns(ColumnMap columns,
     find(columns.diffuse, "diffuse", "W/m2");
     find(columns.temperature, "temperature", "C");
     find(columns.humidity, "humidity", "%");
+    find(columns.wind, "wind", "m/s");
+    find(columns.pressure, "pressure", "kPa");
+    find(columns.longwave, "longwave", "W/m2");
     return columns;
 }
 

@@ -124,6 +124,9 @@ struct WeatherValues {
     std::optional<double> diffuse_fraction;  //!< of global, 0 to 1
     std::optional<double> temperature;       //!< [deg C]
     std::optional<double> humidity;          //!< 0 to 1
+    std::optional<double> wind;              //!< [m s-1]
+    std::optional<double> pressure;          //!< [kPa]
+    std::optional<double> longwave;          //!< [W m-2]
 
     //! Returns whether the light on the ground follows from its columns.
     bool lit() const { return global || (beam_normal && diffuse); }

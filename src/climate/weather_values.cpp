@@ -13,7 +13,7 @@ namespace ideotype {
 namespace {
 
 //! The quantity that a column has.
-enum class Kind { light, fraction, temperature };
+enum class Kind { light, fraction, temperature, speed, pressure };
 
 //! The part of an energy or of photons that a unit counts.
 enum class Per { itself, second, photon };
@@ -44,6 +44,14 @@ constexpr std::array units{
     Unit{Kind::temperature, "C", {}},
     Unit{Kind::temperature, "K", {1, -273.15}},
     Unit{Kind::temperature, "F", {5 / 9.0, -160 / 9.0}},
+    Unit{Kind::speed, "m/s", {}},
+    Unit{Kind::speed, "km/h", {1 / 3.6}},
+    Unit{Kind::speed, "mph", {0.44704}},
+    Unit{Kind::speed, "kn", {1.852 / 3.6}},
+    Unit{Kind::pressure, "kPa", {}},
+    Unit{Kind::pressure, "hPa", {0.1}},
+    Unit{Kind::pressure, "mbar", {0.1}},
+    Unit{Kind::pressure, "Pa", {1e-3}},
 };
 
 //! Returns one of several ways to write a unit.
@@ -92,6 +100,8 @@ std::vector<Source> sources_of(WeatherTable& table, double par_fraction,
         std::string names;
         for (const Unit& unit : units) {
             if (unit.kind != kind) continue;
+            if (unit.per == Per::photon && source.target == &Values::longwave)
+                continue;
             names += fmt::format("{}{}", names.empty() ? "" : ", ", unit.name);
             if (unit.name != name) continue;
             source.scale = unit.scale;
@@ -119,6 +129,11 @@ std::vector<Source> sources_of(WeatherTable& table, double par_fraction,
         {0, {}, &Values::temperature, -90, 60, "deg C"});
     add(columns.humidity, Kind::fraction,
         {0, {}, &Values::humidity, 0, 1.1, "of saturation"});
+    add(columns.wind, Kind::speed, {0, {}, &Values::wind, 0, 75, "m s-1"});
+    add(columns.pressure, Kind::pressure,
+        {0, {}, &Values::pressure, 40, 110, "kPa"});
+    add(columns.longwave, Kind::light,
+        {0, {}, &Values::longwave, 50, 700, "W m-2"});
     if (!columns.global && !(columns.beam_normal && columns.diffuse))
         findings.add(static_cast<int>(table.header_line), 1,
                      "no column tells the light; there must be the global "

@@ -43,20 +43,29 @@ double curvature_at(double theta, double temperature) {
 
 }  // namespace
 
+FarquharAt::FarquharAt(const FarquharLeaf& leaf, double temperature)
+    : compensation_(arrhenius(19.02, 37.83, temperature)),
+      half_rate_(arrhenius(38.05, 79.43, temperature) *
+                 (1 + 210 / arrhenius(20.30, 36.38, temperature))),
+      vcmax_(leaf.vcmax * rise(65.33, temperature)),
+      triose_use_(3 * leaf.tpu * triose_use(temperature)),
+      jmax_(leaf.jmax),
+      jmax_rise_(rise(43.5, temperature)),
+      yield_(electron_yield(temperature)),
+      theta_(curvature_at(leaf.theta, temperature)),
+      beta_(leaf.beta) {}
+
+Colimitation FarquharAt::operator()(double ci) const {
+    const double above = std::max(ci - compensation_, 0.0);
+    const double per_electron = above / (4.5 * ci + 10.5 * compensation_);
+    const double rubisco = vcmax_ * above / (ci + half_rate_);
+    return {per_electron * yield_, per_electron * jmax_ * jmax_rise_, theta_,
+            beta_, smooth_minimum(beta_, rubisco, triose_use_)};
+}
+
 Colimitation farquhar_at(const FarquharLeaf& leaf, double temperature,
                          double ci) {
-    const double compensation = arrhenius(19.02, 37.83, temperature);
-    const double kc = arrhenius(38.05, 79.43, temperature);
-    const double ko = arrhenius(20.30, 36.38, temperature);
-    const double above = std::max(ci - compensation, 0.0);
-    const double per_electron = above / (4.5 * ci + 10.5 * compensation);
-    const double rubisco = leaf.vcmax * rise(65.33, temperature) * above /
-                           (ci + kc * (1 + 210 / ko));
-    return {per_electron * electron_yield(temperature),
-            per_electron * leaf.jmax * rise(43.5, temperature),
-            curvature_at(leaf.theta, temperature), leaf.beta,
-            smooth_minimum(leaf.beta, rubisco,
-                           3 * leaf.tpu * triose_use(temperature))};
+    return FarquharAt(leaf, temperature)(ci);
 }
 
 double dark_respiration(const FarquharLeaf& leaf, double temperature) {

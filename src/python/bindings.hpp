@@ -10,6 +10,7 @@ void translate_errors();
 
 void bind_stand(nanobind::module_& module);
 void bind_mesh(nanobind::module_& module);
+void bind_energy(nanobind::module_& module);
 void bind_growth(nanobind::module_& module);
 void bind_search(nanobind::module_& module);
 

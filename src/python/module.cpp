@@ -16,6 +16,7 @@ NB_MODULE(_core, module) {
                "Name and version of the ray tracing library.");
     python::bind_stand(module);
     python::bind_mesh(module);
+    python::bind_energy(module);
     python::bind_growth(module);
     python::bind_search(module);
 }

@@ -128,10 +128,21 @@ def test_the_program_reads_a_typical_year_as_pvlib(
 )
 def test_formats_that_the_program_once_read(name: str, tmp_path: Path) -> None:
     found = convert(tmp_path, DATA / name)
+    # Wind and pressure are those of the files' rows: test_wind_and_pressure().
+    found = found.drop(columns=["wind", "pressure"], errors="ignore")
     expected = read_expected()[list(found)]
     assert ("diffuse" in found) == (name != "power_lst.csv")
     assert list(found.index) == list(expected.index)
     assert found.to_numpy() == pytest.approx(expected.to_numpy(), rel=1e-5)
+
+
+@pytest.mark.parametrize("name", ["tmy3.csv", "small.epw"])
+def test_wind_and_pressure(name: str, tmp_path: Path) -> None:
+    found = convert(tmp_path, DATA / name)
+    assert "longwave" not in found
+    assert found["pressure"].iloc[0] == pytest.approx(98.6)
+    if name == "tmy3.csv":
+        assert found["wind"].iloc[0] == pytest.approx(2.6)
 
 
 def test_the_program_reads_what_is_written(tmp_path: Path) -> None:

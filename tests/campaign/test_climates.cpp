@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "campaign/air.hpp"
 #include "campaign/reader.hpp"
 #include "campaign/resolve.hpp"
 #include "campaign/weather_reader.hpp"
@@ -99,6 +100,46 @@ TEST(Climates, ResolvedCampaignsNeedNoFile) {
         with(campaign.resolved, "diffuse = [0, ", "diffuse = [");
     EXPECT_NE(problem_of(short_of).find("weather.diffuse has 1487 values"),
               std::string::npos);
+}
+
+TEST(Climates, WindIsReadAndTheRestOfTheAirEstimated) {
+    const Campaign campaign =
+        read_campaign((folder / "bondville.toml").string(),
+                      {"climate.wind=[\"wind_m_s\", \"m/s\"]",
+                       "climate.wind_height=9", "climate.co2=550"});
+    const Campaign again = parse_campaign(campaign.resolved, "elsewhere.toml");
+    EXPECT_EQ(again.resolved, campaign.resolved);
+    const Case chosen = cases(again)[0];
+    LightSeries light = light_of(again, chosen);
+    EXPECT_EQ(light.co2, 550);
+    EXPECT_EQ(light.steps[1].wind, 2.42);
+    EXPECT_FALSE(light.steps[1].longwave);
+    EXPECT_EQ(estimate_air(light, chosen.site, again.par_fraction),
+              (std::vector<std::string>{"pressure", "longwave radiation"}));
+    EXPECT_EQ(light.wind_height, 9);
+    EXPECT_EQ(light.steps[1].wind, 2.42);
+    for (const TimeStep& step : light.steps) {
+        EXPECT_NEAR(step.pressure.value(), 98.8, .1);  // Bondville: 99.0
+        const double black =
+            5.670374419e-8 * std::pow(*step.temperature + 273.15, 4);
+        EXPECT_LE(step.longwave.value(), black * 1.01);
+        EXPECT_GE(step.longwave.value(), black * .68);
+    }
+    LightSeries still = light_of(bondville(), chosen);
+    EXPECT_EQ(still.co2, 400);
+    estimate_air(still, chosen.site, again.par_fraction);
+    EXPECT_EQ(still.wind_height, 2);
+    EXPECT_EQ(still.steps[1].wind, 2);
+}
+
+TEST(Climates, CloudsSendLongwaveRadiation) {
+    EXPECT_NEAR(standard_pressure(0), 101.325, 1e-12);
+    EXPECT_NEAR(standard_pressure(1500), 84.6, .1);
+    const double clear = sky_longwave(20, 15, 1);
+    EXPECT_NEAR(clear, 340, 5);
+    EXPECT_GT(sky_longwave(20, 20, 1), clear);
+    EXPECT_GT(sky_longwave(20, 15, .5), clear);
+    EXPECT_NEAR(sky_longwave(20, 15, 0), 418.7, .2);
 }
 
 TEST(Climates, NearInfraredIsStoredIfItIsFollowed) {

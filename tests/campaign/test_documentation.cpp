@@ -55,13 +55,16 @@ std::string with_climate(const std::string& more) {
                  "diffuse = [\"d\", \"W/m2\"]\n"
                  "diffuse_fraction = [\"f\", \"1\"]\n"
                  "temperature = [\"t\", \"C\"]\n"
-                 "humidity = [\"h\", \"%\"]\n");
+                 "humidity = [\"h\", \"%\"]\nwind = [\"w\", \"m/s\"]\n"
+                 "wind_height = 2\npressure = [\"p\", \"kPa\"]\n"
+                 "longwave = [\"l\", \"W/m2\"]\nco2 = 420\n");
     return text +
            "[[weather]]\nsite = \"Ames\"\nclimate = \"dry\"\n"
            "sha256 = \"0\"\nutc_offset = -6\ndates = 2025-08-07\n"
            "hours = [12]\nbeam = [100]\ndiffuse = [50]\n"
            "temperature = [20]\nhumidity = [0.5]\n"
-           "nir_beam = [110]\nnir_diffuse = [60]\n";
+           "nir_beam = [110]\nnir_diffuse = [60]\n"
+           "wind = [2]\npressure = [99]\nlongwave = [350]\n";
 }
 
 }  // namespace

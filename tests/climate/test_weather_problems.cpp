@@ -196,6 +196,31 @@ TEST(WeatherProblems, ColumnsAndUnitsAreNamed) {
                 HasSubstr("two columns have the name \"ghi\""));
 }
 
+TEST(WeatherProblems, WindPressureAndLongwaveHaveUnits) {
+    MadeCsv csv;
+    csv.header += ",u,p,l";
+    for (std::string& row : csv.rows) row += ",18,990,1.08";
+    csv.rows[4].replace(csv.rows[4].rfind(",18,"), 4, ",NA,");
+    WeatherRequest request = made_request();
+    request.columns.wind = Column{"u", "km/h"};
+    request.columns.pressure = Column{"p", "hPa"};
+    request.columns.longwave = Column{"l", "MJ/m2"};
+    const Weather weather = parse_weather(csv.text(), request);
+    for (const TimeStep& step : weather.series.steps) {
+        EXPECT_DOUBLE_EQ(step.wind.value(), 5);
+        EXPECT_DOUBLE_EQ(step.pressure.value(), 99);
+        EXPECT_DOUBLE_EQ(step.longwave.value(), 300);
+    }
+    EXPECT_EQ(weather.warnings.size(), 1U);
+    request.columns.pressure->unit = "kPa";
+    EXPECT_NE(error_of(csv.text(), request).find("990 means 990 kPa (outside"),
+              std::string::npos);
+    request.columns.pressure->unit = "hPa";
+    request.columns.longwave->unit = "umol/m2/s";
+    EXPECT_NE(error_of(csv.text(), request).find("is no unit of the column"),
+              std::string::npos);
+}
+
 TEST(WeatherProblems, FilesOfOtherFormatsAreConverted) {
     WeatherRequest request{"weather/mine.epw", middle_west};
     const std::string text = "LOCATION,a,b,c,d,1,42,-90,-6,300\n2011,7,1\n";

@@ -6,6 +6,7 @@
 
 #include "derivatives.hpp"
 #include "ideotype/physiology/collatz.hpp"
+#include "ideotype/physiology/energy_balance.hpp"
 #include "ideotype/physiology/temperature.hpp"
 
 namespace ideotype {
@@ -16,6 +17,8 @@ nlohmann::json values() {
     std::ifstream file(IDEOTYPE_TEST_DATA "/physiology/collatz.json");
     return nlohmann::json::parse(file);
 }
+
+constexpr Stomata biocro{Stomata::Model::ball_berry, .08, 3};
 
 TEST(Collatz, HasTheValuesOfFixedCo2) {
     const nlohmann::json all = values().at("fixed_ci");
@@ -36,9 +39,12 @@ TEST(Collatz, HasTheValuesOfBallAndBerry) {
     const nlohmann::json all = values().at("ball_berry");
     ASSERT_EQ(all.size(), 30U);
     for (const auto& each : all) {
-        const Stomata stomata{.08, 3, 1.2, each.at("ca")};
+        const double temperature = each.at("T");
+        const SurfaceAir air{
+            each.at("ca"),
+            each.at("rh").get<double>() * saturated_vapour(temperature), 1.2};
         const LeafBalance leaf =
-            balance({}, stomata, each.at("Q"), each.at("T"), each.at("rh"));
+            balance({}, biocro, air, each.at("Q"), temperature);
         EXPECT_NEAR(leaf.net, each.at("A"), 1e-9);
         EXPECT_NEAR(leaf.ci, each.at("ci"), 1e-7);
         EXPECT_NEAR(leaf.conductance, each.at("gs"), 1e-10);
@@ -54,7 +60,8 @@ TEST(Collatz, OfALeafWithStomataIsConcave) {
     for (const double humidity : {.3, .7, 1.}) {
         double before = 1, last = 0;
         for (double light = 10; light < 2500; light += 10) {
-            const double gross = balance({}, {}, light, 25, humidity).net +
+            const SurfaceAir air{400, humidity * saturated_vapour(25), 1.2};
+            const double gross = balance({}, biocro, air, light, 25).net +
                                  dark_respiration(CollatzLeaf{}, 25);
             EXPECT_LT(gross - last, before + 1e-8);
             before = gross - last;

@@ -14,6 +14,7 @@ from ._errors import Error, InputError, Problem
 
 if TYPE_CHECKING:
     from ._crop import Crop
+    from ._energy import leaf_energy_balance
     from ._mesh import Canopy, mesh
     from ._search import Search
     from ._stand import Stand
@@ -28,6 +29,7 @@ __all__ = [
     "Problem",
     "Search",
     "Stand",
+    "leaf_energy_balance",
     "mesh",
     "open",
     "open_history",
@@ -41,6 +43,7 @@ _PLACES = {
     "Crop": ("._crop", "Crop"),
     "Search": ("._search", "Search"),
     "Stand": ("._stand", "Stand"),
+    "leaf_energy_balance": ("._energy", "leaf_energy_balance"),
     "mesh": ("._mesh", "mesh"),
     "open": (".analysis", "open_arrays"),
     "open_history": (".analysis", "open_history"),

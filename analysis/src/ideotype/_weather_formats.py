@@ -14,7 +14,6 @@ import pandas as pd
 
 from ._errors import Error
 from ._weather_tables import (
-    MISSING,
     Readings,
     named,
     read_dwd,
@@ -34,9 +33,7 @@ def read(path: Path, form: str) -> Readings:
     if form == "auto":
         form = _form_of(path)
     readings = FORMATS[form](path)
-    frame = readings.frame.astype(float)
-    frame = frame.where(~frame.isin(MISSING))
-    readings.frame = frame.dropna(axis=1, how="all")
+    readings.frame = readings.frame.astype(float).dropna(axis=1, how="all")
     days = (readings.frame.index - pd.Timedelta("1s")).to_series()
     # Months of different years follow each other in a typical year.
     readings.is_typical |= bool(

@@ -19,8 +19,18 @@ import pandas as pd
 from ._errors import Error
 
 #: The columns of readings: light in W m-2, temperature in deg C, relative
-#: humidity in %.
-COLUMNS = ("global", "beam_normal", "diffuse", "temperature", "humidity")
+#: humidity in %; wind at 10 m in m s-1, pressure in kPa, longwave radiation of
+#: the sky in W m-2.
+COLUMNS = (
+    "global",
+    "beam_normal",
+    "diffuse",
+    "temperature",
+    "humidity",
+    "wind",
+    "pressure",
+    "longwave",
+)
 _PVLIB = ("ghi", "dni", "dhi", "temp_air", "relative_humidity")
 MISSING = [-99, -999, -9900, -9999, 9999, 99999]
 
@@ -38,10 +48,13 @@ class Readings:
 
 
 def named(
-    table: pd.DataFrame, names: tuple[str, ...] = _PVLIB, **wanted: Any
+    table: pd.DataFrame,
+    names: tuple[str, ...] = _PVLIB,
+    pascals: float = 1000,
+    **wanted: Any,
 ) -> Readings:
     """Takes the columns that there are, which have these names, from a table
-    by stamps with or without a time zone."""
+    by stamps with or without a time zone; `pascals`: the unit of pressure."""
     index = pd.DatetimeIndex(table.index)
     offset = index[0].utcoffset() if index.tz else pd.Timedelta(0)
     frame = pd.DataFrame(
@@ -51,6 +64,9 @@ def named(
             if theirs in table.columns
         }
     )
+    frame = frame.where(~frame.isin(MISSING))
+    if "pressure" in frame:
+        frame["pressure"] *= pascals / 1000
     frame.index = index.tz_localize(None).as_unit("ns")
     wanted = {"utc_offset": offset / pd.Timedelta("1h")} | wanted
     return Readings(frame, **wanted)
@@ -68,7 +84,10 @@ def read_tmy3(path: Path) -> Readings:
             *(f"{name} (W/m^2)" for name in ("GHI", "DNI", "DHI")),
             "Dry-bulb (C)",
             "RHum (%)",
+            "Wspd (m/s)",
+            "Pressure (mbar)",
         ),
+        pascals=100,
         utc_offset=offset,
         place=(place[0], place[1]),
     )
@@ -83,10 +102,13 @@ def read_epw(path: Path) -> Readings:
     names = dict(enumerate(("year", "month", "day", "hour", "minute")))
     names |= {6: "temperature", 8: "humidity", 13: "global"}
     names |= {14: "beam_normal", 15: "diffuse"}
+    names |= {21: "wind", 9: "pressure", 12: "longwave"}
     table = pd.read_csv(
         io.StringIO("\n".join(lines[first + 1 :])), header=None
-    )[list(names)].rename(columns=names)
-    table = table.replace({"temperature": 99.9, "humidity": 999}, np.nan)
+    )
+    table = table[[x for x in names if x in table]].rename(columns=names)
+    unknown = {"temperature": 99.9, "humidity": 999, "wind": 999}
+    table = table.replace(unknown | {"pressure": 999999}, np.nan)
     # The only row of an hour has minute 0 or 60, and both mean the whole hour.
     is_parted = table["minute"].nunique() > 1
     minute = table["minute"].where((table["minute"] > 0) & is_parted, 60)
@@ -98,6 +120,7 @@ def read_epw(path: Path) -> Readings:
     return named(
         table.set_index(pd.DatetimeIndex(stamps)),
         COLUMNS,
+        pascals=1,
         utc_offset=offset,
         place=(latitude, longitude),
     )
@@ -112,7 +135,11 @@ def read_nsrdb(path: Path) -> Readings:
     hourly = len(table) > 1 and (table["Minute"].iloc[:2] == 0).all()
     return named(
         table,
-        ("GHI", "DNI", "DHI", "Temperature", "Relative Humidity"),
+        (
+            *("GHI", "DNI", "DHI", "Temperature", "Relative Humidity"),
+            *("Wind Speed", "Pressure"),
+        ),
+        pascals=100,
         utc_offset=float(meta["Time Zone"]),
         place=(float(meta["Latitude"]), float(meta["Longitude"])),
         # Hourly files from before May 2019 have minutes 0.
@@ -132,8 +159,9 @@ def read_power(path: Path) -> Readings:
             "download the hourly data of one point, with its header"
         )
     light = ("ALLSKY_SFC_SW_DWN", "ALLSKY_SFC_SW_DNI", "ALLSKY_SFC_SW_DIFF")
+    longwave = "ALLSKY_SFC_LW_DWN"
     factors = {"kwhr": 1e3, "kwh": 1e3, "mj": 1e6 / 3600, "kj": 1e3 / 3600}
-    for name in light:
+    for name in (*light, longwave):
         line = re.search(rf"^{name} .*\(([^()]*)\) *$", head, re.MULTILINE)
         if line and name in table:
             unit = line[1].lower().replace("-", "").split("/")[0]
@@ -147,7 +175,7 @@ def read_power(path: Path) -> Readings:
     is_utc = re.search(r"^Dates.*UTC *$", head, re.MULTILINE)
     return named(
         table,
-        (*light, "T2M", "RH2M"),
+        (*light, "T2M", "RH2M", "WS10M", "PS", longwave),
         utc_offset=0 if is_utc else round(longitude / 15),
         place=(latitude, longitude),
         stamp="beginning",

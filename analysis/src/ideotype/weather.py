@@ -231,7 +231,15 @@ def _write(
         f"# made by ideotype weather of {names}: the middles of time steps, "
         f"W m-2, deg C, %\n# latitude {place[0]:.6g}, longitude {place[1]:.6g}\n"
     )
-    table = frame[[name for name in COLUMNS if name in frame]]
+    # The program would refuse what lacks more than it interpolates.
+    air = [name for name in COLUMNS[5:] if name in frame]
+    table = frame[
+        [
+            name
+            for name in COLUMNS
+            if name in frame and (name not in air or frame[name].notna().all())
+        ]
+    ]
     times = table.index.strftime("%Y-%m-%dT%H:%M:%S") + zone
     text = head + table.set_axis(times).to_csv(index_label="time")
     part = options.to.with_name(options.to.name + ".part")

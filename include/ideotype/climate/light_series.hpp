@@ -29,6 +29,10 @@ struct TimeStep {
     //! The solar radiation beyond PAR, all of which counts as near infrared,
     //! horizontal [W m-2].
     Irradiance nir{};
+    std::optional<double> wind{};      //!< at LightSeries::wind_height [m s-1]
+    std::optional<double> pressure{};  //!< of the air [kPa]
+    //! Longwave radiation of the sky, horizontal [W m-2].
+    std::optional<double> longwave{};
 
     bool is_lit() const { return par.beam + par.diffuse > 0; }
 };
@@ -38,7 +42,9 @@ struct TimeStep {
 struct LightSeries {
     std::vector<TimeStep> steps;
     int days = 1;
-    double utc_offset = 0;  //!< of the clock of hours [h]
+    double utc_offset = 0;    //!< of the clock of hours [h]
+    double wind_height = 10;  //!< above the ground [m]
+    double co2 = 400;         //!< of the air [umol mol-1]
 
     double beam() const;      //!< PAR on a mean day [J m-2 day-1]
     double diffuse() const;   //!< PAR on a mean day [J m-2 day-1]

@@ -54,6 +54,10 @@ struct ColumnMap {
     std::optional<Column> diffuse_fraction{};  //!< of the global light; 1 or %
     std::optional<Column> temperature{};       //!< C, K or F
     std::optional<Column> humidity{};          //!< relative; 1 or %
+    std::optional<Column> wind{};              //!< m/s, km/h, mph or kn
+    std::optional<Column> pressure{};          //!< kPa, hPa, mbar or Pa
+    //! Longwave radiation of the sky on a horizontal plane, as of light.
+    std::optional<Column> longwave{};
 };
 
 //! The weather that is wanted of a CSV file.
@@ -95,7 +99,7 @@ struct Weather {
 //! fraction of PAR.
 //!
 //! Light slightly below 0, or not known while the sun is down, is 0.
-//! Temperature and humidity are interpolated over up to 6 hours. A 29 February
+//! All else is interpolated over up to 6 hours. A 29 February
 //! that the file leaves out stays out.
 //!
 //! @throws InputError of what cannot be read or believed: unknown columns and

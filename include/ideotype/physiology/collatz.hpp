@@ -24,6 +24,22 @@ struct CollatzLeaf {
 //! @param ci CO2 within the leaf [umol mol-1]
 Colimitation collatz_at(const CollatzLeaf& leaf, double temperature, double ci);
 
+//! collatz_at() of one temperature for many values of CO2.
+class CollatzAt {
+  public:
+    CollatzAt(const CollatzLeaf& leaf, double temperature);
+
+    Colimitation operator()(double ci) const {
+        Colimitation response = without_co2_;
+        response.limit = slope_ * ci;
+        return response;
+    }
+
+  private:
+    Colimitation without_co2_;
+    double slope_;  //!< of the response to CO2 [mol m-2 s-1]
+};
+
 //! Dark respiration [umol m-2 s-1] at a temperature [deg C]:
 //! R 2^((T - 25) / 10) / (1 + e^{1.3 (T - 55)}).
 double dark_respiration(const CollatzLeaf& leaf, double temperature);
@@ -33,31 +49,5 @@ double dark_respiration(const CollatzLeaf& leaf, double temperature);
 //! DCaPST).
 //! @param ambient CO2 of the air [umol mol-1]
 double ci_of_deficit(double deficit, double ambient = 400);
-
-//! Stomata after Ball, Woodrow and Berry 1987: the conductance of water
-//! vapour is b0 + b1 A h / cs, where h and cs are humidity and CO2 at the
-//! surface of the leaf, behind the boundary layer.
-struct Stomata {
-    double b0 = 0.08;       //!< [mol m-2 s-1]
-    double b1 = 3;          //!< [-]
-    double boundary = 1.2;  //!< conductance of its layer [mol m-2 s-1]
-    double ambient = 400;   //!< CO2 of the air [umol mol-1]
-};
-
-//! A leaf in balance with its stomata.
-struct LeafBalance {
-    double net = 0;          //!< assimilation [umol m-2 s-1]
-    double ci = 0;           //!< CO2 within the leaf [umol mol-1]
-    double conductance = 0;  //!< of the stomata [mol m-2 s-1]
-};
-
-//! Net assimilation where the CO2 within the leaf is that which its stomata
-//! let in. Ratios of the conductances of CO2 and water: 1.37 (boundary layer)
-//! and 1.6 (stomata).
-//! @param absorbed [umol m-2 s-1]
-//! @param temperature of leaf and air [deg C]
-//! @param humidity relative, of the air, 0 to 1
-LeafBalance balance(const CollatzLeaf& leaf, const Stomata& stomata,
-                    double absorbed, double temperature, double humidity);
 
 }  // namespace ideotype

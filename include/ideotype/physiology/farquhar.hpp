@@ -54,6 +54,20 @@ struct FarquharLeaf {
 Colimitation farquhar_at(const FarquharLeaf& leaf, double temperature,
                          double ci);
 
+//! farquhar_at() of one temperature for many values of CO2.
+class FarquharAt {
+  public:
+    FarquharAt(const FarquharLeaf& leaf, double temperature);
+    Colimitation operator()(double ci) const;
+
+  private:
+    double compensation_;  //!< G* [umol mol-1]
+    double half_rate_;     //!< Kc (1 + O / Ko) [umol mol-1]
+    double vcmax_, triose_use_;
+    double jmax_, jmax_rise_;  //!< jmax at 25 deg C, and times what it is
+    double yield_, theta_, beta_;
+};
+
 //! Respiration [umol m-2 s-1] at a temperature [deg C] (Bernacchi et al. 2001).
 double dark_respiration(const FarquharLeaf& leaf, double temperature);
 

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ideotype/physiology/energy_balance.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ideotype/core/units.hpp"
+#include "ideotype/physiology/temperature.hpp"
+#include "root.hpp"
+
+namespace ideotype {
+
+namespace {
+
+constexpr double kelvin = 273.15;
+//! No leaf is colder [deg C]; saturated_vapour() has a pole below.
+constexpr double coldest = -200;
+constexpr double stefan_boltzmann = 5.670374419e-8;  //!< [W m-2 K-4]
+constexpr double gas = 8.314462618e-3;               //!< [kPa m3 mol-1 K-1]
+constexpr double heat_capacity = 29.3;               //!< of air [J mol-1 K-1]
+constexpr double vapour_over_heat = 1.09;
+
+//! A leaf of one temperature behind its boundary layer. Openness is gs / (gs +
+//! gb), from 0 to 1: the part that the drop of vapour pressure within the
+//! boundary layer has in all of it.
+template <class AtTemperature>
+class Behind {
+  public:
+    template <class Rates>
+    Behind(const Rates& rates, const Stomata& stomata, const SurfaceAir& air,
+           double absorbed, double temperature)
+        : response_(rates, temperature),
+          respiration_(dark_respiration(rates, temperature)),
+          saturated_(saturated_vapour(temperature)),
+          stomata_(stomata),
+          air_(air),
+          absorbed_(absorbed) {}
+
+    //! The balance of CO2: one, since more assimilation leaves less within.
+    LeafBalance at(double openness) const {
+        const double gs = conductance(openness);
+        const double resistance = resistance_of(gs);
+        const double most = air_.co2 / resistance;
+        const auto missing = [&](double a) {
+            return a - net(std::max(air_.co2 - a * resistance, 0.));
+        };
+        const double a = root(missing, -respiration_, most, 1e-13);
+        LeafBalance found{a, std::max(air_.co2 - a * resistance, 0.),
+                          stomata_.intercept};
+        if (a > 0)
+            found.conductance +=
+                slope(openness) * a / (air_.co2 - 1.37 * a / air_.boundary);
+        return found;
+    }
+
+    //! Assimilation less that at which stomata would be so open; it has the
+    //! sign of the conductance to which they would open less that which is, and
+    //! is positive where that is below the intercept.
+    double excess(double openness) const {
+        const double gs = conductance(openness);
+        const double beyond = gs - stomata_.intercept;
+        if (beyond < 0) return 1;
+        const double implied =
+            air_.co2 / (slope(openness) / beyond + 1.37 / air_.boundary);
+        return net(std::max(air_.co2 - implied * resistance_of(gs), 0.)) -
+               implied;
+    }
+
+  private:
+    double net(double ci) const {
+        return response_(ci).gross(absorbed_) - respiration_;
+    }
+
+    //! Closed stomata leak so little that nothing overflows.
+    double conductance(double openness) const {
+        return std::max(
+            air_.boundary * openness / std::max(1 - openness, 1e-15), 1e-12);
+    }
+
+    //! Of CO2 from the air into the leaf [m2 s mol-1].
+    double resistance_of(double gs) const {
+        return 1.37 / air_.boundary + 1.6 / gs;
+    }
+
+    //! Conductance beyond the intercept per assimilation over surface CO2.
+    double slope(double openness) const {
+        const double surface = std::lerp(air_.vapour, saturated_, openness);
+        if (stomata_.model == Stomata::Model::medlyn)
+            return 1.6 *
+                   (1 + stomata_.slope /
+                            std::sqrt(std::max(saturated_ - surface, 0.05)));
+        return std::max(stomata_.slope * std::min(surface / saturated_, 1.),
+                        1e-100);
+    }
+
+    AtTemperature response_;
+    double respiration_, saturated_;
+    const Stomata& stomata_;
+    const SurfaceAir& air_;
+    double absorbed_;
+};
+
+Behind<CollatzAt> behind(const CollatzLeaf& rates, const auto&... rest) {
+    return {rates, rest...};
+}
+
+Behind<FarquharAt> behind(const FarquharLeaf& rates, const auto&... rest) {
+    return {rates, rest...};
+}
+
+//! The first root of a function among places in order, and how many times it
+//! turns. It counts as negative at the first place and as positive at the last.
+struct FirstRoot {
+    double x;
+    int roots;
+};
+
+template <class Function, class Places>
+FirstRoot first_root(const Function& f, const Places& places,
+                     double tolerance) {
+    Point before{places.front(), -1};
+    FirstRoot found{places.back(), 0};
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        const bool is_last = i + 1 == places.size();
+        if (places[i] == before.x && !is_last) continue;
+        const double value = f(places[i]);
+        const Point here{places[i], is_last ? std::max(value, 0.) : value};
+        if ((here.value < 0) != (before.value < 0) && ++found.roots == 1)
+            found.x = root(f, before, here, tolerance);
+        before = here;
+    }
+    return found;
+}
+
+constexpr std::size_t steps = 40;
+
+template <class Rates>
+LeafBalance balance_of(const Rates& rates, const Stomata& stomata,
+                       const SurfaceAir& air, double absorbed,
+                       double temperature) {
+    const auto leaf = behind(rates, stomata, air, absorbed, temperature);
+    std::array<double, steps + 1> closed;
+    for (std::size_t i = 0; i <= steps; ++i)
+        closed[i] = static_cast<double>(i) / steps;
+    // Shut stomata are a balance if no more is wanted.
+    const FirstRoot found =
+        first_root([&](double x) { return leaf.excess(1 - x); }, closed, 1e-15);
+    const double openness = 1 - found.x;
+    LeafBalance result = leaf.at(openness);
+    result.roots = found.roots;
+    return result;
+}
+
+//! The energy of a point of a leaf at any temperature.
+class Energy {
+  public:
+    Energy(const ThermalLeaf& leaf, const LeafSurroundings& around)
+        : around_(around),
+          absorbed_(around.ppfd / mol_per_mj_par + around.nir +
+                    around.longwave),
+          emission_(2 * leaf.emissivity * stefan_boltzmann),
+          vapour_(around.humidity * saturated_vapour(around.temperature)),
+          latent_heat_(0.0180153 * (2.501e6 - 2361 * around.temperature)) {
+        const double d = 0.72 * around.width;
+        const double air =
+            around.pressure / (gas * (around.temperature + kelvin));
+        free_ = 0.05 / std::pow(d, 0.25);
+        unmoved_ = cube(1.4 * 0.135 * std::sqrt(around.wind / d)) +
+                   cube(2.15e-5 * air / d);
+        const double r = leaf.ratio > 1 ? 1 / leaf.ratio : leaf.ratio;
+        faces_ = (1 + r) * (1 + r) / (1 + r * r);
+    }
+
+    double vapour() const { return vapour_; }
+
+    //! Conductance of heat of one face.
+    double heat(double t) const {
+        const double apart = std::abs(t - around_.temperature);
+        return std::cbrt(unmoved_ + cube(free_ * std::sqrt(std::sqrt(apart))));
+    }
+
+    //! Conductance of vapour of the boundary layers in front of the stomata.
+    double boundary(double t) const {
+        return vapour_over_heat * faces_ * heat(t);
+    }
+
+    double net_radiation(double t) const {
+        const double k = t + kelvin;
+        return absorbed_ - emission_ * k * k * k * k;
+    }
+
+    double sensible(double t) const {
+        return 2 * heat_capacity * heat(t) * (t - around_.temperature);
+    }
+
+    //! Latent heat with a conductance of vapour [W m-2].
+    double latent(double t, double conductance) const {
+        return latent_heat_ * conductance * (saturated_vapour(t) - vapour_) /
+               around_.pressure;
+    }
+
+    double latent_of_dew(double t) const {
+        return std::min(latent(t, 2 * vapour_over_heat * heat(t)), 0.);
+    }
+
+    //! Returns whether air at the leaf is at least saturated: no water leaves
+    //! it.
+    bool has_dew(double t) const { return saturated_vapour(t) <= vapour_; }
+
+    double transpiration(double latent) const {
+        return 1e3 * latent / latent_heat_;
+    }
+
+    //! The temperature with shut stomata, which no leaf exceeds: there is one,
+    //! as radiation, heat and dew all fall with temperature.
+    double warmest() const {
+        const double t = around_.temperature, alone = radiative();
+        return root(
+            [&](double x) {
+                return sensible(x) + latent_of_dew(x) - net_radiation(x);
+            },
+            std::min(t, alone), std::max(t, alone), 1e-12);
+    }
+
+    //! A temperature that no leaf falls below without dew: below the smaller of
+    //! that of a wet surface without radiation, whatever the wind, and that of
+    //! radiation alone, heat and radiation both warm any leaf.
+    double coolest() const {
+        const auto cooling = [&](double x) {
+            return 2 * heat_capacity * (x - around_.temperature) +
+                   latent(x, vapour_over_heat * faces_);
+        };
+        return std::min(root(cooling, coldest, around_.temperature, 1e-9),
+                        radiative());
+    }
+
+    //! The openness of stomata that closes the balance; up to 2, where even
+    //! stomata without resistance evaporate too little.
+    double openness(double t) const {
+        const double most = latent(t, boundary(t));
+        const double need = net_radiation(t) - sensible(t);
+        return most > 0 ? std::clamp(need / most, 0., 2.) : 2;
+    }
+
+  private:
+    static double cube(double x) { return x * x * x; }
+
+    double radiative() const {
+        return std::max(std::sqrt(std::sqrt(absorbed_ / emission_)) - kelvin,
+                        coldest);
+    }
+
+    const LeafSurroundings& around_;
+    double absorbed_, emission_, vapour_, latent_heat_;
+    double free_, unmoved_, faces_;
+};
+
+//! Temperatures between two, which lie denser below that of the air: without
+//! wind conductances change fast there.
+std::array<double, 2 * steps + 1> temperatures(double low, double high,
+                                               double air) {
+    const double bend = std::clamp(air, low, high);
+    std::array<double, 2 * steps + 1> all;
+    for (std::size_t i = 0; i <= steps; ++i) {
+        const double part = static_cast<double>(i) / steps;
+        all[i] = bend - (bend - low) * (1 - part) * (1 - part);
+        all[steps + i] = bend + (high - bend) * part;
+    }
+    return all;
+}
+
+template <class Rates>
+EnergyBalance energy_of(const Rates& rates, const ThermalLeaf& leaf,
+                        const LeafSurroundings& around) {
+    const Energy energy(leaf, around);
+    const auto air_at = [&](double t) {
+        return SurfaceAir{around.co2, energy.vapour(), energy.boundary(t)};
+    };
+    LeafBalance inside;
+    double latent = 0, t = energy.warmest();
+    if (energy.has_dew(t)) {
+        inside = balance_of(rates, leaf.stomata, air_at(t), around.ppfd, t);
+        latent = energy.latent_of_dew(t);
+    } else {
+        const auto excess = [&](double x) {
+            const double openness = energy.openness(x);
+            if (openness >= 1) return -openness;
+            const SurfaceAir air = air_at(x);
+            return behind(rates, leaf.stomata, air, around.ppfd, x)
+                .excess(openness);
+        };
+        const double low = std::min(energy.coolest(), t);
+        const FirstRoot found =
+            first_root(excess, temperatures(low, t, around.temperature), 1e-12);
+        t = found.x;
+        const SurfaceAir air = air_at(t);
+        inside = behind(rates, leaf.stomata, air, around.ppfd, t)
+                     .at(std::min(energy.openness(t), 1.));
+        inside.roots = found.roots;
+        const double gs = inside.conductance;
+        latent = energy.latent(t, gs * air.boundary / (gs + air.boundary));
+    }
+    return {t,
+            inside.net,
+            inside.conductance,
+            inside.ci,
+            energy.transpiration(latent),
+            latent,
+            energy.sensible(t),
+            energy.net_radiation(t),
+            energy.heat(t),
+            inside.roots};
+}
+
+}  // namespace
+
+LeafBalance balance(const Co2Leaf& leaf, const Stomata& stomata,
+                    const SurfaceAir& air, double absorbed,
+                    double temperature) {
+    return std::visit(
+        [&](const auto& each) {
+            return balance_of(each, stomata, air, absorbed, temperature);
+        },
+        leaf);
+}
+
+EnergyBalance energy_balance(const ThermalLeaf& leaf,
+                             const LeafSurroundings& around) {
+    return std::visit(
+        [&](const auto& each) { return energy_of(each, leaf, around); },
+        leaf.rates);
+}
+
+}  // namespace ideotype

@@ -34,6 +34,9 @@ struct Leaf {
     //! stalk and height, in any unit and from any origin. None: the angle of
     //! the midrib follows from insertion_angle and curvature.
     std::vector<glm::dvec2> midrib{};
+    //! Parts of the length of a single blade: at its base that is not out yet,
+    //! and at its tip that is dead. The blade begins where it comes out.
+    double hidden = 0, dead = 0;
 };
 
 //! Sets insertion_angle and curvature of a leaf whose midrib is digitised: the
@@ -134,11 +137,15 @@ struct Tessellation {
 };
 
 //! The names of a plant's present organs besides its leaves, in the order of
-//! their groups: "stalk", "sheath", "petiole", then the others.
+//! their groups: "stalk", "sheath", "petiole", "dead_leaves", then the others.
 std::vector<std::string> organ_names(const Plant& plant);
 
 //! Returns whether any leaf has a petiole, be it present or not.
 bool has_petioles(const Plant& plant);
+
+//! Returns whether a part of any leaf is dead. Dead parts have the optics of
+//! the stalk.
+bool has_dead_leaves(const Plant& plant);
 
 //! Puts each leaf whose internode is told so far above the leaf below it, and
 //! the top of the stalk at the highest leaf if that is one of them.

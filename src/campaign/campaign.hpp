@@ -39,6 +39,11 @@ struct Climate {
     Period period;
     std::string stamp;  //!< "": that of the format
     ColumnMap columns;
+    //! The day on which plants emerge that then grow; of year 0: they stand as
+    //! they are.
+    Date emergence{0, 1, 1};
+
+    bool grows() const { return emergence.year > 0; }
 };
 
 //! The weather of a site in a climate, as it was read.
@@ -145,6 +150,7 @@ struct Standing {
     //! for each field. 0: none.
     int mixed = 0;
     int plants = 0;                  //!< in each of its rows; 0: as the field's
+    int later = 0;                   //!< it emerges than the crop [d]
     std::optional<double> jitter{};  //!< in the place of the field's [deg]
     //! Variation of its plants, in the place of that of the field.
     std::optional<PlantVariation> variation{};
@@ -217,6 +223,7 @@ struct Campaign {
     SkyModel sky_model = SkyModel::uniform;  //!< of diffuse light
     //! Of a climate: the suns of so many dates stand for all. 0: without one.
     int sun_dates = 3;
+    int stages = 10;    //!< of canopies that grow
     Accuracy sampling;  //!< of an evaluation during evolution
     //! Quantities that are searched for, in this order.
     std::vector<std::string> maximised{"absorbed_par"}, minimised;
@@ -272,6 +279,21 @@ std::string unit_of(const Campaign& campaign, const std::string& quantity);
 //! Whether an objective is of what leaves make of light.
 bool asks_for_assimilation(const Campaign& campaign);
 
+//! A canopy that grows, at one of several moments. It stands for the hours
+//! around that: by thermal time, figures are linear between stages.
+struct Stage {
+    std::uint32_t number = 0;  //!< from 0
+    //! Of the campaign's crop at this stage, and at those before and after it,
+    //! if there are [deg C d].
+    double at = 0;
+    std::optional<double> before{}, after{};
+    double day = 0;  //!< since emergence
+    //! Thermal time of each component since its own emergence, and at the stage
+    //! before [deg C d]; the campaign's crop is the first.
+    std::vector<double> ages{}, ages_before{};
+    double share = 1;  //!< about the part of the season's carbon
+};
+
 //! One point of the sweep: a single evolution with its own history.
 struct Case {
     int index = 0;
@@ -289,6 +311,10 @@ struct Case {
     //! its own site, day and spacing are those of the first. Empty: it is the
     //! only one.
     std::vector<Case> scenarios{};
+    //! The same at each stage, where plants grow; but for scenarios, which have
+    //! their own.
+    std::vector<Case> stages{};
+    std::optional<Stage> stage{};  //!< if it is one of those
 };
 
 //! The rows of the field, from 0, in which plants are bred.
@@ -302,6 +328,9 @@ bool is_over(const Campaign& campaign, const std::string& axis);
 
 //! The scenarios of a case, at least one.
 std::vector<Case> scenarios(const Case& chosen);
+
+//! Each scenario of a case at each of its stages.
+std::vector<Case> evaluated_cases(const Case& chosen);
 
 //! Reads and checks a campaign file and the crop file that it names.
 //! @param settings "table.key=value", in the place of what the file says

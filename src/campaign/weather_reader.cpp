@@ -32,7 +32,8 @@ bool check_climate(Climate& climate, Report& report) {
     }
     for (std::optional<Column>* column :
          {&columns.global, &columns.beam_normal, &columns.diffuse,
-          &columns.diffuse_fraction, &columns.temperature, &columns.humidity}) {
+          &columns.diffuse_fraction, &columns.ppfd, &columns.temperature,
+          &columns.humidity}) {
         if (!report.usable({column})) return false;
         if (!*column || !columns.time.empty()) continue;
         report.add(column,

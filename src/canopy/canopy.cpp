@@ -34,6 +34,16 @@ Scene with_a_group_per_face(Scene scene) {
     return scene;
 }
 
+//! Area of dead parts of the leaves of a plant [m2].
+double dead_area(const Mesh& mesh) {
+    const std::vector<double> areas = face_areas(mesh);
+    double sum = 0;
+    for (std::size_t f = 0; f < areas.size(); ++f)
+        if (mesh.groups[mesh.face_group[f]].name == dead_leaves)
+            sum += areas[f];
+    return sum;
+}
+
 //! Leaf area index of each group of a scene, of plants that do not deviate from
 //! their line.
 std::vector<double> leaf_area_of_lines(const Scene& scene, std::size_t groups) {
@@ -68,6 +78,7 @@ class Reporter {
     CanopyReport result() && {
         result_.layers = shared_.layers;
         result_.days = scene_.light().series.days;
+        result_.grows = scene_.light().series.grows;
         result_.groups = lines_.groups;
         result_.boundary = scene_.cell.boundary;
         result_.ground_area = scene_.cell.ground_area;
@@ -91,7 +102,9 @@ class Reporter {
         const auto& lines = request_.details.lines;
         if (lines && !scene_.components.empty() &&
             scene_.components.front().plant)
-            result_.lines = distance(*lines, *scene_.components.front().plant);
+            result_.lines =
+                distance(*lines, scene_.components.front().full_grown.value_or(
+                                     *scene_.components.front().plant));
     }
 
     void report_areas() {
@@ -106,6 +119,8 @@ class Reporter {
             result_.lai += lai;
             result_.plant_area_index += index;
             if (component.photosynthesis) result_.assimilating_lai += lai;
+            result_.dead_area_index +=
+                dead_area(component.mesh) / component.ground_per_plant;
         }
         for (const FixedObject& each : scene_.objects) {
             const std::vector<double> faces = face_areas(each.mesh);

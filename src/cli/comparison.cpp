@@ -176,8 +176,8 @@ Outcome evaluate(const Comparison& comparison, std::size_t plant,
     const ComparedCase& in = comparison.cases.at(chosen);
     const Sampling sampling =
         sampling_in(comparison.under, in.chosen, comparison.tolerance);
-    CanopyRequest request =
-        request_of(sampling, comparison.under, in.scene, compared.plants);
+    CanopyRequest request = request_of(sampling, comparison.under, in.chosen,
+                                       in.scene, compared.plants);
     request.layers = comparison.layers;
     const CanopyReport report = evaluate(request, device);
     std::map<std::string, std::vector<Randomised>> profiles;

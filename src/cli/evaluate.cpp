@@ -105,9 +105,9 @@ std::vector<Study> studies(const Task& task, const Campaign& campaign,
                            const std::string& isa) {
     const Device device(isa);
     std::vector<Study> all;
-    for (const Case& each : scenarios(chosen)) {
+    for (const Case& each : evaluated_cases(chosen)) {
         CanopyRequest request =
-            request_of(sampling_of(task, campaign, each), campaign,
+            request_of(sampling_of(task, campaign, each), campaign, each,
                        scene_of(campaign, each), plants);
         request.details.sunlit = true;
         const double began = now();
@@ -139,9 +139,7 @@ Outcome outcome_of(const ChosenRow& row, const Plant& plant,
     std::vector<Outcome> each;
     for (const Study& study : all)
         each.push_back(to_outcome(row.campaign, plant, study.report));
-    return each.size() == 1
-               ? each.front()
-               : AcrossScenarios(row.campaign, row.chosen).combine(each);
+    return AcrossScenarios(row.campaign, row.chosen).combine(each);
 }
 
 ExitCode evaluate_baseline(const EvaluateOptions& options) {

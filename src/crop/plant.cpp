@@ -236,8 +236,7 @@ Mesh build_plant(const Plant& plant, const Tessellation& tessellation) {
         add_petioles(mesh, plant);
     }
     if (has_dead_leaves(plant)) {
-        const std::uint32_t group =
-            begin("stalk_dead_leaves", PlantMaterial::stalk);
+        const std::uint32_t group = begin(dead_leaves, PlantMaterial::stalk);
         for (const Leaf& leaf : plant.leaves)
             add_dead_part(mesh, group, plant, leaf, tessellation.cells_along);
     }

@@ -29,6 +29,7 @@ struct TimeStep {
     //! The solar radiation beyond PAR, all of which counts as near infrared,
     //! horizontal [W m-2].
     Irradiance nir{};
+    bool is_late = false;  //!< after the silking of plants that grow
 
     bool is_lit() const { return par.beam + par.diffuse > 0; }
 };
@@ -39,6 +40,9 @@ struct LightSeries {
     std::vector<TimeStep> steps;
     int days = 1;
     double utc_offset = 0;  //!< of the clock of hours [h]
+    //! Plants grow: each step has the part of its time for which they are as
+    //! they stand.
+    bool grows = false;
 
     double beam() const;      //!< PAR on a mean day [J m-2 day-1]
     double diffuse() const;   //!< PAR on a mean day [J m-2 day-1]

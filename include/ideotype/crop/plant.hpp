@@ -128,6 +128,9 @@ struct Plant {
     Petiole petiole{};
 };
 
+//! The name of the group of dead parts of leaves.
+inline constexpr auto dead_leaves = "stalk_dead_leaves";
+
 //! The fineness with which curved surfaces are cut into faces.
 struct Tessellation {
     //! Cells along a blade, which has two across; leaflets have two thirds as

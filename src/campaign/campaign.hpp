@@ -407,6 +407,9 @@ std::vector<Case> cases(const Campaign& campaign);
 //! @throws Error of wrong usage if there is none.
 Case case_at(const Campaign& campaign, int index, const std::string& path);
 
+//! The climate of a case.
+const Climate& climate_of(const Campaign& campaign, const Case& chosen);
+
 //! One plant for each component, that of the campaign's crop first.
 using Plants = std::vector<Plant>;
 

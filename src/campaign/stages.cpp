@@ -10,13 +10,6 @@ namespace ideotype {
 
 namespace {
 
-const Climate& climate_of(const Campaign& campaign, const Case& chosen) {
-    return std::find_if(
-               campaign.climates.begin(), campaign.climates.end(),
-               [&](const auto& each) { return each.name == chosen.day_name; })
-        ->value;
-}
-
 //! The thermal time in the middle of each hour of a series since plants
 //! emerged; negative before.
 std::vector<double> thermal_times(const Growth& growth, const Date& emergence,
@@ -67,29 +60,78 @@ Season season_of(const Campaign& campaign, const Case& chosen,
     return season;
 }
 
-//! About the part of light that green leaves of a crop's baseline intercept.
-double interception(const Growth& growth, double own_share,
-                    double ground_per_plant, double time) {
-    constexpr double extinction = 0.6;
-    double green = 0;
-    for (const LeafDates& leaf : leaf_dates(growth))
-        green += blade_area(growth, leaf, time).green;
-    return 1 - std::exp(-extinction * own_share * green / ground_per_plant);
-}
+//! A canopy at an age, roughly: the part of light that green leaves intercept,
+//! and how much of their height and of their angles plants have.
+struct Shape {
+    double interception = 0, height = 0, unfolded = 0;
+};
+
+//! The shapes of the canopy of a crop's baseline over time.
+class Shapes {
+  public:
+    Shapes(const Growth& growth, const Plant& plant,
+           const Tessellation& tessellation, double ground_per_plant)
+        : growth_(growth),
+          dates_(leaf_dates(growth)),
+          heights_(final_collar_heights(growth, plant)),
+          sheath_(plant.sheath.length) {
+        // Areas of the plant's own leaves need not be those of its growth.
+        double all = 0;
+        for (const LeafDates& leaf : dates_) all += leaf.area;
+        const Mesh mesh =
+            build_plant(complete_plant(growth, plant), tessellation);
+        index_ = plant_area(mesh).leaves / all / ground_per_plant;
+    }
+
+    Shape at(double time) const {
+        constexpr double extinction = 0.6;
+        double green = 0, visible = 0, unfolded = 0;
+        for (const LeafDates& leaf : dates_) {
+            const double share = visible_share(leaf, time);
+            green += blade_area(growth_, leaf, time).green;
+            visible += leaf.area * share;
+            unfolded += leaf.area * share * share;
+        }
+        return {1 - std::exp(-extinction * index_ * green),
+                collar_heights(growth_, heights_, sheath_, time).back() /
+                    heights_.back(),
+                visible > 0 ? unfolded / visible : 0};
+    }
+
+    //! When half of the first leaf is out.
+    double first() const {
+        return (dates_.front().tip + dates_.front().collar) / 2;
+    }
+
+  private:
+    const Growth& growth_;
+    std::vector<LeafDates> dates_;
+    std::vector<double> heights_;
+    double sheath_, index_ = 0;
+};
 
 //! Chooses so many of some points, the first and the last among them, so that
 //! straight lines between chosen ones are nearest to the values of all (by
 //! dynamic programming).
-std::vector<std::size_t> best_knots(const std::vector<double>& values,
+std::vector<std::size_t> best_knots(const std::vector<Shape>& values,
                                     std::size_t count) {
+    // Heights and angles change carbon less than leaf area does.
+    constexpr double of_form = 0.5;
     const std::size_t n = values.size();
     const auto error = [&](std::size_t a, std::size_t b) {
         double sum = 0;
-        for (std::size_t i = a + 1; i < b; ++i)
-            sum +=
-                std::abs(values[i] - std::lerp(values[a], values[b],
-                                               static_cast<double>(i - a) /
-                                                   static_cast<double>(b - a)));
+        for (std::size_t i = a + 1; i < b; ++i) {
+            const double place =
+                static_cast<double>(i - a) / static_cast<double>(b - a);
+            const auto off = [&](double Shape::*part) {
+                return std::abs(values[i].*part - std::lerp(values[a].*part,
+                                                            values[b].*part,
+                                                            place));
+            };
+            sum += off(&Shape::interception) +
+                   of_form * values[i].interception *
+                       (off(&Shape::height) + off(&Shape::unfolded));
+        }
         return sum;
     };
     constexpr double none = std::numeric_limits<double>::infinity();
@@ -117,22 +159,22 @@ std::vector<std::size_t> best_knots(const std::vector<double>& values,
 
 //! The thermal times of stages until some time. A single one is in the middle
 //! of the time with the most leaves.
-std::vector<double> stage_times(const Growth& growth, double own_share,
-                                double ground_per_plant, double last,
-                                int count) {
+std::vector<double> stage_times(const Shapes& shapes, double last, int count) {
     constexpr std::size_t steps = 80;
-    const LeafDates lowest = leaf_dates(growth).front();
-    const double first = (lowest.tip + lowest.collar) / 2;
-    std::vector<double> times, values;
+    std::vector<double> times;
+    std::vector<Shape> values;
     for (std::size_t i = 0; i <= steps; ++i) {
-        times.push_back(std::lerp(first, last, static_cast<double>(i) / steps));
-        values.push_back(
-            interception(growth, own_share, ground_per_plant, times.back()));
+        times.push_back(
+            std::lerp(shapes.first(), last, static_cast<double>(i) / steps));
+        values.push_back(shapes.at(times.back()));
     }
     if (count == 1) {
-        const double most =
-            *std::max_element(values.begin(), values.end()) * (1 - 1e-9);
-        const auto is_most = [&](double x) { return x >= most; };
+        double most = 0;
+        for (const Shape& each : values)
+            most = std::max(most, each.interception * (1 - 1e-9));
+        const auto is_most = [&](const Shape& x) {
+            return x.interception >= most;
+        };
         const auto low = std::find_if(values.begin(), values.end(), is_most);
         const auto high = std::find_if(values.rbegin(), values.rend(), is_most);
         return {(times[static_cast<std::size_t>(low - values.begin())] +
@@ -159,6 +201,13 @@ double weight(const Stage& stage, double time) {
 
 }  // namespace
 
+const Climate& climate_of(const Campaign& campaign, const Case& chosen) {
+    return std::find_if(
+               campaign.climates.begin(), campaign.climates.end(),
+               [&](const auto& each) { return each.name == chosen.day_name; })
+        ->value;
+}
+
 const Growth* growth_of(const Campaign& campaign, std::size_t component) {
     const Crop& crop = component == 0
                            ? campaign.crop
@@ -174,16 +223,10 @@ void add_stages(const Campaign& campaign, Case& one) {
     const Growth& growth = *campaign.crop.growth;
     const LightSeries series = light_of(campaign, one);
     const Season season = season_of(campaign, one, series);
-    const double ground = one.spacing.row * one.spacing.plant;
-    // Areas of the plant's own leaves need not be those that growth tells.
-    const Mesh plant = build_plant(
-        complete_plant(growth, campaign.crop.baseline), campaign.tessellation);
-    double all = 0;
-    for (const LeafDates& leaf : leaf_dates(growth)) all += leaf.area;
-    const double own_share = plant_area(plant).leaves / all;
+    const Shapes shapes(growth, campaign.crop.baseline, campaign.tessellation,
+                        one.spacing.row * one.spacing.plant);
     const std::vector<double> at =
-        stage_times(growth, own_share, ground, season.times[season.end - 1],
-                    campaign.stages);
+        stage_times(shapes, season.times[season.end - 1], campaign.stages);
     std::vector<std::vector<double>> times{season.times};
     for (std::size_t c = 1; c <= campaign.neighbours.size(); ++c)
         times.push_back(
@@ -217,7 +260,7 @@ void add_stages(const Campaign& campaign, Case& one) {
             stage.share +=
                 weight(stage, season.times[i]) *
                 (series.steps[i].par.beam + series.steps[i].par.diffuse);
-        stage.share *= interception(growth, own_share, ground, at[k]);
+        stage.share *= shapes.at(at[k]).interception;
         sum += stage.share;
         one.stages.push_back(whole);
         one.stages.back().stage = std::move(stage);

@@ -34,16 +34,6 @@ Scene with_a_group_per_face(Scene scene) {
     return scene;
 }
 
-//! Area of dead parts of the leaves of a plant [m2].
-double dead_area(const Mesh& mesh) {
-    const std::vector<double> areas = face_areas(mesh);
-    double sum = 0;
-    for (std::size_t f = 0; f < areas.size(); ++f)
-        if (mesh.groups[mesh.face_group[f]].name == dead_leaves)
-            sum += areas[f];
-    return sum;
-}
-
 //! Leaf area index of each group of a scene, of plants that do not deviate from
 //! their line.
 std::vector<double> leaf_area_of_lines(const Scene& scene, std::size_t groups) {

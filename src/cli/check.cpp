@@ -90,6 +90,34 @@ void tell_next(const std::string& path,
     fmt::print("next: {}\n", quoted(words));
 }
 
+//! Returns a table of the leaf area of the baseline over a season, if plants
+//! grow.
+std::string season_table(const Campaign& campaign, const Case& chosen) {
+    std::string text;
+    for (const Case& each : scenarios(chosen)) {
+        if (each.stages.empty()) continue;
+        const Date& day = climate_of(campaign, each).emergence;
+        text += fmt::format(
+            "season    {}, emergence on {}\n{:>20} {:>9} {:>9} "
+            "{:>9} {:>14}\n",
+            each.day_name, to_string(day), "day", "deg C d", "green LAI",
+            "dead LAI", "share of light");
+        for (const Case& at : each.stages) {
+            const Scene scene = scene_of(campaign, at);
+            double green = 0, dead = 0;
+            for (const Component& one : scene.components) {
+                green += lai_of_line(one.mesh, one.ground_per_plant);
+                dead += dead_area(one.mesh) / one.ground_per_plant;
+            }
+            text += fmt::format(
+                "{:>20.0f} {:>9.0f} {:>9.2f} {:>9.2f} {:>12.1f} %\n",
+                at.stage->day, at.stage->at, green, dead,
+                100 * at.stage->share);
+        }
+    }
+    return text;
+}
+
 //! All that check finds, in the first case alone unless said otherwise.
 struct Findings {
     Mesh plant;
@@ -227,7 +255,8 @@ void print(const CheckOptions& options, const Campaign& campaign,
                                  found.light.days),
                stands.par.text("{:.3f}", 1e6),
                stands.diffuse.text("{:.0f}", 0.01));
-    fmt::print("{}", sky_table(campaign));
+    fmt::print("{}{}", sky_table(campaign),
+               season_table(campaign, all.front()));
     if (found.excess > 0)
         fmt::print(
             "          the plant fails the [constraints] by {:.3g} of their "

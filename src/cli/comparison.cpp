@@ -9,6 +9,7 @@
 
 #include "choose_row.hpp"
 #include "ideotype/canopy/quantities.hpp"
+#include "ideotype/core/error.hpp"
 
 namespace ideotype {
 
@@ -163,6 +164,13 @@ Comparison read_comparison(const CompareOptions& options) {
         all.plants.push_back(read_compared(path, all.under));
     tell_apart(all.plants);
     all.cases = cases_of(all.under);
+    for (const ComparedCase& each : all.cases)
+        if (!each.chosen.stages.empty())
+            throw Error(options.under +
+                        ": plants grow in it, and compare has them "
+                        "full-grown; leave out climate.emergence, or "
+                        "evaluate them with ideotype evaluate or Python's "
+                        "Stand");
     all.layers = layers_of(all.under, all.plants);
     choose_figures(all);
     all.outcomes.assign(all.plants.size(),

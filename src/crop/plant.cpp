@@ -188,6 +188,15 @@ bool has_dead_leaves(const Plant& plant) {
                        [](const Leaf& leaf) { return leaf.dead > 0; });
 }
 
+double dead_area(const Mesh& mesh) {
+    const std::vector<double> areas = face_areas(mesh);
+    double sum = 0;
+    for (std::size_t f = 0; f < areas.size(); ++f)
+        if (mesh.groups[mesh.face_group[f]].name == dead_leaves)
+            sum += areas[f];
+    return sum;
+}
+
 void stack_internodes(Plant& plant) {
     double height = 0;
     for (Leaf& leaf : plant.leaves) {

@@ -131,6 +131,9 @@ struct Plant {
 //! The name of the group of dead parts of leaves.
 inline constexpr auto dead_leaves = "stalk_dead_leaves";
 
+//! Returns the area of dead parts of leaves [m2].
+double dead_area(const Mesh& mesh);
+
 //! The fineness with which curved surfaces are cut into faces.
 struct Tessellation {
     //! Cells along a blade, which has two across; leaflets have two thirds as

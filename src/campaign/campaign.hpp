@@ -41,6 +41,11 @@ struct Climate {
     ColumnMap columns;
     std::optional<double> wind_height;  //!< above the ground [m]
     std::optional<double> co2;          //!< of the air [umol mol-1]
+    //! The day on which plants emerge that then grow; of year 0: they stand as
+    //! they are.
+    Date emergence{0, 1, 1};
+
+    bool grows() const { return emergence.year > 0; }
 };
 
 //! The weather of a site in a climate, as it was read.
@@ -151,6 +156,7 @@ struct Standing {
     //! for each field. 0: none.
     int mixed = 0;
     int plants = 0;                  //!< in each of its rows; 0: as the field's
+    int later = 0;                   //!< it emerges than the crop [d]
     std::optional<double> jitter{};  //!< in the place of the field's [deg]
     //! Variation of its plants, in the place of that of the field.
     std::optional<PlantVariation> variation{};
@@ -224,6 +230,7 @@ struct Campaign {
     //! The number of dates of a climate whose suns stand for all. 0: without a
     //! climate.
     int sun_dates = 3;
+    int stages = 10;    //!< of canopies that grow
     Accuracy sampling;  //!< of an evaluation during evolution
     //! Quantities that are searched for, in this order.
     std::vector<std::string> maximised{"absorbed_par"}, minimised;
@@ -279,6 +286,21 @@ std::string unit_of(const Campaign& campaign, const std::string& quantity);
 //! Whether an objective is of what leaves make of light.
 bool asks_for_assimilation(const Campaign& campaign);
 
+//! A canopy that grows, at one of several moments. It stands for the hours
+//! around that: by thermal time, figures are linear between stages.
+struct Stage {
+    std::uint32_t number = 0;  //!< from 0
+    //! Of the campaign's crop at this stage, and at those before and after it,
+    //! if there are [deg C d].
+    double at = 0;
+    std::optional<double> before{}, after{};
+    double day = 0;  //!< since emergence
+    //! Thermal time of each component since its own emergence, and at the stage
+    //! before [deg C d]; the campaign's crop is the first.
+    std::vector<double> ages{}, ages_before{};
+    double share = 1;  //!< about the part of the season's carbon
+};
+
 //! One point of the sweep: a single evolution with its own history.
 struct Case {
     int index = 0;
@@ -296,6 +318,10 @@ struct Case {
     //! of the case; its own site, day and spacing are those of the first.
     //! Empty: it is the only one.
     std::vector<Case> scenarios{};
+    //! The same at each stage, where plants grow; but for scenarios, which have
+    //! their own.
+    std::vector<Case> stages{};
+    std::optional<Stage> stage{};  //!< if it is one of those
 };
 
 //! The rows of the field, from 0, in which plants are bred.
@@ -309,6 +335,9 @@ bool is_over(const Campaign& campaign, const std::string& axis);
 
 //! The scenarios of a case, at least one.
 std::vector<Case> scenarios(const Case& chosen);
+
+//! Each scenario of a case at each of its stages.
+std::vector<Case> evaluated_cases(const Case& chosen);
 
 //! Reads and checks a campaign file and the crop file that it names.
 //! @param settings "table.key=value", in the place of what the file says
@@ -384,6 +413,9 @@ std::vector<Case> cases(const Campaign& campaign);
 //! @param path of the campaign, for the message
 //! @throws Error of wrong usage if there is none.
 Case case_at(const Campaign& campaign, int index, const std::string& path);
+
+//! The climate of a case.
+const Climate& climate_of(const Campaign& campaign, const Case& chosen);
 
 //! One plant for each component, that of the campaign's crop first.
 using Plants = std::vector<Plant>;

@@ -2,12 +2,14 @@
 #include <algorithm>
 #include <cctype>
 #include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "campaign.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/hash.hpp"
+#include "stages.hpp"
 
 namespace ideotype {
 
@@ -36,6 +38,7 @@ void add_scenario(const Campaign& campaign, const Case& scenario,
     const auto names = [](const Case& x) {
         return std::tie(x.site.name, x.day_name, x.spacing_name);
     };
+    one.stages.clear();
     auto found = std::find_if(all.begin(), all.end(), [&](const Case& other) {
         return names(other) == names(one);
     });
@@ -98,6 +101,7 @@ std::vector<Case> stands(const Campaign& campaign) {
                 one.spacing = spacing.value;
                 one.day_name = day.name;
                 one.spacing_name = spacing.name;
+                add_stages(campaign, one);
                 if (campaign.over.empty())
                     all.push_back(std::move(one));
                 else
@@ -117,6 +121,16 @@ std::vector<Case> scenarios(const Case& chosen) {
     return chosen.scenarios.empty() ? std::vector{chosen} : chosen.scenarios;
 }
 
+std::vector<Case> evaluated_cases(const Case& chosen) {
+    std::vector<Case> all;
+    for (const Case& each : scenarios(chosen))
+        if (each.stages.empty())
+            all.push_back(each);
+        else
+            all.insert(all.end(), each.stages.begin(), each.stages.end());
+    return all;
+}
+
 std::vector<Case> cases(const Campaign& campaign) {
     std::vector<Case> all;
     for (const Case& stand : stands(campaign))
@@ -126,11 +140,16 @@ std::vector<Case> cases(const Campaign& campaign) {
                 one.index = static_cast<int>(all.size());
                 complete(one, traits, r);
                 one.seed = derive_seed(campaign.seed, one.name);
-                for (Case& scenario : one.scenarios) {
-                    scenario.index = one.index;
-                    complete(scenario, traits, r);
-                    scenario.seed = one.seed;
-                }
+                const auto pass_on = [&](std::vector<Case>& parts) {
+                    for (Case& part : parts) {
+                        part.index = one.index;
+                        complete(part, traits, r);
+                        part.seed = one.seed;
+                    }
+                };
+                pass_on(one.scenarios);
+                pass_on(one.stages);
+                for (Case& scenario : one.scenarios) pass_on(scenario.stages);
                 all.push_back(std::move(one));
             }
     return all;
@@ -151,7 +170,8 @@ LightSeries light_of(const Campaign& campaign, const Case& chosen) {
                         climate.wind_height.value_or(series.wind_height);
                     series.co2 = climate.co2.value_or(series.co2);
                 }
-            return series;
+            return chosen.stage ? at_stage(campaign, chosen, std::move(series))
+                                : series;
         }
     throw Error("there is no weather of case " + chosen.name);
 }

@@ -348,6 +348,7 @@ void check_draft(Draft& draft, Report& report) {
     check_names("band", campaign.bands, report);
     check_bands(campaign, report);
     check_components(draft, report);
+    check_growing(draft, report);
     check_objects(draft, report);
     check_field(campaign.field, report);
     if (draft.is_crop_known) check_faces(campaign, report);

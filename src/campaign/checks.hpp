@@ -25,6 +25,9 @@ void check_breeding(Draft& draft, Report& report);
 //! Checks sites, days and the light of their cases.
 void check_sky(const Campaign& campaign, Report& report);
 
+//! Checks what plants need to grow, and what needs plants that grow.
+void check_growing(const Draft& draft, Report& report);
+
 //! Checks where components stand, and what is asked of them together.
 void check_components(Draft& draft, Report& report);
 

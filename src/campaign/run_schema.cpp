@@ -42,6 +42,9 @@ Key duration(const std::string& name, double& value, double least,
 
 Section light_section(Campaign& campaign) {
     const bool has_tolerance = campaign.sampling.tolerance > 0;
+    const bool grows =
+        std::any_of(campaign.climates.begin(), campaign.climates.end(),
+                    [](const auto& each) { return each.value.grows(); });
     return {"light",
             {paths(campaign.sampling,
                    "light paths per randomisation; with a tolerance at most")
@@ -71,10 +74,17 @@ Section light_section(Campaign& campaign) {
                  .one_of({"uniform", "overcast", "clear"}),
              Key("dates", &campaign.sun_dates,
                  "of a climate: the suns of so many dates stand for all, the "
-                 "nearest for each hour")
+                 "nearest for each hour; stages of plants that grow share "
+                 "them out")
                  .within(1, 366)
                  .set(&Key::is_written, !campaign.climates.empty())
-                 .trades({1, 2, 3, 6, 12}, !campaign.climates.empty())}};
+                 .trades({1, 2, 3, 6, 12}, !campaign.climates.empty()),
+             Key("stages", &campaign.stages,
+                 "of plants that grow: ages at which the canopy is evaluated; "
+                 "hours between two of them are linear in thermal time")
+                 .within(1, 40)
+                 .set(&Key::is_written, grows)
+                 .trades({4, 7, 10, 20}, grows)}};
 }
 
 namespace {

@@ -123,6 +123,14 @@ Section climate_section(Named<Climate>& named) {
               "the columns below"),
          date("from", climate.period.from, "2011-07-21", "first day"),
          date("to", climate.period.to, "2011-09-20", "last day"),
+         Key("emergence", &climate.emergence,
+             "day on which the plants of the crop emerge, which then grow and "
+             "age by [growth] of its crop file until they are mature or the "
+             "period ends; left out, they stand as they are")
+             .set(&Key::range, date_range)
+             .set(&Key::initial, "none")
+             .like("2011-05-15")
+             .set(&Key::is_written, climate.grows()),
          Key("stamp", &climate.stamp,
              "which part of its time step the time of a row is")
              .one_of({"beginning", "middle", "end"})
@@ -146,6 +154,9 @@ Section climate_section(Named<Climate>& named) {
          light("diffuse", columns.diffuse, "of the sky on a horizontal plane"),
          column("diffuse_fraction", columns.diffuse_fraction, "1",
                 "column and unit: diffuse over global light"),
+         column("ppfd", columns.ppfd, "umol/m2/s",
+                "column and unit: photons from 400 to 700 nm, which are only "
+                "compared with the global light"),
          column("temperature", columns.temperature, "C",
                 "column and unit: of the air"),
          column("humidity", columns.humidity, "%",
@@ -451,6 +462,10 @@ Section component_section(Draft& neighbour) {
              "in each of its rows; 0: as many as `field.plants`")
              .within(0, 1000)
              .set(&Key::is_written, neighbour.standing.plants > 0),
+         Key("later", &neighbour.standing.later,
+             "how many days after `climate.emergence` it emerges")
+             .within(0, 200, "d")
+             .set(&Key::is_written, neighbour.standing.later > 0),
          Key("jitter", &neighbour.standing.jitter,
              "largest random turn of each of its plants, in the place of "
              "`field.jitter` and `field.variation.across_row`")

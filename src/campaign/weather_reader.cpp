@@ -32,8 +32,9 @@ bool check_climate(Climate& climate, Report& report) {
     }
     for (std::optional<Column>* column :
          {&columns.global, &columns.beam_normal, &columns.diffuse,
-          &columns.diffuse_fraction, &columns.temperature, &columns.humidity,
-          &columns.wind, &columns.pressure, &columns.longwave}) {
+          &columns.diffuse_fraction, &columns.ppfd, &columns.temperature,
+          &columns.humidity, &columns.wind, &columns.pressure,
+          &columns.longwave}) {
         if (!report.usable({column})) return false;
         if (!*column || !columns.time.empty()) continue;
         report.add(column,

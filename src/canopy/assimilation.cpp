@@ -151,10 +151,11 @@ class Assimilation {
     void respond(const TimeStep& step,
                  const std::vector<PairLight::Bin>& bins) {
         std::vector<LeafResponse> responses;
-        for (const auto& [rates, photosynthesis] : lit_leaves_.leaves)
+        for (const LeafGroup& leaf : lit_leaves_.leaves)
             responses.push_back(
-                photosynthesis ? response(rates, air_of(step, *photosynthesis))
-                               : LeafResponse{});
+                leaf.photosynthesis
+                    ? response(leaf.rates, air_of(step, *leaf.photosynthesis))
+                    : LeafResponse{});
         for (std::size_t first = 0, last = 0, b = 0; first < places_.count();
              first = last) {
             const std::uint32_t leaf = places_.group[first];

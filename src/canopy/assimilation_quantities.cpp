@@ -76,6 +76,12 @@ Randomised light_use(const CanopyReport& report) {
     return result;
 }
 
+Randomised after_silking(const CanopyReport& report) {
+    std::vector<double> values = report.assimilation->late_gross;
+    for (double& x : values) x -= report.assimilation->late_respiration;
+    return {estimate(values), values};
+}
+
 std::optional<Randomised> sunlit_lai(const CanopyReport& report) {
     if (!report.hit_by_sun) return std::nullopt;
     return scaled(Randomised{report.hit_by_sun->mean,
@@ -117,6 +123,12 @@ std::vector<Declaration> assimilation_quantities() {
              const Respiration sum = r.assimilation->all_respiration();
              return certain(r, sum.in_light + sum.at_night);
          }},
+        {{"carbon_after_silking", rate,
+          "gross assimilation after silking less what leaves respire then, day "
+          "and night, over the days of the season"},
+         after_silking,
+         false,
+         [](const Scope& scope) { return scope.grows; }},
         {{"sunlit_lai", "m2 m-2",
           "leaf area index that the sun shines on, mean over the time with "
           "light"},

@@ -54,8 +54,13 @@ std::vector<LeafGroup> leaf_groups(const Scene& scene,
             index[leaf[i]] += leaf_area_index[own[i]];
         const std::vector<LeafRates> rates =
             rates_of_leaves(*photosynthesis, index);
-        for (std::size_t i = 0; i < own.size(); ++i)
+        const std::vector<double>& built = scene.components[c].built;
+        for (std::size_t i = 0; i < own.size(); ++i) {
             result[own[i]] = {rates[leaf[i]], &*photosynthesis};
+            if (!built.empty())
+                result[own[i]].built =
+                    built.at(leaf[i]) / scene.components[c].ground_per_plant;
+        }
     }
     return result;
 }
@@ -108,6 +113,15 @@ double AssimilationTally::gross() const {
 
 namespace {
 
+//! Returns what leaves respire in the dark in one step of a mean day.
+double respiration(const LeafRates& rates, double leaf_area_index,
+                   const LightSeries& series, const TimeStep& step,
+                   const Photosynthesis& photosynthesis) {
+    return mol_per_umol * leaf_area_index / static_cast<double>(series.days) *
+           step.seconds *
+           dark_respiration(rates, air_of(step, photosynthesis).temperature);
+}
+
 //! Returns what leaves respire in the dark, over a mean day.
 Respiration respiration(const LeafRates& rates, double leaf_area_index,
                         const LightSeries& series,
@@ -119,19 +133,39 @@ Respiration respiration(const LeafRates& rates, double leaf_area_index,
     double known = 0;
     for (const TimeStep& step : series.steps) {
         const double amount =
-            scale * step.seconds *
-            dark_respiration(rates, air_of(step, photosynthesis).temperature);
+            respiration(rates, leaf_area_index, series, step, photosynthesis);
         if (step.is_lit())
             result.in_light += amount;
         else
             result.at_night += amount;
         known += step.seconds;
     }
+    if (series.grows) return result;  // other stages have the rest
     // Nights that are left out have no weather.
     constexpr double day = 86400;
     result.at_night += scale * std::max(0., series.days * day - known) *
                        dark_respiration(rates, Air{}.temperature);
     return result;
+}
+
+//! Reports what leaves do after silking.
+void report_late(const std::vector<AssimilationTally>& tallies,
+                 const std::vector<LeafGroup>& leaves,
+                 const std::vector<double>& leaf_area_index,
+                 const LightSeries& series, AssimilationReport& result) {
+    result.late_gross.assign(tallies.size(), 0);
+    for (std::size_t i = 0; i < series.steps.size(); ++i) {
+        const TimeStep& step = series.steps[i];
+        if (!step.is_late) continue;
+        for (std::size_t r = 0; r < tallies.size(); ++r)
+            result.late_gross[r] +=
+                mol_per_umol * tallies[r].steps[i] * step.seconds / series.days;
+        for (std::size_t g = 0; g < leaves.size(); ++g)
+            if (leaves[g].photosynthesis && leaf_area_index[g] > 0)
+                result.late_respiration +=
+                    respiration(leaves[g].rates, leaf_area_index[g], series,
+                                step, *leaves[g].photosynthesis);
+    }
 }
 
 }  // namespace
@@ -175,17 +209,19 @@ AssimilationReport report(std::vector<AssimilationTally> tallies,
             return mol_per_umol * series.steps[i].seconds;
         });
     for (std::size_t g = 0; g < leaves.size(); ++g) {
-        const auto& [rates, photosynthesis] = leaves[g];
+        const auto& [rates, photosynthesis, built] = leaves[g];
         result.respiration.emplace_back();
         result.building_of_groups.push_back(0);
         if (!photosynthesis) continue;
         result.respiration.back() =
             respiration(rates, leaf_area_index[g], series, *photosynthesis);
-        result.building_of_groups.back() = photosynthesis->building_cost *
-                                           leaf_area_index[g] /
-                                           photosynthesis->building_days;
+        result.building_of_groups.back() =
+            photosynthesis->building_cost * built.value_or(leaf_area_index[g]) /
+            (built ? series.days : photosynthesis->building_days);
         result.building += result.building_of_groups.back();
     }
+    if (series.grows)
+        report_late(tallies, leaves, leaf_area_index, series, result);
     result.tallies = std::move(tallies);
     return result;
 }

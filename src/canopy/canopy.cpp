@@ -68,6 +68,7 @@ class Reporter {
     CanopyReport result() && {
         result_.layers = shared_.layers;
         result_.days = scene_.light().series.days;
+        result_.grows = scene_.light().series.grows;
         result_.groups = lines_.groups;
         result_.boundary = scene_.cell.boundary;
         result_.ground_area = scene_.cell.ground_area;
@@ -91,7 +92,9 @@ class Reporter {
         const auto& lines = request_.details.lines;
         if (lines && !scene_.components.empty() &&
             scene_.components.front().plant)
-            result_.lines = distance(*lines, *scene_.components.front().plant);
+            result_.lines =
+                distance(*lines, scene_.components.front().full_grown.value_or(
+                                     *scene_.components.front().plant));
     }
 
     void report_areas() {
@@ -106,6 +109,8 @@ class Reporter {
             result_.lai += lai;
             result_.plant_area_index += index;
             if (component.photosynthesis) result_.assimilating_lai += lai;
+            result_.dead_area_index +=
+                dead_area(component.mesh) / component.ground_per_plant;
         }
         for (const FixedObject& each : scene_.objects) {
             const std::vector<double> faces = face_areas(each.mesh);

@@ -35,6 +35,7 @@ struct Scope {
     bool has_rows = false;  //!< that are told apart
     bool has_objects = false;
     bool has_panels = false;
+    bool grows = false;
 
     bool has_band(const std::string& name) const {
         return std::find(bands.begin(), bands.end(), name) != bands.end();

@@ -42,7 +42,7 @@ class Referee {
         for (const TimeStep& step : light_.series.steps)
             amount_.push_back(step.seconds * mol_per_umol / light_.series.days);
         for (std::size_t g = 0; g < lit.leaves.size(); ++g) {
-            const auto& [rates, photosynthesis] = lit.leaves[g];
+            const auto& [rates, photosynthesis, built] = lit.leaves[g];
             absorbed_.push_back(
                 lit.par.optics.of(mesh.groups[g].material).most_absorbed() *
                 lit.photons);

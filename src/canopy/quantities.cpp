@@ -38,7 +38,7 @@ std::vector<const Declaration*> declared(const Scope& scope) {
 }
 
 //! A canopy that has every quantity.
-const Scope everything{2, {"par", "nir"}, true, true, true, true, true};
+const Scope everything{2, {"par", "nir"}, true, true, true, true, true, true};
 
 //! Returns whether any object is a panel.
 template <class Object>
@@ -54,7 +54,8 @@ Scope scope_of(const CanopyReport& report) {
                 report.lines.has_value(),
                 !report.rows.empty(),
                 !report.objects.empty(),
-                has_panels(report.objects)};
+                has_panels(report.objects),
+                report.grows};
     for (const BandReport& band : report.bands)
         scope.bands.push_back(band.name);
     return scope;
@@ -67,7 +68,8 @@ Scope scope_of(const Scene& scene, const Details& details) {
                 details.lines.has_value(),
                 !scene.cell.row_ground.empty(),
                 !scene.objects.empty(),
-                has_panels(scene.objects)};
+                has_panels(scene.objects),
+                scene.light().series.grows};
     for (const Band& band : scene.bands) scope.bands.push_back(band.name);
     return scope;
 }
@@ -254,6 +256,12 @@ bool is_of_nir(const std::string& quantity) {
     Scope par = everything;
     par.bands = {"par"};
     return find(quantity) && !find(quantity, par);
+}
+
+bool is_of_growth(const std::string& quantity) {
+    Scope grown = everything;
+    grown.grows = false;
+    return find(quantity) && !find(quantity, grown);
 }
 
 bool is_of_panels(const std::string& quantity) {

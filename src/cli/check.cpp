@@ -89,6 +89,31 @@ void tell_next(const std::string& path,
     fmt::print("next: {}\n", quoted(words));
 }
 
+//! Returns the leaf area of the baseline at each stage of a season, if plants
+//! grow.
+Json season_of(const Campaign& campaign, const Case& chosen) {
+    Json rows;
+    for (const Case& each : scenarios(chosen))
+        for (const Case& at : each.stages) {
+            const Scene scene = scene_of(campaign, at);
+            double green = 0, dead = 0;
+            for (const Component& one : scene.components) {
+                green += lai_of_line(one.mesh, one.ground_per_plant);
+                dead += dead_area(one.mesh) / one.ground_per_plant;
+            }
+            rows.push_back(
+                {{"period", each.day_name},
+                 {"emergence", to_string(climate_of(campaign, each).emergence)},
+                 {"day", fmt::format("{:.0f}", at.stage->day)},
+                 {"deg C d", fmt::format("{:.0f}", at.stage->at)},
+                 {"green LAI", fmt::format("{:.2f}", green)},
+                 {"dead LAI", fmt::format("{:.2f}", dead)},
+                 {"share of light",
+                  fmt::format("{:.1f} %", 100 * at.stage->share)}});
+        }
+    return rows;
+}
+
 //! All that check finds, in the first case alone unless said otherwise.
 struct Findings {
     Mesh plant;
@@ -232,6 +257,10 @@ void print(const CheckOptions& options, const Campaign& campaign,
         fmt::print(
             "          temperature and humidity are weighted by light; "
             "sunrise, noon and sunset are those of the middle date\n");
+    if (const Json season = season_of(campaign, all.front()); !season.empty()) {
+        fmt::print("season\n");
+        print_table(season, 10);
+    }
     if (found.excess > 0)
         fmt::print(
             "          the plant fails the [constraints] by {:.3g} of their "

@@ -13,6 +13,7 @@
 
 #include "choose_row.hpp"
 #include "ideotype/canopy/quantities.hpp"
+#include "ideotype/core/error.hpp"
 #include "ideotype/core/host.hpp"
 #include "output_file.hpp"
 
@@ -164,6 +165,13 @@ Comparison read_comparison(const CompareOptions& options) {
         all.plants.push_back(read_compared(path, all.under));
     tell_apart(all.plants);
     all.cases = cases_of(all.under);
+    for (const ComparedCase& each : all.cases)
+        if (!each.chosen.stages.empty())
+            throw Error(options.under +
+                        ": plants grow in it, and compare has them "
+                        "full-grown; leave out climate.emergence, or "
+                        "evaluate them with ideotype evaluate or Python's "
+                        "Stand");
     all.layers = layers_of(all.under, all.plants);
     choose_figures(all);
     all.outcomes.assign(all.plants.size(),
@@ -179,8 +187,8 @@ Outcome evaluate(const Comparison& comparison, std::size_t plant,
     const ComparedCase& in = comparison.cases.at(chosen);
     const Sampling sampling =
         sampling_in(comparison.under, in.chosen, comparison.tolerance);
-    CanopyRequest request =
-        request_of(sampling, comparison.under, in.scene, compared.plants);
+    CanopyRequest request = request_of(sampling, comparison.under, in.chosen,
+                                       in.scene, compared.plants);
     request.layers = comparison.layers;
     const CanopyReport report = evaluate(request, device);
     std::map<std::string, std::vector<Randomised>> profiles;

@@ -75,6 +75,7 @@ struct Study {
 
 Json to_json(const Study& study) {
     Json json{{"case", study.scenario.name}};
+    if (study.scenario.stage) json["stage"] = study.scenario.stage->at;
     json.update(to_json(study.report, Span::day));
     json.update(parts_json(study.report));
     for (const auto& [quantity, estimate] : study.objectives) {
@@ -91,9 +92,9 @@ std::vector<Study> studies(const Task& task, const Campaign& campaign,
                            const std::string& isa) {
     const Device device(isa);
     std::vector<Study> all;
-    for (const Case& each : scenarios(chosen)) {
+    for (const Case& each : evaluated_cases(chosen)) {
         CanopyRequest request =
-            request_of(sampling_of(task, campaign, each), campaign,
+            request_of(sampling_of(task, campaign, each), campaign, each,
                        scene_of(campaign, each), plants);
         request.details.sunlit = true;
         const double began = now();
@@ -120,14 +121,28 @@ void print_studies(const std::vector<Study>& all) {
 }
 
 //! Returns the outcome that a row would have in its history.
-Outcome outcome_of(const ChosenRow& row, const Plant& plant,
-                   const std::vector<Study>& all) {
+Outcome outcome_of(const Campaign& campaign, const Case& chosen,
+                   const Plant& plant, const std::vector<Study>& all) {
     std::vector<Outcome> each;
     for (const Study& study : all)
-        each.push_back(to_outcome(row.campaign, plant, study.report));
-    return each.size() == 1
-               ? each.front()
-               : AcrossScenarios(row.campaign, row.chosen).combine(each);
+        each.push_back(to_outcome(campaign, plant, study.report));
+    return AcrossScenarios(campaign, chosen).combine(each);
+}
+
+//! Objectives over all stages and scenarios, where plants grow.
+Json season_of(const Campaign& campaign, const Case& chosen,
+               const std::vector<Study>& all) {
+    Json season;
+    if (evaluated_cases(chosen).size() == scenarios(chosen).size())
+        return season;
+    const Outcome outcome =
+        outcome_of(campaign, chosen, campaign.crop.baseline, all);
+    const std::vector<Aim> objectives = aims(campaign);
+    for (std::size_t k = 0; k < objectives.size(); ++k) {
+        Json& one = season[objectives[k].name] = to_json(outcome.objectives[k]);
+        one["unit"] = unit_of(campaign, objectives[k].quantity);
+    }
+    return season;
 }
 
 ExitCode evaluate_baseline(const EvaluateOptions& options) {
@@ -139,10 +154,19 @@ ExitCode evaluate_baseline(const EvaluateOptions& options) {
     const std::vector<Study> all =
         studies(task, campaign, chosen, {campaign.crop.baseline},
                 Device::supported_isas().back());
-    if (options.is_json)
-        fmt::print("{}\n", to_text(to_json(all)));
-    else
+    const Json season = season_of(campaign, chosen, all);
+    if (options.is_json) {
+        Json json = to_json(all);
+        if (!season.empty()) json["season"] = season;
+        fmt::print("{}\n", to_text(json));
+    } else {
         print_studies(all);
+        for (const auto& [name, estimate] : season.items())
+            fmt::print("season: {} {:.6g} +- {:.2g} {}\n", name,
+                       estimate["mean"].get<double>(),
+                       estimate["standard_error"].get<double>(),
+                       estimate["unit"].get<std::string>());
+    }
     return ExitCode::ok;
 }
 
@@ -157,7 +181,7 @@ ExitCode repeat_row(const ChosenRow& which, bool is_json) {
     const auto& [campaign, chosen, task, row, schema, isa] = which;
     const Plants plants = grow(campaign, row.candidate.genome);
     const std::vector<Study> all = studies(task, campaign, chosen, plants, isa);
-    const Outcome again = outcome_of(which, plants.front(), all);
+    const Outcome again = outcome_of(campaign, chosen, plants.front(), all);
     const bool is_done = row.outcome.status == Status::done;
     const bool agrees = agrees_with(which, again);
     if (is_json) {

@@ -122,9 +122,9 @@ void stand_still(Shape& shape, std::vector<Estimate>& light,
 void write_shape(const ExportOptions& options, const ChosenRow& row,
                  const std::string& title, bool is_lit, const Plants& grown,
                  std::size_t component) {
-    CanopyRequest request =
-        request_of(sampling_of(row.task, row.campaign, row.chosen),
-                   row.campaign, scene_of(row.campaign, row.chosen), grown);
+    CanopyRequest request = request_of(
+        sampling_of(row.task, row.campaign, row.chosen), row.campaign,
+        row.chosen, scene_of(row.campaign, row.chosen), grown);
     const std::vector<Component>& all = request.scene.components;
     const Component& own = all.at(component);
     Shape shape{about(title, row.chosen), own.mesh, {}, own.ground_per_plant};

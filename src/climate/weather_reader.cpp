@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
+#include "ideotype/core/units.hpp"
 #include "weather_table.hpp"
 
 namespace ideotype {
@@ -103,6 +105,28 @@ Irradiance beyond(const Irradiance& par, double share) {
     return {ratio * par.beam, ratio * par.diffuse};
 }
 
+//! Warns of photons that are not as many as the global light should have.
+void compare_photons(const std::vector<WeatherStep>& steps, double par_fraction,
+                     Findings& findings) {
+    // Photons of PAR over solar energy of a whole season [umol J-1].
+    constexpr double expected = 2.06, tolerated = 0.05;
+    double photons = 0, energy = 0;
+    for (const WeatherStep& step : steps)
+        if (step.values.ppfd && step.values.global) {
+            photons += *step.values.ppfd * par_fraction * mol_per_mj_par;
+            energy += *step.values.global;
+        }
+    const double ratio = energy > 0 ? photons / energy : expected;
+    if (std::abs(ratio / expected - 1) > tolerated)
+        findings.doubt(
+            steps.front().line,
+            fmt::format("there are {:.2f} umol of photons per J of global "
+                        "light, and {} are expected; one of both sensors may "
+                        "have drifted",
+                        ratio, expected),
+            false);
+}
+
 }  // namespace
 
 Weather parse_weather(const std::string& text, const WeatherRequest& request) {
@@ -125,6 +149,7 @@ Weather parse_weather(const std::string& text, const WeatherRequest& request) {
     for (WeatherStep& step : steps) place_sun(step, site, table.step);
     const std::vector<Irradiance> light = light_of(steps, findings);
     check_place(steps, light, site, findings);
+    compare_photons(steps, request.par_fraction, findings);
 
     LightSeries series;
     series.utc_offset = table.utc_offset;

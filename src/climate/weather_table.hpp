@@ -122,6 +122,7 @@ struct WeatherValues {
     std::optional<double> beam_normal;       //!< [W m-2]
     std::optional<double> diffuse;           //!< [W m-2]
     std::optional<double> diffuse_fraction;  //!< of global, 0 to 1
+    std::optional<double> ppfd;              //!< as solar radiation [W m-2]
     std::optional<double> temperature;       //!< [deg C]
     std::optional<double> humidity;          //!< 0 to 1
     std::optional<double> wind;              //!< [m s-1]

@@ -123,6 +123,8 @@ std::vector<Source> sources_of(WeatherTable& table, double par_fraction,
     add(columns.beam_normal, Kind::light, light);
     light.target = &Values::diffuse;
     add(columns.diffuse, Kind::light, light);
+    light.target = &Values::ppfd;
+    add(columns.ppfd, Kind::light, light);
     add(columns.diffuse_fraction, Kind::fraction,
         {0, {}, &Values::diffuse_fraction, 0, 1.01, "of the global light"});
     add(columns.temperature, Kind::temperature,

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "ideotype/crop/leaf_surface.hpp"
 
 namespace ideotype {
 
@@ -101,18 +104,100 @@ std::vector<double> collar_heights(const Growth& growth,
     const std::vector<LeafDates> leaves = leaf_dates(growth);
     std::vector<double> heights;
     double stem = 0, final_stem = 0;
+    bool is_full = true;
     for (std::size_t i = 0; i < leaves.size(); ++i) {
         const double own_sheath = std::min(sheath, final_heights[i]);
         const double internode =
             std::max(0., final_heights[i] - own_sheath - final_stem);
         final_stem += internode;
-        stem += std::clamp(
-            growth.internode_rate * (thermal_time - leaves[i].collar), 0.,
-            internode);
-        heights.push_back(stem +
-                          own_sheath * visible_share(leaves[i], thermal_time));
+        const double grown =
+            growth.internode_rate * (thermal_time - leaves[i].collar);
+        is_full = is_full && grown >= internode;
+        stem += std::clamp(grown, 0., internode);
+        // What is full-grown is so to the last bit.
+        heights.push_back(
+            is_full
+                ? final_heights[i]
+                : stem + own_sheath * visible_share(leaves[i], thermal_time));
     }
     return heights;
+}
+
+Plant complete_plant(const Growth& growth, const Plant& plant) {
+    const auto count = static_cast<std::size_t>(growth.leaves);
+    const std::size_t below = count - std::min(count, plant.leaves.size());
+    const std::vector<double> heights = final_collar_heights(growth, plant);
+    Plant complete = plant;
+    for (std::size_t i = below; i > 0; --i) {
+        const double size =
+            std::sqrt(final_area(growth, static_cast<double>(i)) /
+                      final_area(growth, static_cast<double>(below + 1)));
+        Leaf leaf = plant.leaves.front();
+        leaf.length *= size;
+        leaf.width *= size;
+        leaf.insertion_height = heights[i - 1];
+        leaf.azimuth =
+            plant.leaves
+                .at((below - i) % 2 == 0
+                        ? std::min<std::size_t>(1, plant.leaves.size() - 1)
+                        : 0)
+                .azimuth;
+        complete.leaves.insert(complete.leaves.begin(), std::move(leaf));
+    }
+    for (Organ& organ : complete.organs)
+        if (organ.leaf > 0) organ.leaf += static_cast<int>(below);
+    return complete;
+}
+
+namespace {
+
+//! Makes a full-grown blade that of a thermal time.
+void unfold(Leaf& leaf, const Blade& blade, double visible, double faded) {
+    constexpr double least_angle = 0.3, hanging = 40;
+    if (visible < 1) {
+        leaf.hidden = 1 - length_from_tip(blade, visible);
+        leaf.insertion_angle *= std::lerp(least_angle, 1., visible);
+        leaf.curvature *= visible;
+    }
+    if (faded > 0) {
+        leaf.dead =
+            std::min(length_from_tip(blade, faded * visible), 1 - leaf.hidden);
+        leaf.curvature += hanging * faded;
+    }
+}
+
+}  // namespace
+
+Plant plant_at(const Growth& growth, const Plant& plant, double thermal_time) {
+    constexpr double last = 100, least_height = 0.001;
+    const std::vector<LeafDates> dates = leaf_dates(growth);
+    const std::vector<double> heights =
+        collar_heights(growth, final_collar_heights(growth, plant),
+                       plant.sheath.length, thermal_time);
+    Plant grown = complete_plant(growth, plant);
+    double top = least_height;
+    bool is_full = true;
+    for (std::size_t i = 0; i < grown.leaves.size(); ++i) {
+        Leaf& leaf = grown.leaves[i];
+        const double visible = visible_share(dates[i], thermal_time);
+        is_full =
+            is_full && visible == 1 && heights[i] == leaf.insertion_height;
+        // A blade comes out where the whorl ends.
+        leaf.insertion_height =
+            visible < 1 ? std::max(top, heights[i]) : heights[i];
+        top = std::max(top, leaf.insertion_height);
+        unfold(leaf, grown.blade, visible,
+               faded_share(growth, dates[i], thermal_time));
+    }
+    if (!is_full) grown.stalk.height = std::min(grown.stalk.height, top);
+    const double silking = silking_time(growth);
+    const double size = ramp(thermal_time, silking - last, silking);
+    for (Organ& organ : grown.organs) {
+        organ.is_present = organ.is_present && size > 0;
+        for (double* length : {&organ.offset, &organ.spread, &organ.length})
+            if (size < 1) *length *= size;
+    }
+    return grown;
 }
 
 double daily_thermal_time(const Growth& growth,

@@ -202,7 +202,8 @@ BladeRow LeafSurface::row(double t) const {
     return row;
 }
 
-std::vector<BladeRow> LeafSurface::tessellate(int cells) const {
+std::vector<BladeRow> LeafSurface::tessellate(int cells, double from,
+                                              double to) const {
     std::vector<BladeRow> rows;
     double length = 0;
     double width = 0;
@@ -213,16 +214,39 @@ std::vector<BladeRow> LeafSurface::tessellate(int cells) const {
         width = std::max(width, glm::distance(midrib, rows.back().left) +
                                     glm::distance(midrib, rows.back().right));
     }
+    glm::dvec3 begin = base_;
+    if (leaf_.hidden > 0) begin = row(leaf_.hidden).midrib;
+    if (from > 0 || to < 1)
+        for (int i = 0; i <= cells; ++i)
+            rows[static_cast<std::size_t>(i)] =
+                row(std::lerp(from, to, static_cast<double>(i) / cells));
     const double along = leaf_.length / length;
     const double across = leaf_.width / width;
     for (BladeRow& r : rows) {
         const glm::dvec3 midrib = r.midrib;
-        const glm::dvec3 moved = base_ + along * (midrib - base_);
+        const glm::dvec3 moved = base_ + along * (midrib - begin);
         r.left = moved + across * (r.left - midrib);
         r.right = moved + across * (r.right - midrib);
         r.midrib = moved;
     }
     return rows;
+}
+
+double length_from_tip(const Blade& blade, double area) {
+    constexpr std::size_t steps = 64;
+    std::array<double, steps + 1> width{}, sum{};
+    for (std::size_t i = 0; i <= steps; ++i) {
+        const auto n = basis(1 - static_cast<double>(i) / steps);
+        for (std::size_t c = 0; c < controls_along; ++c)
+            width[i] += n[c] * blade.width_controls.at(c);
+        if (i > 0) sum[i] = sum[i - 1] + (width[i - 1] + width[i]) / 2;
+    }
+    std::size_t i = 1;
+    while (i < steps && sum[i] < area * sum[steps]) ++i;
+    const double rest = area * sum[steps] - sum[i - 1];
+    return std::min(
+        1.,
+        (static_cast<double>(i - 1) + rest / (sum[i] - sum[i - 1])) / steps);
 }
 
 }  // namespace ideotype

@@ -29,11 +29,28 @@ BladeCells cells_of(const Blade& blade, int along) {
                                : BladeCells{std::max(4, 2 * along / 3), 2};
 }
 
-//! One leaflet of a leaf that has its measures.
+//! A part of the length of a blade.
+struct BladePart {
+    double from = 0, to = 1;
+};
+
+//! The faces of a blade that are for its green part, of those along it.
+int green_cells(const Leaf& leaf, int along) {
+    if (!(leaf.dead > 0)) return along;
+    const double green = 1 - leaf.hidden - leaf.dead;
+    return std::clamp(
+        static_cast<int>(std::lround(along * green / (1 - leaf.hidden))), 1,
+        along - 1);
+}
+
+//! One leaflet of a leaf that has its measures, or a part of it.
 //! @param base out from the axis of the stalk and up [m]
 //! @param aside its azimuth from that of the leaf [deg]
 void add_leaflet(Mesh& mesh, std::uint32_t group, const LeafSurface& surface,
-                 double base, double aside, double azimuth, BladeCells cells) {
+                 double base, double aside, double azimuth, BladeCells cells,
+                 BladePart part) {
+    constexpr double least = 1e-6;  // far above rounding
+    if (!(part.to - part.from > least)) return;
     const double sine = std::sin(azimuth * degree);
     const double cosine = std::cos(azimuth * degree);
     const auto placed = [&](glm::dvec3 v) {
@@ -44,7 +61,8 @@ void add_leaflet(Mesh& mesh, std::uint32_t group, const LeafSurface& surface,
         return turned(v, sine, cosine);
     };
     auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (const BladeRow& row : surface.tessellate(cells.along))
+    for (const BladeRow& row :
+         surface.tessellate(cells.along, part.from, part.to))
         for (int k = -cells.beside; k <= cells.beside; ++k)
             mesh.vertices.push_back(placed(
                 glm::mix(row.midrib, k < 0 ? row.left : row.right,
@@ -93,8 +111,18 @@ void add_leaf(Mesh& mesh, std::uint32_t group, const Plant& plant,
         if (steps != 0) leaflet.width *= blade.lateral_size;
         add_leaflet(mesh, group, LeafSurface(leaflet, blade, base.x), base.x,
                     steps * blade.leaflet_divergence, leaf.azimuth,
-                    cells_of(blade, cells_along));
+                    cells_of(blade, green_cells(leaf, cells_along)),
+                    {leaf.hidden, 1 - leaf.dead});
     }
+}
+
+void add_dead_part(Mesh& mesh, std::uint32_t group, const Plant& plant,
+                   const Leaf& leaf, int cells_along) {
+    if (!(leaf.dead > 0)) return;
+    const glm::dvec2 base = rachis_end(plant, leaf);
+    add_leaflet(mesh, group, LeafSurface(leaf, plant.blade, base.x), base.x, 0,
+                leaf.azimuth, {cells_along - green_cells(leaf, cells_along), 1},
+                {1 - leaf.dead, 1});
 }
 
 }  // namespace ideotype

@@ -17,8 +17,13 @@ glm::dvec2 petiole_end(const Plant& plant, const Leaf& leaf);
 //! The end of a leaf's rachis, where its middle leaflet begins, likewise.
 glm::dvec2 rachis_end(const Plant& plant, const Leaf& leaf);
 
-//! Adds the leaflets of a leaf to a group of a mesh.
+//! Adds the leaflets of a leaf to a group of a mesh, but for what is hidden or
+//! dead.
 void add_leaf(Mesh& mesh, std::uint32_t group, const Plant& plant,
               const Leaf& leaf, int cells_along);
+
+//! Adds the dead part of a leaf to a group of a mesh, if it has any.
+void add_dead_part(Mesh& mesh, std::uint32_t group, const Plant& plant,
+                   const Leaf& leaf, int cells_along);
 
 }  // namespace ideotype

@@ -171,6 +171,7 @@ std::vector<std::string> organ_names(const Plant& plant) {
     if (plant.sheath.is_present) names.push_back("sheath");
     if (plant.petiole.is_present && has_petioles(plant))
         names.push_back("petiole");
+    if (has_dead_leaves(plant)) names.push_back("dead_leaves");
     for (const Organ& organ : plant.organs)
         if (organ.is_present) names.push_back(organ.name);
     return names;
@@ -180,6 +181,20 @@ bool has_petioles(const Plant& plant) {
     return std::any_of(
         plant.leaves.begin(), plant.leaves.end(),
         [](const Leaf& leaf) { return leaf.petiole_length > 0; });
+}
+
+bool has_dead_leaves(const Plant& plant) {
+    return std::any_of(plant.leaves.begin(), plant.leaves.end(),
+                       [](const Leaf& leaf) { return leaf.dead > 0; });
+}
+
+double dead_area(const Mesh& mesh) {
+    const std::vector<double> areas = face_areas(mesh);
+    double sum = 0;
+    for (std::size_t f = 0; f < areas.size(); ++f)
+        if (mesh.groups[mesh.face_group[f]].name == dead_leaves)
+            sum += areas[f];
+    return sum;
 }
 
 void stack_internodes(Plant& plant) {
@@ -228,6 +243,11 @@ Mesh build_plant(const Plant& plant, const Tessellation& tessellation) {
     if (plant.petiole.is_present && has_petioles(plant)) {
         begin("stalk_petiole", PlantMaterial::stalk);
         add_petioles(mesh, plant);
+    }
+    if (has_dead_leaves(plant)) {
+        const std::uint32_t group = begin(dead_leaves, PlantMaterial::stalk);
+        for (const Leaf& leaf : plant.leaves)
+            add_dead_part(mesh, group, plant, leaf, tessellation.cells_along);
     }
     for (const Organ& organ : plant.organs) {
         if (!organ.is_present) continue;

@@ -42,7 +42,7 @@ std::vector<std::vector<Estimate>> CaseStand::light_on_sensors(
     sampling.accuracy = {1, fields};
     sampling.randomness = {chosen_.seed};
     const CanopyRequest request =
-        request_of(sampling, campaign_, scene_of(campaign_, chosen_),
+        request_of(sampling, campaign_, chosen_, scene_of(campaign_, chosen_),
                    grow(campaign_, genome));
     return devices_.with([&](const Device& device) {
         return ideotype::light_on_sensors(request, device, sensors, points);

@@ -43,6 +43,8 @@ double mean_of(const std::vector<double>& values) {
 }  // namespace
 
 QuantitySet measured_in(const Campaign& campaign, const Case& scenario) {
+    if (!scenario.stages.empty())
+        return OverStages(campaign, scenario).measured();
     return canopy_quantities(scene_of(campaign, scenario),
                              canopy_layers(campaign), details_of(campaign));
 }
@@ -52,10 +54,17 @@ AcrossScenarios::AcrossScenarios(const Campaign& campaign, const Case& chosen)
     std::vector<QuantitySet> sets;
     std::vector<std::string> labels;
     for (const Case& each : scenarios(chosen)) {
-        sets.push_back(measured_in(campaign, each));
+        stages_.push_back(std::max<std::size_t>(1, each.stages.size()));
+        if (!each.stages.empty()) over_stages_.emplace_back(campaign, each);
+        sets.push_back(each.stages.empty() ? measured_in(campaign, each)
+                                           : over_stages_.back().measured());
         labels.push_back(label(campaign, each));
     }
     const QuantitySet& first = sets.front();
+    if (chosen.scenarios.empty()) {
+        measured_ = first;
+        return;
+    }
     for (const Quantity& each : first.quantities) {
         if (!std::all_of(sets.begin(), sets.end(), [&](const QuantitySet& set) {
                 return has_same_axes(each, first, set);
@@ -117,6 +126,22 @@ void AcrossScenarios::combine_objective(const std::vector<Outcome>& each,
 }
 
 Outcome AcrossScenarios::combine(const std::vector<Outcome>& each) const {
+    std::vector<Outcome> own;
+    std::span<const Outcome> left(each);
+    auto over = over_stages_.begin();
+    // All climates grow or none.
+    for (const std::size_t count : stages_) {
+        own.push_back(over_stages_.empty()
+                          ? left.front()
+                          : (over++)->combine(left.first(count)));
+        left = left.subspan(count);
+    }
+    return own.size() == 1 && shared_.empty() ? own.front()
+                                              : combine_scenarios(own);
+}
+
+Outcome AcrossScenarios::combine_scenarios(
+    const std::vector<Outcome>& each) const {
     Outcome all;
     all.status = Status::done;
     for (std::size_t k = 0; k < aims_.size(); ++k)

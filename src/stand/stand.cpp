@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "campaign/stages.hpp"
 #include "ideotype/core/hash.hpp"
 #include "ideotype/light/tolerance.hpp"
 #include "placed_objects.hpp"
@@ -59,6 +60,47 @@ void stand_in(Component& component, FieldForm form, const Campaign& campaign,
     if (is_mixed) mix(component, static_cast<std::size_t>(standing.mixed));
 }
 
+//! Gives lower leaves that a crop file leaves out the rates of its lowest one,
+//! where leaves differ by rank.
+void complete_rates(Photosynthesis& photosynthesis, std::size_t own,
+                    std::size_t all) {
+    const bool is_by_rank = photosynthesis.profile == CapacityProfile::rank;
+    if (own == all || (!is_by_rank && photosynthesis.rates.size() == 1)) return;
+    std::vector<LeafRates>& rates = photosynthesis.rates;
+    if (is_by_rank)
+        rates = rates_of_leaves(photosynthesis, std::vector<double>(own));
+    if (is_by_rank) photosynthesis.profile = CapacityProfile::none;
+    rates.insert(rates.begin(), all - own, LeafRates(rates.front()));
+}
+
+//! Makes a component that of a full-grown plant, or of one at the age that it
+//! has at a stage.
+void set_grown(const Campaign& campaign, const Case& in, std::size_t number,
+               const Plant& plant, Component& component) {
+    if (!in.stage) return set_plant(component, plant, first_material(number));
+    const Growth* const growth = growth_of(campaign, number);
+    const double age = in.stage->ages[number];
+    const double before = in.stage->ages_before[number];
+    set_plant(component, growth ? plant_at(*growth, plant, age) : plant,
+              first_material(number));
+    component.full_grown = plant;
+    const Mesh mesh =
+        build_plant(growth ? complete_plant(*growth, plant) : plant,
+                    component.tessellation);
+    const std::vector<double> areas = face_areas(mesh);
+    const std::vector<LeafDates> dates =
+        growth ? leaf_dates(*growth) : std::vector<LeafDates>{};
+    component.built.assign(growth ? dates.size() : plant.leaves.size(), 0);
+    for (std::size_t f = 0; f < areas.size(); ++f) {
+        const std::size_t leaf = mesh.face_group[f];
+        if (leaf >= component.built.size()) continue;
+        component.built[leaf] +=
+            areas[f] * (growth ? visible_share(dates[leaf], age) -
+                                     visible_share(dates[leaf], before)
+                               : (in.stage->number == 0 ? 1 : 0));
+    }
+}
+
 //! Tells whether figures of single rows are wanted: rows are not alike, and
 //! each has plants of one component.
 bool has_rows_apart(const Campaign& campaign) {
@@ -68,6 +110,27 @@ bool has_rows_apart(const Campaign& campaign) {
            std::none_of(
                campaign.neighbours.begin(), campaign.neighbours.end(),
                [](const Neighbour& each) { return each.standing.mixed > 0; });
+}
+
+//! Returns how many dates have suns of their own: stages share them out.
+int sun_dates_of(const Campaign& campaign, const Case& chosen) {
+    return chosen.stage
+               ? (campaign.sun_dates + campaign.stages - 1) / campaign.stages
+               : campaign.sun_dates;
+}
+
+//! Gives a stage its part of the paths, by what it carries: errors of stages
+//! are independent, so that all of them together have the tolerance.
+void take_share(const Stage& stage, Sampling& sampling) {
+    constexpr double largest = 0.5;
+    Accuracy& accuracy = sampling.accuracy;
+    accuracy.paths =
+        std::max(static_cast<int>(fewest_paths),
+                 static_cast<int>(std::lround(accuracy.paths * stage.share)));
+    accuracy.tolerance =
+        std::min(largest, accuracy.tolerance / std::sqrt(stage.share));
+    sampling.randomness.first_randomisation +=
+        stage.number * static_cast<std::uint32_t>(accuracy.randomisations);
 }
 
 }  // namespace
@@ -81,12 +144,19 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
         component_of(campaign.crop.baseline, form, campaign.tessellation)};
     Component& bred = scene.components.front();
     bred.photosynthesis = campaign.photosynthesis;
+    if (chosen.stage) {
+        set_grown(campaign, chosen, 0, campaign.crop.baseline, bred);
+        if (bred.photosynthesis)
+            complete_rates(*bred.photosynthesis,
+                           campaign.crop.baseline.leaves.size(),
+                           bred.plant->leaves.size());
+    }
     scene.bands = {
         {"par",
          illuminate(light_of(campaign, chosen), campaign.sky_model,
                     chosen.spacing.row_direction,
                     has_trackers(campaign) ? Skies::each : Skies::shared,
-                    campaign.sun_dates),
+                    sun_dates_of(campaign, chosen)),
          {campaign.optics.materials(), campaign.soil_albedo}}};
     if (campaign.has_nir) {
         scene.bands.push_back(
@@ -106,12 +176,16 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
     if (bred_plants(campaign) < bred.places.size())
         mix(bred, bred_plants(campaign));
     for (const Neighbour& each : campaign.neighbours) {
-        const std::uint32_t first = first_material(scene.components.size());
         Component& component = scene.components.emplace_back();
         component.name = each.name;
         component.tessellation = campaign.tessellation;
         component.photosynthesis = each.photosynthesis;
-        set_plant(component, each.crop.baseline, first);
+        set_grown(campaign, chosen, scene.components.size() - 1,
+                  each.crop.baseline, component);
+        if (component.photosynthesis)
+            complete_rates(*component.photosynthesis,
+                           each.crop.baseline.leaves.size(),
+                           component.plant->leaves.size());
         stand_in(component, form, campaign, each.standing);
         for (Band& band : scene.bands)
             for (const Material& material :
@@ -127,11 +201,12 @@ Details details_of(const Campaign& campaign) {
     return {.lines = campaign.feasibility.lines};
 }
 
-CanopyRequest request_of(const Sampling& sampling, const Campaign& campaign,
-                         Scene scene, const Plants& plants) {
+CanopyRequest request_of(Sampling sampling, const Campaign& campaign,
+                         const Case& in, Scene scene, const Plants& plants) {
     for (std::size_t i = 0; i < plants.size(); ++i)
         if (i == 0 || !campaign.neighbours.at(i - 1).free.empty())
-            set_plant(scene.components.at(i), plants[i], first_material(i));
+            set_grown(campaign, in, i, plants[i], scene.components.at(i));
+    if (in.stage) take_share(*in.stage, sampling);
     return {std::move(scene), canopy_layers(campaign), sampling.accuracy,
             sampling.randomness, details_of(campaign)};
 }
@@ -139,9 +214,7 @@ CanopyRequest request_of(const Sampling& sampling, const Campaign& campaign,
 OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
                              const Accuracy& accuracy) {
     OutcomeSchema schema;
-    schema.measured = chosen.scenarios.empty()
-                          ? measured_in(campaign, chosen)
-                          : AcrossScenarios(campaign, chosen).measured();
+    schema.measured = AcrossScenarios(campaign, chosen).measured();
     schema.randomisations = static_cast<std::size_t>(accuracy.replicates());
     for (const Aim& aim : aims(campaign))
         schema.objectives.push_back(
@@ -155,7 +228,7 @@ namespace {
 double constrained_lai(const Campaign& campaign, const Plant& plant,
                        const CanopyReport& report) {
     const ComponentReport& bred = report.components.front();
-    return campaign.field.variation.is_any()
+    return campaign.field.variation.is_any() || report.grows
                ? lai_of_line(build_plant(plant, campaign.tessellation),
                              bred.ground_per_plant)
                : bred.lai;
@@ -215,12 +288,12 @@ Outcome to_outcome(const Campaign& campaign, const Plant& plant,
 
 Stand::Stand(const Campaign& campaign, const Case& chosen)
     : campaign_(campaign),
-      cases_(scenarios(chosen)),
+      cases_(evaluated_cases(chosen)),
+      across_(campaign, chosen),
       schema_(outcome_schema(campaign, chosen, campaign.sampling)),
       final_schema_(schema_) {
     final_schema_.randomisations =
         static_cast<std::size_t>(campaign.final_rule.sampling.randomisations);
-    if (!chosen.scenarios.empty()) across_.emplace(campaign, chosen);
 }
 
 void Stand::prepare() {
@@ -233,12 +306,13 @@ Outcome Stand::evaluate(const Plants& plants, const Sampling& sampling,
                         const Device& device) {
     prepare();
     std::vector<Outcome> outcomes;
-    for (const Scene& scene : scenes_)
+    for (std::size_t i = 0; i < scenes_.size(); ++i)
         outcomes.push_back(to_outcome(
             campaign_, plants.front(),
-            ideotype::evaluate(request_of(sampling, campaign_, scene, plants),
-                               device)));
-    return across_ ? across_->combine(outcomes) : std::move(outcomes.front());
+            ideotype::evaluate(
+                request_of(sampling, campaign_, cases_[i], scenes_[i], plants),
+                device)));
+    return across_.combine(outcomes);
 }
 
 }  // namespace ideotype

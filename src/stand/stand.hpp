@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,8 +30,10 @@ Details details_of(const Campaign& campaign);
 //! Requests the evaluation of plants in a scene of a campaign: that of the
 //! crop, and those of components that are bred. What the list lacks stays as
 //! the scene has it.
-CanopyRequest request_of(const Sampling& sampling, const Campaign& campaign,
-                         Scene scene, const Plants& plants);
+//! @param in the case of the scene; at a stage plants are as old as that, and
+//! have their share of all work and random numbers of their own
+CanopyRequest request_of(Sampling sampling, const Campaign& campaign,
+                         const Case& in, Scene scene, const Plants& plants);
 
 //! The form of a case's outcomes, with this accuracy.
 OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
@@ -56,7 +57,7 @@ Estimate land_equivalent_ratio(const Campaign& campaign,
 double lai_of_line(const Mesh& plant, double ground_per_plant);
 
 //! Returns the outcome that a report tells of a plant, in the form of a case
-//! with one scenario.
+//! with one scenario, or of one stage.
 //! @param plant of the campaign's crop, which constraints are about
 Outcome to_outcome(const Campaign& campaign, const Plant& plant,
                    const CanopyReport& report);
@@ -84,9 +85,9 @@ class Stand {
 
   private:
     const Campaign& campaign_;
-    std::vector<Case> cases_;                //!< of each scenario
-    std::vector<Scene> scenes_;              //!< empty until they are set up
-    std::optional<AcrossScenarios> across_;  //!< of several
+    std::vector<Case> cases_;    //!< of each scenario and stage
+    std::vector<Scene> scenes_;  //!< empty until they are set up
+    AcrossScenarios across_;
     OutcomeSchema schema_, final_schema_;
 };
 

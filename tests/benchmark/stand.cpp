@@ -12,7 +12,8 @@ BenchStand::BenchStand(Campaign changed)
       chosen(cases(campaign).front()),
       baseline(baseline_genome(campaign)),
       request(request_of(sampling_of(Task{}, campaign, chosen), campaign,
-                         scene_of(campaign, chosen), {campaign.crop.baseline})),
+                         chosen, scene_of(campaign, chosen),
+                         {campaign.crop.baseline})),
       device(Device::supported_isas().back()) {}
 
 Field BenchStand::field(const Genome& genome) const {

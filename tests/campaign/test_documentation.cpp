@@ -181,6 +181,20 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
     for (const std::string& line : lines_of(read_campaign_text(
              sample_text("", ratio), IDEOTYPE_CAMPAIGNS "/ratio.toml")))
         lines.push_back(line);
+    // Plants grow in a climate.
+    std::string grown =
+        read_campaign(IDEOTYPE_CAMPAIGNS "/growing_season.toml").source;
+    const std::string temperature = "temperature = [\"temp_c\", \"C\"]\n";
+    for (auto at = grown.find(temperature); at != grown.npos;
+         at = grown.find(temperature, at + temperature.size()))
+        grown.insert(at += temperature.size(),
+                     "ppfd = [\"ppfd_umol\", \"umol/m2/s\"]\n");
+    grown +=
+        "[[component]]\nname = \"relay\"\nrows = [2]\nlater = 20\n"
+        "crop = \"crops/maize_hybrid.toml\"\n";
+    for (const std::string& line : lines_of(
+             read_campaign_text(grown, IDEOTYPE_CAMPAIGNS "/growing.toml")))
+        if (!line.starts_with("plant.baseline.")) lines.push_back(line);
     for (const std::string& line : lines) {
         std::string name = line.substr(0, line.find(' '));
         for (const std::string key : {"component.crop", "component.variation"})

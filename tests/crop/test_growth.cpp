@@ -74,6 +74,70 @@ TEST(Growth, StemsGrowToTheHeightsOfThePlant) {
     }
 }
 
+//! The sum of a group of leaves of a plant at an age [m2].
+double mesh_area(const Mesh& mesh, bool are_leaves) {
+    double sum = 0;
+    const std::vector<double> areas = face_areas(mesh);
+    for (std::size_t f = 0; f < areas.size(); ++f)
+        if (const Group& group = mesh.groups[mesh.face_group[f]];
+            are_leaves ? group.id.is_leaf() : group.name == "stalk_dead_leaves")
+            sum += areas[f];
+    return sum;
+}
+
+TEST(Growth, TheMeshOfAPlantHasItsGreenAndDeadAreaAtEachAge) {
+    const Plant plant = complete_plant(hybrid, sample_plant());
+    ASSERT_EQ(plant.leaves.size(), 19u);
+    // A blade is 0.7455 length x width; its area in the plant follows.
+    const std::vector<LeafDates> dates = leaf_dates(hybrid);
+    for (const double tau : {60., 300., 700., 887., 1100., 1500., 2100.}) {
+        double green = 0, dead = 0;
+        for (std::size_t i = 0; i < dates.size(); ++i) {
+            const Leaf& leaf = plant.leaves[i];
+            const double area = 0.7455 * leaf.length * leaf.width *
+                                visible_share(dates[i], tau);
+            const double faded = faded_share(hybrid, dates[i], tau);
+            green += area * (1 - faded);
+            dead += area * faded;
+        }
+        const Mesh mesh =
+            build_plant(plant_at(hybrid, sample_plant(), tau), {48, 8});
+        EXPECT_NEAR(mesh_area(mesh, true) / green, 1, 0.01) << tau;
+        EXPECT_NEAR(mesh_area(mesh, false), dead, 0.01 * (green + dead)) << tau;
+    }
+}
+
+TEST(Growth, APlantWithAllLeavesFullAndGreenIsTheGrownOneToTheBit) {
+    Growth growth = hybrid;
+    growth.leaves = 3;
+    growth.lower_death = 3000;
+    growth.upper_death = 3000;
+    Plant plant = sample_plant();
+    plant.organs.push_back({"ear", true, PlantMaterial::stalk, 2});
+    plant.organs.back().length = 0.2;
+    plant.organs.back().base_diameter = 0.02;
+    const Mesh grown = build_plant(plant, {});
+    const Mesh at = build_plant(plant_at(growth, plant, 2000), {});
+    EXPECT_EQ(at.vertices, grown.vertices);
+    EXPECT_EQ(at.faces, grown.faces);
+    EXPECT_EQ(at.face_group, grown.face_group);
+    const Mesh young = build_plant(plant_at(growth, plant, 100), {});
+    EXPECT_NE(young.vertices, grown.vertices);
+}
+
+TEST(Growth, AnUnfoldingBladeIsErectAndItsTipIsTheGrownOne) {
+    const LeafDates dates = leaf_dates(hybrid)[18];
+    const double half = (dates.tip + dates.collar) / 2;
+    const Plant young = plant_at(hybrid, sample_plant(), half);
+    const Leaf &leaf = young.leaves[18], &grown = sample_plant().leaves[2];
+    EXPECT_NEAR(leaf.insertion_angle, grown.insertion_angle * 0.65, 1e-12);
+    EXPECT_GT(leaf.hidden, 0.2);
+    EXPECT_LT(leaf.hidden, 0.6);
+    EXPECT_EQ(leaf.length, grown.length);
+    EXPECT_LT(young.stalk.height, sample_plant().stalk.height);
+    EXPECT_EQ(plant_at(hybrid, sample_plant(), 0).leaves[18].hidden, 1);
+}
+
 TEST(Growth, ThermalTimeIsTheMeanOfHoursBetweenBaseAndCap) {
     std::array<double, 24> hours{};
     hours.fill(5);

@@ -89,7 +89,7 @@ TEST_F(Ames, TheElitePlantAbsorbsMoreThanTheBaseline) {
     const auto absorbed = [&](const Plant& plant) {
         return evaluate(
                    request_of(sampling_of(Task{}, campaign, all[0]), campaign,
-                              scene_of(campaign, all[0]), {plant}),
+                              all[0], scene_of(campaign, all[0]), {plant}),
                    device)
             .par()
             .light.day.leaves;
@@ -227,7 +227,7 @@ TEST(Canopy, InThePolarNightAllFiguresAreZero) {
             outcome_schema(campaign, night, campaign.sampling),
             to_outcome(campaign, baseline,
                        evaluate(request_of(sampling_of(Task{}, campaign, night),
-                                           campaign, scene, {baseline}),
+                                           campaign, night, scene, {baseline}),
                                 device)));
         EXPECT_EQ(outcome.status, Status::done) << outcome.message;
         EXPECT_EQ(outcome.objectives[0].mean, 0);

@@ -66,7 +66,7 @@ class FaceLight : public ::testing::Test {
     const Case chosen = cases(campaign)[0];
     const double ground = chosen.spacing.row * chosen.spacing.plant;
     CanopyRequest request =
-        request_of(sampling_of(Task{}, campaign, chosen), campaign,
+        request_of(sampling_of(Task{}, campaign, chosen), campaign, chosen,
                    scene_of(campaign, chosen), {campaign.crop.baseline});
     const Mesh plant =
         build_plant(campaign.crop.baseline, campaign.tessellation);

@@ -53,7 +53,7 @@ std::vector<Outcome> separately(const Case& robust) {
         each.push_back(to_outcome(
             campaign, plant,
             evaluate(request_of(sampling_of(Task{}, campaign, one), campaign,
-                                scene_of(campaign, one), {plant}),
+                                one, scene_of(campaign, one), {plant}),
                      device)));
     }
     return each;

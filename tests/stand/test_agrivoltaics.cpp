@@ -37,7 +37,7 @@ CanopyReport light_of_field(const Settings& settings) {
     const Campaign campaign = campaign_with(settings);
     const Case chosen = cases(campaign).front();
     return evaluate(
-        request_of(sampling_of(Task{}, campaign, chosen), campaign,
+        request_of(sampling_of(Task{}, campaign, chosen), campaign, chosen,
                    scene_of(campaign, chosen), {campaign.crop.baseline}),
         Device(Device::supported_isas().back()));
 }

@@ -18,7 +18,7 @@ class Soybean : public ::testing::Test {
                                   "light.paths=1048576", "light.fields=1"})) {
         const Case chosen = cases(campaign).back();
         request =
-            request_of(sampling_of(Task{}, campaign, chosen), campaign,
+            request_of(sampling_of(Task{}, campaign, chosen), campaign, chosen,
                        scene_of(campaign, chosen), {campaign.crop.baseline});
     }
 

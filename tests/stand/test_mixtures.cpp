@@ -32,7 +32,8 @@ class Mixtures : public ::testing::Test {
             read_campaign(IDEOTYPE_CAMPAIGNS "/ames_quick.toml", settings);
         const Case chosen = cases(campaign).front();
         return request_of(sampling_of(Task{}, campaign, chosen), campaign,
-                          scene_of(campaign, chosen), {campaign.crop.baseline});
+                          chosen, scene_of(campaign, chosen),
+                          {campaign.crop.baseline});
     }
 
     static Estimate number(const std::string& name,

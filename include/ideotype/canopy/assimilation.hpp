@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "ideotype/canopy/pieces.hpp"
@@ -47,6 +48,10 @@ struct AssimilationReport {
     //! Carbon that leaves of each group of the mesh are built of, and of all.
     std::vector<double> building_of_groups;
     double building = 0;
+    //! Of plants that grow: gross assimilation after silking by randomisation,
+    //! and what leaves respire then.
+    std::vector<double> late_gross;
+    double late_respiration = 0;
 
     //! Respiration of all leaves.
     Respiration all_respiration() const;
@@ -79,6 +84,8 @@ struct LeafGroup {
     LeafRates rates{};
     //! Photosynthesis of their component; null: they do not assimilate.
     const Photosynthesis* photosynthesis = nullptr;
+    //! Leaf area per ground area that was built, see Component::built.
+    std::optional<double> built{};
 };
 
 //! Tells how the leaves of each group of a scene assimilate, by their rank.

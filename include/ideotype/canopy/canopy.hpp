@@ -128,6 +128,8 @@ struct CanopyReport {
     int days = 1;                 //!< that daily figures are the mean of
     double lai = 0;               //!< one-sided leaf area over ground [m2 m-2]
     double plant_area_index = 0;  //!< with half the surface of other organs
+    bool grows = false;           //!< plants grow; this is one stage
+    double dead_area_index = 0;   //!< of leaves, per ground area [m2 m-2]
     double assimilating_lai = 0;  //!< leaf area index of leaves that assimilate
     double ground_area = 0;       //!< that all figures refer to [m2]
     Boundary boundary = Boundary::periodic;

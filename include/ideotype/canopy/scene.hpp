@@ -61,6 +61,12 @@ struct Component {
     PlantVariation variation{};
     std::optional<Photosynthesis> photosynthesis{};  //!< if leaves assimilate
     double ground_per_plant = 0;                     //!< of all ground [m2]
+    //! The plant full-grown, if it stands as it is at another age.
+    std::optional<Plant> full_grown{};
+    //! Of plants that grow: area of each leaf that was built in the time that
+    //! the light is of [m2 per plant]. Empty: all of it, in the days that
+    //! photosynthesis tells.
+    std::vector<double> built{};
 
     //! Plants in a field, with those that are missing.
     std::size_t plants() const { return mixed > 0 ? mixed : places.size(); }

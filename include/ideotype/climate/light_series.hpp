@@ -33,6 +33,7 @@ struct TimeStep {
     std::optional<double> pressure{};  //!< of the air [kPa]
     //! Longwave radiation of the sky, horizontal [W m-2].
     std::optional<double> longwave{};
+    bool is_late = false;  //!< after the silking of plants that grow
 
     bool is_lit() const { return par.beam + par.diffuse > 0; }
 };
@@ -45,6 +46,9 @@ struct LightSeries {
     double utc_offset = 0;    //!< of the clock of hours [h]
     double wind_height = 10;  //!< above the ground [m]
     double co2 = 400;         //!< of the air [umol mol-1]
+    //! Plants grow: each step has the part of its time for which they are as
+    //! they stand.
+    bool grows = false;
 
     double beam() const;      //!< PAR on a mean day [J m-2 day-1]
     double diffuse() const;   //!< PAR on a mean day [J m-2 day-1]

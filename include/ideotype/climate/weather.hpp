@@ -52,10 +52,13 @@ struct ColumnMap {
     std::optional<Column> beam_normal{};       //!< on a plane facing the sun
     std::optional<Column> diffuse{};           //!< on a horizontal plane
     std::optional<Column> diffuse_fraction{};  //!< of the global light; 1 or %
-    std::optional<Column> temperature{};       //!< C, K or F
-    std::optional<Column> humidity{};          //!< relative; 1 or %
-    std::optional<Column> wind{};              //!< m/s, km/h, mph or kn
-    std::optional<Column> pressure{};          //!< kPa, hPa, mbar or Pa
+    //! Photons from 400 to 700 nm on a horizontal plane, which are compared
+    //! with the global light and otherwise of no account.
+    std::optional<Column> ppfd{};
+    std::optional<Column> temperature{};  //!< C, K or F
+    std::optional<Column> humidity{};     //!< relative; 1 or %
+    std::optional<Column> wind{};         //!< m/s, km/h, mph or kn
+    std::optional<Column> pressure{};     //!< kPa, hPa, mbar or Pa
     //! Longwave radiation of the sky on a horizontal plane, as of light.
     std::optional<Column> longwave{};
 };

@@ -90,6 +90,19 @@ std::vector<double> collar_heights(const Growth& growth,
                                    std::span<const double> final_heights,
                                    double sheath, double thermal_time);
 
+//! Returns a full-grown plant with all of its leaves: those below the plant's
+//! are like its lowest one, with an area that follows that one's as areas of
+//! leaf_dates() do.
+Plant complete_plant(const Growth& growth, const Plant& plant);
+
+//! Returns a plant at a thermal time, with all of its leaves, out or not. The
+//! higher the visible share v of a blade, the more it leaves the stalk, by
+//! 0.3 + 0.7 v of its insertion angle, and bends, by v; of a dead one the tip
+//! hangs by 40 deg more. Organs other than leaves grow in the last 100 deg C d
+//! before silking.
+//! @param plant full-grown, whose leaves are the highest
+Plant plant_at(const Growth& growth, const Plant& plant, double thermal_time);
+
 //! Returns the thermal time of one day [deg C d]: the mean over its hours of
 //! how far the temperature, at most `cap`, is above `base`.
 double daily_thermal_time(const Growth& growth,

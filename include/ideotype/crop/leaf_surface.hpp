@@ -51,7 +51,10 @@ class LeafSurface {
     //! little that makes the length of the midrib polyline exactly the leaf's
     //! length and the widest row exactly its width (measured on the blade, as
     //! on a leaf laid flat).
-    std::vector<BladeRow> tessellate(int cells) const;
+    //! @param from,to relative lengths between which rows are; the blade is
+    //! moved so that what is not hidden begins at the stalk
+    std::vector<BladeRow> tessellate(int cells, double from = 0,
+                                     double to = 1) const;
 
   private:
     //! Returns the midrib's angle from the vertical at relative arc length s
@@ -70,5 +73,9 @@ class LeafSurface {
     std::vector<glm::dvec2> digitised_;  //!< relative arc length, angle [deg]
     std::array<glm::dvec2, 33> midrib_;  //!< of a digitised one, equal steps
 };
+
+//! Returns the part of a blade's length, from the tip, that has a part of its
+//! area.
+double length_from_tip(const Blade& blade, double area);
 
 }  // namespace ideotype

@@ -34,6 +34,9 @@ struct Leaf {
     //! stalk and height, in any unit and from any origin. None: the angle of
     //! the midrib follows from insertion_angle and curvature.
     std::vector<glm::dvec2> midrib{};
+    //! Parts of the length of a single blade: at its base that is not out yet,
+    //! and at its tip that is dead. The blade begins where it comes out.
+    double hidden = 0, dead = 0;
 };
 
 //! Sets insertion_angle and curvature of a leaf whose midrib is digitised: the
@@ -125,6 +128,12 @@ struct Plant {
     Petiole petiole{};
 };
 
+//! The name of the group of dead parts of leaves.
+inline constexpr auto dead_leaves = "stalk_dead_leaves";
+
+//! Returns the area of dead parts of leaves [m2].
+double dead_area(const Mesh& mesh);
+
 //! The fineness with which curved surfaces are cut into faces.
 struct Tessellation {
     //! Cells along a blade, which has two across; leaflets have two thirds as
@@ -134,11 +143,15 @@ struct Tessellation {
 };
 
 //! The names of a plant's present organs besides its leaves, in the order of
-//! their groups: "stalk", "sheath", "petiole", then the others.
+//! their groups: "stalk", "sheath", "petiole", "dead_leaves", then the others.
 std::vector<std::string> organ_names(const Plant& plant);
 
 //! Returns whether any leaf has a petiole, be it present or not.
 bool has_petioles(const Plant& plant);
+
+//! Returns whether a part of any leaf is dead. Dead parts have the optics of
+//! the stalk.
+bool has_dead_leaves(const Plant& plant);
 
 //! Puts each leaf whose internode is told so far above the leaf below it, and
 //! the top of the stalk at the highest leaf if that is one of them.

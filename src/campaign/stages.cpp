@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stages.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace ideotype {
+
+namespace {
+
+//! The thermal time in the middle of each hour of a series since plants
+//! emerged; negative before.
+std::vector<double> thermal_times(const Growth& growth, const Date& emergence,
+                                  int later, const LightSeries& series) {
+    const auto begin = day_of(emergence) + std::chrono::days(later);
+    std::vector<double> times;
+    double sum = 0;
+    for (const TimeStep& step : series.steps) {
+        if (day_of(step.date) < begin) {
+            times.push_back(-1);
+            continue;
+        }
+        const double temperature = step.temperature.value_or(growth.base);
+        const double time = daily_thermal_time(growth, {&temperature, 1}) *
+                            step.seconds / 86400;
+        times.push_back(sum + time / 2);
+        sum += time;
+    }
+    return times;
+}
+
+//! A season of a crop: its hours from emergence to the day of maturity.
+struct Season {
+    std::size_t begin = 0, end = 0;  //!< of the steps of the period
+    std::vector<double> times;       //!< of all steps
+};
+
+Season season_of(const Campaign& campaign, const Case& chosen,
+                 const LightSeries& series) {
+    const Growth& growth = *campaign.crop.growth;
+    Season season;
+    season.times = thermal_times(growth, climate_of(campaign, chosen).emergence,
+                                 0, series);
+    const auto& times = season.times;
+    season.begin =
+        static_cast<std::size_t>(std::find_if(times.begin(), times.end(),
+                                              [](double x) { return x >= 0; }) -
+                                 times.begin());
+    season.end = static_cast<std::size_t>(
+        std::lower_bound(times.begin(), times.end(), maturity_time(growth)) -
+        times.begin());
+    if (season.end < times.size()) {
+        const Date last = series.steps[season.end].date;
+        while (season.end < times.size() &&
+               series.steps[season.end].date == last)
+            ++season.end;
+    }
+    return season;
+}
+
+//! A canopy at an age, roughly: the part of light that green leaves intercept,
+//! and how much of their height and of their angles plants have.
+struct Shape {
+    double interception = 0, height = 0, unfolded = 0;
+};
+
+//! The shapes of the canopy of a crop's baseline over time.
+class Shapes {
+  public:
+    Shapes(const Growth& growth, const Plant& plant,
+           const Tessellation& tessellation, double ground_per_plant)
+        : growth_(growth),
+          dates_(leaf_dates(growth)),
+          heights_(final_collar_heights(growth, plant)),
+          sheath_(plant.sheath.length) {
+        // Areas of the plant's own leaves need not be those of its growth.
+        double all = 0;
+        for (const LeafDates& leaf : dates_) all += leaf.area;
+        const Mesh mesh =
+            build_plant(complete_plant(growth, plant), tessellation);
+        index_ = plant_area(mesh).leaves / all / ground_per_plant;
+    }
+
+    Shape at(double time) const {
+        constexpr double extinction = 0.6;
+        double green = 0, visible = 0, unfolded = 0;
+        for (const LeafDates& leaf : dates_) {
+            const double share = visible_share(leaf, time);
+            green += blade_area(growth_, leaf, time).green;
+            visible += leaf.area * share;
+            unfolded += leaf.area * share * share;
+        }
+        return {1 - std::exp(-extinction * index_ * green),
+                collar_heights(growth_, heights_, sheath_, time).back() /
+                    heights_.back(),
+                visible > 0 ? unfolded / visible : 0};
+    }
+
+    //! When half of the first leaf is out.
+    double first() const {
+        return (dates_.front().tip + dates_.front().collar) / 2;
+    }
+
+  private:
+    const Growth& growth_;
+    std::vector<LeafDates> dates_;
+    std::vector<double> heights_;
+    double sheath_, index_ = 0;
+};
+
+//! Chooses so many of some points, the first and the last among them, so that
+//! straight lines between chosen ones are nearest to the values of all (by
+//! dynamic programming).
+std::vector<std::size_t> best_knots(const std::vector<Shape>& values,
+                                    std::size_t count) {
+    // Heights and angles change carbon less than leaf area does.
+    constexpr double of_form = 0.5;
+    const std::size_t n = values.size();
+    const auto error = [&](std::size_t a, std::size_t b) {
+        double sum = 0;
+        for (std::size_t i = a + 1; i < b; ++i) {
+            const double place =
+                static_cast<double>(i - a) / static_cast<double>(b - a);
+            const auto off = [&](double Shape::*part) {
+                return std::abs(values[i].*part - std::lerp(values[a].*part,
+                                                            values[b].*part,
+                                                            place));
+            };
+            sum += off(&Shape::interception) +
+                   of_form * values[i].interception *
+                       (off(&Shape::height) + off(&Shape::unfolded));
+        }
+        return sum;
+    };
+    constexpr double none = std::numeric_limits<double>::infinity();
+    std::vector<double> best(n, none);
+    best[0] = 0;
+    std::vector<std::vector<std::size_t>> from;
+    for (std::size_t k = 1; k < count; ++k) {
+        std::vector<double> next(n, none);
+        from.emplace_back(n);
+        for (std::size_t b = k; b < n; ++b)
+            for (std::size_t a = k - 1; a < b; ++a)
+                if (const double sum = best[a] + error(a, b); sum < next[b]) {
+                    next[b] = sum;
+                    from.back()[b] = a;
+                }
+        best = std::move(next);
+    }
+    std::vector<std::size_t> knots{n - 1};
+    while (!from.empty()) {
+        knots.insert(knots.begin(), from.back()[knots.front()]);
+        from.pop_back();
+    }
+    return knots;
+}
+
+//! The thermal times of stages until some time. A single one is in the middle
+//! of the time with the most leaves.
+std::vector<double> stage_times(const Shapes& shapes, double last, int count) {
+    constexpr std::size_t steps = 80;
+    std::vector<double> times;
+    std::vector<Shape> values;
+    for (std::size_t i = 0; i <= steps; ++i) {
+        times.push_back(
+            std::lerp(shapes.first(), last, static_cast<double>(i) / steps));
+        values.push_back(shapes.at(times.back()));
+    }
+    if (count == 1) {
+        double most = 0;
+        for (const Shape& each : values)
+            most = std::max(most, each.interception * (1 - 1e-9));
+        const auto is_most = [&](const Shape& x) {
+            return x.interception >= most;
+        };
+        const auto low = std::find_if(values.begin(), values.end(), is_most);
+        const auto high = std::find_if(values.rbegin(), values.rend(), is_most);
+        return {(times[static_cast<std::size_t>(low - values.begin())] +
+                 times[static_cast<std::size_t>(values.rend() - high) - 1]) /
+                2};
+    }
+    std::vector<double> chosen;
+    for (const std::size_t knot :
+         best_knots(values, static_cast<std::size_t>(count)))
+        chosen.push_back(times[knot]);
+    return chosen;
+}
+
+//! The part of the time around a thermal time that a stage stands for.
+double weight(const Stage& stage, double time) {
+    if (time < stage.at)
+        return stage.before ? std::max(0., (time - *stage.before) /
+                                               (stage.at - *stage.before))
+                            : 1;
+    return stage.after
+               ? std::max(0., (*stage.after - time) / (*stage.after - stage.at))
+               : 1;
+}
+
+}  // namespace
+
+const Climate& climate_of(const Campaign& campaign, const Case& chosen) {
+    return std::find_if(
+               campaign.climates.begin(), campaign.climates.end(),
+               [&](const auto& each) { return each.name == chosen.day_name; })
+        ->value;
+}
+
+const Growth* growth_of(const Campaign& campaign, std::size_t component) {
+    const Crop& crop = component == 0
+                           ? campaign.crop
+                           : campaign.neighbours.at(component - 1).crop;
+    return crop.growth ? &*crop.growth : nullptr;
+}
+
+void add_stages(const Campaign& campaign, Case& one) {
+    // A draft does not have it yet.
+    if (!campaign.crop.growth || campaign.climates.empty() ||
+        !climate_of(campaign, one).grows())
+        return;
+    const Growth& growth = *campaign.crop.growth;
+    const LightSeries series = light_of(campaign, one);
+    const Season season = season_of(campaign, one, series);
+    const Shapes shapes(growth, campaign.crop.baseline, campaign.tessellation,
+                        one.spacing.row * one.spacing.plant);
+    const std::vector<double> at =
+        stage_times(shapes, season.times[season.end - 1], campaign.stages);
+    std::vector<std::vector<double>> times{season.times};
+    for (std::size_t c = 1; c <= campaign.neighbours.size(); ++c)
+        times.push_back(
+            growth_of(campaign, c)
+                ? thermal_times(*growth_of(campaign, c),
+                                climate_of(campaign, one).emergence,
+                                campaign.neighbours[c - 1].standing.later,
+                                series)
+                : std::vector<double>(season.times.size()));
+    const Case whole = one;
+    double sum = 0;
+    for (std::size_t k = 0; k < at.size(); ++k) {
+        Stage stage{static_cast<std::uint32_t>(k), at[k]};
+        if (k > 0) stage.before = at[k - 1];
+        if (k + 1 < at.size()) stage.after = at[k + 1];
+        const auto step = static_cast<std::size_t>(
+            std::lower_bound(season.times.begin(),
+                             season.times.begin() +
+                                 static_cast<std::ptrdiff_t>(season.end - 1),
+                             at[k]) -
+            season.times.begin());
+        stage.day = static_cast<double>(step - season.begin) *
+                    series.steps[step].seconds / 86400;
+        for (const std::vector<double>& each : times)
+            stage.ages.push_back(each[step]);
+        stage.ages[0] = at[k];
+        stage.ages_before = k > 0 ? one.stages[k - 1].stage->ages
+                                  : std::vector<double>(times.size(), -1);
+        stage.share = 0;
+        for (std::size_t i = season.begin; i < season.end; ++i)
+            stage.share +=
+                weight(stage, season.times[i]) *
+                (series.steps[i].par.beam + series.steps[i].par.diffuse);
+        stage.share *= shapes.at(at[k]).interception;
+        sum += stage.share;
+        one.stages.push_back(whole);
+        one.stages.back().stage = std::move(stage);
+    }
+    for (Case& each : one.stages) each.stage->share /= sum;
+}
+
+LightSeries at_stage(const Campaign& campaign, const Case& chosen,
+                     LightSeries series) {
+    const Season season = season_of(campaign, chosen, series);
+    const double silking = silking_time(*campaign.crop.growth);
+    std::vector<TimeStep> steps;
+    std::vector<Date> dates;
+    for (std::size_t i = season.begin; i < season.end; ++i) {
+        TimeStep step = series.steps[i];
+        if (dates.empty() || dates.back() != step.date)
+            dates.push_back(step.date);
+        step.seconds *= weight(*chosen.stage, season.times[i]);
+        step.is_late = season.times[i] > silking;
+        if (step.seconds > 0) steps.push_back(step);
+    }
+    series.steps = std::move(steps);
+    series.days = static_cast<int>(dates.size());
+    series.grows = true;
+    return series;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "over_stages.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "ideotype/canopy/quantities.hpp"
+#include "stand.hpp"
+
+namespace ideotype {
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+//! Quantities that are told of each stage, by day in its time.
+const Names told_by_stage{"lai",          "dead_area_index",  "fapar",
+                          "absorbed_par", "net_assimilation", "carbon_balance"};
+
+Axis days_of_all(const std::vector<QuantitySet>& sets) {
+    Axis axis = sets.front().axis("day");
+    std::set<std::string> days;
+    for (const QuantitySet& set : sets) {
+        const auto& own = std::get<Names>(set.axis("day").coordinates);
+        days.insert(own.begin(), own.end());
+    }
+    axis.coordinates = Names(days.begin(), days.end());
+    return axis;
+}
+
+}  // namespace
+
+OverStages::Weights OverStages::weights_of(const std::string& name,
+                                           const std::string& unit) {
+    if (name.ends_with("_per_leaf_area")) return Weights::leaf_area;
+    if (name == extinction) return Weights::leaf_time;
+    if (unit == "MJ m-2 day-1" || unit == "mol m-2 day-1" ||
+        unit == "g m-2 day-1" || unit == "t ha-1" || name == "paths")
+        return Weights::one;
+    if (unit == "g MJ-1") return Weights::absorbed;
+    return unit == "1" ? Weights::incident : Weights::time;
+}
+
+void OverStages::add(const Quantity& quantity,
+                     const std::vector<QuantitySet>& sets) {
+    const bool is_by_day = quantity.axes == Names{"day"};
+    if (std::count(quantity.axes.begin(), quantity.axes.end(), "hour") > 0)
+        return;
+    Summed summed{weights_of(quantity.name, quantity.unit), 0, {}, {}};
+    std::map<std::string, std::size_t> place_of;
+    if (is_by_day)
+        for (const std::string& day :
+             std::get<Names>(measured_.axis("day").coordinates))
+            place_of.emplace(day, place_of.size());
+    for (const QuantitySet& set : sets) {
+        if (!set.has(quantity.name)) return;
+        for (const std::string& axis : quantity.axes)
+            if (!is_by_day &&
+                set.axis(axis).coordinates != sets[0].axis(axis).coordinates)
+                return;
+        summed.begins.push_back(set.offset(quantity.name));
+        std::vector<std::size_t>& places = summed.places.emplace_back(
+            is_by_day ? set.axis("day").size() : sets[0].size(quantity));
+        std::iota(places.begin(), places.end(), std::size_t{0});
+        if (is_by_day)
+            std::transform(places.begin(), places.end(), places.begin(),
+                           [&](std::size_t i) {
+                               return place_of.at(std::get<Names>(
+                                   set.axis("day").coordinates)[i]);
+                           });
+    }
+    summed.size = is_by_day ? place_of.size() : sets[0].size(quantity);
+    measured_.quantities.push_back(quantity);
+    summed_.push_back(std::move(summed));
+}
+
+OverStages::OverStages(const Campaign& campaign, const Case& chosen)
+    : aims_(aims(campaign)) {
+    std::vector<QuantitySet> sets;
+    std::vector<double> at;
+    for (const Case& each : chosen.stages) {
+        const Scene scene = scene_of(campaign, each);
+        sets.push_back(canopy_quantities(scene, canopy_layers(campaign),
+                                         details_of(campaign)));
+        const LightSeries& series = scene.light().series;
+        double time = 0;
+        for (const TimeStep& step : series.steps) time += step.seconds;
+        times_.push_back(time / (series.days * 86400.));
+        days_.push_back(each.stage->day);
+        at.push_back(each.stage->at);
+        incident_.push_back(sets.back().offset("incident"));
+        absorbed_.push_back(sets.back().offset("absorbed_par"));
+        lai_.push_back(sets.back().offset("lai"));
+    }
+    measured_.axes = sets.front().axes;
+    for (Axis& axis : measured_.axes)
+        if (axis.name == "day") axis = days_of_all(sets);
+    for (const Quantity& each : sets.front().quantities) add(each, sets);
+    std::erase_if(measured_.axes, [&](const Axis& axis) {
+        return std::none_of(
+            measured_.quantities.begin(), measured_.quantities.end(),
+            [&](const Quantity& each) {
+                return std::count(each.axes.begin(), each.axes.end(),
+                                  axis.name) > 0;
+            });
+    });
+    measured_.axes.push_back(
+        {"stage", "deg C d", "thermal time since emergence", std::move(at)});
+    for (const std::string& name : told_by_stage) {
+        const auto found = std::find_if(
+            sets[0].quantities.begin(), sets[0].quantities.end(),
+            [&](const Quantity& each) { return each.name == name; });
+        if (found == sets[0].quantities.end()) continue;
+        ByStage by{{}, weights_of(name, found->unit) == Weights::one};
+        for (const QuantitySet& set : sets)
+            by.begins.push_back(set.offset(name));
+        by_stage_.push_back(std::move(by));
+        measured_.quantities.push_back(
+            {name + "_by_stage",
+             found->unit,
+             found->meaning + " on a mean day of the stage",
+             {"stage"},
+             found->certainty});
+    }
+    measured_.quantities.push_back({"day_of_stage",
+                                    "d",
+                                    "days since emergence",
+                                    {"stage"},
+                                    Certainty::exact});
+    for (const Aim& aim : aims_)
+        aim_weights_.push_back(weights_of(aim.quantity, unit_of(aim.quantity)));
+}
+
+std::vector<double> OverStages::weights(Weights kind,
+                                        std::span<const Outcome> each) const {
+    if (kind == Weights::one) return std::vector(each.size(), 1.);
+    if (kind == Weights::time) return times_;
+    const auto& by = kind == Weights::incident   ? incident_
+                     : kind == Weights::absorbed ? absorbed_
+                                                 : lai_;
+    std::vector<double> all;
+    double sum = 0;
+    for (std::size_t s = 0; s < each.size(); ++s) {
+        all.push_back(each[s].quantities[by[s]].mean);
+        if (kind == Weights::leaf_time) all.back() *= times_[s];
+        // Amounts per leaf area are in the time of the stage already.
+        sum += all.back() * (kind == Weights::leaf_area ? times_[s] : 1);
+    }
+    for (double& x : all) x = sum > 0 ? x / sum : 0;
+    return all;
+}
+
+Outcome OverStages::combine(std::span<const Outcome> each) const {
+    Outcome all;
+    all.status = Status::done;
+    const std::size_t count = each.front().randomisations.size() / aims_.size();
+    for (std::size_t k = 0; k < aims_.size(); ++k) {
+        const std::vector<double> by = weights(aim_weights_[k], each);
+        std::vector<double> values(count);
+        double mean = 0;
+        for (std::size_t s = 0; s < each.size(); ++s) {
+            mean += by[s] * each[s].objectives[k].mean;
+            for (std::size_t r = 0; r < count; ++r)
+                values[r] += by[s] * each[s].randomisations[k * count + r];
+        }
+        // A single stage is what it is to the last bit.
+        all.objectives.push_back(
+            {mean, each.size() == 1 ? each[0].objectives[k].standard_error
+                                    : estimate(values).standard_error});
+        all.randomisations.insert(all.randomisations.end(), values.begin(),
+                                  values.end());
+    }
+    for (const Outcome& one : each)
+        all.violation = std::max(all.violation, one.violation);
+    for (const auto& [kind, size, begins, places] : summed_) {
+        const std::vector<double> by = weights(kind, each);
+        std::vector<Estimate> sum(size);
+        for (std::size_t s = 0; s < each.size(); ++s)
+            for (std::size_t i = 0; i < places[s].size(); ++i) {
+                const Estimate x =
+                    scaled(each[s].quantities[begins[s] + i], by[s]);
+                Estimate& into = sum[places[s][i]];
+                into.mean += x.mean;
+                into.standard_error =
+                    std::hypot(into.standard_error, x.standard_error);
+            }
+        all.quantities.insert(all.quantities.end(), sum.begin(), sum.end());
+    }
+    for (const auto& [begins, is_amount] : by_stage_)
+        for (std::size_t s = 0; s < each.size(); ++s)
+            all.quantities.push_back(
+                scaled(each[s].quantities[begins[s]],
+                       is_amount && times_[s] > 0 ? 1 / times_[s] : 1));
+    for (const double day : days_) all.quantities.push_back({day, 0});
+    return all;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "campaign/campaign.hpp"
+
+namespace ideotype {
+
+//! One outcome of plants that grow, of outcomes at each stage.
+class OverStages {
+  public:
+    //! @param chosen has stages
+    OverStages(const Campaign& campaign, const Case& chosen);
+
+    //! What is measured at each stage, but by hour; and some of it by stage.
+    const QuantitySet& measured() const { return measured_; }
+
+    //! Amounts are sums over stages, on a mean day of the season. Fractions of
+    //! light are means by incident light, the light-use efficiency by absorbed
+    //! light, what is per leaf area and extinction by that, and all else by
+    //! time. Stages have random numbers of their own.
+    //! @param each a done outcome of each stage
+    Outcome combine(std::span<const Outcome> each) const;
+
+  private:
+    //! What a number of a stage counts by.
+    enum class Weights { one, time, leaf_area, leaf_time, incident, absorbed };
+
+    static Weights weights_of(const std::string& name, const std::string& unit);
+    //! Returns the weight of each stage.
+    std::vector<double> weights(Weights kind,
+                                std::span<const Outcome> each) const;
+
+    //! A quantity over stages.
+    struct Summed {
+        Weights kind;
+        std::size_t size;
+        std::vector<std::size_t> begins;  //!< in each stage's quantities
+        //! The place of each number of each stage.
+        std::vector<std::vector<std::size_t>> places;
+    };
+
+    //! Adds a quantity, unless it is by hour or of other places in each stage.
+    void add(const Quantity& quantity, const std::vector<QuantitySet>& sets);
+
+    //! A quantity of each stage.
+    struct ByStage {
+        std::vector<std::size_t> begins;
+        bool is_amount;
+    };
+
+    std::vector<Aim> aims_;
+    std::vector<Weights> aim_weights_;
+    std::vector<double> days_;   //!< of each stage since emergence
+    std::vector<double> times_;  //!< of each stage, over that of the season
+    std::vector<std::size_t> incident_, absorbed_, lai_;  //!< in quantities
+    std::vector<Summed> summed_;
+    std::vector<ByStage> by_stage_;
+    QuantitySet measured_;
+};
+
+}  // namespace ideotype

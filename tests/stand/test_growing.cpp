@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "campaign/stages.hpp"
+#include "ideotype/core/error.hpp"
+#include "stand/stand.hpp"
+
+namespace ideotype {
+namespace {
+
+//! growing_season with other settings, in one year until 10 September, when
+//! plants are not yet mature.
+Campaign growing(std::vector<std::string> settings = {}) {
+    settings.insert(settings.end(),
+                    {"objective.over=[]", "light.tolerance=0",
+                     "light.paths=256", "field.rows=2", "field.plants=2",
+                     "field.variation.missing=0", "field.variation.late=0"});
+    std::string text =
+        read_campaign(std::string(IDEOTYPE_CAMPAIGNS) + "/growing_season.toml")
+            .source;
+    const std::size_t second = text.find("[[climate]]\nname = \"2012\"");
+    text.erase(second, text.find("[[spacing]]") - second);
+    const auto replace = [&](const std::string& what, const std::string& by) {
+        text.replace(text.find(what), what.size(), by);
+    };
+    replace("from = 2011-05-01", "from = 2011-05-15");
+    replace("to = 2011-09-30", "to = 2011-09-10");
+    return read_campaign_text(
+        text, std::string(IDEOTYPE_CAMPAIGNS) + "/growing.toml", settings);
+}
+
+Outcome season_of(const Campaign& campaign) {
+    const Case chosen = cases(campaign).at(0);
+    return Stand(campaign, chosen)
+        .evaluate({campaign.crop.baseline},
+                  sampling_of(Task{}, campaign, chosen),
+                  Device(Device::supported_isas().back()));
+}
+
+std::map<std::string, double> numbers(const Campaign& campaign) {
+    const Outcome outcome = season_of(campaign);
+    const QuantitySet measured =
+        outcome_schema(campaign, cases(campaign).at(0), campaign.sampling)
+            .measured;
+    std::map<std::string, double> all;
+    for (const Quantity& each : measured.quantities)
+        for (std::size_t i = 0; i < measured.size(each); ++i)
+            all[each.name + '_' + std::to_string(i)] =
+                outcome.quantities.at(measured.offset(each.name) + i).mean;
+    return all;
+}
+
+TEST(GrowingSeason, AStageOfFullGreenPlantsIsTheCropWithoutGrowthToTheBit) {
+    Campaign grown = growing({"light.stages=1"});
+    grown.crop.growth->leaves = 11;
+    grown.crop.growth->maturity = 1e4;
+    grown.crop.growth->lower_death = grown.crop.growth->upper_death = 1e4;
+    Campaign plain = grown;
+    plain.climates.front().value.emergence = {0, 1, 1};
+    ASSERT_EQ(cases(grown).at(0).stages.size(), 1u);
+    ASSERT_TRUE(cases(plain).at(0).stages.empty());
+    const auto a = numbers(grown), b = numbers(plain);
+    std::size_t compared = 0;
+    for (const auto& [name, number] : a) {
+        // Leaves are paid when they are built, not in equal parts.
+        if (name == "carbon_balance_0" || name == "dry_matter_0" ||
+            !b.contains(name))
+            continue;
+        EXPECT_EQ(number, b.at(name)) << name;
+        ++compared;
+    }
+    EXPECT_GT(compared, 200u);
+    EXPECT_NE(a.at("carbon_balance_0"), b.at("carbon_balance_0"));
+    EXPECT_EQ(season_of(grown).randomisations.size(),
+              season_of(plain).randomisations.size());
+}
+
+TEST(GrowingSeason, StagesShareOutEachHour) {
+    const Campaign campaign = growing();
+    Case chosen = cases(campaign).at(0);
+    ASSERT_EQ(chosen.stages.size(), 10u);
+    std::map<std::pair<Date, double>, double> seconds;
+    double share = 0, before = -1;
+    for (const Case& each : chosen.stages) {
+        const LightSeries series = light_of(campaign, each);
+        EXPECT_TRUE(series.grows);
+        EXPECT_EQ(series.days, 119);
+        for (const TimeStep& step : series.steps)
+            seconds[{step.date, step.hour}] += step.seconds;
+        share += each.stage->share;
+        EXPECT_GT(each.stage->day, before);
+        before = each.stage->day;
+    }
+    EXPECT_NEAR(share, 1, 1e-12);
+    EXPECT_EQ(seconds.size(), 119u * 24u);
+    for (const auto& [hour, sum] : seconds) EXPECT_NEAR(sum, 3600, 1e-6);
+}
+
+TEST(GrowingSeason, AmountsAreSumsOverStagesAndFractionsAreOfIncidentLight) {
+    const Campaign campaign = growing({"light.stages=4"});
+    const auto all = numbers(campaign);
+    Case whole = cases(campaign).at(0);
+    whole.stages.clear();
+    EXPECT_NEAR(all.at("incident_0"),
+                light_of(campaign, whole).incident() / 1e6, 1e-9);
+    EXPECT_NEAR(all.at("absorbed_fraction_0"),
+                all.at("absorbed_par_0") / all.at("incident_0"), 1e-12);
+    EXPECT_NEAR(
+        all.at("light_use_efficiency_0"),
+        12.011 * all.at("gross_assimilation_0") / all.at("absorbed_par_0"),
+        1e-9);
+    double days = 0;
+    for (std::size_t d = 0; d < 119; ++d)
+        days += all.at("assimilation_by_day_" + std::to_string(d));
+    EXPECT_NEAR(days / 119, all.at("gross_assimilation_0"), 1e-9);
+    EXPECT_GT(all.at("carbon_after_silking_0"), 0);
+    EXPECT_LT(all.at("carbon_after_silking_0"), all.at("gross_assimilation_0"));
+    EXPECT_GT(all.at("dead_area_index_by_stage_3"), 0.5);
+    EXPECT_LT(all.at("lai_by_stage_0"), 0.01);
+}
+
+//! What is built, and paid, is all leaf area that there ever was.
+TEST(GrowingSeason, LeavesArePaidOnce) {
+    const Campaign campaign = growing();
+    const Plant plant =
+        complete_plant(*campaign.crop.growth, campaign.crop.baseline);
+    const double area =
+        plant_area(build_plant(plant, campaign.tessellation)).leaves;
+    double built = 0;
+    const Case chosen = cases(campaign).at(0);
+    for (const Case& each : chosen.stages) {
+        const Scene scene = scene_of(campaign, each);
+        for (const double leaf : scene.components.front().built) built += leaf;
+    }
+    EXPECT_NEAR(built, area, 1e-9);
+}
+
+TEST(GrowingSeason, AClimateThatPlantsCannotGrowInIsAnError) {
+    const auto message = [](const std::vector<std::string>& settings) {
+        try {
+            growing(settings);
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_NE(message({"plant.baseline=\"crops/maize.toml\""})
+                  .find("the crop file tells no growth"),
+              std::string::npos);
+    Campaign campaign = growing();
+    EXPECT_NE(std::find_if(campaign.warnings.begin(), campaign.warnings.end(),
+                           [](const Problem& each) {
+                               return each.what.find("are not mature") !=
+                                      std::string::npos;
+                           }),
+              campaign.warnings.end());
+    // The resolved campaign is the same.
+    EXPECT_EQ(parse_campaign(campaign.resolved, "resolved.toml").resolved,
+              campaign.resolved);
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -290,8 +290,8 @@ bool asks_for_assimilation(const Campaign& campaign);
 //! around that: by thermal time, figures are linear between stages.
 struct Stage {
     std::uint32_t number = 0;  //!< from 0
-    //! Of the campaign's crop at this stage, and at those before and after it,
-    //! if there are [deg C d].
+    //! Thermal times of the campaign's crop at this stage, and at those before
+    //! and after it, if there are [deg C d].
     double at = 0;
     std::optional<double> before{}, after{};
     double day = 0;  //!< since emergence
@@ -318,7 +318,7 @@ struct Case {
     //! of the case; its own site, day and spacing are those of the first.
     //! Empty: it is the only one.
     std::vector<Case> scenarios{};
-    //! The same at each stage, where plants grow; but for scenarios, which have
+    //! The case at each stage, where plants grow; scenarios have stages of
     //! their own.
     std::vector<Case> stages{};
     std::optional<Stage> stage{};  //!< if it is one of those

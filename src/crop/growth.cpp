@@ -114,7 +114,7 @@ std::vector<double> collar_heights(const Growth& growth,
             growth.internode_rate * (thermal_time - leaves[i].collar);
         is_full = is_full && grown >= internode;
         stem += std::clamp(grown, 0., internode);
-        // What is full-grown is so to the last bit.
+        // A full-grown part keeps its height to the last bit.
         heights.push_back(
             is_full
                 ? final_heights[i]

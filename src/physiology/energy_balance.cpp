@@ -78,7 +78,7 @@ class Behind {
             air_.boundary * openness / std::max(1 - openness, 1e-15), 1e-12);
     }
 
-    //! Of CO2 from the air into the leaf [m2 s mol-1].
+    //! Returns the resistance to CO2 from the air into the leaf [m2 s mol-1].
     double resistance_of(double gs) const {
         return 1.37 / air_.boundary + 1.6 / gs;
     }

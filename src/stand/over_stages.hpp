@@ -16,7 +16,8 @@ class OverStages {
     //! @param chosen has stages
     OverStages(const Campaign& campaign, const Case& chosen);
 
-    //! What is measured at each stage, but by hour; and some of it by stage.
+    //! Returns the quantities of each stage but those by hour, and some of them
+    //! by stage.
     const QuantitySet& measured() const { return measured_; }
 
     //! Amounts are sums over stages, on a mean day of the season. Fractions of
@@ -27,7 +28,7 @@ class OverStages {
     Outcome combine(std::span<const Outcome> each) const;
 
   private:
-    //! What a number of a stage counts by.
+    //! The weights with which a number of a stage counts.
     enum class Weights { one, time, leaf_area, leaf_time, incident, absorbed };
 
     static Weights weights_of(const std::string& name, const std::string& unit);

@@ -36,7 +36,7 @@ if (same_results "$(history_of alone same)" "$(history_of other same)") \
     fail "another seed gave the same results"
 fi
 
-# What cannot be shared is refused, once.
+# Verbs that cannot share work among ranks are refused once.
 
 # $1 what it says, the rest a command
 refused_once() {

@@ -123,7 +123,7 @@ TEST(GrowingSeason, AmountsAreSumsOverStagesAndFractionsAreOfIncidentLight) {
     EXPECT_LT(all.at("lai_by_stage_0"), 0.01);
 }
 
-//! What is built, and paid, is all leaf area that there ever was.
+//! Leaves are built and paid once: together as much as ever was there.
 TEST(GrowingSeason, LeavesArePaidOnce) {
     const Campaign campaign = growing();
     const Plant plant =

@@ -48,8 +48,8 @@ struct AssimilationReport {
     //! Carbon that leaves of each group of the mesh are built of, and of all.
     std::vector<double> building_of_groups;
     double building = 0;
-    //! Of plants that grow: gross assimilation after silking by randomisation,
-    //! and what leaves respire then.
+    //! Gross assimilation after silking by randomisation, and the respiration
+    //! of leaves in that time, of plants that grow.
     std::vector<double> late_gross;
     double late_respiration = 0;
 

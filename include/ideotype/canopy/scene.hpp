@@ -63,9 +63,9 @@ struct Component {
     double ground_per_plant = 0;                     //!< of all ground [m2]
     //! The plant full-grown, if it stands as it is at another age.
     std::optional<Plant> full_grown{};
-    //! Of plants that grow: area of each leaf that was built in the time that
-    //! the light is of [m2 per plant]. Empty: all of it, in the days that
-    //! photosynthesis tells.
+    //! The area of each leaf that grew in the time of the light [m2 per plant],
+    //! of plants that grow. Empty: all of it, in the days that photosynthesis
+    //! tells.
     std::vector<double> built{};
 
     //! Plants in a field, with those that are missing.

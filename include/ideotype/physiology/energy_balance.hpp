@@ -58,8 +58,8 @@ struct LeafBalance {
 LeafBalance balance(const Co2Leaf& leaf, const Stomata& stomata,
                     const SurfaceAir& air, double absorbed, double temperature);
 
-//! What a point of a leaf absorbs, on both faces together per area of leaf, and
-//! the air around it.
+//! The light that a point of a leaf absorbs, on both faces together per area of
+//! leaf, and the air around it.
 struct LeafSurroundings {
     double ppfd = 0;          //!< [umol m-2 s-1]
     double nir = 0;           //!< [W m-2]
